@@ -1,0 +1,250 @@
+"""Polynomials over ℚ: where expressions become polynomials, are reduced, and become expressions again.
+
+A ring has one generator for each symbol and for each function or constant that is no polynomial, such as
+exp(k3). A square root and a sine carry a relation, g² = …, by which everything is reduced. Matrices share
+one denominator, so that no fraction is ever simplified on the way.
+"""
+import math
+from collections.abc import Callable, Iterable, Sequence, Set
+from typing import Any
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, cos, cosh, exp, sin, sinh, tanh
+
+Row = list[fmpq_mpoly]
+_HYPERBOLIC = (sinh, cosh, tanh)
+
+
+class Ring:
+    """ℚ[generators] / (relations), large enough to hold the expressions given."""
+
+    def __init__(self, expressions: Iterable[Expr]):
+        squares: dict[Expr, Expr] = {}                 # roots and sines, each after those inside it
+        plain: dict[Expr, None] = {}
+        seen: set[Expr] = set()
+        for expression in expressions:
+            _collect(expression, seen, plain, squares)
+        self.generators = (*reversed(squares), *sorted(plain, key=str))
+        self._context = fmpq_mpoly_ctx.get(tuple(f"x{i}" for i in range(len(self.generators))), Ordering.lex)
+        self.one, self.zero = self._context.constant(1), self._context.constant(0)
+        self.gens = dict(zip(self.generators, self._context.gens()))
+        self._memo = {g: (x, self.one) for g, x in self.gens.items()}
+        self._meaning = dict(zip(self.generators, self.generators))
+        self.squares: dict[Expr, fmpq_mpoly] = {}
+        self._relations: list[fmpq_mpoly] = []
+        for root, square in squares.items():           # √(N/D) = g/D with g² = N·D
+            top, bottom = self.fraction(square)
+            self.squares[root] = self.reduce(top * bottom)
+            self._relations.insert(0, self.gens[root] ** 2 - self.squares[root])
+            self._memo[root] = self.gens[root], bottom
+            self._meaning[root] = root * self.expression(bottom)
+
+    def fraction(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        """Numerator and denominator, neither reduced nor sign-normalised."""
+        if node not in self._memo:
+            self._memo[node] = self._convert(node)
+        return self._memo[node]
+
+    def _convert(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        if isinstance(node, Rational):
+            return self._context.constant(fmpq(int(node.p), int(node.q))), self.one
+        if isinstance(node, Add):
+            return self._add([self.fraction(part) for part in node.args])
+        if isinstance(node, Mul):
+            factors = [self.fraction(part) for part in node.args]
+        elif isinstance(node, Pow) and isinstance(node.exp, Integer):
+            factors = [_power(self.fraction(node.base), int(node.exp))]
+        elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
+            factors = [_power(self.fraction(Pow(node.base, Rational(1, 2))), int(node.exp.p))]
+        elif isinstance(node, exp):
+            factors = [_power((self.gens[base], self.one), n) for base, n in _exponential(node)]
+        else:
+            factors = [self.fraction(node.rewrite(exp))]
+        top, bottom = self.one, self.one
+        for numerator, denominator in factors:
+            top, bottom = top * numerator, bottom * denominator
+        return top, bottom
+
+    def _add(self, parts: list[tuple[fmpq_mpoly, fmpq_mpoly]]) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        bottom = self.one
+        for _, denominator in parts:
+            bottom = lcm(bottom, denominator)
+        return sum((top * (bottom / denominator) for top, denominator in parts), self.zero), bottom
+
+    def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """Remainder modulo the relations g² = …."""
+        for relation in self._relations:
+            polynomial = divmod(polynomial, relation)[1]
+        return polynomial
+
+    def matrix(self, rows: Sequence[Sequence[Expr]]) -> tuple[list[Row], fmpq_mpoly]:
+        """Reduced polynomial entries over their least common denominator."""
+        entries = [[self.fraction(entry) for entry in row] for row in rows]
+        bottom = self.one
+        for row in entries:
+            for _, denominator in row:
+                bottom = lcm(bottom, denominator)
+        return [[self.reduce(top * (bottom / denominator)) for top, denominator in row] for row in entries], bottom
+
+    def expression(self, polynomial: fmpq_mpoly) -> Expr:
+        """The SymPy expression, expanded."""
+        meaning = [self._meaning[g] for g in self.generators]
+        return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, Integer(e)) for g, e in zip(meaning, exponents) if e))
+                     for exponents, c in polynomial.to_dict().items()))
+
+    def coefficients(self, polynomial: fmpq_mpoly, moving: Set[Symbol]) -> dict[tuple[int, ...], fmpq_mpoly]:
+        """The polynomial by its monomials in the generators that contain a moving symbol."""
+        places = [bool(g.free_symbols & moving) for g in self.generators]
+        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
+        for exponents, c in polynomial.to_dict().items():
+            kind = tuple(e if moves else 0 for e, moves in zip(exponents, places))
+            groups.setdefault(kind, {})[tuple(e - n for e, n in zip(exponents, kind))] = c
+        return {kind: self._context.from_dict(terms) for kind, terms in groups.items()}
+
+    def monomial(self, exponents: Sequence[int]) -> Expr:
+        """Π generatorᵉ."""
+        return Mul(*(Pow(g, Integer(e)) for g, e in zip(self.generators, exponents) if e))
+
+    def quotient(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
+        """The SymPy fraction in lowest terms, denominators factored."""
+        top, bottom = cancel(self.reduce(top), bottom)
+        if bottom.is_constant():
+            return self.expression(top / bottom)
+        content, factors = bottom.factor()
+        return Mul(self.expression(top / content), *(Pow(self.expression(f), -int(n)) for f, n in factors))
+
+
+def _collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict[Expr, Expr]) -> None:
+    """Enter the generators of an expression: roots and sines with their squares, everything else as it is."""
+    if node in seen or isinstance(node, Rational):
+        return
+    seen.add(node)
+    parts: tuple[Expr, ...] = ()
+    if isinstance(node, (Add, Mul)):
+        parts = node.args
+    elif isinstance(node, Pow) and isinstance(node.exp, Integer):
+        parts = (node.base,)
+    elif isinstance(node, _HYPERBOLIC):
+        parts = (node.rewrite(exp),)
+    elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
+        _collect(node.base, seen, plain, squares)
+        squares.setdefault(Pow(node.base, Rational(1, 2)), node.base)
+    elif isinstance(node, sin):
+        _collect(cos(node.args[0]), seen, plain, squares)
+        squares.setdefault(node, 1 - cos(node.args[0]) ** 2)
+    elif isinstance(node, exp):
+        plain.update(dict.fromkeys(base for base, _ in _exponential(node)))
+    else:
+        plain[node] = None
+    for part in parts:
+        _collect(part, seen, plain, squares)
+
+
+def _exponential(node: exp) -> list[tuple[Expr, int]]:
+    """exp(a + n b) as the powers exp(a)¹ exp(b)ⁿ of generators."""
+    powers = []
+    for term in Add.make_args(node.args[0]):
+        coefficient, rest = term.as_coeff_Mul()
+        n = int(coefficient.p) if isinstance(coefficient, Rational) else 1
+        base = exp(rest / coefficient.q) if isinstance(coefficient, Rational) else exp(term)
+        powers.append((base, n))
+    return powers
+
+
+def _power(part: tuple[fmpq_mpoly, fmpq_mpoly], n: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    top, bottom = part if n >= 0 else part[::-1]
+    return top ** abs(n), bottom ** abs(n)
+
+
+def lcm(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+    """Least common multiple."""
+    return a if a == b or b.is_one() else b if a.is_one() else a * (b / a.gcd(b))
+
+
+def cancel(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """The same fraction in lowest terms."""
+    common = top.gcd(bottom)
+    return (top, bottom) if common.is_constant() else (top / common, bottom / common)
+
+
+def multiply(ring: Ring, a: Sequence[Row], b: Sequence[Row]) -> list[Row]:
+    """Product of two matrices of polynomials, reduced."""
+    columns = list(zip(*b))
+    return [[ring.reduce(sum((x * y for x, y in zip(row, column) if x and y), ring.zero)) for column in columns] for row in a]
+
+
+def determinant(ring: Ring, matrix: Sequence[Row]) -> fmpq_mpoly:
+    """Determinant by expansion along the first row; no division, so that relations do no harm."""
+    if not matrix:
+        return ring.one
+    total = ring.zero
+    for column, entry in enumerate(matrix[0]):
+        if entry:
+            minor = [row[:column] + row[column + 1:] for row in matrix[1:]]
+            total += (-1) ** column * entry * determinant(ring, minor)
+    return ring.reduce(total)
+
+
+def characteristic_coefficients(ring: Ring, matrix: Sequence[Row]) -> list[fmpq_mpoly]:
+    """Coefficients c1, …, cn of det(λ − A) = λⁿ + c1 λⁿ⁻¹ + … + cn (Faddeev, LeVerrier)."""
+    size = len(matrix)
+    coefficients, power = [], [[ring.one if i == j else ring.zero for j in range(size)] for i in range(size)]
+    for n in range(1, size + 1):
+        power = multiply(ring, matrix, power)
+        c = sum((power[i][i] for i in range(size)), ring.zero) / -n
+        coefficients.append(c)
+        for i in range(size):
+            power[i][i] += c
+    return coefficients
+
+
+def row_reduce(ring: Ring, rows: Sequence[Row], key: Callable[[int, fmpq_mpoly], Any], columns: int) -> list[tuple[int, Row]]:
+    """Fraction-free Gauss-Jordan elimination: (pivot column, row) pairs, the other pivot columns cleared.
+
+    The entry with the least key(column, entry) is the next pivot; only the first columns can hold one.
+    """
+    left, done = [row for row in rows if any(row)], []
+    while left:
+        choices = [(key(j, row[j]), i, j) for i, row in enumerate(left) for j in range(columns) if row[j]]
+        if not choices:
+            break
+        _, i, j = min(choices)
+        pivot = left.pop(i)
+        left = [cleared for row in left if any(cleared := _clear(ring, row, pivot, j))]
+        done = [(column, _clear(ring, row, pivot, j)) for column, row in done] + [(j, pivot)]
+    return done
+
+
+def _clear(ring: Ring, row: Row, pivot: Row, column: int) -> Row:
+    if not row[column]:
+        return row
+    own, other = cancel(pivot[column], row[column])
+    cleared = [ring.reduce(own * x - other * y) for x, y in zip(row, pivot)]
+    return primitive(ring, cleared)
+
+
+def primitive(ring: Ring, row: Row) -> Row:
+    """The row divided by the greatest common divisor of its entries, with integer coefficients."""
+    common, numbers = ring.zero, [c for entry in row for c in entry.coeffs()]
+    for entry in row:
+        common = entry if not common else common.gcd(entry) if entry else common
+    if not common:
+        return row
+    scale = fmpq(math.lcm(*(int(c.q) for c in numbers)), math.gcd(*(int(c.p) for c in numbers)))
+    return [entry * scale if common.is_constant() else (entry / common) for entry in row]
+
+
+def null_space(ring: Ring, rows: Sequence[Row], key: Callable[[int, fmpq_mpoly], Any], size: int) -> list[tuple[int, Row]]:
+    """Polynomial basis of {v : rows·v = 0}, as (free column, vector) pairs; the free columns form a diagonal."""
+    reduced = row_reduce(ring, rows, key, size)
+    basis = []
+    for free in sorted(set(range(size)) - {column for column, _ in reduced}):
+        scale = ring.one
+        for column, row in reduced:
+            scale = lcm(scale, cancel(row[free], row[column])[1]) if row[free] else scale
+        vector = [ring.zero] * size
+        vector[free] = scale
+        for column, row in reduced:
+            vector[column] = ring.reduce(-row[free] * scale / row[column]) if row[free] else ring.zero
+        basis.append((free, primitive(ring, vector)))
+    return basis

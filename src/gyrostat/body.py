@@ -1,0 +1,69 @@
+"""Gyrostat: principal moments of inertia, gyrostatic momentum, kinetic energy."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import Add, Expr, Rational
+
+from .errors import BodyError
+from .expressions import exact_expression
+from .notation import Typeset, own, symbol
+
+_INERTIA = tuple(symbol(f"I{i}") for i in (1, 2, 3))
+_ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))
+
+
+@dataclass(frozen=True)
+class Gyrostat(Typeset):
+    """Rigid body with a rotor whose relative angular momentum l is constant, in principal axes.
+
+    Parameters
+    ----------
+    inertia : (I1, I2, I3)                   principal moments of the locked body [M L²], positive
+    gyrostatic_momentum : (l1, l2, l3)       angular momentum of the rotor relative to the body [M L²/T]
+
+    Each entry is a number (made exact) or a SymPy expression; the default is the general body, in symbols.
+
+    Raises
+    ------
+    BodyError        a moment is not positive, or there are not three of each
+
+    Examples
+    --------
+    >>> Gyrostat(inertia=(2, 2, 1), gyrostatic_momentum=(0, 0, 0)).kinetic_energy((symbol("pi1"), 0, symbol("pi3")))
+    pi1**2/4 + pi3**2/2
+    """
+
+    inertia: Sequence[Any] = _INERTIA
+    gyrostatic_momentum: Sequence[Any] = _ROTOR
+
+    def __post_init__(self) -> None:
+        for field in ("inertia", "gyrostatic_momentum"):
+            given = tuple(getattr(self, field))
+            if len(given) != 3:
+                raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")
+            object.__setattr__(self, field, tuple(exact_expression(value, field) for value in given))
+        for moment in self.inertia:
+            if not moment.free_symbols and not moment.is_positive:
+                raise BodyError(f"inertia = {self.inertia}: {moment} is not positive, but a body has mass off every axis; "
+                                "give three positive moments")
+
+    def kinetic_energy(self, momentum: Sequence[Expr]) -> Expr:
+        """T = ½ Σ πᵢ²/Iᵢ, with the rotor locked."""
+        return Add(*(Rational(1, 2) * p**2 / moment for p, moment in zip(momentum, self.inertia)))
+
+    def is_of_revolution(self) -> bool:
+        """Whether I1 = I2 and l lies on axis 3."""
+        return self.inertia[0] == self.inertia[1] and self.gyrostatic_momentum[:2] == (0, 0)
+
+
+def symmetric_gyrostat() -> Gyrostat:
+    """Gyrostat of revolution: I1 = I2, l = (0, 0, l).
+
+    Examples
+    --------
+    >>> symmetric_gyrostat().inertia
+    (I1, I1, I3)
+    """
+    return Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, symbol("l")))
+

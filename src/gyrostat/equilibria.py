@@ -1,0 +1,282 @@
+"""Equilibria, checked when they are built: upright E1, hanging E2, inclined E3, principal rotations, any point claimed."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import Expr, S, Symbol, sqrt
+
+from .algebra import Ring
+from .errors import EquilibriumError, ScopeError
+from .exact import sign
+from .expressions import exact_expression
+from .notation import Typeset, jet, symbol
+from .system import System
+
+Pair = tuple[Symbol, Expr]
+K1, K3, OMEGA, DU, L = symbol("k1"), symbol("k3"), symbol("omega"), symbol("dU"), symbol("l")
+
+
+@dataclass(frozen=True)
+class Equilibrium(Typeset):
+    """A point, or a family of points, where the field vanishes; that it does is checked here, once.
+
+    Parameters
+    ----------
+    label : str
+    system : System
+    point : tuple of Expr, shape (n,)       in the parameters of the family
+    relations : tuple of (Symbol, Expr)     inserted in this order; a derivative of U in them holds on the family
+    domain : tuple of Expr                  positive on the family; the family is not claimed to exist elsewhere
+    eliminated : str or None                the parameter that the last relation expresses by the others
+
+    Raises
+    ------
+    EquilibriumError     a component of the field does not vanish; the message names it
+    """
+
+    label: str
+    system: System
+    point: tuple[Expr, ...]
+    relations: tuple[Pair, ...] = ()
+    domain: tuple[Expr, ...] = ()
+    eliminated: str | None = None
+
+    def __post_init__(self) -> None:
+        if len(self.point) != (n := len(self.system.space.coordinates)):
+            raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give one for each coordinate")
+        left = []
+        for coordinate, rate in zip(self.system.space.coordinates, self.at_point(self.system.jet_field)):
+            if residual := _residual(rate, self):
+                left.append(f"d{coordinate}/dt = {residual}")
+        if left:
+            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(left)}. Check the point, or pass the relation "
+                                   "that makes these vanish as relations=((symbol, value),).")
+
+    @property
+    def at(self) -> Expr:
+        """The k3 at which the derivatives of an axial U are taken: 1, -1 or an expression."""
+        return self.point[-1]
+
+    def at_point(self, expression: Any) -> Any:
+        """An expression or matrix in the coordinates and the jet of U, at the point and on the family."""
+        placed = expression.xreplace(dict(zip(self.system.space.coordinates, self.point)))
+        potential = self.system.potential
+        for relation in self.relations:
+            if jet(relation[0].name):
+                placed = placed.xreplace(dict((relation,)))
+        return self.insert(placed) if potential and potential.given and not potential.axial else placed
+
+    def insert(self, expression: Any) -> Any:
+        """The jet of a given U replaced by its values at the point, then the eliminated parameter by its value."""
+        potential = self.system.potential
+        if potential and potential.given:
+            place = dict(zip(potential.variables, self.point[-len(potential.variables):]))
+            jets = [s for s in expression.free_symbols if jet(s.name)]
+            expression = expression.xreplace({d: potential.value(d).subs(place) for d in jets})
+        for name, value in self.relations:
+            if not jet(name.name):
+                expression = expression.xreplace({name: value})
+        return expression
+
+    def constraint(self) -> Expr | None:
+        """What has to vanish at given values where no parameter was eliminated, None where nothing has."""
+        potential = self.system.potential
+        if self.eliminated or not potential or not potential.given:
+            return None
+        pairs = [(name, value) for name, value in self.relations if jet(name.name)]
+        return self.insert(pairs[0][0]) - pairs[0][1] if pairs else None
+
+
+def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tuple[Any, Any]] = (),
+                domain: Sequence[Expr] = (), label: str = "E") -> Equilibrium:
+    """A point you claim; construction checks that the field vanishes there.
+
+    Parameters
+    ----------
+    scene : System
+    point : sequence, shape (n,)                  numbers or expressions: momenta [M L²/T], then k [1]
+    relations : pairs (symbol, value)             what holds on the family, such as (dU, …)
+    domain : sequence of Expr                     positive on the family
+    label : str
+
+    Raises
+    ------
+    EquilibriumError
+
+    Examples
+    --------
+    >>> from gyrostat.body import symmetric_gyrostat
+    >>> from gyrostat.potential import uniform_field
+    >>> from gyrostat.system import assemble
+    >>> equilibrium(assemble(symmetric_gyrostat(), uniform_field()), (0, 0, 0, 1, 0, 0))
+    Traceback (most recent call last):
+    gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, or pass the relation that makes these vanish as relations=((symbol, value),).
+    """
+    pairs = tuple((symbol(str(name)), exact_expression(value)) for name, value in relations)
+    return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs, tuple(map(exact_expression, domain)),
+                       next((name.name for name, _ in pairs[::-1] if not jet(name.name)), None))
+
+
+def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
+    """E1: spinning about the upward vertical, k3 = 1.
+
+    Parameters
+    ----------
+    scene : System       on e(3)*
+    spin : str           "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
+
+    Source
+    ------
+    Vera & Viguera (2003), §3.
+
+    Examples
+    --------
+    >>> from gyrostat.body import symmetric_gyrostat
+    >>> from gyrostat.potential import axial_potential
+    >>> from gyrostat.system import assemble
+    >>> upright(assemble(symmetric_gyrostat(), axial_potential())).point
+    (0, 0, pi3_0, 0, 0, 1)
+    """
+    return _vertical("E1", scene, spin, 1)
+
+
+def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
+    """E2: spinning about the downward vertical, k3 = -1; arguments as in upright."""
+    return _vertical("E2", scene, spin, -1)
+
+
+def _vertical(label: str, scene: System, spin: str, s: int) -> Equilibrium:
+    if scene.potential is None:
+        raise ScopeError(f"{label} needs a field, the scene has none: use principal_rotation(scene, 3)")
+    if spin not in ("pi3_0", "omega3_0"):
+        raise EquilibriumError(f"spin = {spin!r} is not a parameter of {label}: use 'pi3_0' or 'omega3_0'")
+    momentum = symbol(spin) if spin == "pi3_0" else scene.body.inertia[2] * symbol(spin)
+    return equilibrium(scene, (0, 0, momentum, 0, 0, s), label=label)
+
+
+def principal_rotation(scene: System, axis: int) -> Equilibrium:
+    """Rotation of a free body about a principal axis that also carries l, where M ≠ 0.
+
+    Parameters
+    ----------
+    scene : System       on so(3)*
+    axis : int           1, 2 or 3; the body rate about it is omega1_0, omega2_0 or omega3_0 [1/T]
+
+    Source
+    ------
+    Hughes, Spacecraft Attitude Dynamics (1986), chapter 6.
+
+    Examples
+    --------
+    >>> from gyrostat.body import Gyrostat
+    >>> from gyrostat.system import assemble
+    >>> principal_rotation(assemble(Gyrostat(gyrostatic_momentum=(0, 0, 0))), 2).point
+    (0, I2*omega2_0, 0)
+    """
+    if scene.potential is not None:
+        raise ScopeError("principal_rotation is for a free body, the scene has a field: use upright, hanging or inclined")
+    if axis not in (1, 2, 3):
+        raise EquilibriumError(f"axis = {axis!r} is not a principal axis: give 1, 2 or 3")
+    momentum = scene.body.inertia[axis - 1] * symbol(f"omega{axis}_0")
+    point = [momentum if i == axis else 0 for i in (1, 2, 3)]
+    total = momentum + scene.body.gyrostatic_momentum[axis - 1]
+    return equilibrium(scene, point, domain=(total**2,), label=f"rotation about axis {axis}")
+
+
+def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
+    """E3: precession at the rate omega about the vertical, tilted at 0 < θ < π, k3 = cos θ; ω = omega·k.
+
+    U'(k3) = ω l − ω² k3 (I1 − I3); by the spin symmetry the point shown has k2 = 0, k1 > 0.
+
+    Parameters
+    ----------
+    scene : System           body of revolution in U(k3)
+    eliminate : str or None  the name that the relation expresses by the others; it must enter affinely.
+                             None: dU where U is unspecified; else l; else k3, or a parameter of U; else none,
+                             and the relation is checked at every point asked for
+
+    Raises
+    ------
+    ScopeError               the body is not of revolution, or U is not U(k3)
+    EquilibriumError         the relation is not affine in the name
+
+    Source
+    ------
+    Vera & Viguera (2003), §3.
+
+    Examples
+    --------
+    >>> from gyrostat.body import symmetric_gyrostat
+    >>> from gyrostat.potential import uniform_field
+    >>> from gyrostat.system import assemble
+    >>> inclined(assemble(symmetric_gyrostat(), uniform_field()), eliminate="k3").relations[-1]
+    (k3, (l*omega - m0)/(omega**2*(I1 - I3)))
+    """
+    return _tilted("E3", scene, OMEGA, eliminate)
+
+
+def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
+    """The body at rest at a tilt where U'(k3) = 0, for every l; arguments as in inclined.
+
+    Examples
+    --------
+    >>> from gyrostat.body import symmetric_gyrostat
+    >>> from gyrostat.potential import axial_potential
+    >>> from gyrostat.system import assemble
+    >>> static_tilt(assemble(symmetric_gyrostat(), axial_potential())).point
+    (0, 0, 0, sqrt(1 - k3**2), 0, k3)
+    """
+    return _tilted("E3 at rest", scene, S.Zero, eliminate)
+
+
+def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Equilibrium:
+    body, potential = scene.body, scene.potential
+    if potential is None or not potential.axial or not body.is_of_revolution():
+        raise ScopeError(f"{label} is a family of bodies of revolution in U(k3); this scene has inertia {body.inertia}, l = "
+                         f"{body.gyrostatic_momentum}, U = {potential and potential.expression}: use equilibrium(scene, point)")
+    (I1, _, I3), l, k1 = body.inertia, body.gyrostatic_momentum[2], sqrt(1 - K3**2)
+    point = (I1 * omega * k1, S.Zero, I3 * omega * K3, k1, S.Zero, K3)
+    slope = omega * l - omega**2 * K3 * (I1 - I3)
+    given = potential.value(DU) if potential.given else DU
+    name, solved, pivot = _eliminate(slope - given, eliminate, potential.parameters, label)
+    relations = [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]
+    domain = [1 - K3**2] + ([pivot**2] if pivot.free_symbols else [])
+    if name == "k3":
+        domain = [d.xreplace({K3: solved}) for d in domain]
+    return Equilibrium(label, scene, point, tuple(relations), tuple(domain), name)
+
+
+def _eliminate(relation: Expr, wanted: str | None, parameters: Sequence[Symbol], label: str) -> tuple[str | None, Expr | None, Expr]:
+    """Name, value and leading coefficient of a parameter in which the relation is affine."""
+    for name in [wanted] if wanted else ["dU", "l", "k3", *map(str, parameters)]:
+        if solved := _affine(relation, symbol(name)):
+            return name, *solved
+    if wanted:
+        raise EquilibriumError(f"{label}: the relation {relation} = 0 is not affine in {wanted}: eliminate another name, or none")
+    return None, None, S.One
+
+
+def _affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
+    """Solution and leading coefficient of a x + b = 0, None if the relation has no such form."""
+    ring = Ring([relation])
+    top, _ = ring.fraction(relation)
+    if x not in ring.gens or any(x in g.free_symbols for g in ring.generators if g != x):
+        return None
+    index = ring.generators.index(x)
+    if top.degrees()[index] != 1:
+        return None
+    slope = top.derivative(index)
+    rest = top - slope * ring.gens[x]
+    return ring.quotient(-rest, slope), ring.expression(slope)
+
+
+def _residual(rate: Expr, eq: Equilibrium) -> Expr | None:
+    """The rate in lowest terms, None where it is proved to vanish."""
+    for expression in (rate, eq.insert(rate)):
+        ring = Ring([expression])
+        residual = ring.quotient(*ring.fraction(expression))
+        if residual == 0 or not residual.free_symbols and sign(residual, {}) == 0:
+            return None
+    return residual
+
+

@@ -1,0 +1,37 @@
+"""Every exception that gyrostat raises on purpose; each is also a builtin."""
+
+
+class GyrostatError(Exception):
+    """Base of all of them: ``except GyrostatError`` catches what the library refuses, and nothing else."""
+
+
+class BodyError(GyrostatError, ValueError):
+    """The moments of inertia or the gyrostatic momentum cannot belong to a body."""
+
+
+class PotentialError(GyrostatError, ValueError):
+    """The potential does not depend on the direction k, or depends on what it may not."""
+
+
+class StructureError(GyrostatError, ValueError):
+    """A tensor is not a Poisson tensor, or a function is not one of its Casimirs."""
+
+
+class ScopeError(GyrostatError, NotImplementedError):
+    """The verb exists only for a smaller class of scenes than the one given."""
+
+
+class EquilibriumError(GyrostatError, ValueError):
+    """The field does not vanish at the point claimed, or the claim cannot be parametrised as asked."""
+
+
+class SingularOrbitError(GyrostatError, ValueError):
+    """The differentials of the Casimirs are dependent: the coadjoint orbit has a lower dimension there."""
+
+
+class ExpressionError(GyrostatError, ValueError):
+    """A text is not an expression of the grammar, or is one that is made to be slow."""
+
+
+class ValuesError(GyrostatError, ValueError):
+    """The numbers given do not name a point of the family: missing, unknown, not exact or off the family."""

@@ -1,0 +1,128 @@
+"""Every symbol once: assumptions, LaTeX, Unicode, dimension, meaning."""
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from types import MappingProxyType
+from typing import Any
+
+from sympy import Expr, Symbol
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What one name means; dimension (a, b) stands for [M L²]ᵃ [T]⁻ᵇ."""
+
+    name: str
+    latex: str
+    text: str
+    dimension: tuple[int, int]
+    meaning: str
+    positive: bool = False
+
+
+def _table() -> Mapping[str, Entry]:
+    sub = "₀₁₂₃"
+    rows = [Entry(f"pi{i}_0", rf"\pi_{i}^0", f"π{sub[i]}⁰", (1, 1), f"π{i} at the equilibrium") for i in (1, 2, 3)]
+    rows += [Entry(f"omega{i}_0", rf"\omega_{i}^0", f"ω{sub[i]}⁰", (0, 1), f"body rate about axis {i} at the equilibrium")
+             for i in (1, 2, 3)]
+    rows += [Entry(f"pi{i}", rf"\pi_{i}", f"π{sub[i]}", (1, 1), f"angular momentum of the locked body, axis {i}")
+             for i in (1, 2, 3)]
+    rows += [Entry("omega", r"\omega", "ω", (0, 1), "rate about the vertical: ω = omega·k"),
+             Entry("l", "l", "l", (1, 1), "gyrostatic momentum along the axis of symmetry")]
+    rows += [Entry(f"l{i}", f"l_{i}", f"l{sub[i]}", (1, 1), f"gyrostatic momentum, axis {i}") for i in (1, 2, 3)]
+    rows += [Entry(f"I{i}", f"I_{i}", f"I{sub[i]}", (1, 0), f"principal moment of inertia, axis {i}", True)
+             for i in (1, 2, 3)]
+    rows += [Entry("m0", "m_0", "m₀", (1, 2), "weight times height of the centre of mass: m g z0"),
+             Entry("m1", "m_1", "m₁", (0, 2), "3 g / r, r the distance of the centre of attraction")]
+    rows += [Entry(f"k{i}", f"k_{i}", f"k{sub[i]}", (0, 0), f"direction of the field (Poisson vector), axis {i}")
+             for i in (1, 2, 3)]
+    rows += [Entry("nu1", r"\nu_1", "ν₁", (0, 1), "multiplier of C1"), Entry("nu2", r"\nu_2", "ν₂", (1, 2), "multiplier of C2"),
+             Entry("nu", r"\nu", "ν", (0, 1), "free multiplier of an integral"),
+             Entry("lamda", r"\lambda", "λ", (0, 1), "eigenvalue of the linearised field")]
+    return MappingProxyType({row.name: row for row in rows})
+
+
+NOTATION = _table()
+ORDER = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
+_JET = re.compile(r"d(\d*)U(?:_([123]+))?")
+
+
+def jet_name(order: int, axes: str = "") -> str:
+    """Name of a derivative of U: dU, d2U, d3U, … in k3, or d2U_13, … in k1 and k3."""
+    return f"d{order if order > 1 else ''}U{'_' + axes if axes else ''}"
+
+
+def jet(name: str) -> tuple[int, str] | None:
+    """Order and axes of the derivative of U that a name stands for, None if it stands for none."""
+    match = _JET.fullmatch(name)
+    if match is None or match[1] in ("0", "1") or match[1].startswith("0"):
+        return None
+    return int(match[1] or 1), match[2] or ""
+
+
+@cache
+def symbol(name: str) -> Symbol:
+    """The one symbol of that name; names that are not in the table are real parameters."""
+    return Symbol(name, positive=True) if name in NOTATION and NOTATION[name].positive else Symbol(name, real=True)
+
+
+def own(expression: Expr) -> Expr:
+    """The same expression in our symbols, matched by name."""
+    return expression.xreplace({s: symbol(s.name) for s in expression.free_symbols if s != symbol(s.name)})
+
+
+class Typeset:
+    """Objects that Jupyter shows typeset."""
+
+    def _repr_latex_(self) -> str:
+        from .latex import to_latex                    # a view: loaded only when something is shown
+        return rf"$\displaystyle {to_latex(self)}$"
+
+
+def dimension(name: str) -> tuple[int, int] | None:
+    """Dimension of a name as powers of mass·length² and 1/time; None where the library cannot know it."""
+    if jet(name):
+        return (1, 2)
+    return NOTATION[name].dimension if name in NOTATION else None
+
+
+def typeset(name: str, at: Any = None, style: str = "latex") -> str:
+    """A name as it is printed; derivatives of U take their argument from at."""
+    entry = NOTATION.get(name)
+    if entry:
+        return entry.latex if style == "latex" else entry.text
+    order_axes = jet(name)
+    if order_axes:
+        return _typeset_jet(*order_axes, at, style)
+    return _typeset_parameter(name, style)
+
+
+def _typeset_jet(order: int, axes: str, at: Any, style: str) -> str:
+    latex = style == "latex"
+    if axes:
+        return rf"\partial_{{{axes}}} U" if latex else "∂" + axes.translate(str.maketrans("123", "₁₂₃")) + "U"
+    if order <= 3:
+        primes = ("'" if latex else "′") * order
+    else:
+        primes = f"^{{({order})}}" if latex else "⁽" + str(order).translate(SUPERSCRIPTS) + "⁾"
+    argument = "k3" if at is None else str(at).replace("-", "-" if latex else "−")
+    return f"U{primes}({typeset(argument, style=style) if argument == 'k3' else argument})"
+
+
+SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "kappa": "κ", "lambda": "λ", "mu": "μ",
+          "nu": "ν", "rho": "ρ", "sigma": "σ", "tau": "τ", "theta": "θ", "phi": "φ", "chi": "χ", "psi": "ψ", "xi": "ξ"}
+
+
+def _typeset_parameter(name: str, style: str) -> str:
+    """A user's parameter: greek letters and a trailing number are set, anything else stays upright."""
+    match = re.fullmatch(r"([A-Za-z]+?)_?(\d*)", name)
+    if match is None:
+        return r"\mathrm{" + name.replace("_", r"\_") + "}" if style == "latex" else name
+    word, digits = match.groups()
+    if style != "latex":
+        return _GREEK.get(word, word) + digits.translate(SUBSCRIPTS)
+    word = "\\" + word if word in _GREEK else word if len(word) == 1 else rf"\mathrm{{{word}}}"
+    return f"{word}_{{{digits}}}" if digits else word

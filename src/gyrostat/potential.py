@@ -1,0 +1,150 @@
+"""Potentials U(k3), unspecified or given, and U(k1, k2, k3); their jets; named fields."""
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import Expr, Function, Rational, Symbol
+from sympy.core.function import AppliedUndef
+
+from .errors import PotentialError, ScopeError
+from .expressions import exact_expression
+from .notation import Typeset, jet, jet_name, symbol
+
+DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
+_BODY = {"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1"}
+
+
+@dataclass(frozen=True)
+class Potential(Typeset):
+    """U as a function of k3 alone, or of k1, k2, k3.
+
+    Its derivatives at a point, the jet, are symbols of their own (dU, d2U, … or dU_1, d2U_13, …) until
+    a given U inserts their values.
+
+    Parameters
+    ----------
+    variables : tuple of Symbol      (k3,) or (k1, k2, k3)
+    expression : Expr                U [M L²/T²]
+    revolution : bool                whether the formula holds only for a body with I1 = I2
+    """
+
+    variables: tuple[Symbol, ...]
+    expression: Expr
+    revolution: bool = False
+
+    def __post_init__(self) -> None:
+        taken = [s for s in self.parameters if s in DIRECTIONS or s.name.startswith(("pi", "omega", "nu", "lamda")) or jet(s.name)]
+        if taken:
+            raise PotentialError(f"U = {self.expression} depends on {', '.join(map(str, taken))}, which is not a parameter of a "
+                                 f"potential in {', '.join(map(str, self.variables))}: rename it, or use general_potential")
+        if self.expression.free_symbols and not self.expression.free_symbols & set(self.variables):
+            raise PotentialError(f"U = {self.expression} does not depend on {', '.join(map(str, self.variables))}: "
+                                 "write it in the components of k")
+        if self.expression.is_real is False or self.expression.is_finite is False:
+            raise PotentialError(f"U = {self.expression} is not a finite real number: check roots, logarithms and denominators")
+
+    @property
+    def given(self) -> bool:
+        """Whether U is an expression, not an unspecified function."""
+        return not isinstance(self.expression, AppliedUndef)
+
+    @property
+    def axial(self) -> bool:
+        """Whether U depends on k3 alone."""
+        return len(self.variables) == 1
+
+    @property
+    def parameters(self) -> tuple[Symbol, ...]:
+        """The symbols of U other than k, by name."""
+        return tuple(sorted(self.expression.free_symbols - set(self.variables), key=str))
+
+    def gradient(self) -> tuple[Expr, ...]:
+        """∇U in the symbols of the jet, shape (3,)."""
+        return (Rational(0), Rational(0), symbol("dU")) if self.axial else tuple(symbol(jet_name(1, a)) for a in "123")
+
+    def following(self, derivative: Symbol) -> tuple[Expr, ...]:
+        """Derivatives along k1, k2, k3 of a symbol of the jet, shape (3,)."""
+        order, axes = jet(derivative.name) or (0, "")
+        if self.axial:
+            return Rational(0), Rational(0), symbol(jet_name(order + 1))
+        return tuple(symbol(jet_name(order + 1, "".join(sorted(axes + a)))) for a in "123")
+
+    def value(self, derivative: Symbol) -> Expr:
+        """What a symbol of the jet stands for, as an expression in k."""
+        order, axes = jet(derivative.name) or (0, "")
+        along = self.variables * order if self.axial else tuple(DIRECTIONS[int(a) - 1] for a in axes)
+        return self.expression.diff(*along)
+
+
+def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -> Potential:
+    """Axially symmetric potential U(k3).
+
+    Parameters
+    ----------
+    expression : Expr, number, callable or None
+        U in k3 and real parameters [M L²/T²]; a function of the symbol k3; or None, U left unspecified.
+        Symbols are matched by name, floats are the dyadic rationals they are.
+
+    Raises
+    ------
+    PotentialError       U has parameters but no k3, or depends on k1, k2 or a name of the motion
+
+    Source
+    ------
+    Vera & Viguera, Monografías de la Real Academia de Ciencias de Zaragoza 22 (2003) 141-150, §1.
+
+    Examples
+    --------
+    >>> axial_potential(lambda k3: k3**2 / 2).expression
+    k3**2/2
+    >>> axial_potential().expression
+    U(k3)
+    """
+    return _potential(DIRECTIONS[2:], expression)
+
+
+def general_potential(expression: Expr | Callable[..., Expr] | None = None) -> Potential:
+    """Potential U(k1, k2, k3): an expression, a function of the three symbols, or None for U left unspecified."""
+    return _potential(DIRECTIONS, expression)
+
+
+def uniform_field() -> Potential:
+    """Uniform field, U = m0 k3 with m0 = m g z0; z0 > 0: the centre of mass is above the support at k3 = 1."""
+    return newtonian_field(1)
+
+
+def newtonian_field(order: int) -> Potential:
+    """Attraction by a distant centre below, to the order given: 1 is uniform, 2 adds the gravity gradient.
+
+    U⁽¹⁾ = m0 k3,  U⁽²⁾ = m0 k3 + (m1/2) (I3 − I1) k3², m0 = m g z0, m1 = 3 g / r; body of revolution.
+
+    Raises
+    ------
+    ScopeError           for orders other than 1 and 2
+
+    Source
+    ------
+    Vera & Viguera (2003), §1 and §3.
+
+    Examples
+    --------
+    >>> newtonian_field(2).expression
+    k3**2*m1*(-I1 + I3)/2 + k3*m0
+    """
+    k3, m0, m1, I1, I3 = map(symbol, ("k3", "m0", "m1", "I1", "I3"))
+    if order not in (1, 2):
+        raise ScopeError(f"the Newtonian field is built to orders 1 and 2, not {order}: give higher orders as axial_potential(U)")
+    return axial_potential(m0 * k3) if order == 1 else Potential((k3,), m0 * k3 + m1 / 2 * (I3 - I1) * k3**2, revolution=True)
+
+
+def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
+    if given is None:
+        return Potential(variables, Function("U", real=True)(*variables))
+    if callable(given) and not isinstance(given, Expr):
+        given = given(*variables)
+    if isinstance(given, (str, bool)):
+        raise PotentialError(f"U = {given!r} is not an expression: build it from symbol('k3'), or give a function of k3")
+    expression = exact_expression(given, "U")
+    if expression.atoms(AppliedUndef):
+        raise PotentialError(f"U = {expression} contains an unspecified function: call without arguments to leave U unspecified")
+    return Potential(variables, expression)

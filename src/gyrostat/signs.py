@@ -1,0 +1,100 @@
+"""What is known of the sign of a polynomial: by assumption, by its form, on the domain of a family."""
+from collections.abc import Iterable
+
+from flint import fmpq_mpoly
+from sympy import Expr
+
+from .algebra import Ring, cancel
+
+Factors = dict[str, fmpq_mpoly]
+
+
+class Signs:
+    """Signs of polynomials of a ring where every expression of the domain is positive."""
+
+    def __init__(self, ring: Ring, domain: Iterable[Expr] = ()):
+        self.ring = ring
+        self._positive = {g for g in ring.generators if g.is_positive}
+        self._known: dict[str, int] = {}                  # factors are kept under their text: polynomials do not hash
+        self._groups: list[tuple[frozenset[str], int]] = []   # odd factors whose product has this sign
+        self._nonzero: set[str] = set()
+        for expression in domain:
+            top, bottom = ring.fraction(expression)
+            sign, odd, even = self._factors(ring.reduce(top), ring.reduce(bottom))
+            self._nonzero.update(odd, even)
+            if len(odd) == 1:
+                self._known[next(iter(odd))] = sign
+            elif odd:
+                self._groups.append((frozenset(odd), sign))
+        for root, square in reversed(ring.squares.items()):
+            if self.of(square) == 1 and root.is_Pow:
+                self._positive.add(root)
+
+    def of(self, polynomial: fmpq_mpoly) -> int | None:
+        """1, 0 or -1 where the sign is the same on the whole domain, else None."""
+        if not polynomial:
+            return 0
+        sign, odd, even = self._factors(polynomial, self.ring.one)
+        return None if odd or even else sign
+
+    def nonnegative(self, polynomial: fmpq_mpoly) -> bool:
+        """Whether the polynomial is a positive multiple of a square, or zero."""
+        if not polynomial:
+            return True
+        sign, odd, _ = self._factors(polynomial, self.ring.one)
+        return sign > 0 and not odd
+
+    def nonzero(self, polynomial: fmpq_mpoly) -> bool:
+        """Whether the polynomial vanishes nowhere on the domain."""
+        if not polynomial:
+            return False
+        _, odd, even = self._factors(polynomial, self.ring.one)
+        return not even and odd.keys() <= self._nonzero
+
+    def split(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, tuple[fmpq_mpoly, ...]]:
+        """Margin normal form of a fraction: the margin, and the even factors that may vanish.
+
+        The sign of the fraction is 0 where one of those vanishes, else the sign of the margin, which is the
+        primitive integer polynomial of the factors of odd multiplicity that have no known sign.
+        """
+        top, bottom = cancel(self.ring.reduce(top), bottom)
+        if not top:
+            return self.ring.zero, ()
+        sign, odd, even = self._factors(top, bottom)
+        margin = self.ring.one * sign
+        for factor in odd.values():
+            margin *= factor
+        return margin, tuple(even[name] for name in sorted(even))
+
+    def _factors(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[int, Factors, Factors]:
+        """Sign, odd factors, and even factors of top, without those of known sign."""
+        sign: int = 1
+        odd: Factors = {}
+        even: Factors = {}
+        for polynomial in (top, bottom):
+            content, factors = polynomial.factor()
+            sign = sign if content > 0 else -sign
+            for factor, n in factors:
+                name = str(factor)
+                if known := self._known.get(name) or self._form(factor):
+                    sign *= known ** int(n)
+                elif n % 2:
+                    odd[name] = factor
+                elif polynomial is top and name not in self._nonzero:
+                    even[name] = factor
+        for group, product in self._groups:
+            if group <= odd.keys():
+                odd = {name: factor for name, factor in odd.items() if name not in group}
+                sign *= product
+        return sign, odd, even
+
+    def _form(self, polynomial: fmpq_mpoly) -> int:
+        """±1 if all terms have that sign and one of them cannot vanish, else 0."""
+        positive = [g in self._positive for g in self.ring.generators]
+        signs, strict = set(), False
+        for exponents, coefficient in polynomial.to_dict().items():
+            if any(e % 2 and not p for e, p in zip(exponents, positive)):
+                return 0
+            signs.add(1 if coefficient > 0 else -1)
+            strict = strict or all(p for e, p in zip(exponents, positive) if e)
+        return signs.pop() if strict and len(signs) == 1 else 0

@@ -1,0 +1,235 @@
+"""Verdict, Decision, Report, analyze: the one call a newcomer needs."""
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from functools import cached_property
+from typing import Any
+
+from sympy import Expr, Symbol
+
+from .conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
+from .energy_casimir import SecondVariation, second_variation
+from .equilibria import Equilibrium
+from .errors import ValuesError
+from .exact import evaluate, sign_of_constant
+from .expressions import exact_number
+from .linearization import Linearization, linearize
+from .notation import NOTATION, Typeset, jet, symbol
+
+
+class Verdict(Enum):
+    """What is known of an equilibrium; each value says what the answer means."""
+
+    STABLE = "a sufficient condition for stability is proved to hold"
+    UNSTABLE = "a necessary condition for stability is proved to fail"
+    UNDECIDED = "neither a sufficient condition is proved to hold nor a necessary one to fail"
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A verdict at given numbers, with its reason.
+
+    Parameters
+    ----------
+    verdict : Verdict
+    notion : str                          the notion that is proved ("Lyapunov") or violated ("spectral"); "" if undecided
+    modulo : tuple of Expr                integrals whose flow is divided out; for a spin about the axis, (pi3,)
+    reason : str
+    margins : tuple of (margin, value)    exact values of the margins that were used
+    note : str                            what is unusual about the numbers, if anything
+    """
+
+    verdict: Verdict
+    notion: str
+    modulo: tuple[Expr, ...]
+    reason: str
+    margins: tuple[tuple[Expr, Expr], ...]
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Report(Typeset):
+    """The stability analysis of one equilibrium; each part is derived when it is first asked for."""
+
+    equilibrium: Equilibrium
+
+    @cached_property
+    def linearization(self) -> Linearization:
+        """The field on the tangent space of the coadjoint orbit."""
+        return linearize(self.equilibrium)
+
+    @cached_property
+    def second_variation(self) -> SecondVariation:
+        """With the Casimirs and the integrals of the scene."""
+        return second_variation(self.equilibrium)
+
+    @cached_property
+    def necessary(self) -> Criterion:
+        """Spectral criterion, reduced to independent conditions."""
+        return independent(spectral_criterion(self.linearization), self.equilibrium)
+
+    @cached_property
+    def sufficient(self) -> Criterion:
+        """Formal criterion with the Casimirs and the integrals, reduced to independent conditions."""
+        return independent(formal_criterion(self.second_variation), self.equilibrium)
+
+    @cached_property
+    def casimirs_only(self) -> Criterion:
+        """Formal criterion with the Casimirs alone, for comparison."""
+        if not self.equilibrium.system.integrals:
+            return self.sufficient
+        return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)), self.equilibrium)
+
+    @property
+    def boundary(self) -> Criterion | None:
+        """What decides between necessary and sufficient: nothing does yet."""
+        return None
+
+    @cached_property
+    def required(self) -> tuple[str, ...]:
+        """Names that a verdict needs."""
+        conditions = [c for criterion in (self.necessary, self.sufficient) for a in criterion.alternatives for c in a]
+        expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(self.equilibrium.domain)
+        if (constraint := self.equilibrium.constraint()) is not None:
+            expressions.append(constraint)
+        return _names(expressions)
+
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
+        eq = self.equilibrium
+        scene = [eq.system.hamiltonian, *eq.system.body.inertia, *eq.system.body.gyrostatic_momentum, *eq.point, *eq.domain]
+        own = set(_names([*scene, *(e for pair in eq.relations for e in pair)])) | set(self.required)
+        moving = set(map(str, eq.system.space.coordinates)) - set(_names(eq.point))
+        return tuple(sorted(n for n in own - moving if n in self.required or n == eq.eliminated or not jet(n)))
+
+    def verdict(self, values: Mapping[str, Any]) -> Decision:
+        """The verdict at a point, exact, equality included.
+
+        Parameters
+        ----------
+        values : mapping of name to number      int, Fraction, Decimal, SymPy rational or algebraic number, a string
+                                                such as "1/2", "0.1", "sqrt(3)/2"; a float is the dyadic rational it is
+
+        Returns
+        -------
+        Decision        STABLE (Lyapunov, modulo what it says), UNSTABLE, or UNDECIDED on the boundary and wherever a
+                        transcendental margin has no proved sign at 4096 bits
+
+        Raises
+        ------
+        ValuesError     names are missing or unknown, a number is not finite, a moment is not positive, or the point
+                        is not on the family
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat, upright
+        >>> report = analyze(upright(assemble(symmetric_gyrostat(), axial_potential())))
+        >>> report.verdict({"I1": 1, "I3": "1/2", "l": 2, "pi3_0": 1, "dU": 2}).verdict
+        <Verdict.STABLE: 'a sufficient condition for stability is proved to hold'>
+        """
+        numbers = self._numbers(values)
+        note = inertia_note(self.equilibrium, numbers)
+        modulo = self.sufficient.modulo
+        sufficient, margins = _holds(self.sufficient, numbers)
+        if sufficient:
+            return Decision(Verdict.STABLE, "Lyapunov", modulo, _reason(margins, "the second variation is definite on the symplectic "
+                            "slice"), margins, note)
+        necessary, margins = _holds(self.necessary, numbers)
+        if necessary is False:
+            return Decision(Verdict.UNSTABLE, "spectral", modulo, _reason(margins, "an eigenvalue has a positive real part"), margins, note)
+        why = "a margin has no proved sign" if None in (sufficient, necessary) else "the point lies between the two criteria"
+        return Decision(Verdict.UNDECIDED, "", modulo, _reason(margins, why), margins, note)
+
+    def _numbers(self, values: Mapping[str, Any]) -> dict[Symbol, Expr]:
+        eq = self.equilibrium
+        free_jet = eq.system.potential is not None and not eq.system.potential.given
+        unknown = [n for n in map(str, values) if n not in self.parameters and not (free_jet and jet(n))]
+        if unknown:
+            raise ValuesError(f"{eq.label} has no parameter {', '.join(unknown)}: its parameters are {', '.join(self.parameters)}")
+        missing = [n for n in self.required if n not in map(str, values)]
+        if missing:
+            raise ValuesError(f"{eq.label} needs {', '.join(map(_described, missing))}: give a number for each of "
+                              f"{', '.join(self.required)}")
+        numbers = {symbol(str(name)): exact_number(value, str(name)) for name, value in values.items()}
+        for name, number in numbers.items():
+            if name.is_positive and sign_of_constant(number) != 1:
+                raise ValuesError(f"{name} = {number} is not positive, but {_described(name.name)} is: give a positive number")
+        for expression in eq.domain:
+            if sign_of_constant(value := evaluate(expression, numbers)) != 1:
+                raise ValuesError(f"{eq.label} exists only where {expression} > 0, it is {value}: choose a point inside")
+        self._on_family(numbers)
+        return numbers
+
+    def _on_family(self, numbers: Mapping[Symbol, Expr]) -> None:
+        eq = self.equilibrium
+        residual = eq.constraint()
+        if eq.eliminated and symbol(eq.eliminated) in numbers:
+            residual = dict(eq.relations)[symbol(eq.eliminated)] - symbol(eq.eliminated)
+            if missing := [n for n in _names([residual]) if symbol(n) not in numbers]:
+                raise ValuesError(f"to check {eq.eliminated} on {eq.label}, {', '.join(missing)} is needed: give it, or omit {eq.eliminated}")
+        if residual is not None and sign_of_constant(value := evaluate(residual, numbers)) != 0:
+            raise ValuesError(f"the point is not on {eq.label}: {residual} is {value.evalf(8)}, not proved to be 0; "
+                              + (f"omit {eq.eliminated}, or correct it" if eq.eliminated else "correct the numbers"))
+
+
+def analyze(eq: Equilibrium) -> Report:
+    """The stability analysis of an equilibrium.
+
+    Examples
+    --------
+    >>> from gyrostat import assemble, axial_potential, inclined, symmetric_gyrostat
+    >>> report = analyze(inclined(assemble(symmetric_gyrostat(), axial_potential())))
+    >>> report.necessary.alternatives[0][0].margin == report.sufficient.alternatives[0][0].margin
+    True
+    """
+    return Report(eq)
+
+
+def inertia_note(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
+    """A sentence if the moments break the triangle inequality, as no rigid body's do; "" otherwise."""
+    moments = [m.xreplace(dict(numbers)) for m in eq.system.body.inertia]
+    if any(m.free_symbols for m in moments):
+        return ""
+    if any(sign_of_constant(sum(moments) - 2 * m) == -1 for m in moments):
+        return f"no rigid body has the moments {', '.join(map(str, moments))}: one exceeds the sum of the others (a body in a fluid may)"
+    return ""
+
+
+def _holds(criterion: Criterion, numbers: Mapping[Symbol, Expr]) -> tuple[bool | None, tuple[tuple[Expr, Expr], ...]]:
+    """Three-valued truth of a criterion, with the margins evaluated."""
+    margins: dict[Expr, Expr] = {}
+    answers = [_all(_condition_holds(c, numbers, margins) for c in alternative) for alternative in criterion.alternatives]
+    truth = True if True in answers else None if None in answers else False
+    return truth, tuple(margins.items())
+
+
+def _all(answers: Iterable[bool | None]) -> bool | None:
+    given = list(answers)
+    return False if False in given else None if None in given else True
+
+
+def _condition_holds(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> bool | None:
+    value = margins[condition.margin] = evaluate(condition.margin, numbers)
+    sign = sign_of_constant(value)
+    factors = [sign_of_constant(evaluate(factor, numbers)) for factor in condition.degenerate]
+    if 0 in factors:
+        sign = 0
+    if sign is None:
+        return None
+    if None in factors:                                # the sign is this one, or 0
+        return None if (sign > 0) == condition.strict and sign else not condition.strict
+    return sign > 0 if condition.strict else sign >= 0
+
+
+def _reason(margins: tuple[tuple[Expr, Expr], ...], conclusion: str) -> str:
+    shown = ", ".join(f"{margin} = {value if value.is_Rational else value.evalf(8)}" for margin, value in margins if margin.free_symbols)
+    return f"{shown}: {conclusion}" if shown else conclusion
+
+
+def _names(expressions: Iterable[Expr]) -> tuple[str, ...]:
+    return tuple(sorted({s.name for e in expressions for s in e.free_symbols}))
+
+
+def _described(name: str) -> str:
+    return f"{name} ({NOTATION[name].meaning})" if name in NOTATION else f"{name} (a derivative of U)" if jet(name) else name
