@@ -125,9 +125,9 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
 def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
     """The same criterion without the conditions that follow from the others, given U and the relations inserted."""
     conditions = [c for alternative in criterion.alternatives for c in alternative]
-    for values in (lambda e: e, eq.insert):
-        ring = Ring([*(values(e) for c in conditions for e in (c.margin, *c.degenerate)), *eq.domain])
-        signs = Signs(ring, eq.domain)
+    for values, domain in ((lambda e: e, eq.domain), (eq.insert, eq.existence())):
+        ring = Ring([*(values(e) for c in conditions for e in (c.margin, *c.degenerate)), *domain])
+        signs = Signs(ring, domain)
         alternatives = []
         for alternative in criterion.alternatives:
             items = _simplify([_inserted(ring, signs, c, values) for c in alternative], signs)

@@ -78,6 +78,10 @@ class Equilibrium(Typeset):
                 expression = expression.xreplace({name: value})
         return expression
 
+    def existence(self) -> tuple[Expr, ...]:
+        """The domain in the parameters that are left: positive where the family exists."""
+        return tuple(map(self.insert, self.domain))
+
     def constraint(self) -> Expr | None:
         """What has to vanish at given values where no parameter was eliminated, None where nothing has."""
         potential = self.system.potential
@@ -241,8 +245,6 @@ def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Eq
     name, solved, pivot = _eliminate(slope - given, eliminate, potential.parameters, label)
     relations = [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]
     domain = [1 - K3**2] + ([pivot**2] if pivot.free_symbols else [])
-    if name == "k3":
-        domain = [d.xreplace({K3: solved}) for d in domain]
     return Equilibrium(label, scene, point, tuple(relations), tuple(domain), name)
 
 

@@ -103,7 +103,7 @@ def _typeset_jet(order: int, axes: str, at: Any, style: str) -> str:
     if axes:
         return rf"\partial_{{{axes}}} U" if latex else "∂" + axes.translate(str.maketrans("123", "₁₂₃")) + "U"
     if order <= 3:
-        primes = ("'" if latex else "′") * order
+        primes = "'" * order if latex else "′″‴"[order - 1]
     else:
         primes = f"^{{({order})}}" if latex else "⁽" + str(order).translate(SUPERSCRIPTS) + "⁾"
     argument = "k3" if at is None else str(at).replace("-", "-" if latex else "−")

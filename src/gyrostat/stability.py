@@ -89,7 +89,7 @@ class Report(Typeset):
     def required(self) -> tuple[str, ...]:
         """Names that a verdict needs."""
         conditions = [c for criterion in (self.necessary, self.sufficient) for a in criterion.alternatives for c in a]
-        expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(self.equilibrium.domain)
+        expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(self.equilibrium.existence())
         if (constraint := self.equilibrium.constraint()) is not None:
             expressions.append(constraint)
         return _names(expressions)
@@ -98,7 +98,7 @@ class Report(Typeset):
     def parameters(self) -> tuple[str, ...]:
         """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
         eq = self.equilibrium
-        scene = [eq.system.hamiltonian, *eq.system.body.inertia, *eq.system.body.gyrostatic_momentum, *eq.point, *eq.domain]
+        scene = [eq.system.hamiltonian, *eq.system.body.inertia, *eq.system.body.gyrostatic_momentum, *eq.point, *eq.existence()]
         own = set(_names([*scene, *(e for pair in eq.relations for e in pair)])) | set(self.required)
         moving = set(map(str, eq.system.space.coordinates)) - set(_names(eq.point))
         return tuple(sorted(n for n in own - moving if n in self.required or n == eq.eliminated or not jet(n)))
@@ -155,7 +155,7 @@ class Report(Typeset):
         for name, number in numbers.items():
             if name.is_positive and sign_of_constant(number) != 1:
                 raise ValuesError(f"{name} = {number} is not positive, but {_described(name.name)} is: give a positive number")
-        for expression in eq.domain:
+        for expression in eq.existence():
             if sign_of_constant(value := evaluate(expression, numbers)) != 1:
                 raise ValuesError(f"{eq.label} exists only where {expression} > 0, it is {value}: choose a point inside")
         self._on_family(numbers)

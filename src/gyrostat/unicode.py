@@ -1,0 +1,80 @@
+"""Formulas in one line of Unicode, matrices as aligned rows."""
+from collections.abc import Sequence
+from typing import Any
+
+from sympy import Add, Expr, Mul, Pow, Symbol
+from sympy.printing.str import StrPrinter
+
+from .notation import SUPERSCRIPTS, jet_name, typeset
+from .presentation import ordered_factors, ordered_terms, over
+
+
+class _Unicode(StrPrinter):
+    def __init__(self, at: Any = None):
+        super().__init__()
+        self.at = at
+
+    def _print_Symbol(self, expr: Symbol) -> str:
+        return typeset(expr.name, self.at, "text")
+
+    def _print_Pow(self, expr: Pow, rational: bool = False) -> str:
+        base, exponent = expr.args
+        if exponent.is_Rational and exponent < 0:
+            return "1/" + self.parenthesize(Pow(base, -exponent), 60, strict=False)
+        if exponent.is_Rational and exponent.q == 2 and exponent.p == 1:
+            inner = self._print(base)
+            return f"√{inner}" if base.is_Symbol or base.is_Integer and base >= 0 else f"√({inner})"
+        inner = self._print(base)
+        inner = inner if base.is_Symbol and not inner.endswith(tuple("⁰)")) else f"({inner})"
+        return inner + (str(exponent).translate(SUPERSCRIPTS) if exponent.is_Integer else f"^({self._print(exponent)})")
+
+    def _print_Mul(self, expr: Mul) -> str:
+        if expr.could_extract_minus_sign():
+            return "−" + self._print(-expr)
+        top, bottom = over(expr)
+        if bottom == 1:
+            return " ".join(map(self._factor, ordered_factors(top)))
+        above = " ".join(map(self._factor, ordered_factors(top))) or "1"
+        below = list(map(self._factor, ordered_factors(bottom)))
+        return f"{above}/{below[0]}" if len(below) == 1 else f"{above}/({' '.join(below)})"
+
+    def _factor(self, factor: Expr) -> str:
+        return f"({self._print(factor)})" if factor.is_Add else self._print(factor)
+
+    def _print_Add(self, expr: Add, order: Any = None) -> str:
+        pieces = []
+        for term in ordered_terms(expr):
+            text = self._print(term)
+            pieces.append(text if not pieces else f" − {text[1:]}" if text.startswith("−") else f" + {text}")
+        return "".join(pieces)
+
+    def _print_Integer(self, expr: Expr) -> str:
+        return str(expr).replace("-", "−")
+
+    def _print_Rational(self, expr: Expr) -> str:
+        return str(expr).replace("-", "−")
+
+    def _print_Derivative(self, expr: Any) -> str:
+        variables = "".join(str(v)[-1] * n for v, n in expr.variable_count)
+        return typeset(jet_name(len(variables), variables if len(expr.expr.args) > 1 else ""), style="text")
+
+
+def unicode(expression: Expr, at: Any = None) -> str:
+    """An expression in one line; derivatives of U take their argument from at.
+
+    Examples
+    --------
+    >>> from gyrostat.notation import symbol
+    >>> unicode((symbol("pi3_0") + symbol("l"))**2 - 4*symbol("I1")*symbol("dU"), at=1)
+    '(π₃⁰ + l)² − 4 I₁ U′(1)'
+    """
+    return _Unicode(at)._print(expression)
+
+
+def matrix_lines(rows: Sequence[Sequence[Expr]], at: Any = None) -> list[str]:
+    """The rows of a matrix, columns aligned, in brackets."""
+    cells = [[unicode(entry, at) for entry in row] for row in rows]
+    widths = [max(len(row[j]) for row in cells) for j in range(len(cells[0]))]
+    last = len(cells) - 1
+    ends = ["()"] if last == 0 else ["⎛⎞", *["⎜⎟"] * (last - 1), "⎝⎠"]
+    return [f"{e[0]} {'   '.join(c.center(w) for c, w in zip(row, widths))} {e[1]}" for e, row in zip(ends, cells)]
