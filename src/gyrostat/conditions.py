@@ -6,7 +6,7 @@ from typing import Any
 from flint import fmpq_mpoly
 from sympy import Expr
 
-from .algebra import Ring, determinant
+from .algebra import Ring
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
 from .linearization import Linearization
@@ -106,13 +106,12 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
     """
     eq = variation.equilibrium
-    ring = Ring([*variation.matrix, *eq.domain])
+    ring = Ring([*variation.minors, *eq.domain])
     signs = Signs(ring, eq.domain)
-    rows, bottom = ring.matrix(variation.matrix.tolist())
-    minors = [determinant(ring, [row[:n] for row in rows[:n]]) for n in range(1, len(rows) + 1)]
+    minors = [ring.fraction(minor) for minor in variation.minors]
     alternatives: list[list[_Item]] = []
     for s in (1, -1):
-        items = [_Item(*signs.split(s**n * minor, bottom**n), True, f"minor {n}") for n, minor in enumerate(minors, 1)]
+        items = [_Item(*signs.split(s**n * top, bottom), True, f"minor {n}") for n, (top, bottom) in enumerate(minors, 1)]
         conjunction = _simplify(items, signs)
         if conjunction is not None:
             for nu in (g for g in variation.free if g in ring.gens):

@@ -1,10 +1,11 @@
 """Energy-Casimir: multipliers, augmented Hamiltonian, its second variation on the symplectic slice."""
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
-from .algebra import Ring, multiply, row_reduce
+from .algebra import Ring, determinant, multiply, row_reduce
 from .equilibria import Equilibrium
 from .notation import Typeset, symbol
 from .orbit import critical_integrals, differentials, orbit_tangent, slice_and_symmetries
@@ -32,20 +33,27 @@ class SecondVariation(Typeset):
     free: tuple[Symbol, ...]
     modulo: tuple[Expr, ...]
 
+    @cached_property
+    def minors(self) -> tuple[Expr, ...]:
+        """Leading principal minors, of order 1 to m; all positive: positive definite, signs −, +, −, …: negative definite."""
+        ring = Ring(self.matrix)
+        rows, bottom = ring.matrix(self.matrix.tolist())
+        return tuple(ring.quotient(determinant(ring, [row[:n] for row in rows[:n]]), bottom**n) for n in range(1, len(rows) + 1))
+
 
 def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
-    """ν with ∇h + Σ νⱼ ∇Fⱼ = 0 at the equilibrium; those left free are the symbols nu, nu_2, ….
+    """ν with ∇h + Σ νⱼ ∇Fⱼ = 0 at the equilibrium; those left free are the symbols nu1, nu2, … of their functions.
 
-    The functions come in the order in which they are to be determined: the last ones are left free first.
+    The last functions are determined first: where an integral is critical, the multiplier of the first Casimir is free.
     """
     columns = differentials(eq, functions)
     energy = list(eq.at_point(eq.system.energy_gradient))
     ring = Ring([*(entry for column in columns for entry in column), *energy, *eq.domain])
     signs = Signs(ring, eq.domain)
     rows = [ring.matrix([row])[0][0] for row in zip(*columns, energy)]
-    solved = dict(row_reduce(ring, rows, lambda j, entry: (j, not signs.nonzero(entry), len(entry)), len(functions)))
+    solved = dict(row_reduce(ring, rows, lambda j, entry: (-j, not signs.nonzero(entry), len(entry)), len(functions)))
     free = [j for j in range(len(functions)) if j not in solved]
-    values: dict[int, Expr] = {j: symbol("nu" if n == 0 else f"nu_{n + 1}") for n, j in enumerate(free)}
+    values: dict[int, Expr] = {j: symbol(f"nu{j + 1}") for j in free}
     for j, row in solved.items():
         values[j] = ring.quotient(-row[-1], row[j]) - sum((ring.quotient(row[f], row[j]) * values[f] for f in free), S.Zero)
     return tuple(values[j] for j in range(len(functions)))
@@ -124,5 +132,5 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     columns, _ = ring.matrix(basis.tolist())
     restricted = multiply(ring, [list(column) for column in zip(*columns)], multiply(ring, rows, columns)) if basis.cols else []
     matrix = ImmutableMatrix(basis.cols, basis.cols, lambda i, j: ring.quotient(restricted[i][j], bottom))
-    free = tuple(sorted({s for value in nu for s in value.free_symbols if s.name.startswith("nu")}, key=str))
+    free = tuple(value for j, value in enumerate(nu, 1) if value == symbol(f"nu{j}"))
     return SecondVariation(eq, basis, matrix, tuple(zip(functions, nu)), free, symmetries)

@@ -49,17 +49,24 @@ class Linearization(Typeset):
     def eigenvalues(self) -> tuple[Expr, ...]:
         """The d roots of the characteristic polynomial, d = 2 or 4, in closed form.
 
-        With c4 = r² and p ± 2r a square, as at E1 and E2, no root is nested: λ = ±i (√(p + 2r) ± √(p − 2r))/2.
+        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2; at E1 and E2 p + 2r is a square too.
 
         Source
         ------
-        results for E1, E2: Routh; for U(k3) Vera & Viguera (2003), §4.1.1.
+        Vera & Viguera (2003), §4.1.1, whose discriminant (2a + b)² (b² + 4dc) is (p + 2r) (p − 2r).
+
+        Examples
+        --------
+        >>> from gyrostat import Gyrostat, assemble, hanging, uniform_field
+        >>> scene = assemble(Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)), uniform_field())
+        >>> linearize(hanging(scene)).eigenvalues()[0].subs({"dU": 0})
+        I*pi3_0
         """
         if len(self.coefficients) == 1:
             root = square_root(-self.coefficients[0])
             return root, -root
         p, q = self.coefficients
-        r = _rational_root(q)
+        r = rational_root(q)
         if r is not None:
             plus, minus = square_root(p + 2 * r), square_root(p - 2 * r)
             return tuple(s * I * (plus + t * minus) / 2 for s in (1, -1) for t in (1, -1))
@@ -131,7 +138,7 @@ def square_root(expression: Expr) -> Expr:
     return Mul(outside, sqrt(inside))
 
 
-def _rational_root(expression: Expr) -> Expr | None:
+def rational_root(expression: Expr) -> Expr | None:
     """r with r² the expression, a fraction of polynomials; None where there is none."""
     root = square_root(expression)
     return None if root.atoms(Pow) and any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root

@@ -38,13 +38,14 @@ def _table() -> Mapping[str, Entry]:
     rows += [Entry(f"k{i}", f"k_{i}", f"k{sub[i]}", (0, 0), f"direction of the field (Poisson vector), axis {i}")
              for i in (1, 2, 3)]
     rows += [Entry("nu1", r"\nu_1", "ν₁", (0, 1), "multiplier of C1"), Entry("nu2", r"\nu_2", "ν₂", (1, 2), "multiplier of C2"),
-             Entry("nu", r"\nu", "ν", (0, 1), "free multiplier of an integral"),
+             Entry("nu3", r"\nu_3", "ν₃", (0, 1), "multiplier of an integral"),
              Entry("lamda", r"\lambda", "λ", (0, 1), "eigenvalue of the linearised field")]
     return MappingProxyType({row.name: row for row in rows})
 
 
 NOTATION = _table()
 ORDER = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
+PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1"})    # the names of the table a potential may use
 _JET = re.compile(r"d(\d*)U(?:_([123]+))?")
 
 

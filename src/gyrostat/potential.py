@@ -8,10 +8,9 @@ from sympy.core.function import AppliedUndef
 
 from .errors import PotentialError, ScopeError
 from .expressions import exact_expression
-from .notation import Typeset, jet, jet_name, symbol
+from .notation import NOTATION, PARAMETERS, Typeset, jet, jet_name, symbol
 
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
-_BODY = {"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1"}
 
 
 @dataclass(frozen=True)
@@ -33,7 +32,7 @@ class Potential(Typeset):
     revolution: bool = False
 
     def __post_init__(self) -> None:
-        taken = [s for s in self.parameters if s in DIRECTIONS or s.name.startswith(("pi", "omega", "nu", "lamda")) or jet(s.name)]
+        taken = [s for s in self.parameters if jet(s.name) or s.name in NOTATION and s.name not in PARAMETERS]
         if taken:
             raise PotentialError(f"U = {self.expression} depends on {', '.join(map(str, taken))}, which is not a parameter of a "
                                  f"potential in {', '.join(map(str, self.variables))}: rename it, or use general_potential")

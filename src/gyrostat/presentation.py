@@ -2,7 +2,7 @@
 from typing import Any
 
 from flint import fmpq_mpoly
-from sympy import Add, Expr, ImmutableMatrix, Mul, Pow, Symbol
+from sympy import Add, Expr, ImmutableMatrix, Integer, Mul, Pow, S, Symbol
 
 from .algebra import Ring, cancel
 from .conditions import Condition
@@ -37,10 +37,11 @@ def readable(expression: Expr) -> Expr:
 
 def entries(matrix: ImmutableMatrix) -> ImmutableMatrix:
     """The same matrix, each entry a sum over its different denominators, as in π3/I3 − (π3 + l)/I1."""
-    return ImmutableMatrix(matrix.applyfunc(_split))
+    return ImmutableMatrix(matrix.applyfunc(split))
 
 
-def _split(entry: Expr) -> Expr:
+def split(entry: Expr) -> Expr:
+    """The same fraction of polynomials as a sum over its different denominators."""
     ring = Ring([entry])
     top, bottom = cancel(*ring.fraction(entry))
     groups: dict[str, tuple[fmpq_mpoly, fmpq_mpoly]] = {}
@@ -144,6 +145,16 @@ def ordered_factors(product: Expr) -> list[Expr]:
 
 def over(product: Expr) -> tuple[Expr, Expr]:
     """Numerator and denominator of a product, as they stand."""
-    below = [f for f in Mul.make_args(product) if isinstance(f, Pow) and f.exp.is_Rational and f.exp < 0]
-    c, rest = Mul(*(f for f in Mul.make_args(product) if f not in below)).as_coeff_Mul()
-    return (Mul(c.p, *Mul.make_args(rest)), Mul(c.q, *(1 / f for f in below))) if c.is_Rational else (product, Mul())
+    c, rest = product.as_coeff_Mul()
+    if not c.is_Rational:
+        c, rest = S.One, product
+    parts = Mul.make_args(rest)
+    below = [f for f in parts if isinstance(f, Pow) and f.exp.is_Rational and f.exp < 0]
+    above = [Integer(c.p), *(f for f in parts if f not in below)]
+    return _product(above), _product([Integer(c.q), *(1 / f for f in below)])
+
+
+def _product(factors: list[Expr]) -> Expr:
+    """The product without distributing a number over a sum."""
+    factors = [f for f in factors if f != 1]
+    return factors[0] if len(factors) == 1 else Mul(*factors, evaluate=False) if factors else S.One

@@ -1,11 +1,13 @@
-"""Formulas in one line of Unicode, matrices as aligned rows."""
-from collections.abc import Sequence
+"""Formulas in one line of Unicode, matrices as aligned rows, whole documents in 100 columns."""
+from collections.abc import Iterable, Sequence
+from textwrap import wrap
 from typing import Any
 
-from sympy import Add, Expr, Mul, Pow, Symbol
+from sympy import Add, Expr, MatrixBase, Mul, Pow, Symbol
 from sympy.printing.str import StrPrinter
 
-from .notation import SUPERSCRIPTS, jet_name, typeset
+from .document import Block, Display, Heading, Sentence, Word
+from .notation import SUBSCRIPTS, SUPERSCRIPTS, jet_name, typeset
 from .presentation import ordered_factors, ordered_terms, over
 
 
@@ -20,7 +22,7 @@ class _Unicode(StrPrinter):
     def _print_Pow(self, expr: Pow, rational: bool = False) -> str:
         base, exponent = expr.args
         if exponent.is_Rational and exponent < 0:
-            return "1/" + self.parenthesize(Pow(base, -exponent), 60, strict=False)
+            return "1/" + self._factor(Pow(base, -exponent))
         if exponent.is_Rational and exponent.q == 2 and exponent.p == 1:
             inner = self._print(base)
             return f"√{inner}" if base.is_Symbol or base.is_Integer and base >= 0 else f"√({inner})"
@@ -48,6 +50,9 @@ class _Unicode(StrPrinter):
             pieces.append(text if not pieces else f" − {text[1:]}" if text.startswith("−") else f" + {text}")
         return "".join(pieces)
 
+    def _print_Abs(self, expr: Expr) -> str:
+        return f"|{self._print(expr.args[0])}|"
+
     def _print_Integer(self, expr: Expr) -> str:
         return str(expr).replace("-", "−")
 
@@ -69,6 +74,39 @@ def unicode(expression: Expr, at: Any = None) -> str:
     '(π₃⁰ + l)² − 4 I₁ U′(1)'
     """
     return _Unicode(at)._print(expression)
+
+
+def text(blocks: Iterable[Block], width: int = 100) -> str:
+    """The document in Unicode, no line longer than the width unless one formula is."""
+    lines: list[str] = []
+    for block in blocks:
+        if isinstance(block, Heading):
+            lines += ["", block.title, ("═" if block.level == 1 else "─") * len(block.title)] if block.level == 1 else ["", f"  {block.title}"]
+        elif isinstance(block, Sentence):
+            lines += wrap(block.template.format(*(_inline(part, block.at) for part in block.parts)), width,
+                          initial_indent="  ", subsequent_indent="  ", break_long_words=False)
+        else:
+            lines += _displayed(block, width)
+    return "\n".join(lines).strip("\n") + "\n"
+
+
+def _inline(part: Any, at: Any) -> str:
+    return part.text if isinstance(part, Word) else unicode(part, at)
+
+
+def _displayed(block: Display, width: int) -> list[str]:
+    name = "    " + _inline(block.name, block.at)
+    if not isinstance(block.value, MatrixBase):
+        return [f"{name} {block.relation} {unicode(block.value, block.at)}"]
+    rows = block.value.tolist()
+    lines = matrix_lines(rows, block.at)
+    indent = " " * (len(name) + 3)
+    middle = (len(lines) - 1) // 2
+    lines = [(f"{name} = " if i == middle else indent) + line for i, line in enumerate(lines)]
+    if max(map(len, lines)) <= width:
+        return lines
+    return [f"{name}{f'{i}{j}'.translate(SUBSCRIPTS)} = {unicode(entry, block.at)}" for i, row in enumerate(rows, 1)
+            for j, entry in enumerate(row, 1) if entry]
 
 
 def matrix_lines(rows: Sequence[Sequence[Expr]], at: Any = None) -> list[str]:
