@@ -2,10 +2,10 @@
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, Pow, S, Symbol
+from sympy import Abs, Expr, ImmutableMatrix, Pow, S, Symbol
 
 from .conditions import Condition, Criterion
-from .equilibria import Equilibrium
+from .equilibria import Equilibrium, solved_tilt
 from .linearization import rational_root, square_root
 from .notation import jet, symbol
 from .presentation import entries, inequality, readable, split
@@ -50,6 +50,7 @@ class Display:
 
 Block = Heading | Sentence | Display
 DOT = {f"{x}{i}": Word(f"{g}̇{'₀₁₂₃'[i]}", rf"\dot{{{t}}}_{i}") for x, g, t in (("pi", "π", r"\pi"), ("k", "k", "k")) for i in (1, 2, 3)}
+IMAGINARY = Word("±i", r"\pm i")
 _ABOUT = {"E1": "spinning about the upward vertical", "E2": "spinning about the downward vertical",
           "E3": "precessing about the vertical, inclined", "E3 at rest": "tilted, without rotation"}
 
@@ -57,11 +58,12 @@ _ABOUT = {"E1": "spinning about the upward vertical", "E2": "spinning about the 
 def scene_blocks(scene: System) -> list[Block]:
     """Body, field, bracket, equations of motion and integrals."""
     body, space, potential = scene.body, scene.space, scene.potential
-    field = "e(3)*" if potential else "so(3)*"
+    momentum = Word("l", "l"), *body.gyrostatic_momentum, Word("M = π + l", r"M = \pi + l")
     blocks: list[Block] = [Heading("Scene"), Sentence(
-        "Principal moments ({}, {}, {}), gyrostatic momentum l = ({}, {}, {}), M = {} + l" + (", potential U = {}." if potential else ", no field."),
-        (*body.inertia, *body.gyrostatic_momentum, Word("π", r"\pi"), *([potential.expression] if potential else [])))]
-    blocks += [Sentence(f"Poisson tensor on {field}, " + "{{F, G}} = ∇F·B∇G; the Jacobi identity holds for all coordinates."),
+        "Principal moments ({}, {}, {}), gyrostatic momentum {} = ({}, {}, {}), {}" + (", potential {}." if potential else ", no field."),
+        (*body.inertia, *momentum, *([potential.expression] if potential else [])))]
+    bracket = Word("{F, G} = ∇F·B∇G", r"\{F, G\} = \nabla F\cdot B\,\nabla G")
+    blocks += [Sentence(f"Poisson tensor on {'e' if potential else 'so'}(3)*, {{}}; the Jacobi identity holds.", (bracket,)),
                Display(Word("B", "B"), space.tensor)]
     names = (Word("C₁", "C_1"), Word("C₂", "C_2")) if potential else (Word("C", "C"),)
     blocks += [Sentence("Casimirs and Hamiltonian:"), *(Display(n, c) for n, c in zip(names, space.casimirs)),
@@ -71,7 +73,8 @@ def scene_blocks(scene: System) -> list[Block]:
     blocks += [Sentence("Equations of motion, {}:", (vector,)),
                *(Display(DOT[str(x)], rate) for x, rate in zip(space.coordinates, scene.vector_field()))]
     if scene.integrals:
-        blocks.append(Sentence("Integral found, {{F, h}} = 0: F = " + ", ".join(["{}"] * len(scene.integrals)) + ".", scene.integrals))
+        found = Word("{F, h} = 0", r"\{F, h\} = 0")
+        blocks.append(Sentence("Integral found, {}: " + ", ".join(["{}"] * len(scene.integrals)) + ".", (found, *scene.integrals)))
     return blocks
 
 
@@ -94,25 +97,31 @@ def _point(eq: Equilibrium) -> list[Block]:
     template = "({}) = ({})".format(", ".join(["{}"] * len(coordinates)), ", ".join(["{}"] * len(coordinates)))
     blocks: list[Block] = [Sentence(template + (", where " + ", ".join("{} = {}" for _ in roots) if roots else ""),
                                     (*coordinates, *shown, *(part for pair in roots for part in pair)), eq.at)]
+    potential = eq.system.potential
+    if potential and potential.given and potential.axial:
+        jets = (symbol("dU"), symbol("d2U")) if eq.domain else (symbol("dU"),)
+        blocks.append(Sentence("Of this potential: " + ", ".join("{} = {}" for _ in jets) + ".",
+                               tuple(x for d in jets for x in (d, readable(potential.value(d).subs(symbol("k3"), eq.at)))), eq.at))
     if eq.relations:
         blocks.append(Sentence("On the family:"))
         blocks += [Display(name, value if jet(name.name) else readable(value), eq.at) for name, value in eq.relations]
     if eq.domain:
         blocks.append(Sentence("It exists where:"))
-        blocks += [Display(*_existence(d), eq.at, relation) for d, relation in zip(eq.existence(), map(_kind, eq.domain))]
+        blocks += [_existence(d, eq.at) for d in eq.existence()]
+    if (tilt := solved_tilt(eq)) is not None:
+        blocks += [Sentence("Solved for the tilt:"), Display(symbol("k3"), readable(tilt)),
+                   Sentence("which exists where:"), _existence(1 - tilt**2, eq.at)]
     return blocks
 
 
-def _kind(domain: Expr) -> str:
-    return "≠" if isinstance(domain, Pow) and domain.exp == 2 else "<"
-
-
-def _existence(domain: Expr) -> tuple[Any, Any]:
-    """|x| < 1 for 1 − x² > 0, x ≠ 0 for x² > 0."""
+def _existence(domain: Expr, at: Any) -> Display:
+    """|x| < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
     if isinstance(domain, Pow) and domain.exp == 2:
-        return readable(domain.base), S.Zero
-    root = square_root(1 - domain)
-    return abs(readable(root)), S.One
+        return Display(readable(domain.base), S.Zero, at, "≠")
+    root = readable(square_root(1 - domain))
+    if any(x.exp == S.Half for x in root.atoms(Pow)):
+        return Display(readable(domain), S.Zero, at, ">")
+    return Display(Abs(root, evaluate=False), S.One, at, "<")
 
 
 def _named_roots(eq: Equilibrium, matrix: ImmutableMatrix) -> tuple[ImmutableMatrix, list[tuple[Symbol, Expr]]]:
@@ -132,7 +141,7 @@ def _linearization(report: Report) -> list[Block]:
     if len(values) == 1:
         q = symbol("q")
         return [*blocks, Sentence("Characteristic polynomial {} with", (Word("λ² + q", r"\lambda^2 + q"),)), Display(q, readable(values[0]), eq.at),
-                Sentence("Eigenvalues λ = ±i {}.", (_root(values[0]),), eq.at)]
+                Sentence("Eigenvalues {} {}.", (IMAGINARY, _root(values[0])), eq.at)]
     (p, q), (a, b) = values, (symbol("p"), symbol("q"))
     return [*blocks, Sentence("Characteristic polynomial {} with", (Word("λ⁴ + p λ² + q", r"\lambda^4 + p\,\lambda^2 + q"),)),
             Display(a, readable(p), eq.at), Display(b, readable(q), eq.at), Display(a**2 - 4 * b, readable(p**2 - 4 * q), eq.at),
@@ -141,11 +150,12 @@ def _linearization(report: Report) -> list[Block]:
 
 def _eigenvalues(p: Expr, q: Expr, eq: Equilibrium) -> list[Block]:
     if q == 0:
-        return [Sentence("Eigenvalues λ = 0, 0, ±i {}.", (_root(p),), eq.at)]
+        return [Sentence("Eigenvalues 0, 0 and {} {}.", (IMAGINARY, _root(p)), eq.at)]
     r = rational_root(q)
     if r is None:
         return []
-    return [Sentence("Eigenvalues λ = ±i ({} ± {}).", (split(square_root(p + 2 * r) / 2), _root(p - 2 * r) / 2), eq.at)]
+    outer, inner = split(square_root(p + 2 * r) / 2), _root(p - 2 * r) / 2
+    return [Sentence("Eigenvalues {} ({} {} {}).", (IMAGINARY, outer, Word("±", r"\pm"), inner), eq.at)]
 
 
 def _root(expression: Expr) -> Expr:

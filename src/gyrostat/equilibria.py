@@ -242,10 +242,22 @@ def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Eq
     point = (I1 * omega * k1, S.Zero, I3 * omega * K3, k1, S.Zero, K3)
     slope = omega * l - omega**2 * K3 * (I1 - I3)
     given = potential.value(DU) if potential.given else DU
-    name, solved, pivot = _eliminate(slope - given, eliminate, potential.parameters, label)
+    if (relation := slope - given).is_number and relation != 0:
+        raise EquilibriumError(f"{label} does not exist in U = {potential.expression}: its relation is {relation} = 0")
+    name, solved, pivot = _eliminate(relation, eliminate, potential.parameters, label)
     relations = [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]
     domain = [1 - K3**2] + ([pivot**2] if pivot.free_symbols else [])
     return Equilibrium(label, scene, point, tuple(relations), tuple(domain), name)
+
+
+def solved_tilt(eq: Equilibrium) -> Expr | None:
+    """k3 of a tilted family in closed form, where its relation is affine in k3 and another name was eliminated."""
+    potential = eq.system.potential
+    slopes = [value for name, value in eq.relations if name == DU]
+    if not slopes or not potential or not potential.given or eq.eliminated == "k3":
+        return None
+    solved = _affine(slopes[0] - potential.value(DU), K3)
+    return solved and solved[0]
 
 
 def _eliminate(relation: Expr, wanted: str | None, parameters: Sequence[Symbol], label: str) -> tuple[str | None, Expr | None, Expr]:

@@ -77,8 +77,8 @@ class Typeset:
     """Objects that Jupyter shows typeset."""
 
     def _repr_latex_(self) -> str:
-        from .latex import to_latex                    # a view: loaded only when something is shown
-        return rf"$\displaystyle {to_latex(self)}$"
+        from .latex import formula                     # a view: loaded only when something is shown
+        return rf"$\displaystyle {formula(self)}$"
 
 
 def dimension(name: str) -> tuple[int, int] | None:

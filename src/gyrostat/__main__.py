@@ -1,0 +1,6 @@
+"""python -m gyrostat."""
+import sys
+
+from .cli import main
+
+sys.exit(main())

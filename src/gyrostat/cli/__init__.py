@@ -1,0 +1,54 @@
+"""The command line: gyrostat VERB --option."""
+import argparse
+import sys
+from collections.abc import Sequence
+from importlib.metadata import version
+
+from ..errors import GyrostatError
+
+_EXAMPLES = """examples:
+  gyrostat report                                            any field U(k3): E1, E2 and E3
+  gyrostat report --potential "m0*k3"                        a heavy gyrostat
+  gyrostat report --potential "m0*k3 + m1/2*(I3 - I1)*k3**2" --equilibrium E1 --format latex --output e1.tex
+  gyrostat report --potential "m0*k3" --equilibrium E1 --set I1=1 --set I3=1.6 --set l=0 --set m0=1 --set omega3_0=1.3
+"""
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command line's grammar."""
+    top = argparse.ArgumentParser(prog="gyrostat", description=(
+        "Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the inequalities."),
+        epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    top.add_argument("--version", action="version", version=f"gyrostat {version('gyrostat')}")
+    verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
+    report = verbs.add_parser("report", help="the whole derivation, and verdicts where numbers are set", epilog=_EXAMPLES,
+                              formatter_class=argparse.RawDescriptionHelpFormatter)
+    report.add_argument("--potential", metavar="EXPR", help="U in k3 and parameters: names, numbers, + - * / **, parentheses, sqrt, "
+                        "exp, log, sin, …; none for a free body; left out: U unspecified")
+    report.add_argument("--equilibrium", action="append", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; "
+                        "may be repeated; left out: all three")
+    report.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", dest="values",
+                        help="a number, exact: I1=1.6, l=1/2, k3='sqrt(3)/2'; with enough of them a verdict is added")
+    report.add_argument("--format", choices=("text", "latex", "json"), default="text")
+    report.add_argument("--output", metavar="FILE", help="write to a file instead of the terminal")
+    return top
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line; 0: done, 2: bad input, with the reason on stderr."""
+    given = parser().parse_args(arguments)
+    from .report import run                            # SymPy is loaded after the arguments are understood
+    try:
+        output = run(given)
+        if given.output is None:
+            print(output, end="")
+        else:
+            with open(given.output, "w", encoding="utf-8") as file:
+                file.write(output)
+    except GyrostatError as error:
+        print(f"gyrostat: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"gyrostat: cannot write {given.output}: {error.strerror}", file=sys.stderr)
+        return 2
+    return 0

@@ -1,0 +1,183 @@
+"""to_latex(obj): conditions, matrices, polynomials, every public object, and whole reports, in the notation of the sources."""
+from collections.abc import Iterable
+from typing import Any
+
+from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Symbol
+from sympy.printing.latex import LatexPrinter
+
+from .body import Gyrostat
+from .conditions import Condition, Criterion
+from .document import DOT, Block, Display, Heading, Sentence, Word, comparison, decision_blocks, report_blocks, scene_blocks
+from .energy_casimir import SecondVariation
+from .equilibria import Equilibrium
+from .liepoisson import LiePoisson
+from .linearization import Linearization
+from .notation import jet_name, typeset
+from .potential import Potential
+from .presentation import entries, ordered_factors, ordered_terms, over, readable
+from .stability import Decision, Report
+from .system import System
+
+_RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq"}
+_PROSE = str.maketrans({"π": r"$\pi$", "λ": r"$\lambda$", "∇": r"$\nabla$", "·": r"$\cdot$", "×": r"$\times$", "ν": r"$\nu$", "±": r"$\pm$"})
+
+
+class _Latex(LatexPrinter):
+    def __init__(self, at: Any = None):
+        super().__init__()
+        self.at = at
+
+    def _print_Symbol(self, expr: Symbol, style: str = "plain") -> str:
+        return typeset(expr.name, self.at)
+
+    def _print_Add(self, expr: Add, order: Any = None) -> str:
+        pieces: list[str] = []
+        for term in ordered_terms(expr):
+            tex = self._print(term)
+            pieces.append(tex if not pieces else f" - {tex[1:].lstrip()}" if tex.startswith("-") else f" + {tex}")
+        return "".join(pieces)
+
+    def _print_Mul(self, expr: Mul) -> str:
+        if expr.could_extract_minus_sign():
+            return "- " + self._print(-expr)
+        top, bottom = over(expr)
+        if bottom == 1:
+            return " ".join(map(self._factor, ordered_factors(top)))
+        above, below = ordered_factors(top), ordered_factors(bottom)
+        return rf"\frac{{{self._row(above)}}}{{{self._row(below)}}}"
+
+    def _row(self, factors: list[Expr]) -> str:
+        return self._print(factors[0]) if len(factors) == 1 else " ".join(map(self._factor, factors)) or "1"
+
+    def _factor(self, factor: Expr) -> str:
+        return rf"\left({self._print(factor)}\right)" if factor.is_Add else self._print(factor)
+
+    def _print_Pow(self, expr: Pow) -> str:
+        base, exponent = expr.args
+        if not exponent.is_Rational or exponent.q > 1 or not (base.is_Add or base.is_Symbol):
+            return super()._print_Pow(expr)
+        if exponent < 0:
+            return rf"\frac{{1}}{{{self._print(Pow(base, -exponent))}}}"
+        inner = self._print(base)
+        return (rf"\left({inner}\right)" if base.is_Add or "^" in inner or "'" in inner else inner) + f"^{{{exponent}}}"
+
+    def _print_AppliedUndef(self, expr: Any) -> str:
+        return f"{expr.func}({', '.join(map(self._print, expr.args))})"
+
+    def _print_Derivative(self, expr: Any) -> str:
+        variables = "".join(str(v)[-1] * n for v, n in expr.variable_count)
+        return typeset(jet_name(len(variables), variables if len(expr.expr.args) > 1 else ""))
+
+
+def _formula(value: Any, at: Any = None) -> str:
+    if isinstance(value, Word):
+        return value.latex
+    if isinstance(value, MatrixBase):
+        rows = r" \\ ".join(" & ".join(_formula(entry, at) for entry in row) for row in value.tolist())
+        return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
+    return _Latex(at)._print(value)
+
+
+def to_latex(obj: Any) -> str:
+    """LaTeX of a public object: a formula for everything but a report, which becomes a whole document.
+
+    Parameters
+    ----------
+    obj : Expr, matrix, Condition, Criterion, Linearization, SecondVariation, LiePoisson, System, Equilibrium, Gyrostat,
+          Potential, Decision or Report, or a sequence of Report for one document
+
+    Returns
+    -------
+    str      without dollar signs; the document is of class article and uses amsmath
+
+    Raises
+    ------
+    TypeError       for anything else
+
+    Examples
+    --------
+    >>> from gyrostat import analyze, assemble, axial_potential, symmetric_gyrostat, upright
+    >>> print(to_latex(analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).sufficient))
+    \\left(\\pi_3^0 + l\\right)^{2} > 4 I_1 U'(1)
+    """
+    if isinstance(obj, Report):
+        return document([obj])
+    if isinstance(obj, (list, tuple)) and obj and all(isinstance(report, Report) for report in obj):
+        return document(obj)
+    return formula(obj)
+
+
+def formula(obj: Any) -> str:
+    """A single formula for any public object; a report is its two criteria."""
+    if isinstance(obj, (Basic, MatrixBase)):
+        return _formula(obj)
+    if isinstance(obj, Condition):
+        return _condition(obj)
+    if isinstance(obj, Criterion):
+        if not obj.alternatives:
+            return r"\text{never}"
+        rows = [r" \;\land\; ".join(map(_condition, a)) or r"\text{always}" for a in obj.alternatives]
+        return rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
+    if isinstance(obj, Linearization):
+        return _formula(entries(obj.matrix), obj.equilibrium.at)
+    if isinstance(obj, SecondVariation):
+        return _formula(obj.matrix.applyfunc(readable), obj.equilibrium.at)
+    if isinstance(obj, LiePoisson):
+        return _formula(obj.tensor)
+    if isinstance(obj, System):
+        return _aligned((DOT[str(x)], rate) for x, rate in zip(obj.space.coordinates, obj.vector_field()))
+    if isinstance(obj, Equilibrium):
+        return rf"\left({', '.join(_formula(x) for x in obj.point)}\right)"
+    if isinstance(obj, Gyrostat):
+        return _aligned((Word("", rf"\left({a}\right)"), row) for a, row in (("I_1, I_2, I_3", obj.inertia), ("l_1, l_2, l_3", obj.gyrostatic_momentum)))
+    if isinstance(obj, Potential):
+        return "U = " + _formula(obj.expression)
+    if isinstance(obj, Decision):
+        return rf"\text{{{obj.verdict.name.lower()}}}"
+    if isinstance(obj, Report):
+        return _aligned((Word("", rf"\text{{{name}}}"), c) for name, c in (("necessary: ", obj.necessary), ("sufficient: ", obj.sufficient)))
+    raise TypeError(f"to_latex takes expressions, matrices and the library's own objects, not {type(obj).__name__}")
+
+
+def _aligned(rows: Iterable[tuple[Word, Any]]) -> str:
+    def right(value: Any) -> str:
+        return rf"\left({', '.join(map(_formula, value))}\right)" if isinstance(value, tuple) else formula(value)
+
+    lines = [f"{name.latex} & {'' if isinstance(value, Criterion) else '= '}{right(value)}" for name, value in rows]
+    return r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}"
+
+
+def _condition(condition: Condition) -> str:
+    shown = comparison(condition)
+    tex = _display(shown)
+    for factor in condition.degenerate:
+        tex += (r" \;\land\; " if condition.strict else r" \;\lor\; ") + _formula(readable(factor), condition.at) + (
+            r" \neq 0" if condition.strict else " = 0")
+    return tex
+
+
+def _display(block: Display) -> str:
+    relation = _RELATIONS.get(block.relation, block.relation)
+    return f"{_formula(block.name, block.at)} {relation} {_formula(block.value, block.at)}"
+
+
+def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = ()) -> str:
+    """An article with the scene of the first report, every report, and the decisions that go with them."""
+    given = list(reports)
+    blocks = scene_blocks(given[0].equilibrium.system)
+    for report, decision in zip(given, list(decisions) or [None] * len(given)):
+        blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
+    body = "\n".join(map(_block, blocks))
+    return "\n".join((r"\documentclass{article}", r"\usepackage{amsmath}", r"\setlength{\textwidth}{17cm}",
+                      r"\setlength{\oddsidemargin}{-0.5cm}", r"\setlength{\parindent}{0pt}",
+                      r"\title{Stability of the relative equilibria of a gyrostat}", r"\author{}", r"\date{}",
+                      r"\begin{document}", r"\maketitle", body, r"\end{document}", ""))
+
+
+def _block(block: Block) -> str:
+    if isinstance(block, Heading):
+        return rf"\{'sub' * (block.level - 1)}section*{{{block.title}}}"
+    if isinstance(block, Sentence):
+        template = block.template.translate(_PROSE).replace("{{", r"\{{").replace("}}", r"\}}")
+        return template.format(*(f"${_formula(part, block.at)}$" for part in block.parts)) + r"\par"
+    return rf"\[ {_display(block)} \]"
