@@ -4,12 +4,10 @@ A ring has one generator for each symbol and for each function or constant that 
 exp(k3). A square root and a sine carry a relation, g² = …, by which everything is reduced. Matrices share
 one denominator, so that no fraction is ever simplified on the way.
 """
-import math
-from collections.abc import Callable, Iterable, Sequence, Set
-from typing import Any
+from collections.abc import Iterable, Sequence, Set
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, cos, cosh, exp, sin, sinh, tanh
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cos, cosh, exp, sin, sinh, tanh
 
 Row = list[fmpq_mpoly]
 _HYPERBOLIC = (sinh, cosh, tanh)
@@ -156,6 +154,17 @@ def _power(part: tuple[fmpq_mpoly, fmpq_mpoly], n: int) -> tuple[fmpq_mpoly, fmp
     return top ** abs(n), bottom ** abs(n)
 
 
+def derivatives(f: Expr, variables: Sequence[Symbol]) -> list[Expr]:
+    """∂f/∂x for each variable: of polynomials in them by exponents, of anything else by SymPy."""
+    ring = Ring([f])
+    top, bottom = ring.fraction(f)
+    moving = f.free_symbols & set(variables)
+    if any(g.free_symbols & moving for g in ring.generators if g not in moving) or any(
+            bottom.degrees()[ring.generators.index(x)] for x in moving):
+        return [f.diff(x) for x in variables]
+    return [ring.quotient(top.derivative(ring.generators.index(x)), bottom) if x in moving else S.Zero for x in variables]
+
+
 def lcm(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     """Least common multiple."""
     return a if a == b or b.is_one() else b if a.is_one() else a * (b / a.gcd(b))
@@ -165,86 +174,3 @@ def cancel(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]
     """The same fraction in lowest terms."""
     common = top.gcd(bottom)
     return (top, bottom) if common.is_constant() else (top / common, bottom / common)
-
-
-def multiply(ring: Ring, a: Sequence[Row], b: Sequence[Row]) -> list[Row]:
-    """Product of two matrices of polynomials, reduced."""
-    columns = list(zip(*b))
-    return [[ring.reduce(sum((x * y for x, y in zip(row, column) if x and y), ring.zero)) for column in columns] for row in a]
-
-
-def determinant(ring: Ring, matrix: Sequence[Row]) -> fmpq_mpoly:
-    """Determinant by expansion along the first row; no division, so that relations do no harm."""
-    if not matrix:
-        return ring.one
-    total = ring.zero
-    for column, entry in enumerate(matrix[0]):
-        if entry:
-            minor = [row[:column] + row[column + 1:] for row in matrix[1:]]
-            total += (-1) ** column * entry * determinant(ring, minor)
-    return ring.reduce(total)
-
-
-def characteristic_coefficients(ring: Ring, matrix: Sequence[Row]) -> list[fmpq_mpoly]:
-    """Coefficients c1, …, cn of det(λ − A) = λⁿ + c1 λⁿ⁻¹ + … + cn (Faddeev, LeVerrier)."""
-    size = len(matrix)
-    coefficients, power = [], [[ring.one if i == j else ring.zero for j in range(size)] for i in range(size)]
-    for n in range(1, size + 1):
-        power = multiply(ring, matrix, power)
-        c = sum((power[i][i] for i in range(size)), ring.zero) / -n
-        coefficients.append(c)
-        for i in range(size):
-            power[i][i] += c
-    return coefficients
-
-
-def row_reduce(ring: Ring, rows: Sequence[Row], key: Callable[[int, fmpq_mpoly], Any], columns: int) -> list[tuple[int, Row]]:
-    """Fraction-free Gauss-Jordan elimination: (pivot column, row) pairs, the other pivot columns cleared.
-
-    The entry with the least key(column, entry) is the next pivot; only the first columns can hold one.
-    """
-    left, done = [row for row in rows if any(row)], []
-    while left:
-        choices = [(key(j, row[j]), i, j) for i, row in enumerate(left) for j in range(columns) if row[j]]
-        if not choices:
-            break
-        _, i, j = min(choices)
-        pivot = left.pop(i)
-        left = [cleared for row in left if any(cleared := _clear(ring, row, pivot, j))]
-        done = [(column, _clear(ring, row, pivot, j)) for column, row in done] + [(j, pivot)]
-    return done
-
-
-def _clear(ring: Ring, row: Row, pivot: Row, column: int) -> Row:
-    if not row[column]:
-        return row
-    own, other = cancel(pivot[column], row[column])
-    cleared = [ring.reduce(own * x - other * y) for x, y in zip(row, pivot)]
-    return primitive(ring, cleared)
-
-
-def primitive(ring: Ring, row: Row) -> Row:
-    """The row divided by the greatest common divisor of its entries, with integer coefficients."""
-    common, numbers = ring.zero, [c for entry in row for c in entry.coeffs()]
-    for entry in row:
-        common = entry if not common else common.gcd(entry) if entry else common
-    if not common:
-        return row
-    scale = fmpq(math.lcm(*(int(c.q) for c in numbers)), math.gcd(*(int(c.p) for c in numbers)))
-    return [entry * scale if common.is_constant() else (entry / common) for entry in row]
-
-
-def null_space(ring: Ring, rows: Sequence[Row], key: Callable[[int, fmpq_mpoly], Any], size: int) -> list[tuple[int, Row]]:
-    """Polynomial basis of {v : rows·v = 0}, as (free column, vector) pairs; the free columns form a diagonal."""
-    reduced = row_reduce(ring, rows, key, size)
-    basis = []
-    for free in sorted(set(range(size)) - {column for column, _ in reduced}):
-        scale = ring.one
-        for column, row in reduced:
-            scale = lcm(scale, cancel(row[free], row[column])[1]) if row[free] else scale
-        vector = [ring.zero] * size
-        vector[free] = scale
-        for column, row in reduced:
-            vector[column] = ring.reduce(-row[free] * scale / row[column]) if row[free] else ring.zero
-        basis.append((free, primitive(ring, vector)))
-    return basis

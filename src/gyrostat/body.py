@@ -7,7 +7,7 @@ from sympy import Add, Expr, Rational
 
 from .errors import BodyError
 from .expressions import exact_expression
-from .notation import Typeset, own, symbol
+from .notation import Typeset, symbol
 
 _INERTIA = tuple(symbol(f"I{i}") for i in (1, 2, 3))
 _ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))

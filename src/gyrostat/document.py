@@ -5,12 +5,13 @@ from typing import Any
 from sympy import Abs, Expr, ImmutableMatrix, Pow, S, Symbol
 
 from .conditions import Condition, Criterion
-from .equilibria import Equilibrium, solved_tilt
+from .equilibria import Equilibrium
 from .linearization import rational_root, square_root
 from .notation import jet, symbol
 from .presentation import entries, inequality, readable, split
 from .stability import Decision, Report
 from .system import System
+from .tilted import solved_tilt
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,8 @@ class Display:
 
 Block = Heading | Sentence | Display
 DOT = {f"{x}{i}": Word(f"{g}̇{'₀₁₂₃'[i]}", rf"\dot{{{t}}}_{i}") for x, g, t in (("pi", "π", r"\pi"), ("k", "k", "k")) for i in (1, 2, 3)}
+VECTOR_FORM = {False: Word("π̇ = M × ω", r"\dot{\pi} = M\times\omega"), True: Word(
+    "π̇ = M × ω + k × ∇U,  k̇ = k × ω", r"\dot{\pi} = M\times\omega + k\times\nabla U,\quad \dot{k} = k\times\omega")}
 IMAGINARY = Word("±i", r"\pm i")
 _ABOUT = {"E1": "spinning about the upward vertical", "E2": "spinning about the downward vertical",
           "E3": "precessing about the vertical, inclined", "E3 at rest": "tilted, without rotation"}
@@ -68,8 +71,7 @@ def scene_blocks(scene: System) -> list[Block]:
     names = (Word("C₁", "C_1"), Word("C₂", "C_2")) if potential else (Word("C", "C"),)
     blocks += [Sentence("Casimirs and Hamiltonian:"), *(Display(n, c) for n, c in zip(names, space.casimirs)),
                Display(Word("h", "h"), scene.hamiltonian)]
-    vector = Word("π̇ = M × ω + k × ∇U,  k̇ = k × ω", r"\dot\pi = M\times\omega + k\times\nabla U,\quad \dot k = k\times\omega") if potential \
-        else Word("π̇ = M × ω", r"\dot\pi = M\times\omega")
+    vector = VECTOR_FORM[potential is not None]
     blocks += [Sentence("Equations of motion, {}:", (vector,)),
                *(Display(DOT[str(x)], rate) for x, rate in zip(space.coordinates, scene.vector_field()))]
     if scene.integrals:
@@ -121,7 +123,7 @@ def _existence(domain: Expr, at: Any) -> Display:
     root = readable(square_root(1 - domain))
     if any(x.exp == S.Half for x in root.atoms(Pow)):
         return Display(readable(domain), S.Zero, at, ">")
-    return Display(Abs(root, evaluate=False), S.One, at, "<")
+    return Display(Abs(-root if root.could_extract_minus_sign() else root, evaluate=False), S.One, at, "<")
 
 
 def _named_roots(eq: Equilibrium, matrix: ImmutableMatrix) -> tuple[ImmutableMatrix, list[tuple[Symbol, Expr]]]:
@@ -140,7 +142,8 @@ def _linearization(report: Report) -> list[Block]:
     values = linear.coefficients
     if len(values) == 1:
         q = symbol("q")
-        return [*blocks, Sentence("Characteristic polynomial {} with", (Word("λ² + q", r"\lambda^2 + q"),)), Display(q, readable(values[0]), eq.at),
+        return [*blocks, Sentence("Characteristic polynomial {} with", (Word("λ² + q", r"\lambda^2 + q"),)),
+                Display(q, readable(values[0]), eq.at),
                 Sentence("Eigenvalues {} {}.", (IMAGINARY, _root(values[0])), eq.at)]
     (p, q), (a, b) = values, (symbol("p"), symbol("q"))
     return [*blocks, Sentence("Characteristic polynomial {} with", (Word("λ⁴ + p λ² + q", r"\lambda^4 + p\,\lambda^2 + q"),)),

@@ -5,8 +5,9 @@ from functools import cached_property
 
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
-from .algebra import Ring, determinant, multiply, row_reduce
+from .algebra import Ring
 from .equilibria import Equilibrium
+from .matrices import determinant, multiply, row_reduce
 from .notation import Typeset, symbol
 from .orbit import critical_integrals, differentials, orbit_tangent, slice_and_symmetries
 from .signs import Signs
@@ -116,7 +117,7 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     Examples
     --------
     >>> from gyrostat.body import symmetric_gyrostat
-    >>> from gyrostat.equilibria import inclined
+    >>> from gyrostat.tilted import inclined
     >>> from gyrostat.potential import axial_potential
     >>> from gyrostat.system import assemble
     >>> variation = second_variation(inclined(assemble(symmetric_gyrostat(), axial_potential())))

@@ -7,7 +7,7 @@ from sympy.printing.latex import LatexPrinter
 
 from .body import Gyrostat
 from .conditions import Condition, Criterion
-from .document import DOT, Block, Display, Heading, Sentence, Word, comparison, decision_blocks, report_blocks, scene_blocks
+from .document import DOT, VECTOR_FORM, Block, Display, Heading, Sentence, Word, comparison, decision_blocks, report_blocks, scene_blocks
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
 from .liepoisson import LiePoisson
@@ -19,7 +19,6 @@ from .stability import Decision, Report
 from .system import System
 
 _RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq"}
-_PROSE = str.maketrans({"π": r"$\pi$", "λ": r"$\lambda$", "∇": r"$\nabla$", "·": r"$\cdot$", "×": r"$\times$", "ν": r"$\nu$", "±": r"$\pm$"})
 
 
 class _Latex(LatexPrinter):
@@ -125,17 +124,21 @@ def formula(obj: Any) -> str:
     if isinstance(obj, LiePoisson):
         return _formula(obj.tensor)
     if isinstance(obj, System):
-        return _aligned((DOT[str(x)], rate) for x, rate in zip(obj.space.coordinates, obj.vector_field()))
+        vector = VECTOR_FORM[obj.potential is not None].latex
+        rates = ((DOT[str(x)], rate) for x, rate in zip(obj.space.coordinates, obj.vector_field()))
+        return rf"\begin{{gathered}} {vector} \\ {_aligned(rates)} \end{{gathered}}"
     if isinstance(obj, Equilibrium):
         return rf"\left({', '.join(_formula(x) for x in obj.point)}\right)"
     if isinstance(obj, Gyrostat):
-        return _aligned((Word("", rf"\left({a}\right)"), row) for a, row in (("I_1, I_2, I_3", obj.inertia), ("l_1, l_2, l_3", obj.gyrostatic_momentum)))
+        return _aligned(((Word("I", r"\left(I_1, I_2, I_3\right)"), obj.inertia),
+                         (Word("l", r"\left(l_1, l_2, l_3\right)"), obj.gyrostatic_momentum)))
     if isinstance(obj, Potential):
         return "U = " + _formula(obj.expression)
     if isinstance(obj, Decision):
         return rf"\text{{{obj.verdict.name.lower()}}}"
     if isinstance(obj, Report):
-        return _aligned((Word("", rf"\text{{{name}}}"), c) for name, c in (("necessary: ", obj.necessary), ("sufficient: ", obj.sufficient)))
+        return _aligned(((Word("necessary", r"\text{necessary: }"), obj.necessary),
+                         (Word("sufficient", r"\text{sufficient: }"), obj.sufficient)))
     raise TypeError(f"to_latex takes expressions, matrices and the library's own objects, not {type(obj).__name__}")
 
 
@@ -178,6 +181,6 @@ def _block(block: Block) -> str:
     if isinstance(block, Heading):
         return rf"\{'sub' * (block.level - 1)}section*{{{block.title}}}"
     if isinstance(block, Sentence):
-        template = block.template.translate(_PROSE).replace("{{", r"\{{").replace("}}", r"\}}")
+        template = block.template
         return template.format(*(f"${_formula(part, block.at)}$" for part in block.parts)) + r"\par"
     return rf"\[ {_display(block)} \]"

@@ -8,9 +8,9 @@ from functools import cached_property
 from itertools import combinations
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, S, Symbol, expand, zeros
+from sympy import Expr, ImmutableMatrix, Symbol, expand, zeros
 
-from .algebra import Ring
+from .algebra import Ring, derivatives
 from .errors import ScopeError, StructureError
 from .expressions import exact_expression
 from .notation import Typeset, symbol
@@ -56,13 +56,13 @@ class LiePoisson(Typeset):
     def gradient(self, f: Expr) -> ImmutableMatrix:
         """∇f, shape (n, 1); computed once for each f."""
         if f not in self._gradients:
-            self._gradients[f] = ImmutableMatrix([_slope(f, x) for x in self.coordinates])
+            self._gradients[f] = ImmutableMatrix(derivatives(f, self.coordinates))
         return self._gradients[f]
 
     def hessian(self, f: Expr) -> ImmutableMatrix:
         """D²f, shape (n, n); computed once for each f."""
         if f not in self._hessians:
-            self._hessians[f] = ImmutableMatrix([[_slope(g, x) for x in self.coordinates] for g in self.gradient(f)])
+            self._hessians[f] = ImmutableMatrix([derivatives(g, self.coordinates) for g in self.gradient(f)])
         return self._hessians[f]
 
     def bracket(self, f: Any, g: Any) -> Expr:
@@ -111,10 +111,6 @@ class LiePoisson(Typeset):
         if not bottom.is_one() or len(ring.generators) != len(self.tensor.free_symbols | set(self.coordinates)):
             raise StructureError("a Lie-Poisson tensor is a polynomial in its coordinates: check its entries")
         return ring, entries, [ring.generators.index(x) for x in self.coordinates]
-
-
-def _slope(f: Expr, x: Symbol) -> Expr:
-    return f.diff(x) if x in f.free_symbols else S.Zero
 
 
 def lie_poisson(directions: Sequence[str] = ("k",), gyrostatic_momentum: Sequence[Any] | None = None) -> LiePoisson:

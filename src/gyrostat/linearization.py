@@ -4,8 +4,9 @@ from functools import cached_property
 
 from sympy import Expr, I, ImmutableMatrix, Mul, Pow, S, sqrt
 
-from .algebra import Ring, characteristic_coefficients, multiply
+from .algebra import Ring
 from .equilibria import Equilibrium
+from .matrices import characteristic_coefficients, multiply
 from .notation import Typeset, symbol
 from .orbit import orbit_tangent
 
@@ -15,6 +16,8 @@ LAMBDA = symbol("lamda")
 @dataclass(frozen=True)
 class Linearization(Typeset):
     """δẋ = J δx on the tangent space T of the coadjoint orbit.
+
+    dU, d2U stand for the derivatives of U at the equilibrium; equilibrium.insert(…) inserts those of a given U.
 
     Parameters
     ----------
@@ -57,10 +60,10 @@ class Linearization(Typeset):
 
         Examples
         --------
-        >>> from gyrostat import Gyrostat, assemble, hanging, uniform_field
-        >>> scene = assemble(Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)), uniform_field())
-        >>> linearize(hanging(scene)).eigenvalues()[0].subs({"dU": 0})
-        I*pi3_0
+        >>> from gyrostat import Gyrostat, assemble, axial_potential, hanging
+        >>> scene = assemble(Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)), axial_potential())
+        >>> linearize(hanging(scene)).eigenvalues()[0]
+        I*(pi3_0 + sqrt(4*dU + pi3_0**2))/2
         """
         if len(self.coefficients) == 1:
             root = square_root(-self.coefficients[0])
@@ -96,7 +99,7 @@ def linearize(eq: Equilibrium) -> Linearization:
     Examples
     --------
     >>> from gyrostat.body import symmetric_gyrostat
-    >>> from gyrostat.equilibria import inclined
+    >>> from gyrostat.tilted import inclined
     >>> from gyrostat.potential import axial_potential
     >>> from gyrostat.system import assemble
     >>> linearize(inclined(assemble(symmetric_gyrostat(), axial_potential()))).coefficients[1]

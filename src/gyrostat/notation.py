@@ -21,6 +21,22 @@ class Entry:
     positive: bool = False
 
 
+_JET = re.compile(r"d(\d*)U(?:_([123]+))?")
+
+
+def jet_name(order: int, axes: str = "") -> str:
+    """Name of a derivative of U: dU, d2U, d3U, … in k3, or d2U_13, … in k1 and k3."""
+    return f"d{order if order > 1 else ''}U{'_' + axes if axes else ''}"
+
+
+def jet(name: str) -> tuple[int, str] | None:
+    """Order and axes of the derivative of U that a name stands for, None if it stands for none."""
+    match = _JET.fullmatch(name)
+    if match is None or match[1] in ("0", "1") or match[1].startswith("0"):
+        return None
+    return int(match[1] or 1), match[2] or ""
+
+
 def _table() -> Mapping[str, Entry]:
     sub = "₀₁₂₃"
     rows = [Entry(f"pi{i}_0", rf"\pi_{i}^0", f"π{sub[i]}⁰", (1, 1), f"π{i} at the equilibrium") for i in (1, 2, 3)]
@@ -37,6 +53,7 @@ def _table() -> Mapping[str, Entry]:
              Entry("m1", "m_1", "m₁", (0, 2), "3 g / r, r the distance of the centre of attraction")]
     rows += [Entry(f"k{i}", f"k_{i}", f"k{sub[i]}", (0, 0), f"direction of the field (Poisson vector), axis {i}")
              for i in (1, 2, 3)]
+    rows += [Entry(jet_name(n), "U" + "'" * n, "U" + "′″‴"[n - 1], (1, 2), f"derivative {n} of U along k3") for n in (1, 2, 3)]
     rows += [Entry("nu1", r"\nu_1", "ν₁", (0, 1), "multiplier of C1"), Entry("nu2", r"\nu_2", "ν₂", (1, 2), "multiplier of C2"),
              Entry("nu3", r"\nu_3", "ν₃", (0, 1), "multiplier of an integral"),
              Entry("lamda", r"\lambda", "λ", (0, 1), "eigenvalue of the linearised field")]
@@ -46,20 +63,6 @@ def _table() -> Mapping[str, Entry]:
 NOTATION = _table()
 ORDER = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
 PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1"})    # the names of the table a potential may use
-_JET = re.compile(r"d(\d*)U(?:_([123]+))?")
-
-
-def jet_name(order: int, axes: str = "") -> str:
-    """Name of a derivative of U: dU, d2U, d3U, … in k3, or d2U_13, … in k1 and k3."""
-    return f"d{order if order > 1 else ''}U{'_' + axes if axes else ''}"
-
-
-def jet(name: str) -> tuple[int, str] | None:
-    """Order and axes of the derivative of U that a name stands for, None if it stands for none."""
-    match = _JET.fullmatch(name)
-    if match is None or match[1] in ("0", "1") or match[1].startswith("0"):
-        return None
-    return int(match[1] or 1), match[2] or ""
 
 
 @cache
@@ -77,25 +80,16 @@ class Typeset:
     """Objects that Jupyter shows typeset."""
 
     def _repr_latex_(self) -> str:
-        from .latex import formula                     # a view: loaded only when something is shown
+        from .latex import formula  # a view: loaded only when something is shown
         return rf"$\displaystyle {formula(self)}$"
-
-
-def dimension(name: str) -> tuple[int, int] | None:
-    """Dimension of a name as powers of mass·length² and 1/time; None where the library cannot know it."""
-    if jet(name):
-        return (1, 2)
-    return NOTATION[name].dimension if name in NOTATION else None
 
 
 def typeset(name: str, at: Any = None, style: str = "latex") -> str:
     """A name as it is printed; derivatives of U take their argument from at."""
-    entry = NOTATION.get(name)
-    if entry:
-        return entry.latex if style == "latex" else entry.text
-    order_axes = jet(name)
-    if order_axes:
+    if order_axes := jet(name):
         return _typeset_jet(*order_axes, at, style)
+    if entry := NOTATION.get(name):
+        return entry.latex if style == "latex" else entry.text
     return _typeset_parameter(name, style)
 
 

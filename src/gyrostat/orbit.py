@@ -3,9 +3,10 @@ from collections.abc import Sequence
 
 from sympy import Expr, ImmutableMatrix
 
-from .algebra import Ring, null_space, row_reduce
+from .algebra import Ring
 from .equilibria import Equilibrium
 from .errors import SingularOrbitError
+from .matrices import null_space, row_reduce
 from .signs import Signs
 
 

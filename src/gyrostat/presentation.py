@@ -30,6 +30,8 @@ def inequality(condition: Condition) -> tuple[Expr, Expr]:
 
 def readable(expression: Expr) -> Expr:
     """The same fraction of polynomials, factored, with squares completed and coefficients collected."""
+    if expression.is_Atom:
+        return expression
     ring = Ring([expression])
     top, bottom = cancel(*ring.fraction(expression))
     return _quotient(ring, ring.reduce(top), bottom)
@@ -42,6 +44,8 @@ def entries(matrix: ImmutableMatrix) -> ImmutableMatrix:
 
 def split(entry: Expr) -> Expr:
     """The same fraction of polynomials as a sum over its different denominators."""
+    if entry.is_Atom:
+        return entry
     ring = Ring([entry])
     top, bottom = cancel(*ring.fraction(entry))
     groups: dict[str, tuple[fmpq_mpoly, fmpq_mpoly]] = {}
@@ -128,7 +132,7 @@ def term_order(term: Expr) -> tuple[int, ...]:
 
 def ordered_terms(expression: Add) -> list[Expr]:
     """The terms of a sum as they are written, a positive one first."""
-    terms = sorted(expression.args, key=lambda t: (not t.free_symbols, term_order(t), str(t)))
+    terms = sorted(expression.args, key=lambda t: (not t.free_symbols, term_order(t)))
     first = next((t for t in terms if not t.could_extract_minus_sign()), terms[0])
     return [first, *(t for t in terms if t is not first)]
 
@@ -138,7 +142,7 @@ def ordered_factors(product: Expr) -> list[Expr]:
     def key(factor: Expr) -> tuple[Any, ...]:
         base = factor.base if isinstance(factor, Pow) else factor
         inertia = all(s.is_positive for s in factor.free_symbols)
-        return not factor.is_number, base.is_Add, len(base.free_symbols) if base.is_Add else not inertia, term_order(factor), str(factor)
+        return not factor.is_number, base.is_Add, len(base.free_symbols) if base.is_Add else not inertia, term_order(factor)
 
     return sorted((f for f in Mul.make_args(product) if f != 1), key=key)
 

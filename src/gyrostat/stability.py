@@ -167,7 +167,8 @@ class Report(Typeset):
         if eq.eliminated and symbol(eq.eliminated) in numbers:
             residual = dict(eq.relations)[symbol(eq.eliminated)] - symbol(eq.eliminated)
             if missing := [n for n in _names([residual]) if symbol(n) not in numbers]:
-                raise ValuesError(f"to check {eq.eliminated} on {eq.label}, {', '.join(missing)} is needed: give it, or omit {eq.eliminated}")
+                raise ValuesError(f"to check {eq.eliminated} on {eq.label}, {', '.join(missing)} is needed: "
+                                  f"give it, or omit {eq.eliminated}")
         if residual is not None and sign_of_constant(value := evaluate(residual, numbers)) != 0:
             raise ValuesError(f"the point is not on {eq.label}: {residual} is {value.evalf(8)}, not proved to be 0; "
                               + (f"omit {eq.eliminated}, or correct it" if eq.eliminated else "correct the numbers"))
@@ -232,4 +233,4 @@ def _names(expressions: Iterable[Expr]) -> tuple[str, ...]:
 
 
 def _described(name: str) -> str:
-    return f"{name} ({NOTATION[name].meaning})" if name in NOTATION else f"{name} (a derivative of U)" if jet(name) else name
+    return f"{name} ({NOTATION[name].meaning})" if name in NOTATION else name

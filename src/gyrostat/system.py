@@ -3,12 +3,13 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag, zeros
+from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag
 
-from .algebra import Ring, null_space
+from .algebra import Ring, derivatives
 from .body import Gyrostat
 from .errors import ScopeError, StructureError
 from .liepoisson import LiePoisson, lie_poisson
+from .matrices import null_space
 from .notation import Typeset, jet, symbol
 from .potential import Potential
 
@@ -74,8 +75,7 @@ class System(Typeset):
         kinetic = diag(*(1 / moment for moment in self.body.inertia))
         if self.potential is None:
             return ImmutableMatrix(kinetic)
-        gradient = self.potential.gradient()
-        rows = [self.potential.following(d) if isinstance(d, Symbol) else (0, 0, 0) for d in gradient]
+        rows = [self.potential.following(d) if isinstance(d, Symbol) else (0, 0, 0) for d in self.potential.gradient()]
         return ImmutableMatrix(diag(kinetic, ImmutableMatrix(rows)))
 
     @cached_property
@@ -86,15 +86,15 @@ class System(Typeset):
     @cached_property
     def jet_jacobian(self) -> ImmutableMatrix:
         """Derivative of the field along the coordinates, dU differentiated to d2U."""
-        field, coordinates = self.jet_field, self.space.coordinates
-        plain = field.jacobian(coordinates)
-        if self.potential is None:
-            return ImmutableMatrix(plain)
-        slopes = zeros(len(coordinates), len(coordinates))
-        for d in self.potential.gradient():
-            if isinstance(d, Symbol):
-                slopes += field.diff(d) * ImmutableMatrix([[0, 0, 0, *self.potential.following(d)]])
-        return ImmutableMatrix(plain + slopes)
+        coordinates, potential = self.space.coordinates, self.potential
+        jet_symbols = [d for d in potential.gradient() if isinstance(d, Symbol)] if potential else []
+        rows = []
+        for rate in self.jet_field:
+            row = derivatives(rate, (*coordinates, *jet_symbols))
+            for d, outer in zip(jet_symbols, row[len(coordinates):]):
+                row[3:6] = [entry + outer * inner for entry, inner in zip(row[3:6], potential.following(d))] if potential else []
+            rows.append(row[:len(coordinates)])
+        return ImmutableMatrix(rows)
 
 
 def assemble(body: Gyrostat, potential: Potential | None = None) -> System:

@@ -44,7 +44,7 @@ class _Unicode(StrPrinter):
         return f"({self._print(factor)})" if factor.is_Add else self._print(factor)
 
     def _print_Add(self, expr: Add, order: Any = None) -> str:
-        pieces = []
+        pieces: list[str] = []
         for term in ordered_terms(expr):
             text = self._print(term)
             pieces.append(text if not pieces else f" − {text[1:]}" if text.startswith("−") else f" + {text}")
@@ -81,7 +81,7 @@ def text(blocks: Iterable[Block], width: int = 100) -> str:
     lines: list[str] = []
     for block in blocks:
         if isinstance(block, Heading):
-            lines += ["", block.title, ("═" if block.level == 1 else "─") * len(block.title)] if block.level == 1 else ["", f"  {block.title}"]
+            lines += ["", block.title, "═" * len(block.title)] if block.level == 1 else ["", f"  {block.title}"]
         elif isinstance(block, Sentence):
             lines += wrap(block.template.format(*(_inline(part, block.at) for part in block.parts)), width,
                           initial_indent="  ", subsequent_indent="  ", break_long_words=False)

@@ -2,8 +2,8 @@
 import argparse
 import sys
 from collections.abc import Sequence
-from importlib.metadata import version
 
+from .. import __version__
 from ..errors import GyrostatError
 
 _EXAMPLES = """examples:
@@ -19,7 +19,7 @@ def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="gyrostat", description=(
         "Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the inequalities."),
         epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
-    top.add_argument("--version", action="version", version=f"gyrostat {version('gyrostat')}")
+    top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
     report = verbs.add_parser("report", help="the whole derivation, and verdicts where numbers are set", epilog=_EXAMPLES,
                               formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -37,7 +37,7 @@ def parser() -> argparse.ArgumentParser:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; 0: done, 2: bad input, with the reason on stderr."""
     given = parser().parse_args(arguments)
-    from .report import run                            # SymPy is loaded after the arguments are understood
+    from .report import run  # SymPy is loaded after the arguments are understood
     try:
         output = run(given)
         if given.output is None:

@@ -6,13 +6,14 @@ from typing import Any
 from ..body import Gyrostat, symmetric_gyrostat
 from ..conditions import Criterion
 from ..document import Block, decision_blocks, report_blocks, scene_blocks
-from ..equilibria import Equilibrium, hanging, inclined, principal_rotation, static_tilt, upright
+from ..equilibria import Equilibrium, hanging, principal_rotation, upright
 from ..errors import EquilibriumError, ValuesError
 from ..expressions import exact_number, parse
 from ..notation import jet, symbol
 from ..potential import axial_potential
 from ..stability import Decision, Report, analyze
 from ..system import System, assemble
+from ..tilted import inclined, static_tilt
 
 
 def run(given: argparse.Namespace) -> str:
@@ -22,7 +23,7 @@ def run(given: argparse.Namespace) -> str:
     if scene.potential is None and given.equilibrium:
         raise ValuesError(f"--equilibrium {given.equilibrium[0]} needs a field, --potential none has none: leave out one of the two")
     reports = [analyze(eq) for eq in _equilibria(scene, given.equilibrium or ["E1", "E2", "E3"], "omega3_0" in numbers)]
-    decisions = _decisions(reports, numbers) if numbers else [None] * len(reports)
+    decisions: list[Decision | None] = _decisions(reports, numbers) if numbers else [None for _ in reports]
     if given.format == "json":
         return json.dumps(_json(scene, reports, decisions), indent=2, ensure_ascii=False) + "\n"
     if given.format == "latex":
