@@ -83,7 +83,10 @@ def sign_of_constant(constant: Expr) -> int | None:
 
 def is_algebraic_zero(constant: Expr) -> bool:
     """Whether an algebraic number is zero, decided in the number field it generates."""
-    field, (element,) = construct_domain([constant], extension=True)
+    expanded = constant.doit().expand()
+    if isinstance(expanded, Rational):
+        return expanded.p == 0
+    field, (element,) = construct_domain([expanded], extension=True)
     return bool(element == field.zero)
 
 

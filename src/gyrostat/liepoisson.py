@@ -41,7 +41,7 @@ class LiePoisson(Typeset):
     casimirs: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        if self.tensor.shape != (len(self.coordinates),) * 2 or self.tensor.T != -self.tensor:
+        if self.tensor.shape != (len(self.coordinates),) * 2 or any(map(expand, self.tensor + self.tensor.T)):
             raise StructureError(f"a {self.tensor.rows}×{self.tensor.cols} tensor that is antisymmetric and has one row for each "
                                  f"of the {len(self.coordinates)} coordinates is needed: B[i, j] = {{x_i, x_j}}")
         for i, j, k in combinations(range(len(self.coordinates)), 3):

@@ -1,0 +1,48 @@
+"""Scenes and reports that many tests read; derived once."""
+import pytest
+from hypothesis import settings
+
+import gyrostat as gs
+
+settings.register_profile("exact", deadline=None, derandomize=True)
+settings.load_profile("exact")
+
+
+@pytest.fixture(scope="session")
+def scene():
+    """Gyrostat of revolution in an unspecified U(k3)."""
+    return gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+
+
+@pytest.fixture(scope="session")
+def e1(scene):
+    return gs.analyze(gs.upright(scene))
+
+
+@pytest.fixture(scope="session")
+def e2(scene):
+    return gs.analyze(gs.hanging(scene))
+
+
+@pytest.fixture(scope="session")
+def e3(scene):
+    return gs.analyze(gs.inclined(scene))
+
+
+@pytest.fixture(scope="session")
+def at_rest(scene):
+    return gs.analyze(gs.static_tilt(scene))
+
+
+@pytest.fixture(scope="session")
+def asymmetric():
+    """Three moments, l and centre of mass on axis 3, in the Newtonian field of a general body."""
+    I, m0, m1 = [gs.symbol(f"I{i}") for i in (1, 2, 3)], gs.symbol("m0"), gs.symbol("m1")
+    potential = gs.general_potential(lambda *k: m0 * k[2] + m1 / 2 * sum(a * x**2 for a, x in zip(I, k)))
+    return gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l"))), potential)
+
+
+@pytest.fixture(scope="session")
+def free():
+    """Free gyrostat, l on axis 3."""
+    return gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l"))))

@@ -1,0 +1,106 @@
+"""Independent oracle: the Euler-Poisson equations with np.cross, differenced. Imports nothing of gyrostat.
+
+On object arrays of Fractions everything is exact: a field of degree two has exact central differences, whatever
+the step. A potential enters through its derivatives at the equilibrium, U'(k3) = u1 + u2 (k3 - z).
+"""
+from fractions import Fraction
+
+import numpy as np
+
+
+def exact(values):
+    return np.array([Fraction(v) for v in values], dtype=object)
+
+
+def field(x, inertia, rotor, slope):
+    """π' = (π + l) × ω + k × ∇U, k' = k × ω; slope(k) = ∇U."""
+    pi, k = x[:3], x[3:]
+    omega = pi / inertia
+    return np.concatenate([np.cross(pi + rotor, omega) + np.cross(k, slope(k)), np.cross(k, omega)])
+
+
+def free_field(pi, inertia, rotor):
+    """π' = (π + l) × ω."""
+    return np.cross(pi + rotor, pi / inertia)
+
+
+def jacobian(f, x, step=Fraction(1)):
+    """Central differences, exact for fields of degree at most two."""
+    columns = []
+    for i in range(len(x)):
+        e = np.array([step if j == i else 0 * step for j in range(len(x))], dtype=object)
+        columns.append((f(x + e) - f(x - e)) / (2 * step))
+    return np.array(columns, dtype=object).T
+
+
+def characteristic(matrix):
+    """Coefficients c0 = 1, c1, …, cn of det(λ - A), by Newton's identities on traces."""
+    n = len(matrix)
+    traces, power = [], np.array([[Fraction(int(i == j)) for j in range(n)] for i in range(n)], dtype=object)
+    for _ in range(n):
+        power = power.dot(matrix)
+        traces.append(sum(power[i, i] for i in range(n)))
+    c = [Fraction(1)]
+    for k in range(1, n + 1):
+        c.append(-sum(c[k - i] * traces[i - 1] for i in range(1, k + 1)) / k)
+    return c
+
+
+def axial_slope(u1, u2, z):
+    """∇U for U'(k3) = u1 + u2 (k3 - z)."""
+    return lambda k: np.array([0 * u1, 0 * u1, u1 + u2 * (k[2] - z)], dtype=object)
+
+
+def vertical(I1, I3, l, pi3, s, u1, u2):
+    """Point and field of E1 (s = 1) and E2 (s = -1)."""
+    slope = axial_slope(u1, u2, s)
+    inertia, rotor = exact([I1, I1, I3]), exact([0, 0, l])
+    return exact([0, 0, pi3, 0, 0, s]), lambda x: field(x, inertia, rotor, slope)
+
+
+def inclined(I1, I3, l, omega, k, u2):
+    """Point and field of E3 at the rational unit vector k; U' is what the balance asks for."""
+    inertia, rotor, k = exact([I1, I1, I3]), exact([0, 0, l]), exact(k)
+    u1 = omega * l - omega**2 * k[2] * (I1 - I3)
+    return np.concatenate([inertia * k * omega, k]), lambda x: field(x, inertia, rotor, axial_slope(u1, u2, k[2]))
+
+
+def growth(f, x):
+    """Whether the linearised field has an eigenvalue with positive real part, exactly.
+
+    The 6×6 polynomial is λ² (λ⁴ + p λ² + q): the two Casimirs give λ².
+    """
+    c = characteristic(jacobian(f, x))
+    assert c[1] == c[3] == c[5] == c[6] == 0
+    p, q = c[2], c[4]
+    return p < 0 or q < 0 or p * p < 4 * q
+
+
+def reduced(I1, l, pi3, v, e, u0, u1, u2, z):
+    """Taylor coefficients at z of g = 2 I1 (e - U)(1 - k3²) - (v - P k3)², to order two; I1² k3'² = g."""
+    P = pi3 + l
+    potential = [e - u0, -u1, -u2 / 2]                 # e - U in powers of k3 - z
+    sphere = [1 - z * z, -2 * z, -1]
+    drift = [v - P * z, -P]
+    product = [sum(potential[i] * sphere[n - i] for i in range(n + 1)) for n in range(3)]
+    square = [drift[0] ** 2, 2 * drift[0] * drift[1], drift[1] ** 2]
+    return [2 * I1 * a - b for a, b in zip(product, square)]
+
+
+def verdict_vertical(I1, l, pi3, s, u1):
+    """1 stable, -1 unstable, 0 on the boundary: sign of -g'' of the reduced motion at the pole (double root there)."""
+    P = pi3 + l
+    g = reduced(I1, l, pi3, s * P, Fraction(0), Fraction(0), u1, Fraction(0), Fraction(s))
+    assert g[0] == g[1] == 0
+    return (g[2] < 0) - (g[2] > 0)
+
+
+def verdict_inclined(I1, I3, l, omega, z, u2):
+    """The same at an inclined double root; energy and momentum are those of the equilibrium."""
+    u1 = omega * l - omega**2 * z * (I1 - I3)
+    pi3 = I3 * omega * z
+    v = I1 * omega * (1 - z * z) + (pi3 + l) * z
+    e = I1 * omega**2 * (1 - z * z) / 2                # h - π3²/(2 I3), with U = 0 at the equilibrium
+    g = reduced(I1, l, pi3, v, e, Fraction(0), u1, u2, z)
+    assert g[0] == g[1] == 0
+    return (g[2] < 0) - (g[2] > 0)

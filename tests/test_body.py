@@ -1,0 +1,35 @@
+"""Gyrostats: what is accepted, what is refused, kinetic energy."""
+from fractions import Fraction
+
+import pytest
+from sympy import Rational, Symbol, sqrt
+
+import gyrostat as gs
+from gyrostat.errors import BodyError, ValuesError
+
+
+def test_numbers_and_symbols_are_accepted():
+    """Numbers are made exact, symbols matched by name."""
+    body = gs.Gyrostat(inertia=(0.5, "3/2", Fraction(7, 4)), gyrostatic_momentum=(0, Symbol("l2"), sqrt(2)))
+    assert body.inertia == (Rational(1, 2), Rational(3, 2), Rational(7, 4))
+    assert body.gyrostatic_momentum == (0, gs.symbol("l2"), sqrt(2))
+
+
+@pytest.mark.parametrize(("inertia", "error"), [((1, 1, 0), BodyError), ((1, -2, 1), BodyError), ((1, 2), BodyError),
+                                                ((1, 1, float("nan")), ValuesError), ((1, 1, "x+"), ValueError)])
+def test_impossible_bodies_are_refused(inertia, error):
+    """Three positive, finite moments."""
+    with pytest.raises(error):
+        gs.Gyrostat(inertia=inertia)
+
+
+def test_the_triangle_inequality_is_no_error():
+    """Published cases and bodies in fluids break it."""
+    assert gs.Gyrostat(inertia=(1, 1, 5)).inertia[2] == 5
+
+
+def test_bodies_of_revolution():
+    """I1 = I2 and l on axis 3, nothing less."""
+    l = gs.symbol("l")
+    assert gs.symmetric_gyrostat().is_of_revolution() and gs.Gyrostat((2, 2, 1), (0, 0, l)).is_of_revolution()
+    assert not gs.Gyrostat((2, 3, 1), (0, 0, l)).is_of_revolution() and not gs.Gyrostat((2, 2, 1), (0, l, 0)).is_of_revolution()

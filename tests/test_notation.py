@@ -1,0 +1,50 @@
+"""Symbols, their names and how they are printed."""
+import pytest
+from sympy import Symbol
+
+from gyrostat.notation import NOTATION, jet, jet_name, own, symbol, typeset
+
+
+def test_moments_are_positive_and_everything_else_is_real():
+    """Assumptions live in one table."""
+    for name in NOTATION:
+        assert symbol(name).is_real
+        assert bool(symbol(name).is_positive) == name.startswith("I")
+    assert symbol("c").is_real and symbol("c").is_positive is None
+
+
+def test_dimensions_of_the_named_fields_agree():
+    """m0 k3 and m1 I3 k3² are energies, l and π momenta, and dU an energy."""
+    d = {name: entry.dimension for name, entry in NOTATION.items()}
+    assert d["m0"] == d["dU"] == (d["I1"][0] + d["m1"][0], d["m1"][1]) == (1, 2)
+    assert d["l"] == d["pi3_0"] == (d["I1"][0] + d["omega"][0], d["omega"][1]) == (1, 1)
+
+
+def test_symbols_are_matched_by_name():
+    """A plain Symbol becomes ours, whatever its assumptions."""
+    assert own(Symbol("k3") * Symbol("I1", negative=True)) == symbol("k3") * symbol("I1")
+
+
+@pytest.mark.parametrize(("order", "axes"), [(1, ""), (2, ""), (7, ""), (1, "1"), (2, "13"), (3, "223")])
+def test_jet_names_are_read_back(order, axes):
+    """jet is the inverse of jet_name."""
+    assert jet(jet_name(order, axes)) == (order, axes)
+
+
+@pytest.mark.parametrize("name", ["d1U", "d0U", "d02U", "dUx", "U", "d2", "xdU", "dU_4"])
+def test_other_names_are_no_derivatives(name):
+    """Only the names that jet_name gives are derivatives of U."""
+    assert jet(name) is None
+
+
+def test_derivatives_print_with_their_argument():
+    """U'(1), U''(k3), as the sources write them."""
+    assert typeset("dU", 1) == "U'(1)" and typeset("dU", -1) == "U'(-1)" and typeset("d2U", symbol("k3")) == "U''(k_3)"
+    assert typeset("dU", -1, "text") == "U′(−1)" and typeset("d3U", None, "text") == "U‴(k₃)"
+    assert typeset("d5U", 1) == "U^{(5)}(1)" and typeset("d2U_13") == r"\partial_{13} U"
+
+
+def test_parameters_of_the_user_are_typeset():
+    """Greek letters and numbers are set, underscores are escaped."""
+    assert typeset("alpha2") == r"\alpha_{2}" and typeset("mass_a") == r"\mathrm{mass\_a}"
+    assert typeset("c") == "c" and typeset("beta", style="text") == "β" and typeset("a1", style="text") == "a₁"

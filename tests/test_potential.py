@@ -1,0 +1,76 @@
+"""Potentials: unspecified, given, matched by name; their jets; named fields."""
+import pytest
+import sympy
+from sympy import Function, Symbol, cos, exp
+
+import gyrostat as gs
+from gyrostat.errors import PotentialError, ScopeError
+
+k1, k3, m0, m1, I1, I3 = map(gs.symbol, ("k1", "k3", "m0", "m1", "I1", "I3"))
+
+
+def test_a_plain_symbol_is_matched_by_name():
+    """A user's own Symbol("k3"), with any assumptions, gives the same potential and the same margins."""
+    for theirs in (Symbol("k3"), Symbol("k3", positive=True)):
+        potential = gs.axial_potential(Symbol("m0") * theirs)
+        assert potential == gs.uniform_field()
+        report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), potential)))
+        assert {s.name for s in report.sufficient.alternatives[0][0].margin.free_symbols} == {"I1", "l", "m0", "pi3_0"}
+
+
+def test_callables_and_expressions_agree():
+    """axial_potential(f) is axial_potential(f(k3)), general_potential takes three arguments."""
+    assert gs.axial_potential(lambda z: exp(z) + m0) == gs.axial_potential(exp(k3) + m0)
+    assert gs.general_potential(lambda *k: k[0] * k[2]).expression == k1 * k3
+
+
+@pytest.mark.parametrize(("given", "why"), [
+    (m0**2, "does not depend"), (m0 * k1, "k1"), (gs.symbol("omega") * k3, "omega"), (gs.symbol("pi3_0") * k3, "pi3_0"),
+    (gs.symbol("dU") * k3, "dU"), ("m0*k3", "not an expression"), (True, "not an expression"), (Function("V")(k3), "unspecified"),
+    (sympy.I * 2, "finite real"), (sympy.oo, "finite real")])
+def test_what_is_no_potential_is_refused(given, why):
+    """Parameters without k3, names of the motion, text, other functions, numbers that are not real."""
+    with pytest.raises(ValueError, match=why):
+        gs.axial_potential(given)
+
+
+def test_floats_are_the_rationals_they_are():
+    """0.5 k3 is k3/2, exactly."""
+    assert gs.axial_potential(0.5 * k3) == gs.axial_potential(k3 / 2)
+
+
+def test_a_constant_is_a_field_without_force():
+    """U = 0 keeps the direction k but exerts no torque."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(0))
+    assert scene.vector_field()[:3] == gs.assemble(gs.symmetric_gyrostat()).vector_field()[:3]
+
+
+def test_jets_are_derivatives():
+    """dU, d2U, … of a given U; mixed ones of a general U."""
+    potential = gs.axial_potential(cos(k3) * m0)
+    assert [potential.value(gs.symbol(n)) for n in ("dU", "d2U", "d4U")] == [-m0 * sympy.sin(k3), -m0 * cos(k3), m0 * cos(k3)]
+    general = gs.general_potential(lambda a, b, c: a**2 * b * c**3)
+    assert general.value(gs.symbol("d3U_123")) == 6 * k1 * k3**2
+    assert [d.name for d in general.following(gs.symbol("dU_2"))] == ["d2U_12", "d2U_22", "d2U_23"]
+
+
+def test_named_fields():
+    """U⁽¹⁾ and U⁽²⁾ of Vera & Viguera (2003), §3; m1 has the sign that VV2003 gives it."""
+    assert gs.uniform_field().expression == m0 * k3
+    assert sympy.expand(gs.newtonian_field(2).expression - m0 * k3 - m1 * (I3 - I1) * k3**2 / 2) == 0
+    for order in (0, 3, -1):
+        with pytest.raises(ScopeError, match="orders 1 and 2"):
+            gs.newtonian_field(order)
+
+
+def test_the_body_enters_its_own_potential():
+    """The I1, I3 of a field are those of the body it acts on; the field of an axisymmetric body refuses any other."""
+    scene = gs.assemble(gs.Gyrostat((2, 2, 5), (0, 0, 1)), gs.newtonian_field(2))
+    assert sympy.expand(scene.potential.expression - m0 * k3 - m1 * 3 * k3**2 / 2) == 0
+    with pytest.raises(ScopeError, match="I1 = I2"):
+        gs.assemble(gs.Gyrostat(), gs.newtonian_field(2))
+
+
+def test_errors_are_builtins():
+    """PotentialError is a ValueError, ScopeError a NotImplementedError."""
+    assert issubclass(PotentialError, ValueError) and issubclass(ScopeError, NotImplementedError)
