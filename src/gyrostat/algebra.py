@@ -127,7 +127,7 @@ def _collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict
     elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
         _collect(node.base, seen, plain, squares)
         squares.setdefault(Pow(node.base, Rational(1, 2)), node.base)
-    elif isinstance(node, sin):
+    elif isinstance(node, sin) and node.free_symbols:  # of a constant, the relation would only hide squares
         _collect(cos(node.args[0]), seen, plain, squares)
         squares.setdefault(node, 1 - cos(node.args[0]) ** 2)
     elif isinstance(node, exp):

@@ -67,13 +67,14 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     """
     eq, values = linearization.equilibrium, linearization.coefficients
     ring = Ring([*values, *eq.domain])
+    signs = Signs(ring, eq.domain)
     fractions = [ring.fraction(value) for value in values]
-    named = dict(zip(("q",) if len(values) == 1 else ("p", "q"), fractions))
+    items = [Item(*signs.split(*fraction), False, name) for fraction, name in zip(fractions, "q" if len(values) == 1 else "pq")]
     if len(values) == 2:
         (p, a), (q, b) = fractions
-        named["p² − 4q"] = p**2 * b - 4 * q * a**2, a**2 * b
-    signs = Signs(ring, eq.domain)
-    items = [Item(*signs.split(*fraction), False, name) for name, fraction in named.items()]
+        square = ring.one, (items[0].margin, *items[0].degenerate)      # q = 0: the discriminant is p²
+        discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
+        items.append(Item(*discriminant, False, "p² − 4q"))
     return Criterion("spectral", (tuple(_condition(ring, item, eq) for item in items),))
 
 

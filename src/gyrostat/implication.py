@@ -61,7 +61,7 @@ def _divided(items: list[Item], signs: Signs) -> list[Item]:
 
 
 def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
-    """Drop X where c X = S + T Y with c, T > 0 and S a square: it follows from Y.
+    """Drop X where X = S + T Y with T > 0 and S a square: it follows from Y.
 
     A non-strict Y also holds where an even factor e of it vanishes. If e divides S, then X and Y together are
     Y's margin ≥ 0 alone: where e = 0, X has the sign of the margin.
@@ -79,21 +79,13 @@ def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
 
 
 def _remainder(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs) -> fmpq_mpoly | None:
-    """S ≥ 0 in c x = S + T y with c > 0 and T > 0, if division in one of the variables finds it."""
-    for index, degree in enumerate(y.degrees()):
-        if degree != 1:
-            continue
-        slope = y.derivative(index)
-        rest = y - slope * y.context().gen(index)
-        n = int(x.degrees()[index])
-        sign = signs.of(slope) or 0
-        if sign**n == 0:
-            continue
-        powers = _by_degree(x, index, n)
-        on_zero = sum((c * (-rest) ** k * slope ** (n - k) for k, c in enumerate(powers)), signs.ring.zero) * sign**n
-        quotient, left = divmod(x * slope**n * sign**n - on_zero, y)
-        if not left and signs.of(quotient) == 1 and signs.nonnegative(on_zero):
-            return on_zero
+    """S ≥ 0 in x = S + T y with T > 0, where a generator enters both of them affinely and S not at all."""
+    for index, (n, m) in enumerate(zip(x.degrees(), y.degrees())):
+        if n == m == 1:
+            quotient, rest = divmod(x.derivative(index), y.derivative(index))
+            square = x - quotient * y
+            if not rest and signs.of(quotient) == 1 and signs.nonnegative(square):
+                return square
     return None
 
 
