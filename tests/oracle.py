@@ -96,11 +96,17 @@ def verdict_vertical(I1, l, pi3, s, u1):
 
 
 def verdict_inclined(I1, I3, l, omega, z, u2):
-    """The same at an inclined double root; energy and momentum are those of the equilibrium."""
+    """The same at an inclined double root."""
+    margin = verdict_inclined_margin(I1, I3, l, omega, z, u2)
+    return (margin > 0) - (margin < 0)
+
+
+def verdict_inclined_margin(I1, I3, l, omega, z, u2):
+    """-g''(z)/2 at the inclined double root, energy and momentum being those of the equilibrium."""
     u1 = omega * l - omega**2 * z * (I1 - I3)
     pi3 = I3 * omega * z
     v = I1 * omega * (1 - z * z) + (pi3 + l) * z
     e = I1 * omega**2 * (1 - z * z) / 2                # h - π3²/(2 I3), with U = 0 at the equilibrium
     g = reduced(I1, l, pi3, v, e, Fraction(0), u1, u2, z)
     assert g[0] == g[1] == 0
-    return (g[2] < 0) - (g[2] > 0)
+    return -g[2]

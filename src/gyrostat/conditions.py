@@ -72,7 +72,8 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     items = [Item(*signs.split(*fraction), False, name) for fraction, name in zip(fractions, "q" if len(values) == 1 else "pq")]
     if len(values) == 2:
         (p, a), (q, b) = fractions
-        square = ring.one, (items[0].margin, *items[0].degenerate)      # q = 0: the discriminant is p²
+        factors = items[0].margin, *items[0].degenerate
+        square = ring.one, tuple(e for e in factors if not e.is_constant())        # q = 0: the discriminant is p²
         discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
         items.append(Item(*discriminant, False, "p² − 4q"))
     return Criterion("spectral", (tuple(_condition(ring, item, eq) for item in items),))

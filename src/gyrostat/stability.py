@@ -26,7 +26,7 @@ class Verdict(Enum):
 
 
 @dataclass(frozen=True)
-class Decision:
+class Decision(Typeset):
     """A verdict at given numbers, with its reason.
 
     Parameters

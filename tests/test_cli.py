@@ -1,0 +1,99 @@
+"""The command line: output, verdicts, errors, exit status."""
+import json
+import subprocess
+import sys
+
+import pytest
+
+import gyrostat
+from gyrostat.cli import main
+
+TOP = ["--set", "I1=1", "--set", "I3=1.6", "--set", "l=0", "--set", "m0=1"]
+
+
+def run(capsys, *arguments):
+    status = main(["report", *arguments])
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
+
+
+def test_report_of_any_field(capsys):
+    """Without arguments: bracket, E1, E2, E3 and their conditions."""
+    status, out, err = run(capsys)
+    assert status == 0 and err == ""
+    for line in ("(π₃⁰ + l)² ≥ 4 I₁ U′(1)", "(π₃⁰ + l)² > −4 I₁ U′(−1)",
+                 "(l − ω k₃ (2 I₁ − I₃))² + I₁ (1 − k₃²) (I₁ ω² + U″(k₃)) > 0", "|k₃| < 1"):
+        assert line in out
+
+
+def test_rumiantsev(capsys):
+    """The heavy gyrostat in the rate ω3, as Rumiantsev wrote it, and the Newtonian field."""
+    _, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E1", *TOP, "--set", "omega3_0=1.3")
+    assert "(I₃ ω₃⁰ + l)² > 4 I₁ m₀" in out and "Verdict: Lyapunov stable" in out and "E2" not in out
+    _, out, _ = run(capsys, "--potential", "m0*k3 + m1/2*(I3 - I1)*k3**2", "--equilibrium", "E3")
+    assert "k₃ = (ω l − m₀)/((ω² − m₁) (I₁ − I₃))" in out
+
+
+@pytest.mark.parametrize(("spin", "verdict"), [("1.3", "Lyapunov stable"), ("1.25", "undecided"), ("1.2", "unstable")])
+def test_an_unstable_body_is_an_answer(capsys, spin, verdict):
+    """Exit status 0 whatever the verdict."""
+    status, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E1", *TOP, "--set", f"omega3_0={spin}")
+    assert status == 0 and f"Verdict: {verdict}" in out
+
+
+def test_json(capsys):
+    """Stable keys; the criteria as data; the decision where there are numbers for it."""
+    _, out, _ = run(capsys, "--potential", "m0*k3", *TOP, "--set", "pi3_0=3", "--format", "json")
+    data = json.loads(out)
+    assert [e["label"] for e in data["equilibria"]] == ["E1", "E2", "E3", "E3 at rest"]
+    (condition,) = data["equilibria"][0]["sufficient"]["any_of"][0]["all_of"]
+    assert condition["margin"] == "-4*I1*m0 + l**2 + 2*l*pi3_0 + pi3_0**2" and condition["strict"] is True
+    assert data["equilibria"][0]["decision"]["verdict"] == "STABLE" and "decision" not in data["equilibria"][2]
+
+
+def test_free_body(capsys):
+    """--potential none: three coordinates, no field."""
+    status, out, _ = run(capsys, "--potential", "none", "--set", "I1=1", "--set", "I2=2", "--set", "I3=3", "--set", "l=0",
+                         "--set", "omega3_0=1")
+    assert status == 0 and "so(3)*" in out and "Lyapunov stable" in out
+
+
+def test_output_file(capsys, tmp_path):
+    """LaTeX into a file; a folder that does not exist is an error without a traceback."""
+    status, out, _ = run(capsys, "--format", "latex", "--output", str(tmp_path / "report.tex"))
+    assert status == 0 and out == "" and r"\end{document}" in (tmp_path / "report.tex").read_text()
+    status, _, err = run(capsys, "--output", str(tmp_path / "missing" / "report.tex"))
+    assert status == 2 and "cannot write" in err
+
+
+@pytest.mark.parametrize(("arguments", "why"), [
+    (["--potential", "__import__('os').system('true')"], "cannot read"), (["--potential", "9**9**9"], "exponent"),
+    (["--potential", "k3.real"], "grammar"), (["--potential", "m0"], "does not depend on k3"), (["--potential", "k1*k3"], "depends on k1"),
+    (["--potential", ""], "too early"), (["--set", "I1"], "NAME=VALUE"), (["--set", "I1=1", "--set", "I1=2"], "twice"),
+    (["--set", "I1=nan"], "contains the names"), (["--set", "I1=__import__('os')"], "cannot read"),
+    (["--set", "mass=1"], "no such parameter"), (["--set", "I1=1"], "not enough"), (["--set", "I1=-1", *TOP[4:], "--set", "pi3_0=1",
+     "--set", "dU=1"], "no such parameter; the parameters"), (["--set", "pi3_0=1", "--set", "omega3_0=1"], "both"),
+    (["--potential", "none", "--equilibrium", "E1"], "needs a field"),
+    (["--equilibrium", "E1", "--set", "I1=-1", "--set", "l=0", "--set", "pi3_0=1", "--set", "dU=1"], "not positive"),
+    (["--equilibrium", "E3", "--set", "I1=1", "--set", "I3=1", "--set", "l=0", "--set", "omega=1", "--set", "d2U=1", "--set", "k3=2"],
+     "exists only where")])
+def test_bad_input_exits_2(capsys, arguments, why):
+    """A clear error on stderr, nothing on stdout, no traceback."""
+    status, out, err = run(capsys, *arguments)
+    assert status == 2 and out == "" and err.startswith("gyrostat: ") and why in err and "Traceback" not in err
+
+
+def test_usage(capsys):
+    """--help has examples, --version the version, an unknown verb exits 2."""
+    for arguments, status in ((["--help"], 0), (["report", "--help"], 0), (["--version"], 0), (["fly"], 2), ([], 2)):
+        with pytest.raises(SystemExit) as stop:
+            main(arguments)
+        assert stop.value.code == status
+    out = capsys.readouterr().out
+    assert "gyrostat report --potential" in out and f"gyrostat {gyrostat.__version__}" in out
+
+
+def test_the_module_runs():
+    """python -m gyrostat is the command."""
+    run = subprocess.run([sys.executable, "-m", "gyrostat", "--version"], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == f"gyrostat {gyrostat.__version__}"

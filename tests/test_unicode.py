@@ -1,0 +1,41 @@
+"""One line of Unicode, aligned matrices, documents in 100 columns."""
+import pytest
+from sympy import exp, sin, sqrt
+
+import gyrostat as gs
+from gyrostat.document import report_blocks, scene_blocks
+from gyrostat.unicode import matrix_lines, text, unicode
+
+I1, I3, l, pi3, dU, k3, omega = map(gs.symbol, ("I1", "I3", "l", "pi3_0", "dU", "k3", "omega"))
+
+
+@pytest.mark.parametrize(("expression", "shown"), [
+    ((pi3 + l) ** 2 - 4 * I1 * dU, "(π₃⁰ + l)² − 4 I₁ U′(1)"), (-l / (2 * I1), "−l/(2 I₁)"), (I1 - I3, "I₁ − I₃"), (I3 - I1, "I₃ − I₁"),
+    (1 - k3**2, "1 − k₃²"), (pi3**2 / I1, "(π₃⁰)²/I₁"), (1 / I1**2, "1/I₁²"), (sqrt(1 - k3**2), "√(1 − k₃²)"), (sqrt(l), "√l"),
+    (-(l + pi3) / I1, "(−π₃⁰ − l)/I₁"), (I1 * I3 * omega * k3, "I₁ I₃ ω k₃"), (l**-1 * 3, "3/l"), (exp(k3) * sin(l), "sin(l) exp(k₃)"),
+    (gs.symbol("c") * l / 7, "l c/7"), (abs(k3), "|k₃|"), (gs.axial_potential().expression.diff(k3), "U′(k₃)"),
+    (gs.general_potential().expression.diff(gs.symbol("k1"), k3), "∂₁₃U"), (gs.symbol("dU") ** 2, "(U′(1))²")])
+def test_one_line(expression, shown):
+    """As a mechanician writes it."""
+    assert unicode(expression, 1) == shown
+
+
+def test_matrices_are_aligned(scene):
+    """Every row has the same width."""
+    lines = matrix_lines(scene.space.tensor.tolist())
+    assert len({len(line) for line in lines}) == 1 and lines[0][0] == "⎛" and lines[-1][-1] == "⎠"
+    assert matrix_lines([[l]]) == ["( l )"]
+
+
+@pytest.mark.parametrize("field", [gs.axial_potential(), gs.uniform_field(), gs.newtonian_field(2)])
+def test_reports_fit_100_columns(field):
+    """The whole derivation, for every equilibrium, in lines of at most 100 characters."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), field)
+    blocks = scene_blocks(scene)
+    for make in (gs.upright, gs.hanging, gs.inclined):
+        blocks += report_blocks(gs.analyze(make(scene)))
+    shown = text(blocks)
+    assert max(map(len, shown.splitlines())) <= 100
+    for part in ("Poisson tensor", "Casimirs", "π̇ = M × ω + k × ∇U", "Integral found", "Characteristic polynomial", "Eigenvalues",
+                 "Necessary (spectral)", "Sufficient (formal, hence Lyapunov)", "Casimirs alone", "E1:", "E2:", "E3:"):
+        assert part in shown
