@@ -155,7 +155,7 @@ def test_factors_multiply_to_the_polynomial(e1, e3):
 def test_eigenvalues_are_the_roots(report, request):
     """The closed forms are the eigenvalues that NumPy finds for the matrix."""
     linear = request.getfixturevalue(report).linearization
-    values = dict(I1=2.0, I3=0.6, l=0.3, pi3_0=-1.7, dU=0.4, omega=0.7, k3=0.6, d2U=0.9)
+    values = {"I1": 2.0, "I3": 0.6, "l": 0.3, "pi3_0": -1.7, "dU": 0.4, "omega": 0.7, "k3": 0.6, "d2U": 0.9}
     names = [gs.symbol(n) for n in values]
     ours = [complex(lambdify(names, root, "mpmath")(*map(mpmath.mpf, values.values()))) for root in linear.eigenvalues()]
     exact = {gs.symbol(n): Rational(str(v)) for n, v in values.items()}
