@@ -102,6 +102,17 @@ def test_free_rotation(free):
     assert verdicts == ["STABLE", "UNSTABLE", "STABLE"]
 
 
+def test_what_was_dropped_is_proved(e1, e2):
+    """p ≥ 0 follows at E1 and E2 by the identity of the design, p = ½ (2a + b)² + ½ (b² + 4dc), up to (I1 I3)²."""
+    for report in (e1, e2):
+        (proof,) = single(report.necessary).implies
+        assert proof.source == "p" and proof.by == single(report.necessary).margin
+        assert expand(proof.margin - proof.square - proof.factor * proof.by) == 0
+        assert proof.factor.is_positive and cancel(proof.square / (I3 * P - 2 * I1 * pi3) ** 2) == Rational(1, 2)
+        p = gs.spectral_criterion(report.linearization).alternatives[0][0]
+        assert proof.margin == p.margin
+
+
 def test_asymmetric_conditions(asymmetric):
     """Energy-Casimir at E1 of a general body: a1 > 0 and a2 > 0 (Rumiantsev 1961), each by itself."""
     report = gs.analyze(gs.upright(asymmetric, spin="omega3_0"))

@@ -1,13 +1,13 @@
 """Margins, conditions and criteria: the spectral and the formal test as inequalities, reduced to what is independent."""
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from sympy import Expr, S
 
 from .algebra import Ring
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
-from .implication import Item, eliminate, merge, simplify
+from .implication import Implied, Item, eliminate, merge, simplify
 from .linearization import Linearization
 from .notation import Typeset
 from .signs import Signs
@@ -24,6 +24,7 @@ class Condition(Typeset):
     source : str               what it came from
     degenerate : tuple         even factors taken out of the margin: where one vanishes the sign is 0
     at : Expr                  the k3 at which derivatives of U are taken: 1, -1 or k3
+    implies : tuple            conditions dropped because they follow from this one, each with the identity that proves it
     """
 
     margin: Expr
@@ -31,6 +32,7 @@ class Condition(Typeset):
     source: str
     degenerate: tuple[Expr, ...]
     at: Expr
+    implies: tuple[Implied, ...] = field(default=(), compare=False)
 
 
 @dataclass(frozen=True)
@@ -135,8 +137,10 @@ def _inserted(ring: Ring, signs: Signs, condition: Condition, values: Callable[[
     for factor in condition.degenerate:
         odd, more = signs.split(*ring.fraction(values(factor)))
         even += more if odd.is_constant() and odd else (*more, odd)
-    return Item(margin, even, condition.strict, condition.source)
+    return Item(margin, even, condition.strict, condition.source, condition.implies)
 
 
 def _condition(ring: Ring, item: Item, eq: Equilibrium) -> Condition:
-    return Condition(ring.expression(item.margin), item.strict, item.source, tuple(map(ring.expression, item.degenerate)), eq.at)
+    proofs = tuple(Implied(p.source, *(e if isinstance(e, Expr) else ring.expression(e) for e in (p.margin, p.square, p.factor, p.by)))
+                   for p in item.implies)
+    return Condition(ring.expression(item.margin), item.strict, item.source, tuple(map(ring.expression, item.degenerate)), eq.at, proofs)

@@ -202,6 +202,10 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any) -> list[Block]:
         blocks += [comparison(condition) for condition in alternative]
         blocks += [Sentence("(also where {} = 0)" if not c.strict else "and {} ≠ 0", (readable(e),), at)
                    for c in alternative for e in c.degenerate]
+    for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
+        name, by = Word(proof.source, proof.source.replace("²", "^2").replace("−", "-")), readable(proof.by)
+        blocks.append(Sentence("Here {} is, up to a positive factor, {} + {} ({}): it adds nothing.",
+                               (name, readable(proof.square), readable(proof.factor), by), at))
     return blocks
 
 

@@ -1,6 +1,6 @@
 """Conjunctions of polynomial inequalities: what always holds, what follows from what, and one multiplier eliminated."""
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from flint import fmpq_mpoly
@@ -17,6 +17,18 @@ class Item:
     degenerate: tuple[fmpq_mpoly, ...]
     strict: bool
     source: str
+    implies: tuple["Implied", ...] = field(default=(), compare=False)
+
+
+@dataclass(frozen=True)
+class Implied:
+    """margin = square + factor · by, factor > 0: the condition named source follows from by."""
+
+    source: str
+    margin: Any
+    square: Any
+    factor: Any
+    by: Any
 
 
 def simplify(items: Sequence[Item], signs: Signs) -> list[Item] | None:
@@ -70,22 +82,23 @@ def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
         for y in items:
             if x is y or x.degenerate or x.strict != y.strict:
                 continue
-            square = _remainder(x.margin, y.margin, signs)
-            if square is None or not y.strict and any(divmod(square, e)[1] for e in y.degenerate):
+            parts = _parts(x.margin, y.margin, signs)
+            if parts is None or not y.strict and any(divmod(parts[0], e)[1] for e in y.degenerate):
                 continue
-            plain = y if y.strict else replace(y, degenerate=())
+            proof = Implied(x.source, x.margin, *parts, y.margin)
+            plain = replace(y, degenerate=y.degenerate if y.strict else (), implies=(*y.implies, proof, *x.implies))
             return [plain if item is y else item for item in items if item is not x]
     return items
 
 
-def _remainder(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs) -> fmpq_mpoly | None:
-    """S ≥ 0 in x = S + T y with T > 0, where a generator enters both of them affinely and S not at all."""
+def _parts(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs) -> tuple[fmpq_mpoly, fmpq_mpoly] | None:
+    """S ≥ 0 and T > 0 with x = S + T y, where a generator enters both of them affinely and S not at all."""
     for index, (n, m) in enumerate(zip(x.degrees(), y.degrees())):
         if n == m == 1:
             quotient, rest = divmod(x.derivative(index), y.derivative(index))
             square = x - quotient * y
             if not rest and signs.of(quotient) == 1 and signs.nonnegative(square):
-                return square
+                return square, quotient
     return None
 
 
