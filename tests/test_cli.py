@@ -1,5 +1,6 @@
 """The command line: output, verdicts, errors, exit status."""
 import json
+import os
 import subprocess
 import sys
 
@@ -45,7 +46,7 @@ def test_json(capsys):
     """Stable keys; the criteria as data; the decision where there are numbers for it."""
     _, out, _ = run(capsys, "--potential", "m0*k3", *TOP, "--set", "pi3_0=3", "--format", "json")
     data = json.loads(out)
-    assert [e["label"] for e in data["equilibria"]] == ["E1", "E2", "E3", "E3 at rest"]
+    assert [e["label"] for e in data["equilibria"]] == ["E1", "E2", "E3"]
     (condition,) = data["equilibria"][0]["sufficient"]["any_of"][0]["all_of"]
     assert condition["margin"] == "-4*I1*m0 + l**2 + 2*l*pi3_0 + pi3_0**2" and condition["strict"] is True
     assert data["equilibria"][0]["decision"]["verdict"] == "STABLE" and "decision" not in data["equilibria"][2]
@@ -56,6 +57,23 @@ def test_free_body(capsys):
     status, out, _ = run(capsys, "--potential", "none", "--set", "I1=1", "--set", "I2=2", "--set", "I3=3", "--set", "l=0",
                          "--set", "omega3_0=1")
     assert status == 0 and "so(3)*" in out and "Lyapunov stable" in out
+
+
+def test_the_tilt_is_solved_where_l_is_given(capsys):
+    """E3 from m0, l and ω, without k3; at rest only where no numbers are set."""
+    heavy = ["--potential", "m0*k3 + m1/2*(I3 - I1)*k3**2", "--equilibrium", "E3"]
+    status, out, _ = run(capsys, *heavy, *(f"--set={s}" for s in ("I1=2", "I3=1", "l=1", "m0=1/2", "m1=1/4", "omega=1")))
+    assert status == 0 and "Verdict: Lyapunov stable modulo the spin" in out and "At rest" not in out and "at rest" not in out
+    assert "E3 at rest" in run(capsys, *heavy)[1] and "E3 at rest" not in run(capsys, "--potential", "m0*k3")[1]
+
+
+def test_any_terminal(tmp_path):
+    """A terminal whose encoding has no λ gets UTF-8; a reader that stops early is no error."""
+    command = [sys.executable, "-m", "gyrostat", "report", "--equilibrium", "E1"]
+    out = subprocess.run(command, capture_output=True, check=True, env={**os.environ, "PYTHONIOENCODING": "cp1252"}).stdout
+    assert "λ⁴" in out.decode("utf-8")
+    piped = subprocess.run(f"{sys.executable} -m gyrostat report | head -1", shell=True, capture_output=True, text=True, check=True)
+    assert piped.stderr == ""
 
 
 def test_output_file(capsys, tmp_path):
@@ -71,10 +89,10 @@ def test_output_file(capsys, tmp_path):
     (["--potential", "k3.real"], "grammar"), (["--potential", "m0"], "does not depend on k3"), (["--potential", "k1*k3"], "depends on k1"),
     (["--potential", ""], "too early"), (["--set", "I1"], "NAME=VALUE"), (["--set", "I1=1", "--set", "I1=2"], "twice"),
     (["--set", "I1=nan"], "contains the names"), (["--set", "I1=__import__('os')"], "cannot read"),
-    (["--set", "mass=1"], "no such parameter"), (["--set", "I1=1"], "not enough"), (["--set", "I1=-1", *TOP[4:], "--set", "pi3_0=1",
-     "--set", "dU=1"], "no such parameter; the parameters"), (["--set", "pi3_0=1", "--set", "omega3_0=1"], "both"),
+    (["--set", "mass=1"], "no parameter mass"), (["--set", "I1=1"], "not enough"), (["--set", "I1=-1", *TOP[4:], "--set", "pi3_0=1",
+     "--set", "dU=1"], "no parameter m0"), (["--set", "pi3_0=1", "--set", "omega3_0=1"], "both"),
     (["--potential", "none", "--equilibrium", "E1"], "needs a field"),
-    (["--equilibrium", "E1", "--set", "I1=-1", "--set", "l=0", "--set", "pi3_0=1", "--set", "dU=1"], "not positive"),
+    (["--equilibrium", "E1", "--set", "I1=-1", "--set", "l=0", "--set", "pi3_0=1", "--set", "dU=1"], "must be positive"),
     (["--equilibrium", "E3", "--set", "I1=1", "--set", "I3=1", "--set", "l=0", "--set", "omega=1", "--set", "d2U=1", "--set", "k3=2"],
      "exists only where")])
 def test_bad_input_exits_2(capsys, arguments, why):

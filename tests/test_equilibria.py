@@ -92,6 +92,14 @@ def test_general_unspecified_field():
     assert gs.equilibrium(scene, (0, 0, 0, 0, 0, 1), relations=[("dU_1", 0), ("dU_2", 0)])
 
 
+def test_directions_are_unit_vectors():
+    """|k| = 1, exactly; k = 0 is left to the verbs, which name the singular orbit."""
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(lambda x, y, z: z))
+    for k in ((0, 0, 2), (0, 0, Rational(1, 2)), (0, 0, gs.symbol("c"))):
+        with pytest.raises(EquilibriumError, match="k is a direction"):
+            gs.equilibrium(scene, (0, 0, 5, *k))
+
+
 def test_transcendental_fields():
     """exp and its relation cancel exactly."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(exp(2 * k3)))

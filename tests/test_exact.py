@@ -34,6 +34,13 @@ def test_algebraic_zeros_are_found_and_near_misses_are_not(a, b, n):
     assert sign_of_constant(zero + n * Rational(1, 10**400)) == (n > 0) - (n < 0)
 
 
+def test_zeros_that_do_not_simplify():
+    """√(2 + √3) − (√6 + √2)/2 and ρ⁵ − ρ + 1 at a root ρ of x⁵ − x + 1."""
+    root = sympy.CRootOf(x**5 - x + 1, 0)
+    for hidden in (sqrt(2 + sqrt(3)) - (sqrt(6) + sqrt(2)) / 2, root**5 - root + 1):
+        assert hidden != 0 and sign_of_constant(hidden) == 0
+
+
 def test_transcendental_signs_are_proved():
     """e^π − π^e > 0, and a difference of 10⁻⁹⁹⁹ is still seen."""
     assert sign_of_constant(exp(pi) - pi**3) == -1

@@ -10,7 +10,7 @@ import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
 CHAIN = ("errors notation expressions algebra matrices exact signs body potential liepoisson system equilibria tilted orbit "
-         "linearization energy_casimir implication conditions stability presentation document unicode latex cli").split()
+         "linearization energy_casimir implication conditions values stability presentation document unicode latex cli").split()
 VIEWS = CHAIN[CHAIN.index("presentation"):]
 
 

@@ -27,7 +27,8 @@ def test_callables_and_expressions_agree():
 @pytest.mark.parametrize(("given", "why"), [
     (m0**2, "does not depend"), (m0 * k1, "k1"), (gs.symbol("omega") * k3, "omega"), (gs.symbol("pi3_0") * k3, "pi3_0"),
     (gs.symbol("dU") * k3, "dU"), ("m0*k3", "not an expression"), (True, "not an expression"), (Function("V")(k3), "unspecified"),
-    (sympy.I * 2, "finite real"), (sympy.oo, "finite real")])
+    (sympy.I * 2, "finite real"), (sympy.oo, "finite real"),
+    (sympy.Abs(k3), "smooth"), (sympy.Piecewise((k3, k3 > 0), (0, True)), "smooth")])
 def test_what_is_no_potential_is_refused(given, why):
     """Parameters without k3, names of the motion, text, other functions, numbers that are not real."""
     with pytest.raises(ValueError, match=why):
@@ -67,6 +68,8 @@ def test_the_body_enters_its_own_potential():
     """The I1, I3 of a field are those of the body it acts on; the field of an axisymmetric body refuses any other."""
     scene = gs.assemble(gs.Gyrostat((2, 2, 5), (0, 0, 1)), gs.newtonian_field(2))
     assert sympy.expand(scene.potential.expression - m0 * k3 - m1 * 3 * k3**2 / 2) == 0
+    scene = gs.assemble(gs.Gyrostat((2, 2, 5), (0, 0, 7)), gs.axial_potential(gs.symbol("l") * k3))
+    assert scene.potential.expression == 7 * k3
     with pytest.raises(ScopeError, match="I1 = I2"):
         gs.assemble(gs.Gyrostat(), gs.newtonian_field(2))
 

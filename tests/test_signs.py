@@ -24,7 +24,15 @@ def test_known_signs():
     assert known(I1 * I3) == known(I1 + 2 * I3) == known(1 - k3**2) == known(root * I1) == known(exp(x)) == known(omega**2) == 1
     assert known(-I1 - I3 * x**2) == known(k3**2 - 1) == -1 and known(I1 - I1) == 0
     assert known(I1 - I3) is known(x) is known(omega) is known(1 - k3) is known(x**2) is None
-    assert known(x**2 + I1) == 1 and known(x**2 + omega**2 * I1) is None
+    assert known(x**2 + I1) == known(x**2 + omega**2 * I1) == 1 and known(x**2 + k3**2 * I1) is None
+    assert known((1 - k3) ** 2 * I1, (1 - k3,)) == known(1 - k3, (1 - k3,)) == 1 and known(k3 - 1, (1 - k3,)) == -1
+
+
+def test_quadratics_without_real_roots_have_a_sign():
+    """A negative discriminant on the whole domain; not one that only may be negative."""
+    assert known(I1**2 * omega**4 - 2 * I1 * omega**2 * k3 * x + x**2, (*DOMAIN, x**2)) == 1      # (I1 ω² − k3 x)² + x² (1 − k3²)
+    assert known(12 * x**2 - 4 * x + 363) == 1 and known(-x**2 + x - 1) == -1
+    assert known(x**2 - 2 * x + 1 + I1 - I3) is known(x**2 - 4 * x + 4) is known(x**2 + 3 * x + 2) is None
 
 
 FACTORS = [I1, I1 + I3, I1 - I3, k3 - 1, k3 + 1, 1 - k3**2, omega, x, x**2 + 1, sqrt(1 - k3**2), exp(x), -x - 3, I1 * x - k3]

@@ -8,11 +8,12 @@ import pytest
 from draw import moments, numbers, tilts
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sympy import Rational, exp, sqrt
+from sympy import Rational, cos, exp, log, sin, sqrt, symbols
 
 import gyrostat as gs
-from gyrostat.errors import GyrostatError, ValuesError
-from gyrostat.stability import Verdict
+from gyrostat.conditions import Condition, Criterion
+from gyrostat.errors import ArgumentError, EquilibriumError, GyrostatError, ValuesError
+from gyrostat.stability import Verdict, _holds
 
 SIGNS = {1: Verdict.STABLE, -1: Verdict.UNSTABLE, 0: Verdict.UNDECIDED}
 k3 = gs.symbol("k3")
@@ -98,6 +99,20 @@ def test_neighbouring_floats_at_the_boundary(e1, scale, l):
     assert got is Verdict.UNDECIDED
 
 
+@pytest.mark.parametrize(("strict", "margin", "factor", "expected"), [
+    (True, 1, 1, True), (True, 1, 0, False), (True, -1, 0, False), (False, -1, 0, True), (False, -1, 1, False), (False, 1, 0, True),
+    (True, 1, None, None), (False, 1, None, True), (False, -1, None, None), (True, -1, None, False), (True, None, 1, None),
+    (False, None, 0, True), (True, None, 0, False), (True, 0, None, False), (False, 0, None, True)])
+def test_conditions_are_three_valued(strict, margin, factor, expected):
+    """The sign is 0 where an even factor vanishes; None, a sign that is not proved, decides nothing by itself."""
+    x, y = gs.symbol("x"), gs.symbol("y")
+    third = Rational(1, 3)
+    hidden = sin(third) ** 2 + cos(third) ** 2 - 1     # zero, but not provably
+    number = {1: Rational(5), 0: Rational(0), -1: Rational(-2), None: hidden}
+    criterion = Criterion("formal" if strict else "spectral", ((Condition(x, strict, "", (y,), Rational(1)),),))
+    assert _holds(criterion, {x: number[margin], y: number[factor]})[0] is expected
+
+
 def test_nearly_equal_moments_and_nearly_upright(e3):
     """I1 − I3 = 10⁻³⁰ and 1 − k3 = 10⁻³⁰: the oracle's verdict on both sides of its boundary, and on it."""
     tiny = Fraction(1, 10**30)
@@ -181,7 +196,7 @@ def test_intermediate_axis():
 
 @pytest.mark.parametrize(("values", "why"), [
     ({"I1": 1, "l": 0, "pi3_0": 1}, "needs dU"), ({"I1": 1, "l": 0, "pi3_0": 1, "dU": 1, "mass": 3}, "no parameter mass"),
-    ({"I1": 0, "l": 0, "pi3_0": 1, "dU": 1}, "I1 = 0 is not positive"), ({"I1": -1, "l": 0, "pi3_0": 1, "dU": 1}, "not positive"),
+    ({"I1": 0, "l": 0, "pi3_0": 1, "dU": 1}, "I1 = 0.*must be positive"), ({"I1": -1, "l": 0, "pi3_0": 1, "dU": 1}, "must be positive"),
     ({"I1": 1, "l": float("nan"), "pi3_0": 1, "dU": 1}, "l = nan is not finite"),
     ({"I1": float("inf"), "l": 0, "pi3_0": 1, "dU": 1}, "not finite"), ({"I1": 1, "l": "x", "pi3_0": 1, "dU": 1}, "contains the names"),
     ({"I1": 1, "l": "1/", "pi3_0": 1, "dU": 1}, "cannot read"), ({"I1": 1, "I3": -2, "l": 0, "pi3_0": 1, "dU": 1}, "I3 = -2"),
@@ -204,7 +219,7 @@ def test_points_off_the_family_are_refused(e3):
     report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
     heavy = {"I1": 2, "I3": 1, "omega": 1, "k3": "1/2", "m0": 1}
     assert report.verdict(heavy | {"l": "3/2"}) == report.verdict(heavy)
-    with pytest.raises(ValuesError, match="not on E3.*omit l"):
+    with pytest.raises(ValuesError, match="not on E3: it needs l = 3/2, given was 1; omit l"):
         report.verdict(heavy | {"l": 1})
     with pytest.raises(ValuesError, match="exists only where"):
         report.verdict(heavy | {"omega": 0})
@@ -213,6 +228,46 @@ def test_points_off_the_family_are_refused(e3):
     assert numeric.verdict({"k3": "1/2", "omega": "2 - sqrt(5/2)"}).verdict is Verdict.STABLE
     with pytest.raises(ValuesError, match="not on E3.*correct"):
         numeric.verdict({"k3": "1/2", "omega": "0.418861169915810"})
+
+
+def test_fields_that_are_not_real_are_refused():
+    """√k3 at k3 = −1/4, log(1 − k3) at k3 = 1: U has to be finite and real there."""
+    with pytest.raises(EquilibriumError, match="not a finite real number"):
+        gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(log(1 - k3))))
+    with pytest.raises(EquilibriumError, match="not a finite real number"):
+        gs.hanging(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(log(k3))))
+    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(sqrt(k3)))))
+    values = {"I1": 1, "I3": 1, "omega": 1, "k3": "1/4"}
+    assert report.verdict(values).verdict in (Verdict.STABLE, Verdict.UNSTABLE)
+    with pytest.raises(ValuesError, match="exists only where"):
+        report.verdict(values | {"k3": "-1/4"})        # ω √k3 has to be real for l to be
+    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(log(k3)))))
+    with pytest.raises(ValuesError, match="not a finite real number"):
+        report.verdict(values | {"k3": "-1/4"})
+
+
+def test_moments_with_names_of_the_user_are_positive():
+    """A body of moments A, C: both must be positive, as I1 and I3 are."""
+    A, C = symbols("A C")
+    report = gs.analyze(gs.upright(gs.assemble(gs.Gyrostat((A, A, C), (0, 0, 0)), gs.uniform_field())))
+    assert len(report.sufficient.alternatives) == 1
+    assert report.verdict({"A": 1, "C": 1, "m0": 1, "pi3_0": 3}).verdict is Verdict.STABLE
+    with pytest.raises(ValuesError, match="exists only where"):
+        report.verdict({"A": -1, "C": 1, "m0": 1, "pi3_0": 4})
+
+
+def test_wrong_kinds_are_named(scene):
+    """A scene where an equilibrium is wanted, arguments in the wrong order."""
+    for call in (lambda: gs.analyze(scene), lambda: gs.assemble(gs.uniform_field(), gs.symmetric_gyrostat()), lambda: gs.Gyrostat(1),
+                 lambda: gs.upright(gs.symmetric_gyrostat()), lambda: gs.inclined(None), lambda: gs.equilibrium(3, (0,))):
+        with pytest.raises(ArgumentError, match="is a .*, not a"):
+            call()
+
+
+def test_names_are_suggested(e1):
+    """omega3 is no parameter; pi3_0 is, and omega3_0 with spin=."""
+    with pytest.raises(ValuesError, match=r'did you mean omega3_0\? .*spin="omega3_0"'):
+        e1.verdict({"I1": 1, "l": 0, "omega3": 1, "dU": 1})
 
 
 def test_unusual_moments_are_noted(e1):

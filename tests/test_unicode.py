@@ -20,6 +20,19 @@ def test_one_line(expression, shown):
     assert unicode(expression, 1) == shown
 
 
+def test_objects_print_as_a_person_reads_them(scene, e1, e3):
+    """print(…) of the public objects; a report is its document."""
+    assert str(e1.sufficient) == "(π₃⁰ + l)² > 4 I₁ U′(1)" and str(e3.sufficient).endswith("modulo the flow of π₃")
+    assert str(e3.casimirs_only) == "no information" and str(scene.potential) == "U = U(k₃)"
+    assert str(scene.body) == "gyrostat with inertia (I₁, I₁, I₃) and gyrostatic momentum (0, 0, l)"
+    assert str(e1.equilibrium).startswith("E1: (π₁,") and "Poisson tensor" in str(scene) and "Conditions" in repr(e1)
+    decision = e1.verdict({"I1": 1, "I3": 9, "l": 0, "pi3_0": 3, "dU": 1})
+    assert str(decision).startswith("STABLE, Lyapunov: ") and "note: no rigid body" in str(decision)
+    assert "−1/I₁" in str(e1.linearization).splitlines()[2]
+    discriminant = gs.spectral_criterion(e1.linearization).alternatives[0][2]
+    assert str(discriminant).endswith(" = 0") and len(str(scene.space).splitlines()) == 6
+
+
 def test_matrices_are_aligned(scene):
     """Every row has the same width."""
     lines = matrix_lines(scene.space.tensor.tolist())

@@ -5,6 +5,7 @@ exp(k3). A square root and a sine carry a relation, g² = …, by which everythi
 one denominator, so that no fraction is ever simplified on the way.
 """
 from collections.abc import Iterable, Sequence, Set
+from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cos, cosh, exp, sin, sinh, tanh
@@ -163,6 +164,14 @@ def derivatives(f: Expr, variables: Sequence[Symbol]) -> list[Expr]:
             bottom.degrees()[ring.generators.index(x)] for x in moving):
         return [f.diff(x) for x in variables]
     return [ring.quotient(top.derivative(ring.generators.index(x)), bottom) if x in moving else S.Zero for x in variables]
+
+
+def by_degree(polynomial: fmpq_mpoly, index: int, degree: int) -> list[fmpq_mpoly]:
+    """Coefficients of the powers 0 … degree of one generator."""
+    parts: list[dict[tuple[int, ...], Any]] = [{} for _ in range(degree + 1)]
+    for exponents, coefficient in polynomial.to_dict().items():
+        parts[exponents[index]][exponents[:index] + (0,) + exponents[index + 1:]] = coefficient
+    return [polynomial.context().from_dict(part) for part in parts]
 
 
 def lcm(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:

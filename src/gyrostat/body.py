@@ -5,7 +5,7 @@ from typing import Any
 
 from sympy import Add, Expr, Rational
 
-from .errors import BodyError
+from .errors import BodyError, require
 from .expressions import exact_expression
 from .notation import Typeset, symbol
 
@@ -39,6 +39,7 @@ class Gyrostat(Typeset):
 
     def __post_init__(self) -> None:
         for field in ("inertia", "gyrostatic_momentum"):
+            require(getattr(self, field), Sequence, field)
             given = tuple(getattr(self, field))
             if len(given) != 3:
                 raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")

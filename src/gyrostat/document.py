@@ -83,17 +83,21 @@ def scene_blocks(scene: System) -> list[Block]:
 def report_blocks(report: Report) -> list[Block]:
     """One equilibrium: point, linearisation, polynomial, second variation, criteria."""
     eq = report.equilibrium
-    blocks: list[Block] = [Heading(f"{eq.label}: {_ABOUT[eq.label]}" if eq.label in _ABOUT else eq.label), *_point(eq)]
+    title = f"{eq.label}: {_ABOUT[eq.label]}" if eq.label in _ABOUT else eq.label[0].upper() + eq.label[1:]
+    blocks: list[Block] = [Heading(title), *point_blocks(eq)]
     blocks += _linearization(report)
     blocks += _second_variation(report)
     blocks += [Heading("Conditions", 2), *criterion_blocks("Necessary (spectral)", report.necessary, eq.at),
                *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at)]
     if report.casimirs_only != report.sufficient:
         blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at)
-    return [*blocks, Sentence("Between the two, on the boundary, nothing is claimed.")]
+    if () not in report.sufficient.alternatives:
+        blocks.append(Sentence("Where the necessary condition holds and the sufficient one does not, nothing is claimed."))
+    return blocks
 
 
-def _point(eq: Equilibrium) -> list[Block]:
+def point_blocks(eq: Equilibrium) -> list[Block]:
+    """The point, what holds on its family, and where the family exists."""
     coordinates = eq.system.space.coordinates
     shown, roots = _named_roots(eq, ImmutableMatrix([eq.point]))
     template = "({}) = ({})".format(", ".join(["{}"] * len(coordinates)), ", ".join(["{}"] * len(coordinates)))
@@ -220,7 +224,7 @@ def comparison(condition: Condition) -> Display:
 def decision_blocks(decision: Decision, at: Any) -> list[Block]:
     """The verdict at the numbers given."""
     title = {"Lyapunov": "Lyapunov stable", "spectral": "unstable", "": "undecided"}[decision.notion]
-    modulo = " modulo the spin about the axis" if decision.modulo and decision.notion == "Lyapunov" else ""
+    modulo = " modulo the spin about the axis" if decision.modulo and decision.notion else ""
     values = [Display(readable(margin), value if value.is_Rational else value.evalf(12), at) for margin, value in decision.margins
               if margin.free_symbols]
     notes: list[Block] = [Sentence(f"Note: {decision.note}.")] if decision.note else []

@@ -13,7 +13,7 @@ from .orbit import critical_integrals, differentials, orbit_tangent, slice_and_s
 from .signs import Signs
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class SecondVariation(Typeset):
     """D²(h + ν·F) on the symplectic slice, F the Casimirs and the integrals that are critical there.
 

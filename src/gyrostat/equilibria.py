@@ -3,10 +3,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Expr, Symbol
+from sympy import Expr, S, Symbol
 
 from .algebra import Ring
-from .errors import EquilibriumError, ScopeError
+from .errors import EquilibriumError, ScopeError, require
 from .exact import sign
 from .expressions import exact_expression
 from .notation import Typeset, jet, symbol
@@ -15,7 +15,7 @@ from .system import System
 Pair = tuple[Symbol, Expr]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Equilibrium(Typeset):
     """A point, or a family of points, where the field vanishes; that it does is checked here, once.
 
@@ -41,6 +41,9 @@ class Equilibrium(Typeset):
     eliminated: str | None = None
 
     def __post_init__(self) -> None:
+        require(self.system, System, "the scene")
+        unknown = tuple(m for m in self.system.body.inertia if not m.is_positive and m not in self.domain)
+        object.__setattr__(self, "domain", (*self.domain, *unknown))
         if len(self.point) != (n := len(self.system.space.coordinates)):
             raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give one for each coordinate")
         left = []
@@ -50,6 +53,19 @@ class Equilibrium(Typeset):
         if left:
             raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(left)}. Check the point, or pass the relation "
                                    "that makes these vanish as relations=((symbol, value),).")
+        if self.system.potential:
+            self._check_direction()
+
+    def _check_direction(self) -> None:
+        """k is a unit vector (k = 0, on a singular orbit, is refused by the verbs), and U is real there."""
+        k = self.point[3:]
+        if any(k) and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
+            raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}: k is a direction, |k| = 1; "
+                                   "divide it by its length")
+        for value in self.field_values():
+            if value.is_finite is False or value.is_real is False:
+                raise EquilibriumError(f"{self.label} does not exist in U = {self.system.potential and self.system.potential.expression}: "
+                                       f"U or one of its first two derivatives is {value} there, not a finite real number")
 
     @property
     def at(self) -> Expr:
@@ -80,6 +96,16 @@ class Equilibrium(Typeset):
     def existence(self) -> tuple[Expr, ...]:
         """The domain in the parameters that are left: positive where the family exists."""
         return tuple(map(self.insert, self.domain))
+
+    def field_values(self) -> tuple[Expr, ...]:
+        """A given U, its slope and its curvature at the point; () where U is unspecified."""
+        potential = self.system.potential
+        if not potential or not potential.given:
+            return ()
+        place = dict(zip(potential.variables, self.point[-len(potential.variables):]))
+        first = [d for d in potential.gradient() if d]
+        jets = [*first, *(d for s in first for d in potential.following(s) if d)]
+        return tuple(self.insert(e) for e in (potential.expression.subs(place), *jets))
 
     def constraint(self) -> Expr | None:
         """What has to vanish at given values where no parameter was eliminated, None where nothing has."""
@@ -149,6 +175,7 @@ def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
 
 
 def _vertical(label: str, scene: System, spin: str, s: int) -> Equilibrium:
+    require(scene, System, "the scene")
     if scene.potential is None:
         raise ScopeError(f"{label} needs a field, the scene has none: use principal_rotation(scene, 3)")
     if spin not in ("pi3_0", "omega3_0"):
@@ -176,6 +203,7 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
     >>> principal_rotation(assemble(Gyrostat(gyrostatic_momentum=(0, 0, 0))), 2).point
     (0, I2*omega2_0, 0)
     """
+    require(scene, System, "the scene")
     if scene.potential is not None:
         raise ScopeError("principal_rotation is for a free body, the scene has a field: use upright, hanging or inclined")
     if axis not in (1, 2, 3):

@@ -5,6 +5,16 @@ class GyrostatError(Exception):
     """Base of all of them: ``except GyrostatError`` catches what the library refuses, and nothing else."""
 
 
+class ArgumentError(GyrostatError, TypeError):
+    """An argument is of another kind than the verb takes, such as a scene where an equilibrium is wanted."""
+
+
+def require(value: object, kind: type, what: str) -> None:
+    """Raise ArgumentError unless the value is of the kind wanted."""
+    if not isinstance(value, kind):
+        raise ArgumentError(f"{what} is a {type(value).__name__}, not a {kind.__name__}: check the order and kind of the arguments")
+
+
 class BodyError(GyrostatError, ValueError):
     """The moments of inertia or the gyrostatic momentum cannot belong to a body."""
 

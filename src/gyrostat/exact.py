@@ -18,7 +18,7 @@ def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
     """Sign of an expression at a point: exact, or None where it cannot be proved.
 
     Exact for rational and algebraic numbers, zero included. With transcendental functions the precision of
-    the enclosure is doubled up to 4096 bits; a value that is zero there in a way that SymPy does not see stays None.
+    the enclosure is doubled up to 4096 bits; a value that is zero there without simplifying to 0 stays None.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def sign_of_constant(constant: Expr) -> int | None:
             if is_algebraic_zero(constant):
                 return 0
         precision *= 2
-    return 0 if constant.is_zero else None
+    return None
 
 
 def is_algebraic_zero(constant: Expr) -> bool:

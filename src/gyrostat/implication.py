@@ -6,6 +6,7 @@ from typing import Any
 from flint import fmpq_mpoly
 from sympy import Expr
 
+from .algebra import by_degree
 from .signs import Signs
 
 
@@ -102,14 +103,6 @@ def _parts(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs) -> tuple[fmpq_mpoly, fmpq
     return None
 
 
-def _by_degree(polynomial: fmpq_mpoly, index: int, degree: int) -> list[fmpq_mpoly]:
-    """Coefficients of the powers 0 … degree of one generator."""
-    parts: list[dict[tuple[int, ...], Any]] = [{} for _ in range(degree + 1)]
-    for exponents, coefficient in polynomial.to_dict().items():
-        parts[exponents[index]][exponents[:index] + (0,) + exponents[index + 1:]] = coefficient
-    return [polynomial.context().from_dict(part) for part in parts]
-
-
 def eliminate(items: list[Item], nu: Expr, signs: Signs) -> list[list[Item]]:
     """∃ν: a ν² + b ν + c > 0, as alternatives without ν; where ν enters otherwise, ν = 0 is tried."""
     index = signs.ring.generators.index(nu)
@@ -118,11 +111,11 @@ def eliminate(items: list[Item], nu: Expr, signs: Signs) -> list[list[Item]]:
     if not with_nu:
         return [others]
     if len(with_nu) == 1 and not with_nu[0].degenerate and (n := int(with_nu[0].margin.degrees()[index])) <= 2:
-        c, b, a = (*_by_degree(with_nu[0].margin, index, n), *[signs.ring.zero] * (2 - n))
+        c, b, a = (*by_degree(with_nu[0].margin, index, n), *[signs.ring.zero] * (2 - n))
         discriminant = Item(*signs.split(b**2 - 4 * a * c, signs.ring.one), True, with_nu[0].source)
         opens = Item(*signs.split(a, signs.ring.one), True, with_nu[0].source)
         return [[*others, opens], [*others, discriminant]]
-    at_zero = [replace(i, margin=_by_degree(i.margin, index, int(i.margin.degrees()[index]))[0]) for i in with_nu]
+    at_zero = [replace(i, margin=by_degree(i.margin, index, int(i.margin.degrees()[index]))[0]) for i in with_nu]
     return [[*others, *at_zero]] if not any(i.degenerate for i in with_nu) else []
 
 

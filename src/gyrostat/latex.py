@@ -114,9 +114,10 @@ def formula(obj: Any) -> str:
         return _condition(obj)
     if isinstance(obj, Criterion):
         if not obj.alternatives:
-            return r"\text{never}"
+            return r"\text{never}" if obj.notion == "spectral" else r"\text{no information}"
         rows = [r" \;\land\; ".join(map(_condition, a)) or r"\text{always}" for a in obj.alternatives]
-        return rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
+        shown = rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
+        return shown + _modulo(obj.modulo)
     if isinstance(obj, Linearization):
         return _formula(entries(obj.matrix), obj.equilibrium.at)
     if isinstance(obj, SecondVariation):
@@ -135,11 +136,15 @@ def formula(obj: Any) -> str:
     if isinstance(obj, Potential):
         return "U = " + _formula(obj.expression)
     if isinstance(obj, Decision):
-        return rf"\text{{{obj.verdict.name.lower()}}}"
+        return rf"\text{{{obj.verdict.name.lower()}{f' ({obj.notion})' if obj.notion else ''}}}" + _modulo(obj.modulo if obj.notion else ())
     if isinstance(obj, Report):
         return _aligned(((Word("necessary", r"\text{necessary: }"), obj.necessary),
                          (Word("sufficient", r"\text{sufficient: }"), obj.sufficient)))
     raise TypeError(f"to_latex takes expressions, matrices and the library's own objects, not {type(obj).__name__}")
+
+
+def _modulo(integrals: tuple[Expr, ...]) -> str:
+    return rf" \quad \text{{modulo the flow of }} {', '.join(map(_formula, integrals))}" if integrals else ""
 
 
 def _aligned(rows: Iterable[tuple[Word, Any]]) -> str:

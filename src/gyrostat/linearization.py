@@ -13,7 +13,7 @@ from .orbit import orbit_tangent
 LAMBDA = symbol("lamda")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Linearization(Typeset):
     """δẋ = J δx on the tangent space T of the coadjoint orbit.
 

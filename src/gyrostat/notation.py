@@ -77,11 +77,18 @@ def own(expression: Expr) -> Expr:
 
 
 class Typeset:
-    """Objects that Jupyter shows typeset."""
+    """Objects that Jupyter shows typeset, and that print as a person reads them."""
 
     def _repr_latex_(self) -> str:
         from .latex import formula  # a view: loaded only when something is shown
         return rf"$\displaystyle {formula(self)}$"
+
+    def __str__(self) -> str:
+        from .unicode import plain
+        return plain(self)
+
+    def __repr__(self) -> str:
+        return str(self)
 
 
 def typeset(name: str, at: Any = None, style: str = "latex") -> str:

@@ -3,6 +3,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+import sympy
 from sympy import Expr, Function, Rational, Symbol
 from sympy.core.function import AppliedUndef
 
@@ -10,6 +11,8 @@ from .errors import PotentialError, ScopeError
 from .expressions import exact_expression
 from .notation import NOTATION, PARAMETERS, Typeset, jet, jet_name, symbol
 
+_NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.Piecewise, sympy.Max, sympy.Min, sympy.floor,
+               sympy.ceiling, sympy.re, sympy.im, sympy.arg, sympy.conjugate)
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
 
 
@@ -142,8 +145,11 @@ def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
     if callable(given) and not isinstance(given, Expr):
         given = given(*variables)
     if isinstance(given, (str, bool)):
-        raise PotentialError(f"U = {given!r} is not an expression: build it from symbol('k3'), or give a function of k3")
+        raise PotentialError(f"U = {given!r} is not an expression: build it from symbol('k3'), or give a function of "
+                             f"{', '.join(map(str, variables))}")
     expression = exact_expression(given, "U")
+    if rough := expression.atoms(*_NOT_SMOOTH):
+        raise PotentialError(f"U = {expression} is not smooth, it contains {', '.join(map(str, rough))}: stability needs two derivatives")
     if expression.atoms(AppliedUndef):
         raise PotentialError(f"U = {expression} contains an unspecified function: call without arguments to leave U unspecified")
     return Potential(variables, expression)

@@ -142,7 +142,8 @@ def ordered_factors(product: Expr) -> list[Expr]:
     def key(factor: Expr) -> tuple[Any, ...]:
         base = factor.base if isinstance(factor, Pow) else factor
         inertia = all(s.is_positive for s in factor.free_symbols)
-        return not factor.is_number, base.is_Add, len(base.free_symbols) if base.is_Add else not inertia, term_order(factor)
+        size = len(base.free_symbols) if base.is_Add else not inertia
+        return not factor.is_number, base.is_Add, not (base.is_Add or base.is_Symbol), size, term_order(factor)
 
     return sorted((f for f in Mul.make_args(product) if f != 1), key=key)
 

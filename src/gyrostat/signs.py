@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from flint import fmpq_mpoly
 from sympy import Expr
 
-from .algebra import Ring, cancel
+from .algebra import Ring, by_degree, cancel
 
 Factors = dict[str, fmpq_mpoly]
 
@@ -18,9 +18,10 @@ class Signs:
         self._known: dict[str, int] = {}                  # factors are kept under their text: polynomials do not hash
         self._groups: list[tuple[frozenset[str], int]] = []   # odd factors whose product has this sign
         self._nonzero: set[str] = set()
+        self._quadratics: dict[str, int] = {}
         for expression in domain:
             top, bottom = ring.fraction(expression)
-            sign, odd, even = self._factors(ring.reduce(top), ring.reduce(bottom))
+            sign, odd, even = self._factors(ring.reduce(top), ring.reduce(bottom), deep=False)
             self._nonzero.update(odd, even)
             if len(odd) == 1:
                 self._known[next(iter(odd))] = sign
@@ -30,11 +31,11 @@ class Signs:
             if self.of(square) == 1 and root.is_Pow:
                 self._positive.add(root)
 
-    def of(self, polynomial: fmpq_mpoly) -> int | None:
+    def of(self, polynomial: fmpq_mpoly, deep: bool = True) -> int | None:
         """1, 0 or -1 where the sign is the same on the whole domain, else None."""
         if not polynomial:
             return 0
-        sign, odd, even = self._factors(polynomial, self.ring.one)
+        sign, odd, even = self._factors(polynomial, self.ring.one, deep)
         return None if odd or even else sign
 
     def nonnegative(self, polynomial: fmpq_mpoly) -> bool:
@@ -66,7 +67,7 @@ class Signs:
             margin *= factor
         return margin, tuple(even[name] for name in sorted(even))
 
-    def _factors(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[int, Factors, Factors]:
+    def _factors(self, top: fmpq_mpoly, bottom: fmpq_mpoly, deep: bool = True) -> tuple[int, Factors, Factors]:
         """Sign, odd factors, and even factors of top, without those of known sign."""
         sign: int = 1
         odd: Factors = {}
@@ -76,7 +77,7 @@ class Signs:
             sign = sign if content > 0 else -sign
             for factor, n in factors:
                 name = str(factor)
-                if known := self._known.get(name) or self._form(factor):
+                if known := self._known.get(name) or self._form(factor) or (deep and self._quadratic(name, factor)):
                     sign *= known ** int(n)
                 elif n % 2:
                     odd[name] = factor
@@ -87,6 +88,18 @@ class Signs:
                 odd = {name: factor for name, factor in odd.items() if name not in group}
                 sign *= product
         return sign, odd, even
+
+    def _quadratic(self, name: str, polynomial: fmpq_mpoly) -> int:
+        """±1 for a quadratic in one generator whose discriminant is negative on the whole domain, else 0."""
+        if name not in self._quadratics:
+            self._quadratics[name] = 0                 # unless something is found
+            for index, degree in enumerate(polynomial.degrees()):
+                if degree == 2:
+                    c, b, a = by_degree(polynomial, index, 2)
+                    if (sign := self.of(a, deep=False)) and self.of(b**2 - 4 * a * c, deep=False) == -1:
+                        self._quadratics[name] = sign
+                        break
+        return self._quadratics[name]
 
     def _form(self, polynomial: fmpq_mpoly) -> int:
         """±1 if all terms have that sign and one of them cannot vanish, else 0."""

@@ -1,6 +1,6 @@
 """Verdict, Decision, Report, analyze: the one call a newcomer needs."""
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import Any
@@ -10,11 +10,11 @@ from sympy import Expr, Symbol
 from .conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
 from .energy_casimir import SecondVariation, second_variation
 from .equilibria import Equilibrium
-from .errors import ValuesError
+from .errors import require
 from .exact import evaluate, sign_of_constant
-from .expressions import exact_number
 from .linearization import Linearization, linearize
-from .notation import NOTATION, Typeset, jet, symbol
+from .notation import Typeset, jet
+from .values import exact_values, inertia_note, names_in
 
 
 class Verdict(Enum):
@@ -47,11 +47,14 @@ class Decision(Typeset):
     note: str = ""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Report(Typeset):
     """The stability analysis of one equilibrium; each part is derived when it is first asked for."""
 
     equilibrium: Equilibrium
+
+    def __post_init__(self) -> None:
+        require(self.equilibrium, Equilibrium, "the equilibrium")
 
     @cached_property
     def linearization(self) -> Linearization:
@@ -65,8 +68,11 @@ class Report(Typeset):
 
     @cached_property
     def necessary(self) -> Criterion:
-        """Spectral criterion, reduced to independent conditions."""
-        return independent(spectral_criterion(self.linearization), self.equilibrium)
+        """Spectral criterion, reduced to independent conditions.
+
+        Modulo the same flows as the sufficient one: they are neutral directions, which a growing mode leaves.
+        """
+        return replace(independent(spectral_criterion(self.linearization), self.equilibrium), modulo=self.second_variation.modulo)
 
     @cached_property
     def sufficient(self) -> Criterion:
@@ -92,15 +98,15 @@ class Report(Typeset):
         expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(self.equilibrium.existence())
         if (constraint := self.equilibrium.constraint()) is not None:
             expressions.append(constraint)
-        return _names(expressions)
+        return names_in(expressions)
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
         """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
         eq = self.equilibrium
         scene = [eq.system.hamiltonian, *eq.system.body.inertia, *eq.system.body.gyrostatic_momentum, *eq.point, *eq.existence()]
-        own = set(_names([*scene, *(e for pair in eq.relations for e in pair)])) | set(self.required)
-        moving = set(map(str, eq.system.space.coordinates)) - set(_names(eq.point))
+        own = set(names_in([*scene, *(e for pair in eq.relations for e in pair)])) | set(self.required)
+        moving = set(map(str, eq.system.space.coordinates)) - set(names_in(eq.point))
         return tuple(sorted(n for n in own - moving if n in self.required or n == eq.eliminated or not jet(n)))
 
     def verdict(self, values: Mapping[str, Any]) -> Decision:
@@ -128,50 +134,18 @@ class Report(Typeset):
         >>> report.verdict({"I1": 1, "I3": "1/2", "l": 2, "pi3_0": 1, "dU": 2}).verdict
         <Verdict.STABLE: 'a sufficient condition for stability is proved to hold'>
         """
-        numbers = self._numbers(values)
+        numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
         note = inertia_note(self.equilibrium, numbers)
         modulo = self.sufficient.modulo
         sufficient, margins = _holds(self.sufficient, numbers)
         if sufficient:
-            return Decision(Verdict.STABLE, "Lyapunov", modulo, _reason(margins, "the second variation is definite on the symplectic "
-                            "slice"), margins, note)
+            why = "the second variation is definite on the symplectic slice"
+            return Decision(Verdict.STABLE, "Lyapunov", modulo, _reason(margins, why), margins, note)
         necessary, margins = _holds(self.necessary, numbers)
         if necessary is False:
             return Decision(Verdict.UNSTABLE, "spectral", modulo, _reason(margins, "an eigenvalue has a positive real part"), margins, note)
         why = "a margin has no proved sign" if None in (sufficient, necessary) else "the point lies between the two criteria"
         return Decision(Verdict.UNDECIDED, "", modulo, _reason(margins, why), margins, note)
-
-    def _numbers(self, values: Mapping[str, Any]) -> dict[Symbol, Expr]:
-        eq = self.equilibrium
-        free_jet = eq.system.potential is not None and not eq.system.potential.given
-        unknown = [n for n in map(str, values) if n not in self.parameters and not (free_jet and jet(n))]
-        if unknown:
-            raise ValuesError(f"{eq.label} has no parameter {', '.join(unknown)}: its parameters are {', '.join(self.parameters)}")
-        missing = [n for n in self.required if n not in map(str, values)]
-        if missing:
-            raise ValuesError(f"{eq.label} needs {', '.join(map(_described, missing))}: give a number for each of "
-                              f"{', '.join(self.required)}")
-        numbers = {symbol(str(name)): exact_number(value, str(name)) for name, value in values.items()}
-        for name, number in numbers.items():
-            if name.is_positive and sign_of_constant(number) != 1:
-                raise ValuesError(f"{name} = {number} is not positive, but {_described(name.name)} is: give a positive number")
-        for expression in eq.existence():
-            if sign_of_constant(value := evaluate(expression, numbers)) != 1:
-                raise ValuesError(f"{eq.label} exists only where {expression} > 0, it is {value}: choose a point inside")
-        self._on_family(numbers)
-        return numbers
-
-    def _on_family(self, numbers: Mapping[Symbol, Expr]) -> None:
-        eq = self.equilibrium
-        residual = eq.constraint()
-        if eq.eliminated and symbol(eq.eliminated) in numbers:
-            residual = dict(eq.relations)[symbol(eq.eliminated)] - symbol(eq.eliminated)
-            if missing := [n for n in _names([residual]) if symbol(n) not in numbers]:
-                raise ValuesError(f"to check {eq.eliminated} on {eq.label}, {', '.join(missing)} is needed: "
-                                  f"give it, or omit {eq.eliminated}")
-        if residual is not None and sign_of_constant(value := evaluate(residual, numbers)) != 0:
-            raise ValuesError(f"the point is not on {eq.label}: {residual} is {value.evalf(8)}, not proved to be 0; "
-                              + (f"omit {eq.eliminated}, or correct it" if eq.eliminated else "correct the numbers"))
 
 
 def analyze(eq: Equilibrium) -> Report:
@@ -185,16 +159,6 @@ def analyze(eq: Equilibrium) -> Report:
     True
     """
     return Report(eq)
-
-
-def inertia_note(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
-    """A sentence if the moments break the triangle inequality, as no rigid body's do; "" otherwise."""
-    moments = [m.xreplace(dict(numbers)) for m in eq.system.body.inertia]
-    if any(m.free_symbols for m in moments):
-        return ""
-    if any(sign_of_constant(sum(moments) - 2 * m) == -1 for m in moments):
-        return f"no rigid body has the moments {', '.join(map(str, moments))}: one exceeds the sum of the others (a body in a fluid may)"
-    return ""
 
 
 def _holds(criterion: Criterion, numbers: Mapping[Symbol, Expr]) -> tuple[bool | None, tuple[tuple[Expr, Expr], ...]]:
@@ -226,11 +190,3 @@ def _condition_holds(condition: Condition, numbers: Mapping[Symbol, Expr], margi
 def _reason(margins: tuple[tuple[Expr, Expr], ...], conclusion: str) -> str:
     shown = ", ".join(f"{margin} = {value if value.is_Rational else value.evalf(8)}" for margin, value in margins if margin.free_symbols)
     return f"{shown}: {conclusion}" if shown else conclusion
-
-
-def _names(expressions: Iterable[Expr]) -> tuple[str, ...]:
-    return tuple(sorted({s.name for e in expressions for s in e.free_symbols}))
-
-
-def _described(name: str) -> str:
-    return f"{name} ({NOTATION[name].meaning})" if name in NOTATION else name

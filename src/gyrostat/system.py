@@ -7,14 +7,14 @@ from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag
 
 from .algebra import Ring, derivatives
 from .body import Gyrostat
-from .errors import ScopeError, StructureError
+from .errors import ScopeError, StructureError, require
 from .liepoisson import LiePoisson, lie_poisson
 from .matrices import null_space
 from .notation import Typeset, jet, symbol
 from .potential import Potential
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class System(Typeset):
     """A scene: a body and, if there is a field, a potential, in the smallest Lie-Poisson space that holds them.
 
@@ -122,7 +122,9 @@ def assemble(body: Gyrostat, potential: Potential | None = None) -> System:
     >>> assemble(symmetric_gyrostat(), axial_potential()).integrals
     (pi3,)
     """
+    require(body, Gyrostat, "the body")
     if potential is not None:
+        require(potential, Potential, "the potential")
         potential = _of_body(potential, body)
     space = lie_poisson(("k",) if potential else (), body.gyrostatic_momentum)
     hamiltonian = body.kinetic_energy(space.coordinates[:3]) + (potential.expression if potential else 0)

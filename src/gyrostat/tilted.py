@@ -5,7 +5,7 @@ from sympy import Expr, S, Symbol, sqrt
 
 from .algebra import Ring
 from .equilibria import Equilibrium
-from .errors import EquilibriumError, ScopeError
+from .errors import EquilibriumError, ScopeError, require
 from .notation import symbol
 from .system import System
 
@@ -59,6 +59,7 @@ def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
 
 
 def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Equilibrium:
+    require(scene, System, "the scene")
     body, potential = scene.body, scene.potential
     if potential is None or not potential.axial or not body.is_of_revolution():
         raise ScopeError(f"{label} is a family of bodies of revolution in U(k3); this scene has inertia {body.inertia}, l = "

@@ -6,9 +6,18 @@ from typing import Any
 from sympy import Add, Expr, MatrixBase, Mul, Pow, Symbol
 from sympy.printing.str import StrPrinter
 
-from .document import Block, Display, Heading, Sentence, Word
+from .body import Gyrostat
+from .conditions import Condition, Criterion
+from .document import Block, Display, Heading, Sentence, Word, comparison, point_blocks, report_blocks, scene_blocks
+from .energy_casimir import SecondVariation
+from .equilibria import Equilibrium
+from .liepoisson import LiePoisson
+from .linearization import Linearization
 from .notation import SUBSCRIPTS, SUPERSCRIPTS, jet_name, typeset
-from .presentation import ordered_factors, ordered_terms, over
+from .potential import Potential
+from .presentation import entries, ordered_factors, ordered_terms, over, readable
+from .stability import Decision, Report
+from .system import System
 
 
 class _Unicode(StrPrinter):
@@ -74,6 +83,52 @@ def unicode(expression: Expr, at: Any = None) -> str:
     '(π₃⁰ + l)² − 4 I₁ U′(1)'
     """
     return _Unicode(at)._print(expression)
+
+
+def plain(obj: Any) -> str:
+    """What print shows of a public object: a report as its document, a matrix in rows, everything else in a line or two.
+
+    Examples
+    --------
+    >>> from gyrostat import analyze, assemble, axial_potential, symmetric_gyrostat, upright
+    >>> print(analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).sufficient)
+    (π₃⁰ + l)² > 4 I₁ U′(1)
+    """
+    if isinstance(obj, Report):
+        return text(report_blocks(obj)).rstrip("\n")
+    if isinstance(obj, System):
+        return text(scene_blocks(obj)).rstrip("\n")
+    if isinstance(obj, Equilibrium):
+        return f"{obj.label}: " + text(point_blocks(obj)).strip()
+    if isinstance(obj, LiePoisson):
+        return "\n".join(matrix_lines(obj.tensor.tolist()))
+    if isinstance(obj, (Linearization, SecondVariation)):
+        return "\n".join(matrix_lines(entries(obj.matrix).tolist(), obj.equilibrium.at)) or "()"
+    if isinstance(obj, Gyrostat):
+        return f"gyrostat with inertia ({_row(obj.inertia)}) and gyrostatic momentum ({_row(obj.gyrostatic_momentum)})"
+    if isinstance(obj, Potential):
+        return f"U = {unicode(obj.expression)}"
+    if isinstance(obj, Decision):
+        modulo = f" modulo the flow of {_row(obj.modulo)}" if obj.modulo and obj.notion else ""
+        notion = f", {obj.notion}{modulo}" if obj.notion else ""
+        return f"{obj.verdict.name}{notion}: {obj.reason}" + (f" (note: {obj.note})" if obj.note else "")
+    if isinstance(obj, Condition):
+        shown = comparison(obj)
+        joint, relation = ("and", "≠") if obj.strict else ("or", "=")
+        factors = [f" {joint} {unicode(readable(e), obj.at)} {relation} 0" for e in obj.degenerate]
+        return f"{unicode(shown.name, obj.at)} {shown.relation} {unicode(shown.value, obj.at)}" + "".join(factors)
+    return _criterion(obj)
+
+
+def _criterion(criterion: Criterion) -> str:
+    if not criterion.alternatives:
+        return "never" if criterion.notion == "spectral" else "no information"
+    shown = " or ".join(" and ".join(map(plain, alternative)) or "always" for alternative in criterion.alternatives)
+    return shown + (f", modulo the flow of {_row(criterion.modulo)}" if criterion.modulo else "")
+
+
+def _row(values: Iterable[Expr]) -> str:
+    return ", ".join(map(unicode, values))
 
 
 def text(blocks: Iterable[Block], width: int = 100) -> str:

@@ -1,5 +1,6 @@
 """The command line: gyrostat VERB --option."""
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 
@@ -41,14 +42,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         output = run(given)
         if given.output is None:
-            print(output, end="")
+            _print(output)
         else:
             with open(given.output, "w", encoding="utf-8") as file:
                 file.write(output)
     except GyrostatError as error:
         print(f"gyrostat: {error}", file=sys.stderr)
         return 2
+    except BrokenPipeError:                            # the reader has seen enough, as in gyrostat report | head
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except OSError as error:
         print(f"gyrostat: cannot write {given.output}: {error.strerror}", file=sys.stderr)
         return 2
     return 0
+
+
+def _print(output: str) -> None:
+    """To standard output, in UTF-8 where its own encoding has no λ."""
+    try:
+        output.encode(sys.stdout.encoding)
+    except UnicodeEncodeError:
+        sys.stdout.reconfigure(encoding="utf-8")  # type: ignore[union-attr]
+    print(output, end="", flush=True)

@@ -1,5 +1,6 @@
 """gyrostat report: the derivation as text, LaTeX or JSON."""
 import argparse
+import contextlib
 import json
 from typing import Any
 
@@ -14,6 +15,7 @@ from ..potential import axial_potential
 from ..stability import Decision, Report, analyze
 from ..system import System, assemble
 from ..tilted import inclined, static_tilt
+from ..values import unknown
 
 
 def run(given: argparse.Namespace) -> str:
@@ -22,7 +24,7 @@ def run(given: argparse.Namespace) -> str:
     scene = _scene(given.potential)
     if scene.potential is None and given.equilibrium:
         raise ValuesError(f"--equilibrium {given.equilibrium[0]} needs a field, --potential none has none: leave out one of the two")
-    reports = [analyze(eq) for eq in _equilibria(scene, given.equilibrium or ["E1", "E2", "E3"], "omega3_0" in numbers)]
+    reports = [analyze(eq) for eq in _equilibria(scene, given.equilibrium or ["E1", "E2", "E3"], numbers)]
     decisions: list[Decision | None] = _decisions(reports, numbers) if numbers else [None for _ in reports]
     if given.format == "json":
         return json.dumps(_json(scene, reports, decisions), indent=2, ensure_ascii=False) + "\n"
@@ -57,48 +59,52 @@ def _scene(potential: str | None) -> System:
     return assemble(symmetric_gyrostat(), axial_potential(None if potential is None else parse(potential)))
 
 
-def _equilibria(scene: System, labels: list[str], by_rate: bool) -> list[Equilibrium]:
+def _equilibria(scene: System, labels: list[str], numbers: dict[str, Any]) -> list[Equilibrium]:
     if scene.potential is None:
         return [principal_rotation(scene, 3)]
-    spin = "omega3_0" if by_rate else "pi3_0"
+    spin = "omega3_0" if "omega3_0" in numbers else "pi3_0"
     found = []
     for label in dict.fromkeys(labels):
         if label == "E3":
-            found += _tilted(scene)
+            found += _tilted(scene, numbers)
         else:
             found.append((upright if label == "E1" else hanging)(scene, spin))
     return found
 
 
-def _tilted(scene: System) -> list[Equilibrium]:
-    """E3; for a given U, where E3 has omega ≠ 0, the tilt at rest too, if there is one."""
+def _tilted(scene: System, numbers: dict[str, Any]) -> list[Equilibrium]:
+    """E3; its tilt eliminated where l is set and k3 is not; without numbers the tilt at rest of a given U too, if there is one."""
     if not scene.potential or not scene.potential.given:
         return [inclined(scene)]
-    try:
-        return [inclined(scene), static_tilt(scene)]
-    except EquilibriumError:
-        return [inclined(scene)]
+    with contextlib.suppress(EquilibriumError):
+        if numbers:
+            return [inclined(scene, eliminate="k3" if "l" in numbers and "k3" not in numbers else None)]
+        at_rest = static_tilt(scene)
+        return [inclined(scene), at_rest] if at_rest.eliminated in ("k3", None) else [inclined(scene)]
+    return [inclined(scene)]
 
 
 def _decisions(reports: list[Report], numbers: dict[str, Any]) -> list[Decision | None]:
     """A decision for each report whose names are all set; at least one must be."""
     known = {name for report in reports for name in report.parameters}
     free_jet = any(r.equilibrium.system.potential and not r.equilibrium.system.potential.given for r in reports)
-    if unknown := [name for name in numbers if name not in known and not (free_jet and jet(name))]:
-        raise ValuesError(f"--set {unknown[0]}: no such parameter; the parameters are {', '.join(sorted(known))}")
-    complete = [set(report.required) <= numbers.keys() for report in reports]
-    if not any(complete):
-        wanted = "; ".join(f"{r.equilibrium.label}: {', '.join(r.required)}" for r in reports)
-        raise ValuesError(f"the numbers set are not enough for a verdict: set, for {wanted}")
-    return [report.verdict({n: v for n, v in numbers.items() if n in report.parameters}) if done else None
-            for report, done in zip(reports, complete)]
+    for name in numbers:
+        if name not in known and not (free_jet and jet(name)):
+            raise ValuesError(unknown(name, sorted(known), "the scene"))
+    missing = [[name for name in report.required if name not in numbers] for report in reports]
+    if all(missing):
+        wanted = "; ".join(f"{r.equilibrium.label}: {', '.join(names)}" for r, names in zip(reports, missing))
+        raise ValuesError(f"these numbers are not enough for a verdict, set also, for {wanted}" + (
+            " (or omega3_0 in place of pi3_0)" if "pi3_0" in wanted else ""))
+    return [None if names else report.verdict({n: v for n, v in numbers.items() if n in report.parameters})
+            for report, names in zip(reports, missing)]
 
 
 def _json(scene: System, reports: list[Report], decisions: list[Decision | None]) -> dict[str, Any]:
     return {
         "coordinates": _strings(scene.space.coordinates), "tensor": [_strings(row) for row in scene.space.tensor.tolist()],
         "casimirs": _strings(scene.space.casimirs), "hamiltonian": str(scene.hamiltonian), "integrals": _strings(scene.integrals),
-        "vector_field": _strings(scene.vector_field()),
+        "vector_field": _strings(scene.vector_field() if scene.potential and scene.potential.given else scene.jet_field),
         "equilibria": [_equilibrium(report, decision) for report, decision in zip(reports, decisions)]}
 
 

@@ -1,0 +1,97 @@
+"""The numbers at which a report is asked: named, exact, positive where they must be, and on the family."""
+from collections.abc import Iterable, Mapping, Sequence
+from difflib import get_close_matches
+from typing import Any
+
+from sympy import Expr, S, Symbol
+
+from .equilibria import Equilibrium
+from .errors import ValuesError
+from .exact import evaluate, sign_of_constant
+from .expressions import exact_number
+from .notation import NOTATION, jet, symbol
+
+
+def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[str], known: Sequence[str]) -> dict[Symbol, Expr]:
+    """The values as exact numbers, every one of them checked.
+
+    Raises
+    ------
+    ValuesError     a name is missing or unknown, a number is not exact and finite, or the point is not on the family
+    """
+    given = {str(name): value for name, value in values.items()}
+    free_jet = eq.system.potential is not None and not eq.system.potential.given
+    for name in given:
+        if name not in known and not (free_jet and jet(name)):
+            raise ValuesError(unknown(name, known, eq.label))
+    if missing := [name for name in required if name not in given]:
+        raise ValuesError(f"{eq.label} needs {', '.join(map(_described, missing))}: give a number for each")
+    numbers = {symbol(name): exact_number(value, name) for name, value in given.items()}
+    for name, number in numbers.items():
+        if name.is_positive and sign_of_constant(number) != 1:
+            raise ValuesError(f"{name} = {number}, but {_described(name.name)} must be positive: give a positive number")
+    _exists(eq, numbers)
+    _on_family(eq, numbers)
+    return numbers
+
+
+def unknown(name: str, known: Sequence[str], where: str) -> str:
+    """What to say of a name that is not a parameter."""
+    close = get_close_matches(name, [*known, *(["omega3_0"] if "pi3_0" in known else ["pi3_0"] if "omega3_0" in known else [])], 1)
+    hint = f"did you mean {close[0]}? " if close else ""
+    spin = ' (with spin="omega3_0" in place of pi3_0)' if "omega3_0" in (name, *close) and "omega3_0" not in known else ""
+    return f"{where} has no parameter {name}: {hint}Its parameters are {', '.join(known)}{spin}"
+
+
+def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
+    for expression in eq.existence():
+        value = evaluate(expression, numbers)
+        if sign_of_constant(value) != 1:
+            shown = "is not defined" if value is S.NaN else f"is {value}"
+            raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {shown}: choose a point inside")
+    for expression in eq.field_values():
+        if expression.free_symbols <= numbers.keys() and not is_real(value := evaluate(expression, numbers)):
+            raise ValuesError(f"U or one of its derivatives, {expression}, is {value} there, not a finite real number: "
+                              "choose another point")
+
+
+def is_real(constant: Expr) -> bool:
+    """Whether a constant is a finite real number, by SymPy's word or an enclosure."""
+    return bool(constant.is_finite is not False and constant.is_real is not False and constant is not S.NaN)
+
+
+def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
+    """The relation of the family, where a value is given for the eliminated name or no name was eliminated."""
+    if (residual := eq.constraint()) is not None:
+        if sign_of_constant(value := evaluate(residual, numbers)) != 0:
+            raise ValuesError(f"the point is not on {eq.label}: {residual} is {value.evalf(8)}, not proved to be 0; correct the numbers")
+        return
+    name = symbol(eq.eliminated) if eq.eliminated else None
+    if name is None or name not in numbers:
+        return
+    needed = dict(eq.relations)[name]
+    if missing := [n for n in names_in([needed]) if symbol(n) not in numbers]:
+        raise ValuesError(f"to check {name} on {eq.label}, {', '.join(missing)} is needed: give it, or omit {name}")
+    value = evaluate(needed, numbers)
+    if sign_of_constant(numbers[name] - value) != 0:
+        raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {value if value.is_Rational else value.evalf(12)}, given was "
+                          f"{numbers[name]}; omit {name}, or correct it")
+
+
+def inertia_note(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
+    """A sentence if the moments break the triangle inequality, as no rigid body's do; "" otherwise."""
+    moments = [m.xreplace(dict(numbers)) for m in eq.system.body.inertia]
+    if any(m.free_symbols for m in moments):
+        return ""
+    if any(sign_of_constant(sum(moments, S.Zero) - 2 * m) == -1 for m in moments):
+        return f"no rigid body has the moments {', '.join(map(str, moments))}: one exceeds the sum of the others (a body in a fluid may)"
+    return ""
+
+
+def names_in(expressions: Iterable[Expr]) -> tuple[str, ...]:
+    """Names of all symbols, sorted."""
+    return tuple(sorted({s.name for e in expressions for s in e.free_symbols}))
+
+
+def _described(name: str) -> str:
+    return f"{name} ({NOTATION[name].meaning})" if name in NOTATION else name
