@@ -23,6 +23,14 @@ def test_impossible_bodies_are_refused(inertia, error):
         gs.Gyrostat(inertia=inertia)
 
 
+@pytest.mark.parametrize("name", ["nu1", "dU", "k3", "omega", "pi3_0", "lamda"])
+def test_names_of_the_motion_are_refused(name):
+    """They would be confused with what the derivation introduces."""
+    for arguments in (((1, 1, gs.symbol(name)), (0, 0, 0)), ((1, 1, 1), (0, 0, gs.symbol(name)))):
+        with pytest.raises(BodyError, match="rename"):
+            gs.Gyrostat(*arguments)
+
+
 def test_the_triangle_inequality_is_no_error():
     """Published cases and bodies in fluids break it."""
     assert gs.Gyrostat(inertia=(1, 1, 5)).inertia[2] == 5

@@ -63,7 +63,7 @@ def test_the_tilt_is_solved_where_l_is_given(capsys):
     """E3 from m0, l and ω, without k3; at rest only where no numbers are set."""
     heavy = ["--potential", "m0*k3 + m1/2*(I3 - I1)*k3**2", "--equilibrium", "E3"]
     status, out, _ = run(capsys, *heavy, *(f"--set={s}" for s in ("I1=2", "I3=1", "l=1", "m0=1/2", "m1=1/4", "omega=1")))
-    assert status == 0 and "Verdict: Lyapunov stable modulo the spin" in out and "At rest" not in out and "at rest" not in out
+    assert status == 0 and "Verdict: Lyapunov stable modulo the flow of π₃" in out and "At rest" not in out and "at rest" not in out
     assert "E3 at rest" in run(capsys, *heavy)[1] and "E3 at rest" not in run(capsys, "--potential", "m0*k3")[1]
 
 

@@ -264,6 +264,10 @@ def test_opposite_signs_merge_only_where_zero_is_excluded():
     signs, (plus, minus, product) = items((x, (), True), (-x, (), True), (x * y, (), True))
     assert merge([[plus, product], [minus, product]], signs) == [[product]]
     assert len(merge([[plus], [minus]], signs)) == 2
+    ring = Ring([x, y])
+    signs = Signs(ring, (x**2,))
+    plus, minus = (Item(*signs.split(*ring.fraction(e)), True, "") for e in (x, -x * (y - 1) ** 2))
+    assert len(merge([[plus], [minus]], signs)) == 2    # the second does not hold at y = 1
 
 
 def test_independent_is_idempotent(e1):

@@ -41,6 +41,17 @@ def test_zeros_that_do_not_simplify():
         assert hidden != 0 and sign_of_constant(hidden) == 0
 
 
+@pytest.mark.parametrize("zero", [
+    sqrt(1 + sympy.cbrt(2)) * sqrt(1 + sympy.cbrt(3)) - sqrt(sympy.expand((1 + sympy.cbrt(2)) * (1 + sympy.cbrt(3)))),
+    1 / (sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7)) - sympy.radsimp(1 / (sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7))),
+    sympy.cbrt(sqrt(5) + 2) - sympy.cbrt(sqrt(5) - 2) - 1, sqrt(2) ** 3 / 2 - sqrt(2)])
+def test_separation_bounds(zero):
+    """Zero where it is zero, and of the right sign at the least distance that the bound allows to be seen."""
+    held = sympy.Add(zero, sqrt(2) - sympy.root(4, 4), evaluate=False)
+    assert sign_of_constant(held) == 0
+    assert sign_of_constant(zero + Rational(1, 10**5000)) == 1 and sign_of_constant(zero - sqrt(2) / 10**5000) == -1
+
+
 def test_transcendental_signs_are_proved():
     """e^π − π^e > 0, and a difference of 10⁻⁹⁹⁹ is still seen."""
     assert sign_of_constant(exp(pi) - pi**3) == -1

@@ -47,4 +47,5 @@ def test_derivatives_print_with_their_argument():
 def test_parameters_of_the_user_are_typeset():
     """Greek letters and numbers are set, underscores are escaped."""
     assert typeset("alpha2") == r"\alpha_{2}" and typeset("mass_a") == r"\mathrm{mass\_a}"
+    assert typeset("m_0") != typeset("m0") and typeset("x_1") != typeset("x1")
     assert typeset("c") == "c" and typeset("beta", style="text") == "β" and typeset("a1", style="text") == "a₁"

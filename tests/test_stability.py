@@ -8,7 +8,7 @@ import pytest
 from draw import moments, numbers, tilts
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sympy import Rational, cos, exp, log, sin, sqrt, symbols
+from sympy import CRootOf, Rational, asin, cos, exp, expand, log, sin, sqrt, symbols
 
 import gyrostat as gs
 from gyrostat.conditions import Condition, Criterion
@@ -241,9 +241,87 @@ def test_fields_that_are_not_real_are_refused():
     assert report.verdict(values).verdict in (Verdict.STABLE, Verdict.UNSTABLE)
     with pytest.raises(ValuesError, match="exists only where"):
         report.verdict(values | {"k3": "-1/4"})        # ω √k3 has to be real for l to be
-    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(log(k3)))))
+    for U in (log(k3), asin(2 * k3)):
+        report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U))))
+        with pytest.raises(ValuesError, match="exists only where"):
+            report.verdict(values | {"k3": "-1/2"})
+    pole = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(1 / (gs.symbol("a") - k3)))))
     with pytest.raises(ValuesError, match="not a finite real number"):
-        report.verdict(values | {"k3": "-1/4"})
+        pole.verdict({"I1": 1, "l": 0, "pi3_0": 1, "a": 1})
+
+
+def test_branch_points_are_no_potentials():
+    """(k3 − 1)^(5/2) has two derivatives at k3 = 1, but is not real beside it."""
+    with pytest.raises(EquilibriumError, match="not smooth"):
+        gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential((k3 - 1) ** Rational(5, 2))))
+    report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential((k3 + gs.symbol("a")) ** Rational(5, 2)))))
+    assert report.verdict({"I1": 1, "l": 0, "pi3_0": 9, "a": 0}).verdict is Verdict.STABLE
+    with pytest.raises(ValuesError, match="exists only where a . 1 > 0"):
+        report.verdict({"I1": 1, "l": 0, "pi3_0": 9, "a": -1})
+
+
+@pytest.mark.parametrize("U", [k3 * sqrt((-k3 - 2) / (k3 - 3)), k3 * sqrt((k3 + 2) / (3 - k3)), k3 * sqrt(k3 + 2) / sqrt(3 - k3)])
+def test_the_sign_of_a_root_of_a_fraction(U):
+    """√(N/D) is positive whatever the signs of N and D: three ways to write one potential, one verdict (here p = 1.2 > 0)."""
+    scene = gs.assemble(gs.Gyrostat((1, 1, 2), (0, 0, 1)), gs.axial_potential(gs.symbol("a") * U / k3))
+    assert gs.analyze(gs.inclined(scene, eliminate="a")).verdict({"k3": "1/2", "omega": "1/3"}).verdict is Verdict.STABLE
+    heavy = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, 0)), gs.axial_potential(U))
+    assert gs.analyze(gs.upright(heavy)).verdict({"pi3_0": 1}).verdict is Verdict.UNSTABLE
+
+
+def test_the_sign_of_a_root_of_a_fraction_of_moments():
+    """√((−I1 − 2)/(−I1 − 1)) is positive: P² = 1 < 4 √(3/2) is unstable."""
+    I1 = gs.symbol("I1")
+    scene = gs.assemble(gs.Gyrostat((I1, I1, 1), (0, 0, 0)), gs.axial_potential(k3 * sqrt((-I1 - 2) / (-I1 - 1))))
+    assert gs.analyze(gs.upright(scene)).verdict({"I1": 1, "pi3_0": 1}).verdict is Verdict.UNSTABLE
+
+
+def test_eliminated_moments_are_positive_too():
+    """A moment that the relation makes −21 is no moment."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    for name, values in (("I1", {"I3": 1, "l": -10, "m0": 1, "k3": "1/2", "omega": 1}),
+                         ("I3", {"I1": 1, "l": 10, "m0": 1, "k3": "1/2", "omega": 1})):
+        with pytest.raises(ValuesError, match="exists only where"):
+            gs.analyze(gs.inclined(scene, eliminate=name)).verdict(values)
+
+
+def test_a_point_may_use_the_names_of_coordinates():
+    """k = (k3, 0, √(1 − k3²)): the parameter k3 is not the coordinate k3."""
+    k2, k1 = gs.symbol("k2"), gs.symbol("k1")
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (1, 0, 0)), gs.general_potential(k2**2 * k1))
+    family = gs.equilibrium(scene, (0, 0, 0, k3, 0, sqrt(1 - k3**2)), domain=(1 - k3**2,))
+    at = gs.equilibrium(scene, (0, 0, 0, Rational(-3, 5), 0, Rational(4, 5)))
+    assert gs.analyze(family).verdict({"k3": "-3/5"}).verdict is gs.analyze(at).verdict({}).verdict is Verdict.UNSTABLE
+    other = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(lambda x, y, z: x**2 + z**2 + y**3))
+    assert gs.equilibrium(other, (0, 0, 0, k3, 0, sqrt(1 - k3**2)), domain=(1 - k3**2,))
+
+
+def test_relations_that_the_field_does_not_satisfy():
+    """U = k3 has U' = 1: no relation makes it 0, alone or followed by another."""
+    scene = gs.assemble(gs.Gyrostat((1, 1, 2), (0, 0, 3)), gs.axial_potential(k3))
+    for more in ((), (("a", 1),)):
+        with pytest.raises(EquilibriumError, match="off by 1"):
+            gs.equilibrium(scene, (0, 0, 0, sqrt(1 - k3**2), 0, k3), relations=(("dU", 0), *more), domain=(1 - k3**2,))
+
+
+def test_huge_numbers_are_decided_and_shown(e1):
+    """10⁵⁰⁰⁰ is a number like any other; messages round it."""
+    huge = e1.verdict({"I1": 1, "l": 0, "pi3_0": 10**5000, "dU": 10**9999})
+    assert huge.verdict is Verdict.STABLE and "6.00000000000e+9999" in huge.reason
+    for values in ({"I1": -(10**5000), "l": 0, "pi3_0": 1, "dU": 1}, {"I1": 1, "l": 10**5000, "pi3_0": 1, "dU": "x"}):
+        with pytest.raises(ValuesError, match="give a"):
+            e1.verdict(values)
+
+
+def test_algebraic_boundaries_of_high_degree(e1):
+    """Exactly on the boundary with nested roots of degree 2¹⁰, and 10⁻³⁰⁰⁰ beside it; a root of x³ − x − 1."""
+    inner = (sqrt(2) + sqrt(3)) * (sqrt(5) + sqrt(7))
+    values = {"I1": sqrt(sqrt(2) + sqrt(3)), "l": 0, "dU": sqrt(sqrt(5) + sqrt(7)), "pi3_0": 2 * expand(inner) ** Rational(1, 4)}
+    assert e1.verdict(values).verdict is Verdict.UNDECIDED
+    assert e1.verdict(values | {"l": Rational(1, 10**3000)}).verdict is Verdict.STABLE
+    plastic = CRootOf(gs.symbol("x") ** 3 - gs.symbol("x") - 1, 0)
+    assert e1.verdict({"I1": plastic, "l": 0, "dU": plastic, "pi3_0": 2 * plastic}).verdict is Verdict.UNDECIDED
+    assert e1.verdict({"I1": plastic, "l": 0, "dU": plastic - Rational(1, 10**99), "pi3_0": 2 * plastic}).verdict is Verdict.STABLE
 
 
 def test_moments_with_names_of_the_user_are_positive():

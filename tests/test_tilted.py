@@ -41,7 +41,7 @@ def test_what_is_eliminated(U, body, name):
     """dU where U is unspecified; else l; else k3; else a parameter of U; else nothing, and the relation is a constraint."""
     eq = inclined(U, body)
     assert eq.eliminated == name
-    assert (eq.constraint() is None) == (name is not None)
+    assert (eq.constraints == ()) == (name is not None)
 
 
 @pytest.mark.parametrize("name", ["l", "k3", "m0", "m1"])

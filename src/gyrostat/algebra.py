@@ -30,12 +30,14 @@ class Ring:
         self._memo = {g: (x, self.one) for g, x in self.gens.items()}
         self._meaning = dict(zip(self.generators, self.generators))
         self.squares: dict[Expr, fmpq_mpoly] = {}
+        self.scales: dict[Expr, fmpq_mpoly] = {}       # D for each root: its generator has the sign of D
         self._relations: list[fmpq_mpoly] = []
         for root, square in squares.items():           # √(N/D) = g/D with g² = N·D
             top, bottom = self.fraction(square)
             self.squares[root] = self.reduce(top * bottom)
             self._relations.insert(0, self.gens[root] ** 2 - self.squares[root])
             self._memo[root] = self.gens[root], bottom
+            self.scales[root] = bottom
             self._meaning[root] = root * self.expression(bottom)
 
     def fraction(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:

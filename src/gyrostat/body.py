@@ -6,8 +6,8 @@ from typing import Any
 from sympy import Add, Expr, Rational
 
 from .errors import BodyError, require
-from .expressions import exact_expression
-from .notation import Typeset, symbol
+from .expressions import exact_expression, shown
+from .notation import Typeset, of_the_motion, symbol
 
 _INERTIA = tuple(symbol(f"I{i}") for i in (1, 2, 3))
 _ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))
@@ -44,10 +44,12 @@ class Gyrostat(Typeset):
             if len(given) != 3:
                 raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")
             object.__setattr__(self, field, tuple(exact_expression(value, field) for value in given))
+        if taken := of_the_motion(s for e in (*self.inertia, *self.gyrostatic_momentum) for s in e.free_symbols):
+            raise BodyError(f"the body depends on {', '.join(taken)}, a name of the motion: rename it")
         for moment in self.inertia:
             if not moment.free_symbols and not moment.is_positive:
-                raise BodyError(f"inertia = {self.inertia}: {moment} is not positive, but a body has mass off every axis; "
-                                "give three positive moments")
+                raise BodyError(f"inertia = ({', '.join(map(shown, self.inertia))}): {shown(moment)} is not positive, but a body has "
+                                "mass off every axis; give three positive moments")
 
     def kinetic_energy(self, momentum: Sequence[Expr]) -> Expr:
         """T = ½ Σ πᵢ²/Iᵢ, with the rotor locked."""

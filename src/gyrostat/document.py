@@ -6,6 +6,7 @@ from sympy import Abs, Expr, ImmutableMatrix, Pow, S, Symbol
 
 from .conditions import Condition, Criterion
 from .equilibria import Equilibrium
+from .expressions import shown
 from .linearization import rational_root, square_root
 from .notation import jet, symbol
 from .presentation import entries, inequality, readable, split
@@ -224,8 +225,8 @@ def comparison(condition: Condition) -> Display:
 def decision_blocks(decision: Decision, at: Any) -> list[Block]:
     """The verdict at the numbers given."""
     title = {"Lyapunov": "Lyapunov stable", "spectral": "unstable", "": "undecided"}[decision.notion]
-    modulo = " modulo the spin about the axis" if decision.modulo and decision.notion else ""
-    values = [Display(readable(margin), value if value.is_Rational else value.evalf(12), at) for margin, value in decision.margins
+    modulo = (" modulo the flow of " + ", ".join(["{}"] * len(decision.modulo))) if decision.modulo and decision.notion else ""
+    values = [Display(readable(margin), Word(shown(value), shown(value)), at) for margin, value in decision.margins
               if margin.free_symbols]
     notes: list[Block] = [Sentence(f"Note: {decision.note}.")] if decision.note else []
-    return [Sentence(f"Verdict: {title}{modulo}; {decision.verdict.value}."), *values, *notes]
+    return [Sentence(f"Verdict: {title}{modulo}; {decision.verdict.value}.", decision.modulo if modulo else ()), *values, *notes]

@@ -1,6 +1,7 @@
 """Equilibria, checked when they are built: upright E1, hanging E2, principal rotations, any point claimed."""
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from sympy import Expr, S, Symbol
@@ -9,7 +10,8 @@ from .algebra import Ring
 from .errors import EquilibriumError, ScopeError, require
 from .exact import sign
 from .expressions import exact_expression
-from .notation import Typeset, jet, symbol
+from .notation import INTERNAL, Typeset, jet, symbol
+from .potential import smooth_where_positive
 from .system import System
 
 Pair = tuple[Symbol, Expr]
@@ -42,8 +44,11 @@ class Equilibrium(Typeset):
 
     def __post_init__(self) -> None:
         require(self.system, System, "the scene")
-        unknown = tuple(m for m in self.system.body.inertia if not m.is_positive and m not in self.domain)
-        object.__setattr__(self, "domain", (*self.domain, *unknown))
+        moments = [*self.system.body.inertia, *(value for name, value in self.relations if name.is_positive)]
+        unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive and m not in self.domain]
+        object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
+        if clash := [s for x in self.point for s in x.free_symbols if s.name in INTERNAL]:
+            raise EquilibriumError(f"{self.label} uses {clash[0]}, a name that the derivation introduces: rename it")
         if len(self.point) != (n := len(self.system.space.coordinates)):
             raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give one for each coordinate")
         left = []
@@ -57,15 +62,30 @@ class Equilibrium(Typeset):
             self._check_direction()
 
     def _check_direction(self) -> None:
-        """k is a unit vector (k = 0, on a singular orbit, is refused by the verbs), and U is real there."""
+        """k is a unit vector (k = 0, on a singular orbit, is refused by the verbs), the relations hold for U, and U is smooth there."""
         k = self.point[3:]
         if any(k) and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
             raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}: k is a direction, |k| = 1; "
                                    "divide it by its length")
-        for value in self.field_values():
+        for value in (*self.field_values(), *self.constraints):
             if value.is_finite is False or value.is_real is False:
-                raise EquilibriumError(f"{self.label} does not exist in U = {self.system.potential and self.system.potential.expression}: "
-                                       f"U or one of its first two derivatives is {value} there, not a finite real number")
+                raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is {value} there, "
+                                       "not a finite real number")
+        for residual in self.constraints:
+            if not residual.free_symbols:
+                raise EquilibriumError(f"{self.label} is not an equilibrium: a relation on the derivatives of U is off by {residual}")
+        for argument in self._inner_arguments():
+            if not argument.free_symbols and sign(argument, {}) != 1:
+                raise EquilibriumError(f"{self.label} does not exist: U is not smooth there, the argument of a root, logarithm or inverse "
+                                       f"function is at the end of its range, {argument}")
+
+    def _inner_arguments(self) -> tuple[Expr, ...]:
+        """What has to be positive for a given U to be smooth at the point: arguments of roots and logarithms, and the like."""
+        potential = self.system.potential
+        if not potential or not potential.given:
+            return ()
+        place = dict(zip(potential.variables, self.point[-len(potential.variables):]))
+        return tuple(dict.fromkeys(self.insert(a.xreplace(place)) for a in smooth_where_positive(potential.expression)))
 
     @property
     def at(self) -> Expr:
@@ -87,7 +107,7 @@ class Equilibrium(Typeset):
         if potential and potential.given:
             place = dict(zip(potential.variables, self.point[-len(potential.variables):]))
             jets = [s for s in expression.free_symbols if jet(s.name)]
-            expression = expression.xreplace({d: potential.value(d).subs(place) for d in jets})
+            expression = expression.xreplace({d: potential.value(d).xreplace(place) for d in jets})
         for name, value in self.relations:
             if not jet(name.name):
                 expression = expression.xreplace({name: value})
@@ -105,15 +125,15 @@ class Equilibrium(Typeset):
         place = dict(zip(potential.variables, self.point[-len(potential.variables):]))
         first = [d for d in potential.gradient() if d]
         jets = [*first, *(d for s in first for d in potential.following(s) if d)]
-        return tuple(self.insert(e) for e in (potential.expression.subs(place), *jets))
+        return tuple(self.insert(e) for e in (potential.expression.xreplace(place), *jets))
 
-    def constraint(self) -> Expr | None:
-        """What has to vanish at given values where no parameter was eliminated, None where nothing has."""
-        potential = self.system.potential
-        if self.eliminated or not potential or not potential.given:
-            return None
-        pairs = [(name, value) for name, value in self.relations if jet(name.name)]
-        return self.insert(pairs[0][0]) - pairs[0][1] if pairs else None
+    @cached_property
+    def constraints(self) -> tuple[Expr, ...]:
+        """What has to vanish at given values: relations on derivatives of U that a given U does not satisfy by itself."""
+        if not self.system.potential or not self.system.potential.given:
+            return ()
+        residuals = (_residual(self.insert(name) - self.insert(value), self) for name, value in self.relations if jet(name.name))
+        return tuple(residual for residual in residuals if residual is not None)
 
 
 def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tuple[Any, Any]] = (),

@@ -1,15 +1,15 @@
-"""The sign of an expression at exact numbers: by rational arithmetic, in a number field, or by proved enclosures."""
+"""The sign of an expression at exact numbers: by rational arithmetic, or by proved enclosures and a separation bound."""
+import math
 from collections.abc import Mapping
 from functools import lru_cache
 
 import sympy
 from flint import arb, ctx, fmpq, fmpq_mpoly
-from sympy import Add, Expr, Mul, Pow, Rational, Symbol
-from sympy.polys.constructor import construct_domain
+from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, Symbol
 
 from .algebra import Ring
 
-LIMIT = 4096                                           # bits; a sign that is not proved by then is not known
+LIMIT, ALGEBRAIC_LIMIT = 4096, 2**20                   # bits; a sign that is not proved by then is not known
 _FUNCTIONS = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
 
@@ -17,7 +17,7 @@ _FUNCTIONS = {name: getattr(arb, name) for name in (
 def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
     """Sign of an expression at a point: exact, or None where it cannot be proved.
 
-    Exact for rational and algebraic numbers, zero included. With transcendental functions the precision of
+    Exact for rational numbers and for algebraic ones written with roots, zero included. With transcendental functions the precision of
     the enclosure is doubled up to 4096 bits; a value that is zero there without simplifying to 0 stays None.
 
     Parameters
@@ -63,31 +63,61 @@ def _fraction(expression: Expr) -> tuple[tuple[Symbol, ...], fmpq_mpoly, fmpq_mp
 
 
 def sign_of_constant(constant: Expr) -> int | None:
-    """Sign of a constant, by enclosures of doubled precision; an algebraic number that may be zero is tested in its field."""
+    """Sign of a constant, by enclosures of doubled precision; an algebraic number below its separation bound is 0."""
     if isinstance(constant, Rational):
         return (constant.p > 0) - (constant.p < 0)
     if constant is sympy.nan:
         return None
-    precision, tested = 64, False
-    while precision <= LIMIT:
+    separation, precision = _separation(constant), 64
+    while precision <= (LIMIT if separation is None else min(4 * separation + 256, ALGEBRAIC_LIMIT)):
         enclosure = ball(constant, precision)
         if enclosure > 0 or enclosure < 0:
             return 1 if enclosure > 0 else -1
-        if not tested and precision >= 256 and constant.is_algebraic:
-            tested = True
-            if is_algebraic_zero(constant):
-                return 0
+        if separation is not None and abs(enclosure) < arb(2) ** -separation:
+            return 0
         precision *= 2
     return None
 
 
-def is_algebraic_zero(constant: Expr) -> bool:
-    """Whether an algebraic number is zero, decided in the number field it generates."""
-    expanded = constant.doit().expand()
-    if isinstance(expanded, Rational):
-        return expanded.p == 0
-    field, (element,) = construct_domain([expanded], extension=True)
-    return bool(element == field.zero)
+def _separation(constant: Expr) -> int | None:
+    """n such that the constant, if it is not 0, is at least 2⁻ⁿ in size; None for a transcendental one.
+
+    Of an expression in rationals, + − × ÷ and roots: |E| ≥ 1/(u^(D−1) l), where u and l bound the conjugates of its numerator
+    and denominator and D is the product of the degrees of its distinct roots.
+
+    Source
+    ------
+    Burnikel, Fleischer, Mehlhorn & Schirra, Algorithmica 27 (2000) 87-99.
+    """
+    roots = {Pow(p.base, Rational(1, p.exp.q)) for p in constant.atoms(Pow) if isinstance(p.exp, Rational) and not p.exp.is_Integer}
+    degree = math.prod([int(r.exp.q) for r in roots] + [r.poly.degree() for r in constant.atoms(CRootOf)])
+    bounds = _conjugates(constant)
+    return None if bounds is None else math.ceil(((degree - 1) * bounds[0] + bounds[1]) * (1 + 1e-9)) + 2
+
+
+def _conjugates(node: Expr) -> tuple[float, float] | None:
+    """log₂ of u and l, each at least 0; None where the expression is not of that form."""
+    if isinstance(node, Rational):
+        return math.log2(abs(int(node.p)) or 1), math.log2(int(node.q))
+    if isinstance(node, CRootOf):
+        coefficients = [abs(int(c)) for c in node.poly.clear_denoms(convert=True)[1].all_coeffs()]
+        return math.log2(coefficients[0] + max(coefficients)), math.log2(coefficients[0])
+    parts = [_conjugates(part) for part in (node.args if isinstance(node, (Add, Mul)) else node.args[:1])]
+    if not parts or None in parts:
+        return None
+    given = [part for part in parts if part]
+    if isinstance(node, Mul):
+        return sum(u for u, _ in given), sum(low for _, low in given)
+    if isinstance(node, Add):
+        (u, low), *rest = given
+        for v, m in rest:
+            u, low = max(u + m, low + v) + 1, low + m
+        return u, low
+    if not isinstance(node, Pow) or not isinstance(node.exp, Rational):
+        return None
+    (u, low), n, k = given[0], abs(int(node.exp.p)), int(node.exp.q)
+    u, low = ((u + (k - 1) * low) / k, low) if u >= low else (u, ((k - 1) * u + low) / k)
+    return (n * u, n * low) if node.exp > 0 else (n * low, n * u)
 
 
 def ball(constant: Expr, precision: int) -> arb:
@@ -110,6 +140,9 @@ def _ball(node: Expr) -> arb:
         return _root(_ball(node.base), int(node.exp.q)) ** int(node.exp.p)
     if node is sympy.pi or node is sympy.E:
         return arb.pi() if node is sympy.pi else arb(1).exp()
+    if isinstance(node, CRootOf):
+        width = Rational(1, 2 ** (ctx.prec + 8))
+        return _ball(node.eval_rational(dx=width)) + arb(0, _ball(width))
     name = type(node).__name__
     if name in _FUNCTIONS and len(node.args) == 1:
         return _FUNCTIONS[name](_ball(node.args[0]))

@@ -24,7 +24,8 @@ from .notation import own, symbol
 FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {name: getattr(sympy, name) for name in (
     "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
 LENGTH, DEPTH, CALLS, NESTING, TERMS, DEGREE, BITS = 5000, 40, 30, 4, 1000, 100, 4000
-_TOKEN = re.compile(r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z][A-Za-z0-9_]*)|(?P<sign>\*\*|[-+*/()]))")
+_TOKEN = re.compile(r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z][A-Za-z0-9_]*)"
+                    r"|(?P<sign>\*\*|[-+*/()]))", re.ASCII)
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,6 @@ class _Parser:
             right = self.factor()
             if sign == "/":
                 right = self.power(right, Rational(-1))
-            self.check(left.terms * right.terms, left.degree + right.degree, left.bits + right.bits)
             left = self.bounded(left.value * right.value, left.terms * right.terms, left.degree + right.degree,
                                 left.bits + right.bits, max(left.nesting, right.nesting))
         return left
@@ -120,16 +120,12 @@ class _Parser:
         if base.value == 0 and exponent < 0:
             self.fail("it divides by zero", "check the denominators")
         terms = math.comb(size + base.terms - 1, size) if base.terms <= TERMS else TERMS + 1
-        self.check(terms, base.degree * size, base.bits * size)
         return self.bounded(base.value**exponent, terms, base.degree * size, base.bits * max(size, 1), base.nesting)
 
-    def check(self, terms: int, degree: int, bits: int) -> None:
+    def bounded(self, value: Expr, terms: int, degree: int, bits: int, nesting: int) -> _Part:
         if terms > TERMS or degree > DEGREE or bits > BITS:
             self.fail(f"expanded, it could have {min(terms, 10**9)} terms, degree {degree} or numbers of {bits} bits",
                       f"the limits are {TERMS} terms, degree {DEGREE}, {BITS} bits")
-
-    def bounded(self, value: Expr, terms: int, degree: int, bits: int, nesting: int) -> _Part:
-        self.check(terms, degree, bits)
         if not value.free_symbols and (value.is_finite is False or value.is_real is False):
             self.fail("a part of it is not a finite real number", "check divisions, roots, logarithms and inverse functions")
         return _Part(value, terms, degree, bits, nesting)
@@ -196,6 +192,13 @@ def parse(text: str) -> Expr:
     return _Parser(text).whole()
 
 
+def shown(number: Any, digits: int = 40) -> str:
+    """A number in a message: exact if that is short, else rounded."""
+    expression = Rational(number) if isinstance(number, int) else number
+    longest = max((max(abs(int(r.p)), int(r.q)) for r in expression.atoms(Rational)), default=0)
+    return str(expression) if longest.bit_length() <= 3.3 * digits else str(expression.evalf(12))
+
+
 def exact_expression(value: Any, name: str = "value") -> Expr:
     """An expression in our symbols, matched by name, its floats the dyadic rationals they are; or an exact number."""
     if isinstance(value, Expr) and value.free_symbols:
@@ -219,7 +222,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
         value = Rational(value)
     if isinstance(value, Expr):
         if value.free_symbols:
-            raise ValuesError(f"{name} = {value} contains the names {sorted(map(str, value.free_symbols))}: give a number")
+            raise ValuesError(f"{name} = {value} contains the names {', '.join(sorted(map(str, value.free_symbols)))}: give a number")
         if value.has(Float) or not (value.is_finite and value.is_real):
             raise ValuesError(f"{name} = {value} is not an exact finite real number: give an integer, fraction or closed form")
         return value

@@ -127,7 +127,7 @@ def merge(alternatives: list[list[Item]], signs: Signs) -> list[list[Item]]:
             opposite = [item for item in other if item not in one]
             rest = [item for item in one if item in other]
             if not extra and not opposite or (len(extra) == len(opposite) == 1 and extra[0].margin == -opposite[0].margin
-                                              and _nonzero_with(extra[0], rest, signs)):
+                                              and not opposite[0].degenerate and _nonzero_with(extra[0], rest, signs)):
                 return merge([rest, *(a for a in alternatives if a is not one and a is not other)], signs)
     return alternatives
 

@@ -1,6 +1,6 @@
 """Every symbol once: assumptions, LaTeX, Unicode, dimension, meaning."""
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
@@ -62,7 +62,13 @@ def _table() -> Mapping[str, Entry]:
 
 NOTATION = _table()
 ORDER = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
-PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1"})    # the names of the table a potential may use
+PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1"})    # the names of the table a body or a potential may use
+INTERNAL = frozenset({"nu1", "nu2", "nu3", "lamda"})   # names that a derivation introduces itself
+
+
+def of_the_motion(symbols: Iterable[Symbol]) -> list[str]:
+    """The names among the symbols that mean something of the motion, and so cannot be parameters of a body or a potential."""
+    return sorted(s.name for s in symbols if jet(s.name) or (s.name in NOTATION and s.name not in PARAMETERS))
 
 
 @cache
@@ -120,7 +126,7 @@ _GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": 
 
 def _typeset_parameter(name: str, style: str) -> str:
     """A user's parameter: greek letters and a trailing number are set, anything else stays upright."""
-    match = re.fullmatch(r"([A-Za-z]+?)_?(\d*)", name)
+    match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
     if match is None:
         return r"\mathrm{" + name.replace("_", r"\_") + "}" if style == "latex" else name
     word, digits = match.groups()

@@ -4,15 +4,15 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from sympy import Expr, Function, Rational, Symbol
+from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, log
 from sympy.core.function import AppliedUndef
 
 from .errors import PotentialError, ScopeError
 from .expressions import exact_expression
-from .notation import NOTATION, PARAMETERS, Typeset, jet, jet_name, symbol
+from .notation import Typeset, jet, jet_name, of_the_motion, symbol
 
 _NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.Piecewise, sympy.Max, sympy.Min, sympy.floor,
-               sympy.ceiling, sympy.re, sympy.im, sympy.arg, sympy.conjugate)
+               sympy.ceiling, sympy.frac, sympy.Mod, sympy.re, sympy.im, sympy.arg, sympy.conjugate)
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
 
 
@@ -35,9 +35,8 @@ class Potential(Typeset):
     revolution: bool = False
 
     def __post_init__(self) -> None:
-        taken = [s for s in self.parameters if jet(s.name) or s.name in NOTATION and s.name not in PARAMETERS]
-        if taken:
-            raise PotentialError(f"U = {self.expression} depends on {', '.join(map(str, taken))}, which is not a parameter of a "
+        if taken := of_the_motion(self.parameters):
+            raise PotentialError(f"U = {self.expression} depends on {', '.join(taken)}, which is not a parameter of a "
                                  f"potential in {', '.join(map(str, self.variables))}: rename it, or use general_potential")
         if self.expression.free_symbols and not self.expression.free_symbols & set(self.variables):
             raise PotentialError(f"U = {self.expression} does not depend on {', '.join(map(str, self.variables))}: "
@@ -137,6 +136,14 @@ def newtonian_field(order: int) -> Potential:
     if order not in (1, 2):
         raise ScopeError(f"the Newtonian field is built to orders 1 and 2, not {order}: give higher orders as axial_potential(U)")
     return axial_potential(m0 * k3) if order == 1 else Potential((k3,), m0 * k3 + m1 / 2 * (I3 - I1) * k3**2, revolution=True)
+
+
+def smooth_where_positive(expression: Expr) -> tuple[Expr, ...]:
+    """What has to be positive for the expression to be real and smooth: x of √x and log x, 1 − x² of asin x, and the like."""
+    found: list[Expr] = [p.base for p in expression.atoms(Pow) if p.exp.is_Rational and not p.exp.is_Integer]
+    found += [f.args[0] for f in expression.atoms(log)] + [f.args[0] - 1 for f in expression.atoms(acosh)]
+    found += [1 - f.args[0] ** 2 for f in expression.atoms(asin, acos, atanh)]
+    return tuple(dict.fromkeys(found))
 
 
 def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:

@@ -14,7 +14,7 @@ class Signs:
 
     def __init__(self, ring: Ring, domain: Iterable[Expr] = ()):
         self.ring = ring
-        self._positive = {g for g in ring.generators if g.is_positive}
+        self._positive = {g for g in ring.generators if g.is_positive and g not in ring.squares}
         self._known: dict[str, int] = {}                  # factors are kept under their text: polynomials do not hash
         self._groups: list[tuple[frozenset[str], int]] = []   # odd factors whose product has this sign
         self._nonzero: set[str] = set()
@@ -28,8 +28,9 @@ class Signs:
             elif odd:
                 self._groups.append((frozenset(odd), sign))
         for root, square in reversed(ring.squares.items()):
-            if self.of(square) == 1 and root.is_Pow:
-                self._positive.add(root)
+            if root.is_Pow and self.of(square) == 1 and (scale := self.of(ring.scales[root])):
+                self._known[str(ring.gens[root])] = scale
+                self._positive.update([root] if scale == 1 else [])
 
     def of(self, polynomial: fmpq_mpoly, deep: bool = True) -> int | None:
         """1, 0 or -1 where the sign is the same on the whole domain, else None."""

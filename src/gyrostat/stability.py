@@ -12,6 +12,7 @@ from .energy_casimir import SecondVariation, second_variation
 from .equilibria import Equilibrium
 from .errors import require
 from .exact import evaluate, sign_of_constant
+from .expressions import shown
 from .linearization import Linearization, linearize
 from .notation import Typeset, jet
 from .values import exact_values, inertia_note, names_in
@@ -25,7 +26,7 @@ class Verdict(Enum):
     UNDECIDED = "neither a sufficient condition is proved to hold nor a necessary one to fail"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Decision(Typeset):
     """A verdict at given numbers, with its reason.
 
@@ -96,9 +97,7 @@ class Report(Typeset):
         """Names that a verdict needs."""
         conditions = [c for criterion in (self.necessary, self.sufficient) for a in criterion.alternatives for c in a]
         expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(self.equilibrium.existence())
-        if (constraint := self.equilibrium.constraint()) is not None:
-            expressions.append(constraint)
-        return names_in(expressions)
+        return names_in([*expressions, *self.equilibrium.constraints])
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
@@ -188,5 +187,5 @@ def _condition_holds(condition: Condition, numbers: Mapping[Symbol, Expr], margi
 
 
 def _reason(margins: tuple[tuple[Expr, Expr], ...], conclusion: str) -> str:
-    shown = ", ".join(f"{margin} = {value if value.is_Rational else value.evalf(8)}" for margin, value in margins if margin.free_symbols)
-    return f"{shown}: {conclusion}" if shown else conclusion
+    values = ", ".join(f"{margin} = {shown(value)}" for margin, value in margins if margin.free_symbols)
+    return f"{values}: {conclusion}" if values else conclusion

@@ -8,7 +8,7 @@ from sympy import Expr, S, Symbol
 from .equilibria import Equilibrium
 from .errors import ValuesError
 from .exact import evaluate, sign_of_constant
-from .expressions import exact_number
+from .expressions import exact_number, shown
 from .notation import NOTATION, jet, symbol
 
 
@@ -29,7 +29,7 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
     numbers = {symbol(name): exact_number(value, name) for name, value in given.items()}
     for name, number in numbers.items():
         if name.is_positive and sign_of_constant(number) != 1:
-            raise ValuesError(f"{name} = {number}, but {_described(name.name)} must be positive: give a positive number")
+            raise ValuesError(f"{name} = {shown(number)}, but {_described(name.name)} must be positive: give a positive number")
     _exists(eq, numbers)
     _on_family(eq, numbers)
     return numbers
@@ -47,11 +47,11 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
     for expression in eq.existence():
         value = evaluate(expression, numbers)
         if sign_of_constant(value) != 1:
-            shown = "is not defined" if value is S.NaN else f"is {value}"
-            raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {shown}: choose a point inside")
+            here = "is not defined" if value is S.NaN else f"is {shown(value)}"
+            raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: choose a point inside")
     for expression in eq.field_values():
         if expression.free_symbols <= numbers.keys() and not is_real(value := evaluate(expression, numbers)):
-            raise ValuesError(f"U or one of its derivatives, {expression}, is {value} there, not a finite real number: "
+            raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a finite real number: "
                               "choose another point")
 
 
@@ -62,10 +62,9 @@ def is_real(constant: Expr) -> bool:
 
 def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
     """The relation of the family, where a value is given for the eliminated name or no name was eliminated."""
-    if (residual := eq.constraint()) is not None:
+    for residual in eq.constraints:
         if sign_of_constant(value := evaluate(residual, numbers)) != 0:
             raise ValuesError(f"the point is not on {eq.label}: {residual} is {value.evalf(8)}, not proved to be 0; correct the numbers")
-        return
     name = symbol(eq.eliminated) if eq.eliminated else None
     if name is None or name not in numbers:
         return
@@ -74,8 +73,8 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
         raise ValuesError(f"to check {name} on {eq.label}, {', '.join(missing)} is needed: give it, or omit {name}")
     value = evaluate(needed, numbers)
     if sign_of_constant(numbers[name] - value) != 0:
-        raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {value if value.is_Rational else value.evalf(12)}, given was "
-                          f"{numbers[name]}; omit {name}, or correct it")
+        raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {shown(value)}, given was "
+                          f"{shown(numbers[name])}; omit {name}, or correct it")
 
 
 def inertia_note(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
