@@ -92,6 +92,12 @@ def test_general_unspecified_field():
     assert gs.equilibrium(scene, (0, 0, 0, 0, 0, 1), relations=[("dU_1", 0), ("dU_2", 0)])
 
 
+def test_names_of_the_derivation_are_refused(scene):
+    """A point in nu1 would be confused with a multiplier."""
+    with pytest.raises(EquilibriumError, match="nu1, a name that the derivation introduces"):
+        gs.equilibrium(scene, (0, 0, gs.symbol("nu1"), 0, 0, 1))
+
+
 def test_directions_are_unit_vectors():
     """|k| = 1, exactly; k = 0 is left to the verbs, which name the singular orbit."""
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(lambda x, y, z: z))

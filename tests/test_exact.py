@@ -52,6 +52,12 @@ def test_separation_bounds(zero):
     assert sign_of_constant(zero + Rational(1, 10**5000)) == 1 and sign_of_constant(zero - sqrt(2) / 10**5000) == -1
 
 
+def test_small_units_are_not_zero():
+    """A unit of ℚ(√2, √3) with three conjugates of size 10²⁰ is itself 10⁻⁶⁰: small beside its coefficients, and not 0."""
+    unit = sympy.expand((sqrt(2) - 1) ** 52 * (sqrt(3) - sqrt(2)) ** 40 * (2 - sqrt(3)) ** 36)
+    assert unit.is_Add and sign_of_constant(unit) == 1 and sign_of_constant(-unit) == -1
+
+
 def test_transcendental_signs_are_proved():
     """e^π − π^e > 0, and a difference of 10⁻⁹⁹⁹ is still seen."""
     assert sign_of_constant(exp(pi) - pi**3) == -1

@@ -245,6 +245,10 @@ def test_fields_that_are_not_real_are_refused():
         report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U))))
         with pytest.raises(ValuesError, match="exists only where"):
             report.verdict(values | {"k3": "-1/2"})
+    report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(asin(gs.symbol("a") * k3)))))
+    assert report.verdict({"I1": 1, "l": 0, "pi3_0": 9, "a": "1/2"}).verdict is Verdict.STABLE
+    with pytest.raises(ValuesError, match=r"exists only where 1 - a\*\*2 > 0"):
+        report.verdict({"I1": 1, "l": 0, "pi3_0": 9, "a": 1})
     pole = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(1 / (gs.symbol("a") - k3)))))
     with pytest.raises(ValuesError, match="not a finite real number"):
         pole.verdict({"I1": 1, "l": 0, "pi3_0": 1, "a": 1})

@@ -28,9 +28,8 @@ class Signs:
             elif odd:
                 self._groups.append((frozenset(odd), sign))
         for root, square in reversed(ring.squares.items()):
-            if root.is_Pow and self.of(square) == 1 and (scale := self.of(ring.scales[root])):
-                self._known[str(ring.gens[root])] = scale
-                self._positive.update([root] if scale == 1 else [])
+            if root.is_Pow and self.of(square) == 1 == self.of(ring.scales[root]):
+                self._positive.add(root)
 
     def of(self, polynomial: fmpq_mpoly, deep: bool = True) -> int | None:
         """1, 0 or -1 where the sign is the same on the whole domain, else None."""
