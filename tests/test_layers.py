@@ -9,7 +9,7 @@ import pytest
 import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
-CHAIN = ("errors notation expressions algebra matrices exact signs body potential liepoisson system equilibria tilted orbit "
+CHAIN = ("errors notation expressions algebra matrices exact signs body potential liepoisson system equilibria families orbit "
          "linearization energy_casimir implication conditions values stability presentation document unicode latex cli").split()
 VIEWS = CHAIN[CHAIN.index("presentation"):]
 

@@ -2,7 +2,8 @@
 from .body import Gyrostat, symmetric_gyrostat
 from .conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
 from .energy_casimir import SecondVariation, augmented_hessian, multipliers, second_variation
-from .equilibria import Equilibrium, equilibrium, hanging, principal_rotation, upright
+from .equilibria import Equilibrium, equilibrium
+from .families import hanging, inclined, principal_rotation, static_tilt, upright
 from .liepoisson import LiePoisson, lie_poisson
 from .linearization import Linearization, linearize
 from .notation import symbol
@@ -10,7 +11,6 @@ from .orbit import orbit_tangent, symplectic_slice
 from .potential import Potential, axial_potential, general_potential, newtonian_field, uniform_field
 from .stability import Decision, Report, Verdict, analyze
 from .system import System, assemble
-from .tilted import inclined, static_tilt
 
 __version__ = "0.1.0"
 __all__ = [

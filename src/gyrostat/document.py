@@ -7,12 +7,12 @@ from sympy import Abs, Expr, ImmutableMatrix, Pow, S, Symbol
 from .conditions import Condition, Criterion
 from .equilibria import Equilibrium
 from .expressions import shown
+from .families import solved_tilt
 from .linearization import rational_root, square_root
 from .notation import jet, symbol
 from .presentation import entries, inequality, readable, split
 from .stability import Decision, Report
 from .system import System
-from .tilted import solved_tilt
 
 
 @dataclass(frozen=True)

@@ -79,7 +79,7 @@ def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMa
     Examples
     --------
     >>> from gyrostat.body import symmetric_gyrostat
-    >>> from gyrostat.equilibria import upright
+    >>> from gyrostat.families import upright
     >>> from gyrostat.potential import axial_potential
     >>> from gyrostat.system import assemble
     >>> scene = assemble(symmetric_gyrostat(), axial_potential())
@@ -117,7 +117,7 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     Examples
     --------
     >>> from gyrostat.body import symmetric_gyrostat
-    >>> from gyrostat.tilted import inclined
+    >>> from gyrostat.families import inclined
     >>> from gyrostat.potential import axial_potential
     >>> from gyrostat.system import assemble
     >>> variation = second_variation(inclined(assemble(symmetric_gyrostat(), axial_potential())))

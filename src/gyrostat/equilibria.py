@@ -1,13 +1,13 @@
-"""Equilibria, checked when they are built: upright E1, hanging E2, principal rotations, any point claimed."""
-from collections.abc import Sequence
+"""Equilibria: points or families that are checked, when they are built, to satisfy their equations."""
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
+from functools import cached_property, wraps
+from typing import Any, TypeVar
 
 from sympy import Expr, S, Symbol
 
 from .algebra import Ring
-from .errors import EquilibriumError, ScopeError, require
+from .errors import EquilibriumError, require
 from .exact import sign
 from .expressions import exact_expression
 from .notation import INTERNAL, Typeset, jet, symbol
@@ -15,6 +15,7 @@ from .potential import smooth_where_positive
 from .system import System
 
 Pair = tuple[Symbol, Expr]
+Derived = TypeVar("Derived")
 
 
 @dataclass(frozen=True, repr=False)
@@ -136,6 +137,23 @@ class Equilibrium(Typeset):
         return tuple(residual for residual in residuals if residual is not None)
 
 
+    @cached_property
+    def memory(self) -> dict[str, Any]:
+        """What verbs have derived from this equilibrium, by their name."""
+        return {}
+
+
+def once(verb: Callable[[Equilibrium], Derived]) -> Callable[[Equilibrium], Derived]:
+    """The verb, derived once for each equilibrium."""
+    @wraps(verb)
+    def remembered(eq: Equilibrium) -> Derived:
+        if verb.__name__ not in eq.memory:
+            eq.memory[verb.__name__] = verb(eq)
+        return eq.memory[verb.__name__]
+
+    return remembered
+
+
 def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tuple[Any, Any]] = (),
                 domain: Sequence[Expr] = (), label: str = "E") -> Equilibrium:
     """A point you claim; construction checks that the field vanishes there.
@@ -164,74 +182,6 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
     pairs = tuple((symbol(str(name)), exact_expression(value)) for name, value in relations)
     return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs, tuple(map(exact_expression, domain)),
                        next((name.name for name, _ in pairs[::-1] if not jet(name.name)), None))
-
-
-def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
-    """E1: spinning about the upward vertical, k3 = 1.
-
-    Parameters
-    ----------
-    scene : System       on e(3)*
-    spin : str           "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
-
-    Source
-    ------
-    Vera & Viguera (2003), §3.
-
-    Examples
-    --------
-    >>> from gyrostat.body import symmetric_gyrostat
-    >>> from gyrostat.potential import axial_potential
-    >>> from gyrostat.system import assemble
-    >>> upright(assemble(symmetric_gyrostat(), axial_potential())).point
-    (0, 0, pi3_0, 0, 0, 1)
-    """
-    return _vertical("E1", scene, spin, 1)
-
-
-def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
-    """E2: spinning about the downward vertical, k3 = -1; arguments as in upright."""
-    return _vertical("E2", scene, spin, -1)
-
-
-def _vertical(label: str, scene: System, spin: str, s: int) -> Equilibrium:
-    require(scene, System, "the scene")
-    if scene.potential is None:
-        raise ScopeError(f"{label} needs a field, the scene has none: use principal_rotation(scene, 3)")
-    if spin not in ("pi3_0", "omega3_0"):
-        raise EquilibriumError(f"spin = {spin!r} is not a parameter of {label}: use 'pi3_0' or 'omega3_0'")
-    momentum = symbol(spin) if spin == "pi3_0" else scene.body.inertia[2] * symbol(spin)
-    return equilibrium(scene, (0, 0, momentum, 0, 0, s), label=label)
-
-
-def principal_rotation(scene: System, axis: int) -> Equilibrium:
-    """Rotation of a free body about a principal axis that also carries l, where M ≠ 0.
-
-    Parameters
-    ----------
-    scene : System       on so(3)*
-    axis : int           1, 2 or 3; the body rate about it is omega1_0, omega2_0 or omega3_0 [1/T]
-
-    Source
-    ------
-    Hughes, Spacecraft Attitude Dynamics (1986), chapter 6.
-
-    Examples
-    --------
-    >>> from gyrostat.body import Gyrostat
-    >>> from gyrostat.system import assemble
-    >>> principal_rotation(assemble(Gyrostat(gyrostatic_momentum=(0, 0, 0))), 2).point
-    (0, I2*omega2_0, 0)
-    """
-    require(scene, System, "the scene")
-    if scene.potential is not None:
-        raise ScopeError("principal_rotation is for a free body, the scene has a field: use upright, hanging or inclined")
-    if axis not in (1, 2, 3):
-        raise EquilibriumError(f"axis = {axis!r} is not a principal axis: give 1, 2 or 3")
-    momentum = scene.body.inertia[axis - 1] * symbol(f"omega{axis}_0")
-    point = [momentum if i == axis else 0 for i in (1, 2, 3)]
-    total = momentum + scene.body.gyrostatic_momentum[axis - 1]
-    return equilibrium(scene, point, domain=(total**2,), label=f"rotation about axis {axis}")
 
 
 def _residual(rate: Expr, eq: Equilibrium) -> Expr | None:

@@ -99,7 +99,7 @@ def linearize(eq: Equilibrium) -> Linearization:
     Examples
     --------
     >>> from gyrostat.body import symmetric_gyrostat
-    >>> from gyrostat.tilted import inclined
+    >>> from gyrostat.families import inclined
     >>> from gyrostat.potential import axial_potential
     >>> from gyrostat.system import assemble
     >>> linearize(inclined(assemble(symmetric_gyrostat(), axial_potential()))).coefficients[1]

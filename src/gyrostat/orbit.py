@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from sympy import Expr, ImmutableMatrix
 
 from .algebra import Ring
-from .equilibria import Equilibrium
+from .equilibria import Equilibrium, once
 from .errors import SingularOrbitError
 from .matrices import null_space, row_reduce
 from .signs import Signs
@@ -15,6 +15,7 @@ def differentials(eq: Equilibrium, functions: Sequence[Expr]) -> list[list[Expr]
     return [list(eq.at_point(eq.system.space.gradient(f))) for f in functions]
 
 
+@once
 def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
     """Basis of the tangent space of the coadjoint orbit, T = {δx : dC(δx) = 0}.
 
@@ -35,7 +36,7 @@ def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
     Examples
     --------
     >>> from gyrostat.body import symmetric_gyrostat
-    >>> from gyrostat.equilibria import upright
+    >>> from gyrostat.families import upright
     >>> from gyrostat.potential import axial_potential
     >>> from gyrostat.system import assemble
     >>> orbit_tangent(upright(assemble(symmetric_gyrostat(), axial_potential()))).T.tolist()
@@ -44,7 +45,8 @@ def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
     return _kernel(eq, regular_differentials(eq))
 
 
-def regular_differentials(eq: Equilibrium) -> list[list[Expr]]:
+@once
+def regular_differentials(eq: Equilibrium) -> tuple[list[Expr], ...]:
     """dC of the Casimirs, proved independent somewhere on the family."""
     casimirs = eq.system.space.casimirs
     rows = differentials(eq, casimirs)
@@ -53,12 +55,13 @@ def regular_differentials(eq: Equilibrium) -> list[list[Expr]]:
             f"{eq.label} lies on a singular coadjoint orbit: the differentials of {', '.join(map(str, casimirs))} have rank {rank}, "
             f"not {len(casimirs)}. The energy-Casimir test does not apply there; choose a point with "
             + ("k ≠ 0." if eq.system.potential else "M ≠ 0."))
-    return rows
+    return tuple(rows)
 
 
+@once
 def critical_integrals(eq: Equilibrium) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
     """The integrals whose differentials depend on those of the Casimirs there, and the others."""
-    rows = regular_differentials(eq)
+    rows = list(regular_differentials(eq))
     critical, moving = [], []
     for integral in eq.system.integrals:
         row = differentials(eq, (integral,))
@@ -87,10 +90,11 @@ def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:
     return slice_and_symmetries(eq)[0]
 
 
+@once
 def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, ...]]:
     """The symplectic slice, and the integrals whose flow was divided out."""
     _, moving = critical_integrals(eq)
-    level = regular_differentials(eq) + differentials(eq, moving)
+    level = [*regular_differentials(eq), *differentials(eq, moving)]
     held: list[list[Expr]] = []                        # a direction along the orbit is removed by holding one coordinate
     symmetries = []
     for integral in moving:

@@ -7,14 +7,14 @@ from typing import Any
 from ..body import Gyrostat, symmetric_gyrostat
 from ..conditions import Criterion
 from ..document import Block, decision_blocks, report_blocks, scene_blocks
-from ..equilibria import Equilibrium, hanging, principal_rotation, upright
+from ..equilibria import Equilibrium
 from ..errors import EquilibriumError, ValuesError
 from ..expressions import exact_number, parse
+from ..families import hanging, inclined, principal_rotation, static_tilt, upright
 from ..notation import jet, symbol
 from ..potential import axial_potential
 from ..stability import Decision, Report, analyze
 from ..system import System, assemble
-from ..tilted import inclined, static_tilt
 from ..values import unknown
 
 

@@ -1,15 +1,83 @@
-"""E3, the inclined family of a body of revolution, its static limit, and the elimination of one parameter."""
+"""The named families: upright E1, hanging E2, inclined E3 and its limit at rest, principal rotations of a free body."""
 from collections.abc import Sequence
 
 from sympy import Expr, S, Symbol, sqrt
 
 from .algebra import Ring
-from .equilibria import Equilibrium
+from .equilibria import Equilibrium, equilibrium
 from .errors import EquilibriumError, ScopeError, require
 from .notation import symbol
 from .system import System
 
 K3, OMEGA, DU = symbol("k3"), symbol("omega"), symbol("dU")
+
+
+def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
+    """E1: spinning about the upward vertical, k3 = 1.
+
+    Parameters
+    ----------
+    scene : System       on e(3)*
+    spin : str           "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
+
+    Source
+    ------
+    Vera & Viguera (2003), §3.
+
+    Examples
+    --------
+    >>> from gyrostat.body import symmetric_gyrostat
+    >>> from gyrostat.potential import axial_potential
+    >>> from gyrostat.system import assemble
+    >>> upright(assemble(symmetric_gyrostat(), axial_potential())).point
+    (0, 0, pi3_0, 0, 0, 1)
+    """
+    return _vertical("E1", scene, spin, 1)
+
+
+def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
+    """E2: spinning about the downward vertical, k3 = -1; arguments as in upright."""
+    return _vertical("E2", scene, spin, -1)
+
+
+def _vertical(label: str, scene: System, spin: str, s: int) -> Equilibrium:
+    require(scene, System, "the scene")
+    if scene.potential is None:
+        raise ScopeError(f"{label} needs a field, the scene has none: use principal_rotation(scene, 3)")
+    if spin not in ("pi3_0", "omega3_0"):
+        raise EquilibriumError(f"spin = {spin!r} is not a parameter of {label}: use 'pi3_0' or 'omega3_0'")
+    momentum = symbol(spin) if spin == "pi3_0" else scene.body.inertia[2] * symbol(spin)
+    return equilibrium(scene, (0, 0, momentum, 0, 0, s), label=label)
+
+
+def principal_rotation(scene: System, axis: int) -> Equilibrium:
+    """Rotation of a free body about a principal axis that also carries l, where M ≠ 0.
+
+    Parameters
+    ----------
+    scene : System       on so(3)*
+    axis : int           1, 2 or 3; the body rate about it is omega1_0, omega2_0 or omega3_0 [1/T]
+
+    Source
+    ------
+    Hughes, Spacecraft Attitude Dynamics (1986), chapter 6.
+
+    Examples
+    --------
+    >>> from gyrostat.body import Gyrostat
+    >>> from gyrostat.system import assemble
+    >>> principal_rotation(assemble(Gyrostat(gyrostatic_momentum=(0, 0, 0))), 2).point
+    (0, I2*omega2_0, 0)
+    """
+    require(scene, System, "the scene")
+    if scene.potential is not None:
+        raise ScopeError("principal_rotation is for a free body, the scene has a field: use upright, hanging or inclined")
+    if axis not in (1, 2, 3):
+        raise EquilibriumError(f"axis = {axis!r} is not a principal axis: give 1, 2 or 3")
+    momentum = scene.body.inertia[axis - 1] * symbol(f"omega{axis}_0")
+    point = [momentum if i == axis else 0 for i in (1, 2, 3)]
+    total = momentum + scene.body.gyrostatic_momentum[axis - 1]
+    return equilibrium(scene, point, domain=(total**2,), label=f"rotation about axis {axis}")
 
 
 def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
