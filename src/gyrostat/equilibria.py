@@ -46,6 +46,8 @@ class Equilibrium(Typeset):
     def __post_init__(self) -> None:
         require(self.system, System, "the scene")
         moments = [*self.system.body.inertia, *(value for name, value in self.relations if name.is_positive)]
+        if impossible := [m for m in moments if not m.free_symbols and not m.is_positive]:
+            raise EquilibriumError(f"{self.label} has a relation that makes a moment of inertia {impossible[0]}: moments are positive")
         unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive and m not in self.domain]
         object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
         if clash := [s for x in self.point for s in x.free_symbols if s.name in INTERNAL]:
@@ -85,8 +87,12 @@ class Equilibrium(Typeset):
         potential = self.system.potential
         if not potential or not potential.given:
             return ()
-        place = dict(zip(potential.variables, self.point[-len(potential.variables):]))
-        return tuple(dict.fromkeys(self.insert(a.xreplace(place)) for a in smooth_where_positive(potential.expression)))
+        return tuple(dict.fromkeys(self.insert(self._placed(a)) for a in smooth_where_positive(potential.expression)))
+
+    def _placed(self, expression: Expr) -> Expr:
+        """An expression in k, at the point."""
+        directions = self.system.space.coordinates[3:]
+        return expression.xreplace(dict(zip(directions, self.point[3:])))
 
     @property
     def at(self) -> Expr:
@@ -106,9 +112,8 @@ class Equilibrium(Typeset):
         """The jet of a given U replaced by its values at the point, then the eliminated parameter by its value."""
         potential = self.system.potential
         if potential and potential.given:
-            place = dict(zip(potential.variables, self.point[-len(potential.variables):]))
             jets = [s for s in expression.free_symbols if jet(s.name)]
-            expression = expression.xreplace({d: potential.value(d).xreplace(place) for d in jets})
+            expression = expression.xreplace({d: self._placed(potential.value(d)) for d in jets})
         for name, value in self.relations:
             if not jet(name.name):
                 expression = expression.xreplace({name: value})
@@ -123,10 +128,9 @@ class Equilibrium(Typeset):
         potential = self.system.potential
         if not potential or not potential.given:
             return ()
-        place = dict(zip(potential.variables, self.point[-len(potential.variables):]))
         first = [d for d in potential.gradient() if d]
         jets = [*first, *(d for s in first for d in potential.following(s) if d)]
-        return tuple(self.insert(e) for e in (potential.expression.xreplace(place), *jets))
+        return tuple(self.insert(e) for e in (self._placed(potential.expression), *jets))
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
