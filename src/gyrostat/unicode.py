@@ -152,7 +152,7 @@ def _inline(part: Any, at: Any) -> str:
 def _displayed(block: Display, width: int) -> list[str]:
     name = "    " + _inline(block.name, block.at)
     if not isinstance(block.value, MatrixBase):
-        return [f"{name} {block.relation} {unicode(block.value, block.at)}"]
+        return [f"{name} {block.relation} {_inline(block.value, block.at)}"]
     rows = block.value.tolist()
     lines = matrix_lines(rows, block.at)
     indent = " " * (len(name) + 3)
