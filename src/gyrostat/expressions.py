@@ -193,10 +193,10 @@ def parse(text: str) -> Expr:
 
 
 def shown(number: Any, digits: int = 40) -> str:
-    """A number in a message: exact if that is short, else rounded."""
-    expression = Rational(number) if isinstance(number, int) else number
-    longest = max((max(abs(int(r.p)), int(r.q)) for r in expression.atoms(Rational)), default=0)
-    return str(expression) if longest.bit_length() <= 3.3 * digits else str(expression.evalf(12))
+    """A number in a message: a rational exactly if it is short, anything else rounded."""
+    value = Rational(number) if isinstance(number, int) else number
+    short = isinstance(value, Rational) and max(abs(int(value.p)), int(value.q)).bit_length() <= 3.3 * digits
+    return str(value if short else value.evalf(12))
 
 
 def exact_expression(value: Any, name: str = "value") -> Expr:
