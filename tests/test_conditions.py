@@ -11,7 +11,7 @@ from sympy import Poly, Rational, cancel, cos, exp, expand, symbols
 import gyrostat as gs
 from gyrostat.algebra import Ring
 from gyrostat.conditions import Condition, Criterion, independent
-from gyrostat.implication import Item, eliminate, merge, simplify
+from gyrostat.implication import Item, eliminate, merge, reduced
 from gyrostat.notation import NOTATION
 from gyrostat.signs import Signs
 from gyrostat.stability import _holds
@@ -206,15 +206,15 @@ def test_squares_are_not_forgotten():
     """x² y ≥ 0 alone does not give y ≥ 0; with x² + y ≥ 0 it does; strictly, x ≠ 0 stays."""
     x, y = gs.symbol("x"), gs.symbol("y")
     signs, alone = items((y, (x,), False))
-    assert simplify(alone, signs) == alone
+    assert reduced(alone, signs) == alone
     signs, both = items((x**2 + y, (), False), (y, (x,), False))
-    (left,) = simplify(both, signs)
+    (left,) = reduced(both, signs)
     assert left.degenerate == () and left.margin == both[1].margin
     signs, strict = items((x**2 + y, (), True), (y, (x,), True))
-    (left,) = simplify(strict, signs)
+    (left,) = reduced(strict, signs)
     assert len(left.degenerate) == 1
     signs, other = items((x**2 + y, (), False), (y, (gs.symbol("z"),), False))
-    assert len(simplify(other, signs)) == 2
+    assert len(reduced(other, signs)) == 2
 
 
 def test_what_does_not_follow_is_kept():
@@ -222,9 +222,9 @@ def test_what_does_not_follow_is_kept():
     x, y = gs.symbol("x"), gs.symbol("y")
     for conditions in (((x**2 - y, (), False), (y, (), False)), ((x, (), False), (x * y, (), False)), ((x, (), True), (y, (x - y,), True))):
         signs, given = items(*conditions)
-        assert simplify(given, signs) == given
+        assert reduced(given, signs) == given
     signs, given = items((x, (), True), (x * y, (), True))
-    assert [signs.ring.expression(i.margin) for i in simplify(given, signs)] == [x, y]
+    assert [signs.ring.expression(i.margin) for i in reduced(given, signs)] == [x, y]
 
 
 def test_even_factors_survive(e1):
@@ -238,11 +238,11 @@ def test_impossible_and_trivial_conjunctions():
     """A margin that is never positive kills its conjunction; one that always is leaves it."""
     x = gs.symbol("x")
     signs, never = items((-I1, (), True), (x, (), True))
-    assert simplify(never, signs) is None
+    assert reduced(never, signs) is None
     signs, always = items((I1, (), True), (x, (), True))
-    assert simplify(always, signs) == always[1:]
+    assert reduced(always, signs) == always[1:]
     signs, square = items((I1, (x,), True))
-    assert simplify(square, signs) == square            # x² I1 > 0 still asks for x ≠ 0
+    assert reduced(square, signs) == square            # x² I1 > 0 still asks for x ≠ 0
 
 
 def test_elimination_of_a_multiplier():
@@ -250,7 +250,7 @@ def test_elimination_of_a_multiplier():
     nu, b, c = gs.symbol("nu1"), gs.symbol("b"), gs.symbol("c")
     for a, expected in ((-I1, [b**2 + 4 * I1 * c]), (I1, None), (gs.symbol("a"), [gs.symbol("a"), b**2 - 4 * gs.symbol("a") * c])):
         signs, given = items((a * nu**2 + b * nu + c, (), True))
-        left = [simplify(alternative, signs) for alternative in eliminate(given, nu, signs)]
+        left = [reduced(alternative, signs) for alternative in eliminate(given, nu, signs)]
         left = [alternative for alternative in left if alternative is not None]
         if expected is None:
             assert [] in left

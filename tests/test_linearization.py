@@ -164,6 +164,19 @@ def test_eigenvalues_are_the_roots(report, request):
     np.testing.assert_allclose(*(sorted(z, key=lambda z: (round(z.imag, 5), z.real)) for z in (ours, theirs)), atol=1e-7)
 
 
+def test_eigenvalues_where_roots_nest(asymmetric, free):
+    """An asymmetric body in a field, and a free one: each closed form is a root, and together they are all (30 digits)."""
+    numbers = S(I1=2, I2="7/5", I3="3/2", l="1/3", omega3_0="5/6", m0="2/7", m1="-1/9")
+    for eq in (gs.upright(asymmetric, spin="omega3_0"), gs.principal_rotation(free, 3)):
+        linear = gs.linearize(eq)
+        roots = [root.subs(numbers) for root in linear.eigenvalues()]
+        polynomial = expand(eq.insert(linear.characteristic_polynomial()).subs(numbers))
+        product = 1
+        for root in roots:
+            product *= LAMBDA - eq.insert(root).subs(numbers)
+        assert all(abs(c) < Rational(1, 10**25) for c in Poly(expand(product - polynomial).evalf(30), LAMBDA).all_coeffs())
+
+
 def test_sleeping_top_eigenvalues(e1):
     """λ = ±i [ω3 − P/(2 I1) ± √(P² − 4 I1 U1)/(2 I1)], classical."""
     I1, I3, l, pi3, u = map(gs.symbol, ("I1", "I3", "l", "pi3_0", "dU"))

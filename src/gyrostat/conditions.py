@@ -7,7 +7,7 @@ from sympy import Expr, S
 from .algebra import Ring
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
-from .implication import Implied, Item, eliminate, merge, simplify
+from .implication import Implied, Item, eliminate, merge, reduced
 from .linearization import Linearization
 from .notation import Typeset
 from .signs import Signs
@@ -107,11 +107,11 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     alternatives: list[list[Item]] = []
     for s in (1, -1):
         items = [Item(*signs.split(s**n * top, bottom), True, f"minor {n}") for n, (top, bottom) in enumerate(minors, 1)]
-        conjunction = simplify(items, signs)
+        conjunction = reduced(items, signs)
         if conjunction is not None:
             free = [nu for nu in variation.free if nu in ring.gens]
             alternatives += eliminate(conjunction, free[0], signs) if free else [conjunction]
-    merged = merge([a for a in (simplify(a, signs) for a in alternatives) if a is not None], signs)
+    merged = merge([a for a in (reduced(a, signs) for a in alternatives) if a is not None], signs)
     return Criterion("formal", tuple(tuple(_condition(ring, item, eq) for item in a) for a in merged), variation.modulo)
 
 
@@ -123,7 +123,7 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
         signs = Signs(ring, domain)
         alternatives: list[list[Item]] = []
         for alternative in criterion.alternatives:
-            items = simplify([_inserted(ring, signs, c, values) for c in alternative], signs)
+            items = reduced([_inserted(ring, signs, c, values) for c in alternative], signs)
             if items is not None:
                 alternatives.append(items)
         kept = tuple(tuple(_condition(ring, item, eq) for item in a) for a in merge(alternatives, signs))

@@ -8,7 +8,7 @@ from .conditions import Condition, Criterion
 from .equilibria import Equilibrium
 from .expressions import shown
 from .families import solved_tilt
-from .linearization import rational_root, square_root
+from .linearization import Linearization, square_root
 from .notation import jet, symbol
 from .presentation import entries, inequality, readable, split
 from .stability import Decision, Report
@@ -148,28 +148,29 @@ def _linearization(report: Report) -> list[Block]:
     if len(values) == 1:
         q = symbol("q")
         return [*blocks, Sentence("Characteristic polynomial {} with", (Word("λ² + q", r"\lambda^2 + q"),)),
-                Display(q, readable(values[0]), eq.at),
-                Sentence("Eigenvalues {} {}.", (IMAGINARY, _root(values[0])), eq.at)]
+                Display(q, readable(values[0]), eq.at), *_eigenvalues(linear, eq.at)]
     (p, q), (a, b) = values, (symbol("p"), symbol("q"))
     return [*blocks, Sentence("Characteristic polynomial {} with", (Word("λ⁴ + p λ² + q", r"\lambda^4 + p\,\lambda^2 + q"),)),
             Display(a, readable(p), eq.at), Display(b, readable(q), eq.at), Display(a**2 - 4 * b, readable(p**2 - 4 * q), eq.at),
-            *_eigenvalues(p, q, eq)]
+            *_eigenvalues(linear, eq.at)]
 
 
-def _eigenvalues(p: Expr, q: Expr, eq: Equilibrium) -> list[Block]:
-    if q == 0:
-        return [Sentence("Eigenvalues 0, 0 and {} {}.", (IMAGINARY, _root(p)), eq.at)]
-    r = rational_root(q)
-    if r is None:
+def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
+    parts = linear.frequencies()
+    if parts is None:
         return []
-    outer, inner = split(square_root(p + 2 * r) / 2), _root(p - 2 * r) / 2
-    return [Sentence("Eigenvalues {} ({} {} {}).", (IMAGINARY, outer, Word("±", r"\pm"), inner), eq.at)]
+    outer, inner = _readable_roots(parts[0]), _readable_roots(parts[1])
+    if inner == 0:
+        return [Sentence("Eigenvalues {} {}.", (IMAGINARY, outer), at)]
+    if inner == outer:
+        return [Sentence("Eigenvalues 0, 0 and {} {}.", (IMAGINARY, 2 * outer), at)]
+    return [Sentence("Eigenvalues {} ({} {} {}).", (IMAGINARY, outer, Word("±", r"\pm"), inner), at)]
 
 
-def _root(expression: Expr) -> Expr:
-    """√ of an expression, what is under the root as it reads best."""
-    root = square_root(expression)
-    return root.xreplace({x: Pow(readable(x.base), x.exp) for x in root.atoms(Pow) if x.exp == S.Half})
+def _readable_roots(expression: Expr) -> Expr:
+    """What is under roots as it reads best, and an expression without roots as a sum over its denominators."""
+    roots = [x for x in expression.atoms(Pow) if x.exp == S.Half]
+    return expression.xreplace({x: Pow(readable(x.base), x.exp) for x in roots}) if roots else split(expression)
 
 
 def _second_variation(report: Report) -> list[Block]:

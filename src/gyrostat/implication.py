@@ -32,18 +32,17 @@ class Implied:
     by: Any
 
 
-def simplify(items: Sequence[Item], signs: Signs) -> list[Item] | None:
+def reduced(items: Sequence[Item], signs: Signs) -> list[Item] | None:
     """An equivalent conjunction without what is always true or implied; None if it can never hold."""
     left = list(items)
     while True:
         found = _decided(left, signs)
         if found is None:
             return None
-        reduced = _divided(found, signs)
-        reduced = _without_implied(reduced, signs)
-        if reduced == left:
-            return reduced
-        left = reduced
+        shorter = _without_implied(_divided(found, signs), signs)
+        if shorter == left:
+            return shorter
+        left = shorter
 
 
 def _decided(items: Iterable[Item], signs: Signs) -> list[Item] | None:

@@ -52,7 +52,7 @@ class Linearization(Typeset):
     def eigenvalues(self) -> tuple[Expr, ...]:
         """The d roots of the characteristic polynomial, d = 2 or 4, in closed form.
 
-        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2; at E1 and E2 p + 2r is a square too.
+        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2 (frequencies); at E1 and E2 p + 2r is a square too.
 
         Source
         ------
@@ -63,18 +63,25 @@ class Linearization(Typeset):
         >>> from gyrostat import Gyrostat, assemble, axial_potential, hanging
         >>> scene = assemble(Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)), axial_potential())
         >>> linearize(hanging(scene)).eigenvalues()[0]
-        I*(pi3_0 + sqrt(4*dU + pi3_0**2))/2
+        I*(pi3_0/2 + sqrt(4*dU + pi3_0**2)/2)
         """
+        parts = self.frequencies()
+        if parts is None:
+            p, q = self.coefficients
+            inner = square_root(p**2 - 4 * q)
+            return tuple(s * sqrt((-p + t * inner) / 2) for s in (1, -1) for t in (1, -1))
+        outer, inner = parts
         if len(self.coefficients) == 1:
-            root = square_root(-self.coefficients[0])
-            return root, -root
+            return I * outer, -I * outer
+        return tuple(s * I * (outer + t * inner) for s in (1, -1) for t in (1, -1))
+
+    def frequencies(self) -> tuple[Expr, Expr] | None:
+        """(a, b) with λ = ±i (a ± b), b = 0 for d = 2; None where q is no square and the roots nest."""
+        if len(self.coefficients) == 1:
+            return square_root(self.coefficients[0]), S.Zero
         p, q = self.coefficients
         r = rational_root(q)
-        if r is not None:
-            plus, minus = square_root(p + 2 * r), square_root(p - 2 * r)
-            return tuple(s * I * (plus + t * minus) / 2 for s in (1, -1) for t in (1, -1))
-        inner = square_root(p**2 - 4 * q)
-        return tuple(s * sqrt((-p + t * inner) / 2) for s in (1, -1) for t in (1, -1))
+        return None if r is None else (square_root(p + 2 * r) / 2, square_root(p - 2 * r) / 2)
 
 
 def linearize(eq: Equilibrium) -> Linearization:
