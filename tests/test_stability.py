@@ -8,7 +8,7 @@ import pytest
 from draw import moments, numbers, tilts
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sympy import CRootOf, Rational, asin, cos, exp, expand, log, sin, sqrt, symbols
+from sympy import CRootOf, GoldenRatio, Rational, asin, cos, exp, expand, log, sin, sqrt, symbols
 
 import gyrostat as gs
 from gyrostat.conditions import Condition, Criterion
@@ -200,6 +200,7 @@ def test_intermediate_axis():
     ({"I1": 1, "l": float("nan"), "pi3_0": 1, "dU": 1}, "l = nan is not finite"),
     ({"I1": float("inf"), "l": 0, "pi3_0": 1, "dU": 1}, "not finite"), ({"I1": 1, "l": "x", "pi3_0": 1, "dU": 1}, "contains the names"),
     ({"I1": 1, "l": "1/", "pi3_0": 1, "dU": 1}, "cannot read"), ({"I1": 1, "I3": -2, "l": 0, "pi3_0": 1, "dU": 1}, "I3 = -2"),
+    ({"I1": GoldenRatio, "l": 0, "pi3_0": 1, "dU": 1}, "cannot be enclosed"),
     ({"I1": 1, "l": None, "pi3_0": 1, "dU": 1}, "NoneType"), ({"I1": 1, "l": 0, "omega3_0": 1, "dU": 1}, "no parameter omega3_0")])
 def test_bad_values_are_refused(e1, values, why):
     """What was given, why it is impossible, what to do."""

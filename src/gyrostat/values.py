@@ -3,11 +3,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
-from sympy import Expr, S, Symbol
+from sympy import Expr, Rational, S, Symbol
 
 from .equilibria import Equilibrium
 from .errors import ValuesError
-from .exact import evaluate, sign_of_constant
+from .exact import ball, evaluate, sign_of_constant
 from .expressions import exact_number, shown
 from .notation import NOTATION, jet, symbol
 
@@ -28,6 +28,8 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
         raise ValuesError(f"{eq.label} needs {', '.join(map(_described, missing))}: give a number for each")
     numbers = {symbol(name): exact_number(value, name) for name, value in given.items()}
     for name, number in numbers.items():
+        if not isinstance(number, Rational) and not ball(number, 64).is_finite():
+            raise ValuesError(f"{name} = {number} cannot be enclosed: write it with rationals, roots, pi, exp, log and the like")
         if name.is_positive and sign_of_constant(number) != 1:
             raise ValuesError(f"{name} = {shown(number)}, but {_described(name.name)} must be positive: give a positive number")
     _exists(eq, numbers)
