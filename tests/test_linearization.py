@@ -25,6 +25,12 @@ def S(**values):
     return {gs.symbol(name): R(value) for name, value in values.items()}
 
 
+def assert_restriction(jacobian, linear, values=()):
+    """J N = N A: the differenced 6×6 field maps the basis as the matrix says, entry by entry."""
+    basis, matrix = (Matrix(m.subs(dict(values))) for m in (linear.basis, linear.matrix))
+    assert Matrix(jacobian.shape[0], jacobian.shape[1], [R(entry) for entry in jacobian.flatten()]) * basis == basis * matrix
+
+
 @pytest.mark.parametrize("s", [1, -1])
 @given(I1=moments, I3=moments, l=numbers, pi3=numbers, u1=numbers, u2=numbers)
 @settings(max_examples=60)
@@ -32,7 +38,9 @@ def test_vertical_polynomial_is_euler_poisson(e1, e2, s, I1, I3, l, pi3, u1, u2)
     """At E1, E2 the 6×6 field has characteristic polynomial λ² (λ⁴ + p λ² + q)."""
     x, f = oracle.vertical(I1, I3, l, pi3, s, u1, u2)
     values = S(I1=I1, I3=I3, l=l, pi3_0=pi3, dU=u1)
-    p, q = (R(c.subs(values)) for c in (e1 if s == 1 else e2).linearization.coefficients)
+    linear = (e1 if s == 1 else e2).linearization
+    assert_restriction(oracle.jacobian(f, x), linear, values)
+    p, q = (R(c.subs(values)) for c in linear.coefficients)
     assert list(map(R, oracle.characteristic(oracle.jacobian(f, x)))) == [1, 0, p, 0, q, 0, 0]
 
 
@@ -44,7 +52,9 @@ def test_inclined_polynomial_is_euler_poisson(e3, I1, I3, l, omega, tilt, u2):
     assert not any(f(x))
     p, q = e3.linearization.coefficients
     assert q == 0
-    p = R(p.subs(S(I1=I1, I3=I3, l=l, omega=omega, k3=tilt[1], d2U=u2)))
+    values = S(I1=I1, I3=I3, l=l, omega=omega, k3=tilt[1], d2U=u2)
+    assert_restriction(oracle.jacobian(f, x), e3.linearization, values)
+    p = R(p.subs(values))
     assert list(map(R, oracle.characteristic(oracle.jacobian(f, x)))) == [1, 0, p, 0, 0, 0, 0]
 
 
@@ -53,7 +63,9 @@ def test_inclined_polynomial_is_euler_poisson(e3, I1, I3, l, omega, tilt, u2):
 def test_static_polynomial_is_euler_poisson(at_rest, I1, I3, l, tilt, u2):
     """The body at rest at a tilt is E3 with ω = 0."""
     x, f = oracle.inclined(I1, I3, l, Fraction(0), (tilt[0], Fraction(0), tilt[1]), u2)
-    p = R(at_rest.linearization.coefficients[0].subs(S(I1=I1, I3=I3, l=l, k3=tilt[1], d2U=u2)))
+    values = S(I1=I1, I3=I3, l=l, k3=tilt[1], d2U=u2)
+    assert_restriction(oracle.jacobian(f, x), at_rest.linearization, values)
+    p = R(at_rest.linearization.coefficients[0].subs(values))
     assert list(map(R, oracle.characteristic(oracle.jacobian(f, x)))) == [1, 0, p, 0, 0, 0, 0]
 
 
@@ -70,12 +82,14 @@ def test_general_body_at_a_claimed_point(inertia, rotor, a, b, w, mu, s):
     H = np.array([[s[0], s[1], s[2]], [s[1], s[3], s[4]], [s[2], s[4], s[5]]], dtype=object)
     g = w**2 * I * k + w * l + mu * k - H.dot(k)
     point = np.concatenate([w * I * k, k])
-    theirs = oracle.characteristic(oracle.jacobian(lambda x: oracle.field(x, I, l, lambda d: g + H.dot(d)), point))
+    jacobian = oracle.jacobian(lambda x: oracle.field(x, I, l, lambda d: g + H.dot(d)), point)
     U = gs.general_potential(lambda *d: sum(R(c) * x for c, x in zip(g, d))
                              + sum(R(H[i, j]) * d[i] * d[j] for i in range(3) for j in range(3)) / 2)
     eq = gs.equilibrium(gs.assemble(gs.Gyrostat(inertia, rotor), U), list(map(R, point)))
-    p, q = gs.linearize(eq).coefficients
-    assert list(map(R, theirs)) == [1, 0, p, 0, q, 0, 0]
+    linear = gs.linearize(eq)
+    assert_restriction(jacobian, linear)
+    p, q = linear.coefficients
+    assert list(map(R, oracle.characteristic(jacobian))) == [1, 0, p, 0, q, 0, 0]
 
 
 @given(inertia=st.tuples(*[moments] * 3), l=numbers, w=nonzero, axis=st.sampled_from([1, 2, 3]))

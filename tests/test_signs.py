@@ -28,6 +28,13 @@ def test_known_signs():
     assert known((1 - k3) ** 2 * I1, (1 - k3,)) == known(1 - k3, (1 - k3,)) == 1 and known(k3 - 1, (1 - k3,)) == -1
 
 
+def test_a_domain_is_read_in_lowest_terms():
+    """(a² − b²)/(a − b) > 0 says a + b > 0, and nothing of a² − b²."""
+    a, b = symbol("a"), symbol("b")
+    domain = ((a**2 - b**2) / (a - b),)
+    assert known(a + b, domain) == 1 and known(a**2 - b**2, domain) is None
+
+
 def test_quadratics_without_real_roots_have_a_sign():
     """A negative discriminant on the whole domain; not one that only may be negative."""
     assert known(I1**2 * omega**4 - 2 * I1 * omega**2 * k3 * x + x**2, (*DOMAIN, x**2)) == 1      # (I1 ω² − k3 x)² + x² (1 − k3²)

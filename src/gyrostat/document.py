@@ -100,10 +100,10 @@ def report_blocks(report: Report) -> list[Block]:
 def point_blocks(eq: Equilibrium) -> list[Block]:
     """The point, what holds on its family, and where the family exists."""
     coordinates = eq.system.space.coordinates
-    shown, roots = _named_roots(eq, ImmutableMatrix([eq.point]))
+    point, roots = _named_roots(eq, ImmutableMatrix([eq.point]))
     template = "({}) = ({})".format(", ".join(["{}"] * len(coordinates)), ", ".join(["{}"] * len(coordinates)))
     blocks: list[Block] = [Sentence(template + (", where " + ", ".join("{} = {}" for _ in roots) if roots else ""),
-                                    (*coordinates, *shown, *(part for pair in roots for part in pair)), eq.at)]
+                                    (*coordinates, *point, *(part for pair in roots for part in pair)), eq.at)]
     potential = eq.system.potential
     if potential and potential.given and potential.axial:
         jets = (symbol("dU"), symbol("d2U")) if eq.domain else (symbol("dU"),)

@@ -15,7 +15,6 @@ def differentials(eq: Equilibrium, functions: Sequence[Expr]) -> list[list[Expr]
     return [list(eq.at_point(eq.system.space.gradient(f))) for f in functions]
 
 
-@once
 def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
     """Basis of the tangent space of the coadjoint orbit, T = {δx : dC(δx) = 0}.
 

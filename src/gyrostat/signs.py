@@ -20,8 +20,8 @@ class Signs:
         self._nonzero: set[str] = set()
         self._quadratics: dict[str, int] = {}
         for expression in domain:
-            top, bottom = ring.fraction(expression)
-            sign, odd, even = self._factors(ring.reduce(top), ring.reduce(bottom), deep=False)
+            top, bottom = map(ring.reduce, ring.fraction(expression))
+            sign, odd, even = self._factors(*cancel(top, bottom), deep=False)
             self._nonzero.update(odd, even)
             if len(odd) == 1:
                 self._known[next(iter(odd))] = sign

@@ -52,13 +52,13 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
             here = "is not defined" if value is S.NaN else f"is {shown(value)}"
             raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: choose a point inside")
     for expression in eq.field_values():
-        if expression.free_symbols <= numbers.keys() and not is_real(value := evaluate(expression, numbers)):
+        if expression.free_symbols <= numbers.keys() and not _may_be_real(value := evaluate(expression, numbers)):
             raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a finite real number: "
                               "choose another point")
 
 
-def is_real(constant: Expr) -> bool:
-    """Whether a constant is a finite real number, by SymPy's word or an enclosure."""
+def _may_be_real(constant: Expr) -> bool:
+    """Whether a constant may be a finite real number: False where SymPy knows that it is none."""
     return bool(constant.is_finite is not False and constant.is_real is not False and constant is not S.NaN)
 
 
