@@ -45,3 +45,7 @@ class ExpressionError(GyrostatError, ValueError):
 
 class ValuesError(GyrostatError, ValueError):
     """The numbers given do not name a point of the family: missing, unknown, not exact or off the family."""
+
+
+class PublishedError(GyrostatError, ValueError):
+    """A file of published formulas, or one of its formulas, cannot be read; the message names the file and the key."""

@@ -29,7 +29,7 @@ _TOKEN = re.compile(r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P
 
 
 @dataclass(frozen=True)
-class _Part:
+class Part:
     """A parsed part and bounds on what expanding it could cost."""
 
     value: Expr
@@ -39,7 +39,12 @@ class _Part:
     nesting: int = 0
 
 
-class _Parser:
+class Parser:
+    """Recursive descent through the grammar; a language with more names and functions extends named and call."""
+
+    TOKEN = _TOKEN
+    HINT = "allowed are names, numbers, + - * / ** and parentheses"
+
     def __init__(self, text: str):
         self.text, self.place, self.depth, self.calls = text, 0, 0, 0
         if len(text) > LENGTH:
@@ -49,10 +54,10 @@ class _Parser:
     def _scan(self) -> list[tuple[str, str]]:
         tokens, place, end = [], 0, len(self.text.rstrip())
         while place < end:
-            match = _TOKEN.match(self.text, place)
+            match = self.TOKEN.match(self.text, place)
             if match is None:
                 rest = self.text[place:].lstrip()
-                hint = "write ** for powers" if rest[0] == "^" else "allowed are names, numbers, + - * / ** and parentheses"
+                hint = "write ** for powers" if rest[0] == "^" else self.HINT
                 self.fail(f"{rest[:12]!r} at character {len(self.text) - len(rest) + 1} is not part of the grammar", hint)
             tokens.append((str(match.lastgroup), match[str(match.lastgroup)]))
             place = match.end()
@@ -77,7 +82,7 @@ class _Parser:
             self.fail(f"{self.peek()!r} comes where an operator or the end should be", "check the operators and parentheses")
         return part.value
 
-    def sum(self) -> _Part:
+    def sum(self) -> Part:
         left = self.product()
         while sign := self.take("+", "-"):
             right = self.product()
@@ -86,7 +91,7 @@ class _Parser:
                                 max(left.bits, right.bits) + 1, max(left.nesting, right.nesting))
         return left
 
-    def product(self) -> _Part:
+    def product(self) -> Part:
         left = self.factor()
         while sign := self.take("*", "/"):
             right = self.factor()
@@ -96,13 +101,13 @@ class _Parser:
                                 left.bits + right.bits, max(left.nesting, right.nesting))
         return left
 
-    def factor(self) -> _Part:
+    def factor(self) -> Part:
         self.depth += 1
         if self.depth > DEPTH:
             self.fail(f"it is nested more than {DEPTH} deep", "write it flatter")
         if sign := self.take("+", "-"):
             part = self.factor()
-            result = part if sign == "+" else _Part(-part.value, part.terms, part.degree, part.bits, part.nesting)
+            result = part if sign == "+" else Part(-part.value, part.terms, part.degree, part.bits, part.nesting)
         else:
             result = self.atom()
             if self.take("**"):
@@ -113,7 +118,7 @@ class _Parser:
         self.depth -= 1
         return result
 
-    def power(self, base: _Part, exponent: Rational) -> _Part:
+    def power(self, base: Part, exponent: Rational) -> Part:
         size = abs(int(exponent.p))
         if exponent.q > 12 or size > DEGREE and base.value not in (0, 1, -1):
             self.fail(f"the exponent {str(exponent)[:20]} is too large", f"exponents go up to {DEGREE}, roots up to the 12th")
@@ -122,15 +127,15 @@ class _Parser:
         terms = math.comb(size + base.terms - 1, size) if base.terms <= TERMS else TERMS + 1
         return self.bounded(base.value**exponent, terms, base.degree * size, base.bits * max(size, 1), base.nesting)
 
-    def bounded(self, value: Expr, terms: int, degree: int, bits: int, nesting: int) -> _Part:
+    def bounded(self, value: Expr, terms: int, degree: int, bits: int, nesting: int) -> Part:
         if terms > TERMS or degree > DEGREE or bits > BITS:
             self.fail(f"expanded, it could have {min(terms, 10**9)} terms, degree {degree} or numbers of {bits} bits",
                       f"the limits are {TERMS} terms, degree {DEGREE}, {BITS} bits")
         if not value.free_symbols and (value.is_finite is False or value.is_real is False):
             self.fail("a part of it is not a finite real number", "check divisions, roots, logarithms and inverse functions")
-        return _Part(value, terms, degree, bits, nesting)
+        return Part(value, terms, degree, bits, nesting)
 
-    def atom(self) -> _Part:
+    def atom(self) -> Part:
         kind, token = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
         self.place += 1
         if kind == "number":
@@ -145,18 +150,18 @@ class _Parser:
         self.fail(f"{token!r} stands where a number or a name should be" if token else "it ends too early",
                   "complete the expression")
 
-    def number(self, token: str) -> _Part:
+    def number(self, token: str) -> Part:
         if len(token) > 400 or abs(int(re.split("[eE]", token)[1]) if re.search("[eE]", token) else 0) > 400:
             self.fail(f"the number {token[:20]}... is too long", "numbers have up to 400 digits")
         value = Rational(Fraction(token))
-        return _Part(value, bits=max(int(value.p).bit_length(), int(value.q).bit_length(), 1))
+        return Part(value, bits=max(int(value.p).bit_length(), int(value.q).bit_length(), 1))
 
-    def named(self, token: str) -> _Part:
+    def named(self, token: str) -> Part:
         if token in FUNCTIONS:
             self.fail(f"the function {token} has no argument", f"write {token}(...)")
-        return _Part(sympy.pi) if token == "pi" else _Part(symbol(token), degree=1)
+        return Part(sympy.pi) if token == "pi" else Part(symbol(token), degree=1)
 
-    def call(self, token: str) -> _Part:
+    def call(self, token: str) -> Part:
         if token not in FUNCTIONS:
             self.fail(f"{token} is not a function of the grammar", "the functions are " + ", ".join(FUNCTIONS))
         self.calls += 1
@@ -189,7 +194,7 @@ def parse(text: str) -> Expr:
     Traceback (most recent call last):
     gyrostat.errors.ExpressionError: cannot read '9**9**9': the exponent 387420489 is too large; exponents go up to 100, ...
     """
-    return _Parser(text).whole()
+    return Parser(text).whole()
 
 
 def shown(number: Any, digits: int = 40) -> str:

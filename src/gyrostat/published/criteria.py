@@ -1,0 +1,161 @@
+"""Published conditions and verdicts beside the criteria the library derives, both in margin normal form."""
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from sympy import Expr, S, Symbol
+
+from ..algebra import Ring
+from ..conditions import Condition, Criterion
+from ..equilibria import Equilibrium
+from ..errors import PublishedError
+from ..implication import Item, reduced
+from ..notation import symbol
+from ..signs import Signs
+from ..stability import Report, analyze
+from .scenes import Scene
+
+Margins = Sequence[tuple[Expr, bool]]
+CLAIMS = ("necessary for stability", "sufficient for stability", "sufficient for stability, Casimirs alone",
+          "necessary and sufficient for stability", "sufficient for instability", "existence", "sufficient for periodic motion")
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A scene on the domain where a claim is made.
+
+    Parameters
+    ----------
+    scene : Scene
+    given : tuple of Expr          positive where the claim is made
+    at : mapping                   values inserted
+    """
+
+    scene: Scene
+    given: tuple[Expr, ...]
+    at: Mapping[Symbol, Expr]
+
+    @cached_property
+    def equilibrium(self) -> Equilibrium:
+        """The equilibrium of the scene, its domain narrowed to what is given."""
+        if (eq := self.scene.equilibrium) is None:
+            raise PublishedError("a claim of stability or existence needs a scene with an equilibrium")
+        return replace(eq, domain=(*eq.domain, *self.given))
+
+    @cached_property
+    def report(self) -> Report:
+        """Its analysis."""
+        return analyze(self.equilibrium)
+
+    @property
+    def domain(self) -> tuple[Expr, ...]:
+        """Positive where the claim is made and the scene exists."""
+        positive = self.equilibrium.existence() if self.scene.equilibrium else self.given
+        return tuple(e.xreplace(self.at) for e in positive)
+
+    def derived(self, claim: str) -> Criterion:
+        """What the library derives for a claim, with the values inserted."""
+        found = self._derived(claim)
+        return replace(found, alternatives=tuple(tuple(replace(
+            c, margin=c.margin.xreplace(self.at), degenerate=tuple(e.xreplace(self.at) for e in c.degenerate)) for c in alternative)
+            for alternative in found.alternatives))
+
+    def _derived(self, claim: str) -> Criterion:
+        """What the library derives for a claim.
+
+        Raises
+        ------
+        PublishedError       the claim is none of those that can be checked
+        """
+        if claim in ("necessary for stability", "necessary and sufficient for stability"):
+            return self.report.necessary
+        if claim == "sufficient for stability":
+            return self.report.sufficient
+        if claim == "sufficient for stability, Casimirs alone":
+            return self.report.casimirs_only
+        if claim == "sufficient for instability":
+            return Criterion("instability", tuple((replace(c, margin=-c.margin, strict=True),)
+                                                  for (a,) in [self.report.necessary.alternatives] for c in a))
+        if claim == "existence":
+            return _criterion(claim, [(e, True) for e in self.scene.equilibrium.existence()] if self.scene.equilibrium else [])
+        if claim == "sufficient for periodic motion":
+            return self._periodic()
+        raise PublishedError(f"quantity = {claim!r}: a condition is {', '.join(CLAIMS)}")
+
+    def _periodic(self) -> Criterion:
+        """|M|² = L2 between its limits on the energy surface E, and not on the separatrix, where the period is infinite."""
+        if self.scene.potential is not None or any(self.scene.body.gyrostatic_momentum):
+            raise PublishedError("periodic motion is decided for a free rigid body: leave out potential and gyrostatic_momentum")
+        E, L2 = symbol("E"), symbol("L2")
+        low, middle, high = (L2 - 2 * E * moment for moment in self.scene.body.inertia)
+        return _criterion("periodic", [(low, True), (-high, True), (middle**2, True)])
+
+    def verdict(self) -> str:
+        """stable, unstable or undecided, where it is the same on the whole domain."""
+        if () in normal(self.report.sufficient, self.domain):
+            return "stable"
+        return "unstable" if not normal(self.report.necessary, self.domain) else "undecided"
+
+
+def _criterion(notion: str, margins: Margins) -> Criterion:
+    return Criterion(notion, (tuple(Condition(margin, strict, notion, (), symbol("k3")) for margin, strict in margins),))
+
+
+def printed_criterion(margins: Margins, at: Expr) -> Criterion:
+    """Printed comparisons as a criterion, not yet in normal form."""
+    return Criterion("printed", (tuple(Condition(margin, strict, "printed", (), at) for margin, strict in margins),))
+
+
+Normal = frozenset[tuple[Expr, bool, frozenset[Expr]]]
+
+
+def normal(criterion: Criterion, domain: Iterable[Expr]) -> set[Normal | tuple[()]]:
+    """The alternatives of a criterion, each as its independent conditions in normal form; () is always true."""
+    domain = list(domain)
+    conditions = [c for alternative in criterion.alternatives for c in alternative]
+    ring = Ring([e for c in conditions for e in (c.margin, *c.degenerate)] + domain)
+    signs = Signs(ring, domain)
+    found: set[Normal | tuple[()]] = set()
+    for alternative in criterion.alternatives:
+        items = reduced([_item(c, ring, signs) for c in alternative], signs)
+        if items is not None:
+            found.add(frozenset((ring.expression(i.margin), i.strict, frozenset(map(ring.expression, i.degenerate)))
+                                for i in items) or ())
+    return {()} if () in found else found
+
+
+def _item(condition: Condition, ring: Ring, signs: Signs) -> Item:
+    margin, even = signs.split(*ring.fraction(condition.margin))
+    for factor in condition.degenerate:
+        odd, more = signs.split(*ring.fraction(factor))
+        even = (*even, *more, *(() if odd.is_constant() and odd else (odd,)))
+    return Item(margin, even, condition.strict, condition.source)
+
+
+def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[Expr]) -> bool:
+    """Whether a printed condition is the derived one.
+
+    A sufficient condition for instability may leave out where an even factor vanishes.
+    """
+    domain = list(domain)
+    ours, theirs = normal(derived, domain), normal(printed, domain)
+    if claim == "sufficient for instability":
+        ours, theirs = ({frozenset((m, strict) for m, strict, _ in a) for a in side} for side in (ours, theirs))  # type: ignore[assignment]
+    return ours == theirs
+
+
+def free_symbols(criterion: Criterion) -> set[Symbol]:
+    """All symbols of a criterion."""
+    return {s for a in criterion.alternatives for c in a for e in (c.margin, *c.degenerate) for s in e.free_symbols}
+
+
+def holds(criterion: Criterion, values: dict[Symbol, Expr]) -> bool:
+    """Whether a criterion holds at rational values."""
+    return any(all(_holds(c, values) for c in alternative) for alternative in criterion.alternatives)
+
+
+def _holds(condition: Condition, values: dict[Symbol, Expr]) -> bool:
+    value = condition.margin.subs(values)
+    if any(e.subs(values) == 0 for e in condition.degenerate):
+        value = S.Zero
+    return bool(value > 0 if condition.strict else value >= 0)

@@ -1,0 +1,230 @@
+"""What confirms a counterexample: Newton and Euler's equations at rational numbers, by cross products and matrices.
+
+Nothing here uses the bracket, the linearisation or the criteria of the library, nor any published formula.
+"""
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import mpmath
+from sympy import Expr, ImmutableMatrix, Integer, Matrix, MatrixBase, Poly, Rational, Symbol, cos, diag, factorial, hessian, linsolve, sin
+
+from ..errors import PublishedError
+from ..notation import jet, symbol
+from .scenes import Scene
+
+Values = Mapping[Symbol, Expr]
+PI, K = (Matrix([symbol(f"{x}{i}") for i in (1, 2, 3)]) for x in ("pi", "k"))
+DIGITS = 50
+
+
+class Model:
+    """A scene at numbers: the field ẋ = f(x), and the point of the equilibrium if there is one."""
+
+    def __init__(self, scene: Scene, values: Values):
+        self.values = dict(values)
+        self.inertia = [moment.subs(self.values) for moment in scene.body.inertia]
+        self.rotor = Matrix([part.subs(self.values) for part in scene.body.gyrostatic_momentum])
+        self.label = scene.table.get("equilibrium")
+        self.coordinates = [*PI, *K] if scene.potential else [*PI]
+        self.k3 = {"E1": Integer(1), "E2": Integer(-1)}.get(str(self.label), self.values.get(K[2], Integer(0)))
+        self.U = self._potential(scene) if scene.potential else Integer(0)
+        self.point = self._point() if self.label else [x.subs(self.values) for x in self.coordinates]
+        if self.label and any(self.field.subs(dict(zip(self.coordinates, self.point)))):
+            raise PublishedError(f"{self.label} is no equilibrium of Newton and Euler's equations at {self.values}")
+
+    def _potential(self, scene: Scene) -> Expr:
+        """U as a polynomial with the derivatives given, or the expression at its numbers."""
+        potential = scene.potential
+        assert potential is not None
+        if potential.given:
+            return potential.expression.subs({s: v for s, v in self.values.items() if s not in potential.variables})
+        if not potential.axial:
+            return sum((self.values[symbol(f"dU_{i}")] * K[i - 1] for i in (1, 2, 3)), Integer(0))
+        slope = self.values.get(symbol("dU"))
+        if self.label == "E3":                             # what balances the torques at the point
+            omega, l = self.values[symbol("omega")], self.rotor[2]
+            slope = omega * (l + self.inertia[2] * omega * self.k3) - omega**2 * self.inertia[0] * self.k3
+        jets = [slope, *(self.values.get(symbol(f"d{n}U"), Integer(0)) for n in (2, 3))]
+        return sum((d * (K[2] - self.k3) ** n / factorial(n) for n, d in enumerate(jets, 1) if d is not None), Integer(0))
+
+    def _point(self) -> list[Expr]:
+        if self.label in ("E1", "E2"):
+            spin = self.values.get(symbol("pi3_0"), self.inertia[2] * self.values.get(symbol("omega3_0"), Integer(0)))
+            return [Integer(0), Integer(0), spin, Integer(0), Integer(0), self.k3]
+        if self.label == "E3":
+            k = [self.values.get(x, Integer(0)) for x in K]
+            return [*(moment * self.values[symbol("omega")] * x for moment, x in zip(self.inertia, k)), *k]
+        axis = int(str(self.label)[-1])
+        return [self.inertia[axis - 1] * self.values[symbol(f"omega{i}_0")] if i == axis else Integer(0) for i in (1, 2, 3)]
+
+    @property
+    def omega(self) -> Matrix:
+        """Angular velocity."""
+        return Matrix([p / moment for p, moment in zip(PI, self.inertia)])
+
+    @property
+    def field(self) -> Matrix:
+        """π̇ = (π + l) × ω + k × ∇U, k̇ = k × ω."""
+        torque = K.cross(Matrix([self.U.diff(x) for x in K])) if self.U else Matrix([0, 0, 0])
+        turning = (PI + self.rotor).cross(self.omega) + torque
+        return Matrix([*turning, *K.cross(self.omega)]) if len(self.coordinates) == 6 else turning
+
+    def jacobian(self) -> Matrix:
+        """∂f/∂x at the point."""
+        return self.field.jacobian(self.coordinates).subs(dict(zip(self.coordinates, self.point)))
+
+    def growth(self) -> mpmath.mpf:
+        """Largest real part of an eigenvalue, to 50 digits."""
+        with mpmath.workdps(2 * DIGITS):
+            J = self.jacobian()
+            values, _ = mpmath.eig(mpmath.matrix([[mpmath.mpf(int(x.p)) / int(x.q) for x in J.row(i)] for i in range(J.rows)]))
+            return max(mpmath.re(v) for v in values)
+
+    def polynomial(self) -> Expr:
+        """Characteristic polynomial on the orbit: each Casimir gives a factor λ of that of the whole field."""
+        lamda = symbol("lamda")
+        casimirs = 2 if len(self.coordinates) == 6 else 1
+        return Poly(self.jacobian().charpoly().all_coeffs()[:-casimirs], lamda).as_expr()
+
+    def isolated(self) -> bool:
+        """Whether the level set of all integrals near the point is only its orbit under the spin: then it is Lyapunov stable.
+
+        For a body of revolution I1² k̇3² = g(k3); a maximum of g at the equilibrium, where g = 0, isolates it. A pole is
+        approached from inside. On so(3)* the energy has a strict extremum on the sphere.
+        """
+        if len(self.coordinates) == 3:
+            axis = int(str(self.label)[-1])
+            slope = self.omega[axis - 1].subs(PI[axis - 1], self.point[axis - 1]) / (self.point[axis - 1] + self.rotor[axis - 1])
+            excess = [1 / moment - slope for i, moment in enumerate(self.inertia, 1) if i != axis]
+            return bool(excess[0] * excess[1] > 0)
+        at = dict(zip(self.coordinates, self.point))
+        z, M = symbol("z"), PI + self.rotor
+        energy = (sum(p**2 / moment for p, moment in zip(PI[:2], self.inertia)) / 2 + self.U).subs(at)
+        momentum, total = M.dot(K).subs(at), M[2].subs(at)
+        g = 2 * self.inertia[0] * (energy - self.U.subs(K[2], z)) * (1 - z**2) - (momentum - total * z) ** 2
+        x = symbol("x")
+        pole = self.label in ("E1", "E2")
+        terms = Poly(g.subs(z, self.k3 * (1 - x) if pole else self.k3 + x).expand(), x).terms()[::-1]
+        (power,), coefficient = terms[0]
+        return bool(coefficient < 0 and (pole or power % 2 == 0))
+
+    def inertia_of_second_variation(self) -> tuple[int, int, int]:
+        """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC1 ∩ ker dC2."""
+        at = dict(zip(self.coordinates, self.point))
+        h = sum(p**2 / moment for p, moment in zip(PI, self.inertia)) / 2 + self.U
+        C = [(PI + self.rotor).dot(K), K.dot(K)]
+        gradients = Matrix([[f.diff(x) for x in self.coordinates] for f in (h, *C)]).subs(at)
+        a, b = symbol("a"), symbol("b")
+        ((nu1, nu2),) = linsolve(list(gradients.row(0) + a * gradients.row(1) + b * gradients.row(2)), [a, b])
+        form = hessian(h + nu1 * C[0] + nu2 * C[1], self.coordinates).subs(at)
+        kernel = Matrix.hstack(*gradients[1:, :].nullspace())
+        roots = Poly((kernel.T * form * kernel).charpoly().all_coeffs(), symbol("lamda"))
+        zero = min(monomial[0] for monomial in roots.monoms())
+        positive = roots.count_roots(0, None) - (1 if zero else 0)
+        return positive, zero, roots.degree() - zero - positive
+
+
+def names(scene: Scene, values: Values) -> dict[str, Any]:
+    """The names of a scene at numbers; functions of the motion differentiate along the field of Newton and Euler."""
+    return _turning(scene, values) if "angles" in scene.table else _moving(Model(scene, values))
+
+
+def _functions() -> dict[str, Callable[..., Any]]:
+    return {"cross": lambda a, b: a.cross(b), "dot": lambda a, b: (a.T * b)[0, 0], "transpose": lambda a: a.T,
+            "inverse": lambda a: a.inv(), "rank": lambda a: Integer(a.rank()), "diff": lambda f, x: f.diff(x),
+            "entry": lambda a, i, j: a[i - 1, j - 1]}
+
+
+def _moving(model: Model) -> dict[str, Any]:
+    x, field = model.coordinates, model.field
+    h = sum(p**2 / moment for p, moment in zip(PI, model.inertia)) / 2 + model.U
+    named: dict[str, Any] = {str(s): v for s, v in model.values.items() if s not in x and not jet(s.name)}
+    named |= {str(s): s for s in x}
+    M = PI + model.rotor
+    named |= {f"omega{i}": model.omega[i - 1] for i in (1, 2, 3)}
+    named |= {"vector_pi": PI, "vector_k": K, "vector_l": model.rotor, "vector_M": M, "vector_omega": model.omega, "h": h, "U": model.U,
+              "T": h - model.U, "C": M.dot(M), "C1": M.dot(K), "C2": K.dot(K), "field": field, "state": Matrix(x)}
+    if model.U:
+        slope = model.U.diff(K[2])
+        named |= {"dU": slope, "d2U": slope.diff(K[2]), "d3U": slope.diff(K[2], 2), **{f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}}
+    if model.label:
+        place = dict(zip(x, model.point))
+        named = {name: v.subs(place) if isinstance(v, (Expr, MatrixBase)) else v for name, v in named.items()}
+        J, polynomial, lamda = model.jacobian(), model.polynomial(), symbol("lamda")
+        four = [0, 1, 3, 4] if len(x) == 6 else [i for i in range(3) if i + 1 != int(str(model.label)[-1])]
+        named |= {"jacobian": J, "linearization": J.extract(four, four), "polynomial": polynomial.subs(model.values), "lamda": model.values.get(lamda, lamda),
+                  "identity": diag(*[1] * len(four)), "q": polynomial.coeff(lamda, 0)}
+        return named | ({"p": polynomial.coeff(lamda, 2)} if len(x) == 6 else {}) | _functions()
+
+    def along(direction: Matrix) -> Callable[[Any], Any]:
+        def one(f: Expr) -> Expr:
+            return sum((f.diff(s) * rate for s, rate in zip(x, direction)), Integer(0))
+        return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)
+
+    def bracket(f: Any, g: Expr) -> Any:
+        """{f, g} = ∇f · (M × ∂πg + k × ∂kg, k × ∂πg)."""
+        c, d = (Matrix([g.diff(s) for s in part]) for part in (PI, K))
+        return along(Matrix([*(M.cross(c) + K.cross(d)), *K.cross(c)]))(f)
+
+    delta = Matrix([model.values.get(symbol(f"delta_{s}"), Integer(0)) for s in x])
+    named |= {"delta_pi": Matrix(delta[:3]), "delta_k": Matrix(delta[3:]), "dt": along(field), "variation": along(delta),
+              "bracket": bracket, "gradient_pi": lambda f: Matrix([f.diff(s) for s in PI]),
+              "gradient_k": lambda f: Matrix([f.diff(s) for s in K])}
+    named |= {f: sum((model.values.get(symbol(f"{f}{i}"), Integer(0)) * s for i, s in enumerate(x, 1)), Integer(0)) for f in "FG"}
+    return named | _functions()
+
+
+def _turning(scene: Scene, values: Values) -> dict[str, Any]:
+    """Kinematics from the product of three turns at angles φ(t), θ(t), ψ(t)."""
+    t = Symbol("t")
+    given = {str(s): v for s, v in values.items()}
+    inertia = [moment.subs(dict(values)) for moment in scene.body.inertia]
+
+    def turn(axis: str, angle: Expr) -> Matrix:
+        c, s, a = cos(angle), sin(angle), "xyz".index(axis)
+        i, j = (a + 1) % 3, (a + 2) % 3
+        R = Matrix.eye(3)
+        R[i, i], R[i, j], R[j, i], R[j, j] = c, -s, s, c
+        return R
+
+    def motion(rates: list[Expr]) -> list[Expr]:
+        return [given[x] + rate * t + given.get(f"{x}_ddot", Integer(0)) * t**2 / 2 for x, rate in zip(("phi", "theta", "psi"), rates)]
+
+    def spun(angles: list[Expr]) -> tuple[Matrix, Matrix]:
+        R = Matrix.eye(3)
+        for axis, angle in zip(scene.table["angles"], angles):
+            R = R * turn(axis, angle)
+        W = R.T * R.diff(t)
+        return R, Matrix([W[2, 1], W[0, 2], W[1, 0]])
+
+    rates = [given.get(f"{x}_dot", Integer(0)) for x in ("phi", "theta", "psi")]
+    if "vertical" in scene.table:                          # the rates whose ω is that of the momentum along z
+        unknown = [Symbol(f"u{i}") for i in range(3)]
+        R, omega = spun(motion(unknown))
+        wanted = [given[scene.table["vertical"]] * x / moment for x, moment in zip(R.row(2), inertia)]
+        ((*rates,),) = linsolve([(a - b).subs(t, 0) for a, b in zip(omega, wanted)], unknown)
+    R, omega = spun(motion(rates))
+    pi = Matrix([moment * rate for moment, rate in zip(inertia, omega)])
+    k, A = R.row(2).T, Matrix([given.get(f"A{i}", Integer(0)) + given.get(f"A{i}_dot", Integer(0)) * t for i in (1, 2, 3)])
+    turned = turn(scene.table["angles"][2], motion(rates)[2]).T
+    unit = [Matrix([int(i == j) for j in range(3)]) for i in range(3)]
+    torque = R.T * (R * pi).diff(t)
+    J = Matrix(3, 3, lambda i, j: given.get(f"J{min(i, j) + 1}{max(i, j) + 1}", Integer(0)))
+    named: dict[str, Any] = {**given, "R": R, "vector_k": k, "vector_omega": omega, "vector_pi": pi, "vector_A": A, "tensor": J,
+                             "vector_z": unit[2], "axis_1": unit[0], "axis_2": unit[1], "axis_3": unit[2], "axis_vertical": k,
+                             "axis_nodes": turned * unit["xyz".index(scene.table["angles"][1])], "torque": torque,
+                             "tensor_torque": R.T * (R * J * omega).diff(t), "T": pi.dot(omega) / 2}
+    named |= {f"vector_{x}": Matrix([given.get(f"{x}{i}", Integer(0)) for i in (1, 2, 3)]) for x in "mr"}
+    for name, v in (("k", k), ("omega", omega), ("pi", pi), ("tau", torque)):
+        named |= {f"{name}{i}": v[i - 1] for i in (1, 2, 3)}
+    named |= {x: angle for x, angle in zip(("phi", "theta", "psi"), motion(rates))}
+    named |= {f"{x}_dot": angle.diff(t) for x, angle in zip(("phi", "theta", "psi"), motion(rates))}
+    named["lagrangian"] = named["T"] - (scene.potential.expression.subs(dict(values)).subs(symbol("k3"), k[2]) if scene.potential else 0)
+    return named | _functions() | {"dt": lambda f: f.diff(t) if hasattr(f, "diff") else Integer(0), "now": lambda f: f.subs(t, 0)}
+
+
+def number(value: Expr, scene: Scene, values: Values) -> Any:
+    """A value of these names at the instant of the counterexample: exact where it is rational, else to 30 digits."""
+    place = {Symbol("t"): Integer(0)} if "angles" in scene.table else {s: v for s, v in values.items() if s in {*PI, *K}}
+    at = value.subs(place)
+    return at if isinstance(at, Rational) or at.free_symbols else at.evalf(30)

@@ -1,0 +1,134 @@
+"""The formulas of published files: the whitelist grammar with vectors, functions of the motion and comparisons."""
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from sympy import Abs, Expr, ImmutableMatrix, MatrixBase
+from sympy.matrices.exceptions import MatrixError
+
+from ..errors import ExpressionError, ValuesError
+from ..expressions import FUNCTIONS, Parser, Part
+
+_COMPARISON = re.compile(r"\s*(<=|>=|<|>)\s*")
+
+
+class _Formula(Parser):
+    """Names come from a scene; a function may be one of its functions and take several arguments."""
+
+    TOKEN = re.compile(Parser.TOKEN.pattern.replace("-+*/()", "-+*/(),"), re.ASCII)
+    HINT = "allowed are names, numbers, + - * / ** , and parentheses; matrices are lists of texts"
+
+    def __init__(self, text: str, names: Mapping[str, Any]):
+        self.names = names
+        super().__init__(text)
+
+    def named(self, token: str) -> Part:
+        if token in FUNCTIONS or token not in self.names:
+            return super().named(token) if token in FUNCTIONS else self.fail(
+                f"{token} is not a name of this scene", "its names are " + ", ".join(sorted(self.names)))
+        value = self.names[token]
+        if callable(value) and not isinstance(value, (Expr, MatrixBase)):
+            self.fail(f"the function {token} has no argument", f"write {token}(...)")
+        return Part(value, degree=1)
+
+    def call(self, token: str) -> Part:
+        function = self.names.get(token)
+        if token in FUNCTIONS or function is None or isinstance(function, (Expr, MatrixBase)):
+            if token not in FUNCTIONS:
+                offered = [n for n, v in self.names.items() if callable(v) and not isinstance(v, (Expr, MatrixBase))]
+                self.fail(f"{token} is not a function of this scene", "its functions are " + ", ".join(sorted({*offered, *FUNCTIONS})))
+            return super().call(token)
+        self.take("(")
+        arguments = [self.sum()]
+        while self.take(","):
+            arguments.append(self.sum())
+        if not self.take(")"):
+            self.fail("a closing parenthesis is missing", "close what you opened")
+        self.calls += 1
+        if self.calls > 30:
+            self.fail("it has more than 30 functions", "write it as several formulas")
+        return Part(function(*(part.value for part in arguments)), nesting=max(part.nesting for part in arguments) + 1)
+
+    def bounded(self, value: Any, terms: int, degree: int, bits: int, nesting: int) -> Part:
+        if isinstance(value, MatrixBase):
+            return Part(ImmutableMatrix(value), terms, degree, bits, nesting)
+        return super().bounded(value, terms, degree, bits, nesting)
+
+
+def read(printed: Any, names: Mapping[str, Any]) -> Any:
+    """The expression, vector or matrix that a printed text, or list of texts, stands for.
+
+    Parameters
+    ----------
+    printed : str or (nested) list of str
+    names : mapping                    what each name of the scene stands for: Expr, matrix or function
+
+    Raises
+    ------
+    ExpressionError                    outside the grammar, an unknown name, or shapes that do not fit
+
+    Examples
+    --------
+    >>> from gyrostat.notation import symbol
+    >>> read(["2*a", "1"], {"a": symbol("a")}).T
+    Matrix([[2*a, 1]])
+    """
+    if isinstance(printed, list):
+        rows = [[read(entry, names) for entry in row] if isinstance(row, list) else [read(row, names)] for row in printed]
+        if not rows or any(len(row) != len(rows[0]) for row in rows):
+            raise ExpressionError(f"cannot read a list of {len(rows)} rows of lengths {[len(r) for r in rows]}: rows have one length")
+        return ImmutableMatrix(rows)
+    if not isinstance(printed, str):
+        raise ExpressionError(f"cannot read {printed!r}, a {type(printed).__name__}: formulas are texts, write \"...\"")
+    try:
+        return _Formula(printed, names).whole()
+    except (TypeError, AttributeError, MatrixError, NotImplementedError) as error:
+        raise ExpressionError(f"cannot read {printed!r}: vectors, matrices and numbers do not fit together ({error})") from None
+
+
+def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool]]:
+    """The comparisons of a text joined by "and", as (margin, strict): margin > 0, or margin ≥ 0.
+
+    A chain a < b < c says a < b, b < c and a < c; abs(x) < c, with c > 0, says c² − x² > 0.
+
+    Examples
+    --------
+    >>> from gyrostat.notation import symbol
+    >>> comparisons("0 < a <= 2", {"a": symbol("a")})
+    [(a, True), (2, True), (2 - a, False)]
+    """
+    found: list[tuple[Expr, bool]] = []
+    for part in re.split(r"\band\b", printed):
+        pieces = _COMPARISON.split(part)
+        if len(pieces) < 3:
+            raise ExpressionError(f"cannot read {part.strip()!r} as a condition: write left > right, with >, >=, < or <=")
+        sides = [read(piece, {**names, "abs": Abs}) for piece in pieces[::2]]
+        signs = pieces[1::2]
+        if len({sign[0] for sign in signs}) > 1:
+            raise ExpressionError(f"cannot read the chain {part.strip()!r}: all its signs point one way")
+        for i in range(len(sides)):
+            for j in range(i + 1, len(sides)):
+                small, large = (sides[i], sides[j]) if signs[0][0] == "<" else (sides[j], sides[i])
+                found.append((_margin(small, large), not all(sign.endswith("=") for sign in signs[i:j])))
+    return found
+
+
+def _margin(small: Expr, large: Expr) -> Expr:
+    return large**2 - small.args[0] ** 2 if isinstance(small, Abs) else large - small
+
+
+def decimal(printed: str) -> tuple[Expr, Expr]:
+    """A printed decimal and half a unit in its last place.
+
+    Examples
+    --------
+    >>> decimal("0.28")
+    (7/25, 1/200)
+    """
+    from sympy import Rational
+    match = re.fullmatch(r"[-+]?\d*\.?(\d*)", printed)
+    if match is None or not any(c.isdigit() for c in printed):
+        raise ValuesError(f"{printed!r} is not a decimal number: write it with the digits that are printed")
+    return Rational(printed), Rational(1, 2 * 10 ** len(match[1]))
+
+

@@ -1,0 +1,55 @@
+"""Rational points of a scene, in a fixed order, at which a printed and a derived formula are compared."""
+import random
+from collections.abc import Iterable, Iterator, Mapping
+
+from sympy import Expr, Rational, Symbol
+
+from ..notation import jet, symbol
+from .scenes import Scene
+
+_SIZES = [Rational(*pair) for pair in ((1, 1), (2, 1), (3, 1), (1, 2), (3, 2), (5, 2), (2, 3), (4, 3), (5, 1), (7, 2), (1, 4), (8, 1))]
+_DIRECTIONS = [tuple(Rational(x, n) for x in v) for *v, n in (
+    (2, 1, 2, 3), (1, 2, -2, 3), (6, 3, 2, 7), (2, 6, -3, 7), (4, 4, 7, 9), (1, 4, 8, 9), (8, -4, 1, 9), (2, -3, 6, 7), (3, 4, 0, 5))]
+K = tuple(symbol(f"k{i}") for i in (1, 2, 3))
+TRIALS = 400
+
+
+def unknowns(scene: Scene, expressions: Iterable[Expr]) -> list[Symbol]:
+    """Every symbol that a point of the scene needs a number for."""
+    found = {s for e in expressions for s in e.free_symbols}
+    found |= {s for e in (*scene.body.inertia, *scene.body.gyrostatic_momentum) for s in e.free_symbols}
+    potential, eq = scene.potential, scene.equilibrium
+    if potential:
+        found |= set(potential.parameters)
+        if not potential.given:
+            found |= {symbol("dU"), symbol("d2U"), symbol("d3U")} if potential.axial else {symbol(f"dU_{i}") for i in (1, 2, 3)}
+    if "angles" in scene.table:
+        found |= {symbol(f"{x}{d}") for x in ("phi", "theta", "psi") for d in ("", "_dot", "_ddot")}
+        return sorted(found - {symbol("t")}, key=str)
+    if eq is None:
+        return sorted(found | set(scene.system.space.coordinates), key=str)
+    found |= {s for e in (*scene.point, *eq.existence()) for s in e.free_symbols}
+    bound = {name for name, _ in eq.relations} if potential and not potential.given else {symbol(eq.eliminated)} if eq.eliminated else set()
+    return sorted(found - bound, key=str)
+
+
+def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at: Mapping[Symbol, Expr],
+           inside: bool = True) -> Iterator[dict[Symbol, Expr]]:
+    """Points of the scene, k a unit vector, where everything given is positive and, if inside, the equilibrium exists."""
+    names, positive, eq = unknowns(scene, expressions), list(given), scene.equilibrium
+    positive += eq.existence() if eq and inside else []
+    directions = [v for v in _DIRECTIONS if v[2] == at.get(K[2], v[2])]
+    chance, found = random.Random(1), 0
+    for _ in range(50 * TRIALS):
+        values = {s: chance.choice(_SIZES) * (1 if s.is_positive or chance.random() < 0.7 else -1) for s in names}
+        values |= {s: x for s, x in zip(K, chance.choice(directions)) if s in values}
+        values |= {name: value.subs(values) for name, value in at.items()}
+        values |= {name: value.subs(values) for name, value in eq.relations if not jet(name.name)} if eq else {}
+        if all(x.is_finite for x in values.values()) and all(_positive(e.subs(values)) for e in positive):
+            yield values
+            if (found := found + 1) == TRIALS:
+                return
+
+
+def _positive(value: Expr) -> bool:
+    return value.is_positive is True
