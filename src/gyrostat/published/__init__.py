@@ -1,1 +1,198 @@
 """Published formulas: load them, exactly as printed, and check each against what the library derives."""
+import tomllib
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from ..errors import GyrostatError, PublishedError
+from . import claims, formulas
+from .scenes import Scene
+from .statements import KINDS, Counterexample, Outcome, Reading, Statement
+
+SOURCES = ("VV2003", "N2025", "EA", "AR", "literature")
+_HERE = Path(__file__).parent
+_REQUIRED = ("key", "where", "quantity", "printed", "kind")
+_OPTIONAL: Mapping[str, type] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str, "constants": list}
+_CHECKS: Mapping[str, Callable[[Reading], Outcome]] = {
+    "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium, "solution": formulas.solution,
+    "number": formulas.number, "condition": claims.condition, "statement": claims.statement}
+_STATUS = {True: "confirmed", False: "misprint", None: "unchecked"}
+
+
+@dataclass(frozen=True)
+class Source:
+    """One file of published formulas.
+
+    Parameters
+    ----------
+    name, title : str
+    statements : tuple of Statement
+    expected : mapping of key to status      "misprint" or "unchecked"; everything else is expected to be confirmed
+    """
+
+    name: str
+    title: str
+    statements: tuple[Statement, ...]
+    expected: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What the library found of one statement.
+
+    Parameters
+    ----------
+    statement : Statement
+    status : str                             confirmed, misprint or unchecked: computed, never stored
+    expected : str
+    outcome : Outcome                        printed, derived, difference and counterexample
+    """
+
+    statement: Statement
+    status: str
+    expected: str
+    outcome: Outcome
+
+
+def load(source: str | Path) -> Source:
+    """The statements of a source, by its name, or by the path of a TOML file of the same format.
+
+    Parameters
+    ----------
+    source : str or Path      VV2003, N2025, EA, AR, literature; or a path ending in .toml
+
+    Raises
+    ------
+    PublishedError            there is no such source, or the file does not follow the format; the message names file and key
+
+    Examples
+    --------
+    >>> statement = load("VV2003").statements[-1]
+    >>> statement.kind, statement.where
+    ('statement', 'abstract; §6')
+    """
+    if str(source) in SOURCES:
+        return _own(str(source))
+    path = Path(source)
+    if path.suffix != ".toml":
+        raise PublishedError(f"{source} is not a source: give {', '.join(SOURCES)}, or the path of a .toml file")
+    return _read(path, None)
+
+
+@cache
+def _own(name: str) -> Source:
+    expected = tomllib.loads((_HERE / "expected.toml").read_text(encoding="utf-8"))
+    return _read(_HERE / f"{name}.toml", expected[name])
+
+
+def _read(path: Path, expected: Mapping[str, Any] | None) -> Source:
+    try:
+        data = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError) as error:
+        raise PublishedError(f"{path}: cannot be read ({error}): give a text file in UTF-8") from None
+    except tomllib.TOMLDecodeError as error:
+        raise PublishedError(f"{path}: is not TOML: {error}") from None
+    header = data.get("source")
+    if not isinstance(header, dict) or not all(isinstance(header.get(field), str) for field in ("name", "title")):
+        raise PublishedError(f"{path}: has no [source] table with name and title: see the README for an example")
+    if unknown := set(data) - {"source", "scene", "formula", "expected"}:
+        raise PublishedError(f"{path}: has the unknown tables {', '.join(sorted(unknown))}: a file has source, scene, formula, expected")
+    scenes = {"": Scene()}
+    for name, table in data.get("scene", {}).items():
+        with _at(path, f"scene.{name}"):
+            scenes[name] = Scene(table)
+    statements = [_statement(path, header, scenes, entry) for entry in data.get("formula", [])]
+    keys = [s.key for s in statements]
+    if twice := {key for key in keys if keys.count(key) > 1}:
+        raise PublishedError(f"{path}: the keys {', '.join(sorted(twice))} occur twice: give each formula its own")
+    table = data.get("expected", {}) if expected is None else expected
+    status = {key: name for name in ("misprint", "unchecked") for key in table.get(name, ())}
+    if unknown := set(status) - set(keys):
+        raise PublishedError(f"{path}: a status is expected of {', '.join(sorted(unknown))}, but there is no such key")
+    return Source(header["name"], header["title"], tuple(statements), status)
+
+
+class _at:
+    """Errors with the file and the key they belong to."""
+
+    def __init__(self, path: Path, key: str):
+        self.path, self.key = path, key
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
+        if isinstance(error, GyrostatError):
+            raise PublishedError(f"{self.path}: {self.key}: {error}") from None
+
+
+def _statement(path: Path, header: Mapping[str, Any], scenes: Mapping[str, Scene], entry: Mapping[str, Any]) -> Statement:
+    key = entry.get("key", "a formula without a key")
+    with _at(path, key):
+        if missing := [field for field in _REQUIRED if field not in entry]:
+            raise PublishedError(f"lacks {', '.join(missing)}: a formula has {', '.join(_REQUIRED)}")
+        for field, value in entry.items():
+            if field not in _REQUIRED and field not in _OPTIONAL:
+                raise PublishedError(f"has the unknown entry {field}: there are {', '.join((*_REQUIRED, *_OPTIONAL))}")
+            wanted = _OPTIONAL.get(field, (str, list) if field in ("quantity", "printed") else str)
+            if not isinstance(value, wanted):
+                raise PublishedError(f"{field} = {value!r} is a {type(value).__name__}: write it as in the README's example")
+        if entry["kind"] not in KINDS:
+            raise PublishedError(f"kind = {entry['kind']!r}: the kinds are {', '.join(KINDS)}")
+        name = entry.get("scene", header.get("scene", ""))
+        if name not in scenes:
+            raise PublishedError(f"scene = {name!r} is not in the file: its scenes are {', '.join(filter(None, scenes))}")
+        fields = {**entry, "scene": scenes[name], "constants": tuple(entry.get("constants", ()))}
+        return Statement(source=header["name"], file=str(path), **fields)
+
+
+def check(sources: Iterable[str | Path] = SOURCES, progress: Callable[[str, int, int], None] | None = None) -> list[Finding]:
+    """Check every statement of the sources against what the library derives from the bracket and the Hamiltonian.
+
+    Parameters
+    ----------
+    sources : iterable of str or Path     as in load; all by default
+    progress : function or None           called with the source, the number of statements done, and their total
+
+    Returns
+    -------
+    list of Finding
+
+    Raises
+    ------
+    PublishedError                        a formula cannot be read; the message names file and key
+
+    Examples
+    --------
+    >>> wrong = [f.statement.key for f in check(["AR"]) if f.status == "misprint"]
+    >>> wrong
+    ['Omega-1', 'Omega-2', 'Omega-3', '2K-dot', 'ellipsoid']
+    """
+    found = []
+    for source in map(load, sources):
+        for n, statement in enumerate(source.statements, 1):
+            found.append(_finding(source, statement))
+            if progress:
+                progress(source.name, n, len(source.statements))
+    return found
+
+
+def _finding(source: Source, statement: Statement) -> Finding:
+    with _at(Path(statement.file), statement.key):
+        outcome = outcome_of(statement)
+        return Finding(statement, _STATUS[outcome.agrees], source.expected.get(statement.key, "confirmed"), outcome)
+
+
+def outcome_of(statement: Statement) -> Outcome:
+    """The comparison of one statement.
+
+    Raises
+    ------
+    GyrostatError       it cannot be read, or a difference was found that is not confirmed independently
+    """
+    return _CHECKS[statement.kind](Reading(statement))
+
+
+__all__ = ["SOURCES", "Counterexample", "Finding", "Outcome", "Source", "Statement", "check", "load"]

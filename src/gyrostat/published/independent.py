@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import mpmath
-from sympy import Expr, ImmutableMatrix, Integer, Matrix, MatrixBase, Poly, Rational, Symbol, cos, diag, factorial, hessian, linsolve, sin
+from sympy import Expr, Float, Integer, Matrix, MatrixBase, Poly, Rational, Symbol, cos, diag, hessian, linsolve, sin, sqrt
 
 from ..errors import PublishedError
 from ..notation import jet, symbol
@@ -39,20 +39,21 @@ class Model:
         if potential.given:
             return potential.expression.subs({s: v for s, v in self.values.items() if s not in potential.variables})
         if not potential.axial:
-            return sum((self.values[symbol(f"dU_{i}")] * K[i - 1] for i in (1, 2, 3)), Integer(0))
+            return sum((self.values.get(symbol(f"dU_{i}"), Integer(0)) * K[i - 1] for i in (1, 2, 3)), Integer(0))
         slope = self.values.get(symbol("dU"))
         if self.label == "E3":                             # what balances the torques at the point
             omega, l = self.values[symbol("omega")], self.rotor[2]
             slope = omega * (l + self.inertia[2] * omega * self.k3) - omega**2 * self.inertia[0] * self.k3
         jets = [slope, *(self.values.get(symbol(f"d{n}U"), Integer(0)) for n in (2, 3))]
-        return sum((d * (K[2] - self.k3) ** n / factorial(n) for n, d in enumerate(jets, 1) if d is not None), Integer(0))
+        rise = K[2] - self.k3
+        return sum((d * rise**n / (1, 2, 6)[n - 1] for n, d in enumerate(jets, 1) if d is not None), Integer(0))
 
     def _point(self) -> list[Expr]:
         if self.label in ("E1", "E2"):
             spin = self.values.get(symbol("pi3_0"), self.inertia[2] * self.values.get(symbol("omega3_0"), Integer(0)))
             return [Integer(0), Integer(0), spin, Integer(0), Integer(0), self.k3]
         if self.label == "E3":
-            k = [self.values.get(x, Integer(0)) for x in K]
+            k = [self.values.get(K[0], sqrt(1 - self.k3**2)), self.values.get(K[1], Integer(0)), self.k3]
             return [*(moment * self.values[symbol("omega")] * x for moment, x in zip(self.inertia, k)), *k]
         axis = int(str(self.label)[-1])
         return [self.inertia[axis - 1] * self.values[symbol(f"omega{i}_0")] if i == axis else Integer(0) for i in (1, 2, 3)]
@@ -132,7 +133,8 @@ def names(scene: Scene, values: Values) -> dict[str, Any]:
 def _functions() -> dict[str, Callable[..., Any]]:
     return {"cross": lambda a, b: a.cross(b), "dot": lambda a, b: (a.T * b)[0, 0], "transpose": lambda a: a.T,
             "inverse": lambda a: a.inv(), "rank": lambda a: Integer(a.rank()), "diff": lambda f, x: f.diff(x),
-            "entry": lambda a, i, j: a[i - 1, j - 1]}
+            "entry": lambda a, i, j: a[i - 1, j - 1], "polhode_period": lambda *x: _period(x[:3], x[3:]),
+            **{name: (lambda u, m, i=i: _jacobi(u, m)[i]) for i, name in enumerate(("sn", "cn", "dn"))}}
 
 
 def _moving(model: Model) -> dict[str, Any]:
@@ -146,14 +148,15 @@ def _moving(model: Model) -> dict[str, Any]:
               "T": h - model.U, "C": M.dot(M), "C1": M.dot(K), "C2": K.dot(K), "field": field, "state": Matrix(x)}
     if model.U:
         slope = model.U.diff(K[2])
-        named |= {"dU": slope, "d2U": slope.diff(K[2]), "d3U": slope.diff(K[2], 2), **{f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}}
+        named |= {"dU": slope, "d2U": slope.diff(K[2]), "d3U": slope.diff(K[2], 2)}
+        named |= {f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}
     if model.label:
         place = dict(zip(x, model.point))
         named = {name: v.subs(place) if isinstance(v, (Expr, MatrixBase)) else v for name, v in named.items()}
         J, polynomial, lamda = model.jacobian(), model.polynomial(), symbol("lamda")
         four = [0, 1, 3, 4] if len(x) == 6 else [i for i in range(3) if i + 1 != int(str(model.label)[-1])]
-        named |= {"jacobian": J, "linearization": J.extract(four, four), "polynomial": polynomial.subs(model.values), "lamda": model.values.get(lamda, lamda),
-                  "identity": diag(*[1] * len(four)), "q": polynomial.coeff(lamda, 0)}
+        named |= {"jacobian": J, "linearization": J.extract(four, four), "identity": diag(*[1] * len(four)),
+                  "polynomial": polynomial.subs(model.values), "lamda": model.values.get(lamda, lamda), "q": polynomial.coeff(lamda, 0)}
         return named | ({"p": polynomial.coeff(lamda, 2)} if len(x) == 6 else {}) | _functions()
 
     def along(direction: Matrix) -> Callable[[Any], Any]:
@@ -175,52 +178,78 @@ def _moving(model: Model) -> dict[str, Any]:
 
 
 def _turning(scene: Scene, values: Values) -> dict[str, Any]:
-    """Kinematics from the product of three turns at angles φ(t), θ(t), ψ(t)."""
-    t = Symbol("t")
-    given = {str(s): v for s, v in values.items()}
-    inertia = [moment.subs(dict(values)) for moment in scene.body.inertia]
+    """Kinematics from the product of three turns at angles φ(t), θ(t), ψ(t), to 50 digits."""
+    t, zero = Symbol("t"), Float(0, DIGITS)
+    given = {str(s): Float(v, DIGITS) for s, v in values.items()}
+    inertia = [Float(moment.subs(dict(values)), DIGITS) for moment in scene.body.inertia]
+    unit = [Matrix([int(i == j) for j in range(3)]) for i in range(3)]
 
     def turn(axis: str, angle: Expr) -> Matrix:
-        c, s, a = cos(angle), sin(angle), "xyz".index(axis)
-        i, j = (a + 1) % 3, (a + 2) % 3
+        i, j = ("xyz".index(axis) + 1) % 3, ("xyz".index(axis) + 2) % 3
         R = Matrix.eye(3)
-        R[i, i], R[i, j], R[j, i], R[j, j] = c, -s, s, c
+        R[i, i], R[i, j], R[j, i], R[j, j] = cos(angle), -sin(angle), sin(angle), cos(angle)
         return R
 
-    def motion(rates: list[Expr]) -> list[Expr]:
-        return [given[x] + rate * t + given.get(f"{x}_ddot", Integer(0)) * t**2 / 2 for x, rate in zip(("phi", "theta", "psi"), rates)]
-
-    def spun(angles: list[Expr]) -> tuple[Matrix, Matrix]:
-        R = Matrix.eye(3)
-        for axis, angle in zip(scene.table["angles"], angles):
-            R = R * turn(axis, angle)
-        W = R.T * R.diff(t)
-        return R, Matrix([W[2, 1], W[0, 2], W[1, 0]])
-
-    rates = [given.get(f"{x}_dot", Integer(0)) for x in ("phi", "theta", "psi")]
-    if "vertical" in scene.table:                          # the rates whose ω is that of the momentum along z
-        unknown = [Symbol(f"u{i}") for i in range(3)]
-        R, omega = spun(motion(unknown))
-        wanted = [given[scene.table["vertical"]] * x / moment for x, moment in zip(R.row(2), inertia)]
-        ((*rates,),) = linsolve([(a - b).subs(t, 0) for a, b in zip(omega, wanted)], unknown)
-    R, omega = spun(motion(rates))
+    first, second, third = (turn(axis, given[x]) for axis, x in zip(scene.table["angles"], ("phi", "theta", "psi")))
+    k, line = (first * second * third).row(2).T, third.T * unit["xyz".index(scene.table["angles"][1])]
+    rates = [given.get(f"{x}_dot", zero) for x in ("phi", "theta", "psi")]
+    free = scene.table.get("vertical")
+    if free:                                               # the rates of the momentum along z, ω = φ̇ k + θ̇ line + ψ̇ e3
+        momentum = given[free] * k
+        rates = list(Matrix.hstack(k, line, unit[2]).solve(Matrix([p / moment for p, moment in zip(momentum, inertia)])))
+    bends = [zero if free else given.get(f"{x}_ddot", zero) for x in ("phi", "theta", "psi")]
+    angles = [given[x] + rate * t + bend * t**2 / 2 for x, rate, bend in zip(("phi", "theta", "psi"), rates, bends)]
+    R = Matrix.eye(3)
+    for axis, angle in zip(scene.table["angles"], angles):
+        R = R * turn(axis, angle)
+    W, k = R.T * R.diff(t), R.row(2).T
+    omega = Matrix([given[free] * x / moment for x, moment in zip(k, inertia)]) if free else Matrix([W[2, 1], W[0, 2], W[1, 0]])
     pi = Matrix([moment * rate for moment, rate in zip(inertia, omega)])
-    k, A = R.row(2).T, Matrix([given.get(f"A{i}", Integer(0)) + given.get(f"A{i}_dot", Integer(0)) * t for i in (1, 2, 3)])
-    turned = turn(scene.table["angles"][2], motion(rates)[2]).T
-    unit = [Matrix([int(i == j) for j in range(3)]) for i in range(3)]
+    A = Matrix([given.get(f"A{i}", zero) + given.get(f"A{i}_dot", zero) * t for i in (1, 2, 3)])
+    J = Matrix(3, 3, lambda i, j: given.get(f"J{min(i, j) + 1}{max(i, j) + 1}", zero))
     torque = R.T * (R * pi).diff(t)
-    J = Matrix(3, 3, lambda i, j: given.get(f"J{min(i, j) + 1}{max(i, j) + 1}", Integer(0)))
     named: dict[str, Any] = {**given, "R": R, "vector_k": k, "vector_omega": omega, "vector_pi": pi, "vector_A": A, "tensor": J,
                              "vector_z": unit[2], "axis_1": unit[0], "axis_2": unit[1], "axis_3": unit[2], "axis_vertical": k,
-                             "axis_nodes": turned * unit["xyz".index(scene.table["angles"][1])], "torque": torque,
-                             "tensor_torque": R.T * (R * J * omega).diff(t), "T": pi.dot(omega) / 2}
-    named |= {f"vector_{x}": Matrix([given.get(f"{x}{i}", Integer(0)) for i in (1, 2, 3)]) for x in "mr"}
+                             "axis_nodes": line, "torque": torque, "tensor_torque": R.T * (R * J * omega).diff(t), "T": pi.dot(omega) / 2}
+    named |= {f"vector_{x}": Matrix([given.get(f"{x}{i}", zero) for i in (1, 2, 3)]) for x in "mr"}
     for name, v in (("k", k), ("omega", omega), ("pi", pi), ("tau", torque)):
         named |= {f"{name}{i}": v[i - 1] for i in (1, 2, 3)}
-    named |= {x: angle for x, angle in zip(("phi", "theta", "psi"), motion(rates))}
-    named |= {f"{x}_dot": angle.diff(t) for x, angle in zip(("phi", "theta", "psi"), motion(rates))}
+    named |= dict(zip(("phi", "theta", "psi"), angles))
+    named |= {f"{x}_dot": angle.diff(t) for x, angle in zip(("phi", "theta", "psi"), angles)}
     named["lagrangian"] = named["T"] - (scene.potential.expression.subs(dict(values)).subs(symbol("k3"), k[2]) if scene.potential else 0)
-    return named | _functions() | {"dt": lambda f: f.diff(t) if hasattr(f, "diff") else Integer(0), "now": lambda f: f.subs(t, 0)}
+    return named | _functions() | {"dt": lambda f: f.diff(t)}
+
+
+def _period(inertia: tuple[Expr, ...], momentum: tuple[Expr, ...]) -> Expr:
+    """4 ∫ dM2/|Ṁ2| over a quarter of the polhode, M1 and M3 from the two conserved quantities (I1 < I2 < I3, M² > 2 E I2)."""
+    with mpmath.workdps(DIGITS):
+        (I1, I2, I3), M = ([mpmath.mpf(x.p) / x.q for x in xs] for xs in (inertia, momentum))
+        total, twice = sum(m**2 for m in M), sum(m**2 / i for m, i in zip(M, (I1, I2, I3)))
+        high, low = twice * I3 - total, total - twice * I1                 # M1² and M3² are affine in M2², M1 = 0 at the turning point
+        top = high * I2 / (I3 - I2)
+
+        def slope(angle: Any) -> Any:
+            M2 = mpmath.sqrt(top) * mpmath.sin(angle)
+            M3 = mpmath.sqrt((low - M2**2 * (1 - I1 / I2)) * I3 / (I3 - I1))
+            amplitude = mpmath.sqrt(high * I1 / (I3 - I1))                 # M1 = amplitude cos(angle)
+            return mpmath.sqrt(top) / (amplitude * M3 * (1 / I1 - 1 / I3))
+
+        return Float(4 * mpmath.quad(slope, [0, mpmath.pi / 4, mpmath.pi / 2]), 30)
+
+
+def _jacobi(u: Expr, m: Expr) -> list[Expr]:
+    """y(u) of y1' = y2 y3, y2' = −y1 y3, y3' = −m y1 y2, y(0) = (0, 1, 1), by Taylor steps."""
+    with mpmath.workdps(30):
+        step, m = mpmath.mpf(u.p) / u.q / 48, mpmath.mpf(m.p) / m.q
+        y = [mpmath.mpf(x) for x in (0, 1, 1)]
+        for _ in range(48):
+            c = [[x] for x in y]
+            for n in range(45):
+                product = [sum(c[i][j] * c[k][n - j] for j in range(n + 1)) for i, k in ((1, 2), (0, 2), (0, 1))]
+                for series, sign, p in zip(c, (1, -1, -m), product):
+                    series.append(sign * p / (n + 1))
+            y = [mpmath.polyval(series[::-1], step) for series in c]
+        return [Float(x, 25) for x in y]
 
 
 def number(value: Expr, scene: Scene, values: Values) -> Any:

@@ -1,9 +1,10 @@
 """The formulas of published files: the whitelist grammar with vectors, functions of the motion and comparisons."""
 import re
+from collections import ChainMap
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import Abs, Expr, ImmutableMatrix, MatrixBase
+from sympy import Abs, Expr, ImmutableMatrix, MatrixBase, Rational
 from sympy.matrices.exceptions import MatrixError
 
 from ..errors import ExpressionError, ValuesError
@@ -102,7 +103,7 @@ def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool
         pieces = _COMPARISON.split(part)
         if len(pieces) < 3:
             raise ExpressionError(f"cannot read {part.strip()!r} as a condition: write left > right, with >, >=, < or <=")
-        sides = [read(piece, {**names, "abs": Abs}) for piece in pieces[::2]]
+        sides = [read(piece, ChainMap({"abs": Abs}, names)) for piece in pieces[::2]]  # type: ignore[arg-type]
         signs = pieces[1::2]
         if len({sign[0] for sign in signs}) > 1:
             raise ExpressionError(f"cannot read the chain {part.strip()!r}: all its signs point one way")
@@ -125,7 +126,6 @@ def decimal(printed: str) -> tuple[Expr, Expr]:
     >>> decimal("0.28")
     (7/25, 1/200)
     """
-    from sympy import Rational
     match = re.fullmatch(r"[-+]?\d*\.?(\d*)", printed)
     if match is None or not any(c.isdigit() for c in printed):
         raise ValuesError(f"{printed!r} is not a decimal number: write it with the digits that are printed")

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from sympy import Expr, Rational, Symbol
 
+from ..attitude import ANGLES
 from ..notation import jet, symbol
 from .scenes import Scene
 
@@ -16,21 +17,17 @@ TRIALS = 400
 
 def unknowns(scene: Scene, expressions: Iterable[Expr]) -> list[Symbol]:
     """Every symbol that a point of the scene needs a number for."""
-    found = {s for e in expressions for s in e.free_symbols}
-    found |= {s for e in (*scene.body.inertia, *scene.body.gyrostatic_momentum) for s in e.free_symbols}
-    potential, eq = scene.potential, scene.equilibrium
-    if potential:
-        found |= set(potential.parameters)
-        if not potential.given:
-            found |= {symbol("dU"), symbol("d2U"), symbol("d3U")} if potential.axial else {symbol(f"dU_{i}") for i in (1, 2, 3)}
+    found = {s for e in (*expressions, *scene.body.inertia, *scene.body.gyrostatic_momentum) for s in e.free_symbols}
+    found |= set(scene.potential.parameters) if scene.potential else set()
+    eq = scene.equilibrium
     if "angles" in scene.table:
-        found |= {symbol(f"{x}{d}") for x in ("phi", "theta", "psi") for d in ("", "_dot", "_ddot")}
-        return sorted(found - {symbol("t")}, key=str)
-    if eq is None:
-        return sorted(found | set(scene.system.space.coordinates), key=str)
-    found |= {s for e in (*scene.point, *eq.existence()) for s in e.free_symbols}
-    bound = {name for name, _ in eq.relations} if potential and not potential.given else {symbol(eq.eliminated)} if eq.eliminated else set()
-    return sorted(found - bound, key=str)
+        found |= {*ANGLES, *([symbol(scene.table["vertical"])] if "vertical" in scene.table else [])}
+    elif eq is None:
+        found |= set(scene.system.space.coordinates)
+    else:
+        found |= {s for e in (*scene.point, *eq.existence()) for s in e.free_symbols}
+        found -= {name for name, _ in eq.relations if not jet(name.name) or not (scene.potential and scene.potential.given)}
+    return sorted(found - {symbol("t")} if "angles" in scene.table else found, key=str)
 
 
 def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at: Mapping[Symbol, Expr],
@@ -44,7 +41,8 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
         values = {s: chance.choice(_SIZES) * (1 if s.is_positive or chance.random() < 0.7 else -1) for s in names}
         values |= {s: x for s, x in zip(K, chance.choice(directions)) if s in values}
         values |= {name: value.subs(values) for name, value in at.items()}
-        values |= {name: value.subs(values) for name, value in eq.relations if not jet(name.name)} if eq else {}
+        for name, value in eq.relations if eq else ():
+            values[name] = value.subs(values)
         if all(x.is_finite for x in values.values()) and all(_positive(e.subs(values)) for e in positive):
             yield values
             if (found := found + 1) == TRIALS:

@@ -14,10 +14,12 @@ from ..equilibria import Equilibrium
 from ..errors import PublishedError
 from ..expressions import parse
 from ..families import hanging, inclined, principal_rotation, upright
+from ..freebody import polhode_period
 from ..linearization import linearize
 from ..notation import jet, jet_name, symbol
 from ..potential import Potential, axial_potential, general_potential
 from ..system import System, assemble
+from .jacobi import cn, dn, sn
 
 KEYS = {"inertia", "gyrostatic_momentum", "potential", "equilibrium", "spin", "eliminate", "angles", "vertical", "given", "parameters"}
 
@@ -134,7 +136,8 @@ def _symbols(scene: Scene) -> dict[str, Callable[[], Any]]:
 def _vectors() -> dict[str, Callable[[], Any]]:
     functions = {"cross": lambda a, b: a.cross(b), "dot": lambda a, b: (a.T * b)[0, 0], "transpose": lambda a: a.T,
                  "inverse": lambda a: a.adjugate() / reduced(a.det()), "rank": lambda a: Integer(a.rank(iszerofunc=is_zero)),
-                 "diff": lambda f, x: f.diff(x), "entry": lambda a, i, j: a[i - 1, j - 1]}
+                 "diff": lambda f, x: f.diff(x), "entry": lambda a, i, j: a[i - 1, j - 1],
+                 "sn": sn, "cn": cn, "dn": dn, "polhode_period": lambda *x: polhode_period(x[:3], x[3:], 30)}
     return {name: (lambda f=f: f) for name, f in functions.items()}
 
 

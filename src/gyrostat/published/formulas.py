@@ -1,0 +1,136 @@
+"""Checks of printed formulas: identities, equilibria, solutions of the equations of motion, numbers."""
+from collections.abc import Mapping
+from typing import Any
+
+from sympy import Expr, ImmutableMatrix, Integer, Matrix, MatrixBase, Symbol
+
+from ..attitude import reduced
+from ..errors import PublishedError
+from ..notation import symbol
+from . import independent
+from .language import decimal, read
+from .scenes import is_zero
+from .statements import Counterexample, Outcome, Reading, named
+
+
+def identity(r: Reading) -> Outcome:
+    """printed − quantity vanishes identically, on the family where the scene has an equilibrium."""
+    s = r.statement
+    printed, derived = r.finish(read(s.printed, r.own)), r.finish(read(s.quantity, r.own))
+    entries, places = _entries(printed, derived)
+    wrong = [(place, p, d) for place, (p, d) in zip(places, entries) if not is_zero(p - d)]
+    if not wrong:
+        return Outcome(True, printed, derived)
+    difference = tuple((place, reduced(p - d)) for place, p, d in wrong)
+    place, p, d = wrong[0]
+    for values in r.points([p, d]):
+        if (there := _differ(p, d, values)) is not None:
+            quantity = r.independently(s.quantity, values)
+            value = independent.number(quantity[place] if isinstance(quantity, MatrixBase) else quantity, r.scene, values)
+            return Outcome(False, printed, derived, difference, _compared(values, *there, value, place))
+    raise PublishedError(f"{s.key}: printed and derived differ by {difference}, but at no rational point that was tried")
+
+
+def _entries(printed: Any, derived: Any) -> tuple[list[tuple[Expr, Expr]], list[Any]]:
+    if isinstance(printed, MatrixBase) != isinstance(derived, MatrixBase) or (
+            isinstance(printed, MatrixBase) and printed.shape != derived.shape):
+        shapes = [f"{x.rows}×{x.cols} matrix" if isinstance(x, MatrixBase) else "number" for x in (printed, derived)]
+        raise PublishedError(f"printed is a {shapes[0]}, the quantity a {shapes[1]}: give as many entries as it has")
+    if not isinstance(printed, MatrixBase):
+        return [(printed, derived)], [None]
+    places = [(i, j) for i in range(printed.rows) for j in range(printed.cols)]
+    return [(printed[p], derived[p]) for p in places], places
+
+
+def _differ(p: Expr, d: Expr, values: Mapping[Symbol, Expr]) -> tuple[Expr, Expr] | None:
+    a, b = p.subs(values), d.subs(values)
+    if not all(x.is_finite and not x.free_symbols for x in (a, b)) or abs((a - b).evalf(30)) < 1e-20:
+        return None
+    return a, b
+
+
+def _compared(values: Mapping[Symbol, Expr], p: Expr, d: Expr, value: Any, place: Any = None) -> Counterexample:
+    """The independent value must be the derived one."""
+    if not isinstance(value, Expr) or value.free_symbols or abs((value - d).evalf(25)) > 1e-18 * max(1, abs(d.evalf(25))):
+        raise PublishedError(f"Newton and Euler's equations give {value} at {dict(values)}, the library {d}, the print {p}")
+    which = f"entry {', '.join(str(i + 1) for i in place)}: " if place else ""
+    return Counterexample(named(values), p, d, f"{which}by Newton and Euler's equations at these numbers {_short(value)}")
+
+
+def _short(value: Expr) -> str:
+    return str(value) if value.is_Rational else str(value.evalf(20))
+
+
+def equilibrium(r: Reading) -> Outcome:
+    """The field vanishes at the printed point, on the family."""
+    s, scene = r.statement, r.scene
+    point = read(s.printed, r.own)
+    coordinates = scene.system.space.coordinates
+    if not isinstance(point, MatrixBase) or len(point) != len(coordinates):
+        raise PublishedError(f"an equilibrium has {len(coordinates)} coordinates: give as many")
+    field = r.finish(scene.system.jet_field.xreplace(dict(zip(coordinates, point))))
+    left = tuple(((i, 0), reduced(rate)) for i, rate in enumerate(field) if not is_zero(rate))
+    if not left:
+        return Outcome(True, point, ImmutableMatrix(scene.point))
+    for values in r.points(list(field)):
+        if (there := _differ(field[left[0][0]], Integer(0), values)) is not None:
+            model = independent.Model(scene, values)
+            at = dict(zip(model.coordinates, [x.subs(values) for x in r.finish(point)]))
+            rate = model.field.subs(at)[left[0][0]]
+            if rate != there[0]:
+                raise PublishedError(f"{s.key}: Newton and Euler's equations give the rate {rate}, the library {there[0]}")
+            return Outcome(False, point, ImmutableMatrix(scene.point), left, Counterexample(
+                named(values), "an equilibrium", f"d{coordinates[left[0][0][0]]}/dt = {rate}",
+                f"by Newton and Euler's equations the rate of {coordinates[left[0][0][0]]} there is {rate}, not 0"))
+    raise PublishedError(f"{s.key}: the field is {left}, but vanishes at every point that was tried")
+
+
+def solution(r: Reading) -> Outcome:
+    """The printed functions of t satisfy the equations of motion; a general solution has as many constants as equations."""
+    s, scene = r.statement, r.scene
+    names = list(map(str, s.quantity))
+    if not set(names) <= {f"{x}{i}" for x in ("omega", "pi") for i in (1, 2, 3)}:
+        raise PublishedError("the quantity of a solution is a list of omega1, omega2, omega3, or of pi1, pi2, pi3")
+    t, printed = symbol("t"), read(s.printed, r.own)
+    place = {symbol(f"pi{n[-1]}"): f * (scene.body.inertia[int(n[-1]) - 1] if n.startswith("omega") else 1) for n, f in zip(names, printed)}
+    slopes = [f.diff(t) for f in printed]
+    rates = [read(f"dt({n})", r.names).xreplace(place) for n in names]
+    wrong = [i for i, (a, b) in enumerate(zip(slopes, rates)) if not is_zero((a - b).rewrite("exp") if a.has(t) else a - b)]
+    if wrong:
+        i = wrong[0]
+        for values in r.points([slopes[i], rates[i]]):
+            if (there := _differ(slopes[i], rates[i], values)) is not None:
+                moving = values | {x: f.subs(values) for x, f in place.items()}
+                value = independent.number(r.independently(f"dt({names[i]})", moving), scene, moving)
+                difference = tuple(((j, 0), slopes[j] - rates[j]) for j in wrong)
+                return Outcome(False, printed, ImmutableMatrix(rates), difference, _compared(values, *there, value, (i, 0)))
+        raise PublishedError(f"{s.key}: no solution, but its rate is right at every point that was tried")
+    missing = len(names) - _rank(printed, [symbol(c) for c in s.constants]) if s.constants else 0
+    if not missing:
+        return Outcome(True, printed, printed)
+    start = printed.subs(t, 0)
+    fixed = next(n for n, f in zip(names, start) if f.is_number)
+    value = start[names.index(fixed)] + 1
+    return Outcome(False, printed, f"a solution with {len(s.constants)} of the {len(names)} constants of the general one",
+                   ((None, Integer(missing)),), Counterexample(((f"{fixed}(0)", value),), start[names.index(fixed)], value,
+                   f"{fixed} may start at {value}; the printed functions start it at {start[names.index(fixed)]} for every choice of "
+                   f"{', '.join(s.constants)}"))
+
+
+def _rank(printed: Any, constants: list[Symbol]) -> int:
+    slopes = Matrix([[f.diff(c) for c in constants] for f in printed])
+    chosen = {s: Integer(n + 2) / 7 for n, s in enumerate(sorted(slopes.free_symbols, key=str))}
+    return int(slopes.subs(chosen).rank(iszerofunc=lambda e: abs(e.evalf(30)) < 1e-20))
+
+
+def number(r: Reading) -> Outcome:
+    """The derived number rounds to the printed digits."""
+    s = r.statement
+    derived, (printed, half) = r.finish(read(s.quantity, r.own)), decimal(s.printed)
+    if derived.free_symbols:
+        raise PublishedError(f"the quantity still contains {', '.join(sorted(map(str, derived.free_symbols)))}: give numbers under at")
+    excess = abs(derived.evalf(50) - printed)
+    if excess <= half:
+        return Outcome(True, s.printed, derived)
+    value = independent.number(r.independently(s.quantity, r.at), r.scene, r.at)
+    return Outcome(False, s.printed, derived, ((None, printed - derived.evalf(20)),), _compared(r.at, printed, derived, value))

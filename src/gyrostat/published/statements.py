@@ -1,0 +1,121 @@
+"""Statement, Outcome, Counterexample: a published formula, what its check found, and the numbers that show a misprint."""
+from collections import ChainMap
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from sympy import Expr, Symbol
+
+from ..notation import symbol
+from . import independent
+from .criteria import Claim
+from .language import comparisons, read
+from .sampling import points
+from .scenes import Scene
+
+KINDS = ("identity", "family", "equilibrium", "solution", "condition", "number", "statement")
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One formula or claim of a source, exactly as printed, in the library's symbols.
+
+    Parameters
+    ----------
+    source, key : str
+    where : str                      section and equation number or position
+    quantity : str or list           what the formula is about, as an expression in the names of the scene, or a claim
+    printed : str or (nested) list   the right-hand side, the condition, the verdict
+    kind : str                       identity, family (an identity on the family of an equilibrium), equilibrium,
+                                     solution (of the equations of motion), condition, number, statement
+    note : str
+    scene : Scene
+    let : mapping                    the source's own abbreviations, as printed
+    at : mapping                     values inserted on both sides
+    given : str                      comparisons under which the claim is made
+    constants : tuple of str         those of a solution that is called general
+    file : str                       where it was read
+    """
+
+    source: str
+    key: str
+    where: str
+    quantity: Any
+    printed: Any
+    kind: str
+    note: str = ""
+    scene: Scene = field(default_factory=Scene)
+    let: Mapping[str, str] = field(default_factory=dict)
+    at: Mapping[str, str] = field(default_factory=dict)
+    given: str = ""
+    constants: tuple[str, ...] = ()
+    file: str = ""
+
+
+@dataclass(frozen=True)
+class Counterexample:
+    """Rational values at which printed and derived differ, and what confirms the derived side without either formula."""
+
+    values: tuple[tuple[str, Expr], ...]
+    printed: Any
+    derived: Any
+    confirmation: str
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a check found; agrees is None where nothing can be checked."""
+
+    agrees: bool | None
+    printed: Any = None
+    derived: Any = None
+    difference: Any = None
+    counterexample: Counterexample | None = None
+
+
+class Reading:
+    """A statement with its texts read."""
+
+    def __init__(self, statement: Statement):
+        self.statement, self.scene = statement, statement.scene
+        bare = self.scene.names({})
+        self.at: dict[Symbol, Expr] = {}
+        for name, text in statement.at.items():
+            self.at[symbol(name)] = read(text, bare)
+        self.names = self.scene.names(self.at) if self.at else bare
+        self.own = _with_let(self.names, statement.let)
+        parsed = comparisons(statement.given, self.names) if statement.given else []
+        self.given = tuple(margin for margin, _ in parsed)
+
+    def finish(self, expression: Any) -> Any:
+        """On the family, with the values of at."""
+        return self.scene.finish(expression).xreplace(self.at)
+
+    @cached_property
+    def claim(self) -> Claim:
+        """The scene where the claim is made."""
+        return Claim(self.scene, tuple(map(self.finish, self.given)), self.at)
+
+    def points(self, expressions: Iterable[Expr]) -> Iterator[dict[Symbol, Expr]]:
+        """Rational points of the scene; an existence claim is asked outside the domain too."""
+        return points(self.scene, expressions, self.given, self.at, self.statement.quantity != "existence")
+
+    def independently(self, text: Any, values: Mapping[Symbol, Expr]) -> Any:
+        """A quantity from Newton and Euler's equations at numbers."""
+        names = independent.names(self.scene, values)
+        return read(text, _with_let(names, self.statement.let))
+
+
+def _with_let(names: Mapping[str, Any], let: Mapping[str, str]) -> Mapping[str, Any]:
+    """The source's own abbreviations before the names of the scene."""
+    own: dict[str, Any] = {}
+    layered: Mapping[str, Any] = ChainMap(own, names)      # type: ignore[arg-type]
+    for name, text in let.items():
+        own[name] = read(text, layered)
+    return layered
+
+
+def named(values: Mapping[Symbol, Expr]) -> tuple[tuple[str, Expr], ...]:
+    """Values by name, in order."""
+    return tuple(sorted(((s.name, v) for s, v in values.items()), key=lambda pair: pair[0]))
