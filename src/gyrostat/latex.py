@@ -21,7 +21,9 @@ from .system import System
 _RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq"}
 
 
-class _Latex(LatexPrinter):
+class Printer(LatexPrinter):
+    """Symbols from the notation, terms and factors in its order; derivatives of U take their argument from at."""
+
     def __init__(self, at: Any = None):
         super().__init__()
         self.at = at
@@ -74,7 +76,7 @@ def _formula(value: Any, at: Any = None) -> str:
     if isinstance(value, MatrixBase):
         rows = r" \\ ".join(" & ".join(_formula(entry, at) for entry in row) for row in value.tolist())
         return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
-    return _Latex(at)._print(value)
+    return Printer(at)._print(value)
 
 
 def to_latex(obj: Any) -> str:
@@ -176,10 +178,14 @@ def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (
     for report, decision in zip(given, list(decisions) or [None] * len(given)):
         blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
     body = "\n".join(map(_block, blocks))
-    return "\n".join((r"\documentclass{article}", r"\usepackage{amsmath}", r"\setlength{\textwidth}{17cm}",
-                      r"\setlength{\oddsidemargin}{-0.5cm}", r"\setlength{\parindent}{0pt}",
-                      r"\title{Stability of the relative equilibria of a gyrostat}", r"\author{}", r"\date{}",
-                      r"\begin{document}", r"\maketitle", body, r"\end{document}", ""))
+    return preamble("Stability of the relative equilibria of a gyrostat") + body + "\n\\end{document}\n"
+
+
+def preamble(title: str, packages: Iterable[str] = ()) -> str:
+    """An article up to its title."""
+    return "\n".join((r"\documentclass{article}", r"\usepackage[utf8]{inputenc}", *(rf"\usepackage{{{p}}}" for p in ("amsmath", *packages)),
+                      r"\setlength{\textwidth}{17cm}", r"\setlength{\oddsidemargin}{-0.5cm}", r"\setlength{\parindent}{0pt}",
+                      rf"\title{{{title}}}", r"\author{}", r"\date{}", r"\begin{document}", r"\maketitle", ""))
 
 
 def _block(block: Block) -> str:

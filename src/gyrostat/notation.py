@@ -121,11 +121,18 @@ def _typeset_jet(order: int, axes: str, at: Any, style: str) -> str:
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "kappa": "κ", "lambda": "λ", "mu": "μ",
-          "nu": "ν", "rho": "ρ", "sigma": "σ", "tau": "τ", "theta": "θ", "phi": "φ", "chi": "χ", "psi": "ψ", "xi": "ξ"}
+          "nu": "ν", "rho": "ρ", "sigma": "σ", "tau": "τ", "theta": "θ", "phi": "φ", "chi": "χ", "psi": "ψ", "xi": "ξ",
+          "omega": "ω", "Omega": "Ω", "pi": "π"}
 
 
 def _typeset_parameter(name: str, style: str) -> str:
     """A user's parameter: greek letters and a trailing number are set, anything else stays upright."""
+    if rate := re.fullmatch(r"(\w+)_(d?dot)", name):        # a rate: one dot, or two in phi_ddot
+        inner = _typeset_parameter(rate[1], style)
+        dots = "\u0307" if rate[2] == "dot" else "\u0308"
+        return rf"\{rate[2]}{{{inner}}}" if style == "latex" else f"{inner[0]}{dots}{inner[1:]}"
+    if name.startswith("delta_"):                      # a variation
+        return (r"\delta " if style == "latex" else "δ") + typeset(name[6:], style=style)
     match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
     if match is None:
         return r"\mathrm{" + name.replace("_", r"\_") + "}" if style == "latex" else name

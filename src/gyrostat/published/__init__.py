@@ -1,7 +1,7 @@
 """Published formulas: load them, exactly as printed, and check each against what the library derives."""
 import tomllib
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,8 @@ from .statements import KINDS, Counterexample, Outcome, Reading, Statement
 SOURCES = ("VV2003", "N2025", "EA", "AR", "literature")
 _HERE = Path(__file__).parent
 _REQUIRED = ("key", "where", "quantity", "printed", "kind")
-_OPTIONAL: Mapping[str, type] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str, "constants": list}
+_OPTIONAL: Mapping[str, Any] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str, "constants": list,
+                                       "corrected": (str, list)}
 _CHECKS: Mapping[str, Callable[[Reading], Outcome]] = {
     "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium, "solution": formulas.solution,
     "number": formulas.number, "condition": claims.condition, "statement": claims.statement}
@@ -148,6 +149,11 @@ def _statement(path: Path, header: Mapping[str, Any], scenes: Mapping[str, Scene
         return Statement(source=header["name"], file=str(path), **fields)
 
 
+def source_of(finding: "Finding") -> Source:
+    """The source of a finding."""
+    return load(finding.statement.source if Path(finding.statement.file).parent == _HERE else finding.statement.file)
+
+
 def check(sources: Iterable[str | Path] = SOURCES, progress: Callable[[str, int, int], None] | None = None) -> list[Finding]:
     """Check every statement of the sources against what the library derives from the bracket and the Hamiltonian.
 
@@ -190,9 +196,16 @@ def outcome_of(statement: Statement) -> Outcome:
 
     Raises
     ------
-    GyrostatError       it cannot be read, or a difference was found that is not confirmed independently
+    GyrostatError       it cannot be read, a difference was found that is not confirmed independently, or what it is corrected to is
+                        not what is derived
     """
-    return _CHECKS[statement.kind](Reading(statement))
+    outcome = _CHECKS[statement.kind](Reading(statement))
+    if outcome.agrees is not False or statement.corrected is None:
+        return outcome
+    right = _CHECKS[statement.kind](Reading(replace(statement, printed=statement.corrected)))
+    if not right.agrees:
+        raise PublishedError(f"corrected = {statement.corrected!r} is not what is derived: {right.derived}")
+    return replace(outcome, corrected=statement.corrected)
 
 
 __all__ = ["SOURCES", "Counterexample", "Finding", "Outcome", "Source", "Statement", "check", "load"]

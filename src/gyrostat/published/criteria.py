@@ -2,6 +2,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 from sympy import Expr, S, Symbol
 
@@ -67,9 +68,9 @@ class Claim:
         ------
         PublishedError       the claim is none of those that can be checked
         """
-        if claim in ("necessary for stability", "necessary and sufficient for stability"):
+        if claim == "necessary for stability":
             return self.report.necessary
-        if claim == "sufficient for stability":
+        if claim in ("sufficient for stability", "necessary and sufficient for stability"):
             return self.report.sufficient
         if claim == "sufficient for stability, Casimirs alone":
             return self.report.casimirs_only
@@ -132,16 +133,19 @@ def _item(condition: Condition, ring: Ring, signs: Signs) -> Item:
     return Item(margin, even, condition.strict, condition.source)
 
 
-def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[Expr]) -> bool:
-    """Whether a printed condition is the derived one.
+def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[Expr], strictness: bool = True) -> bool:
+    """Whether a printed condition is the derived one, or is it but for > and ≥.
 
     A sufficient condition for instability may leave out where an even factor vanishes.
     """
     domain = list(domain)
-    ours, theirs = normal(derived, domain), normal(printed, domain)
-    if claim == "sufficient for instability":
-        ours, theirs = ({frozenset((m, strict) for m, strict, _ in a) for a in side} for side in (ours, theirs))  # type: ignore[assignment]
-    return ours == theirs
+    even = claim != "sufficient for instability"
+
+    def bare(criterion: Criterion) -> set[frozenset[tuple[Any, ...]]]:
+        return {frozenset((margin, strict and strictness, degenerate if even and strictness else ()) for margin, strict, degenerate in a)
+                for a in normal(criterion, domain)}
+
+    return bare(derived) == bare(printed)
 
 
 def free_symbols(criterion: Criterion) -> set[Symbol]:
@@ -158,4 +162,6 @@ def _holds(condition: Condition, values: dict[Symbol, Expr]) -> bool:
     value = condition.margin.subs(values)
     if any(e.subs(values) == 0 for e in condition.degenerate):
         value = S.Zero
+    if not value.is_finite:                                # where it divides by zero it says nothing
+        return False
     return bool(value > 0 if condition.strict else value >= 0)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import mpmath
-from sympy import Expr, Float, Integer, Matrix, MatrixBase, Poly, Rational, Symbol, cos, diag, hessian, linsolve, sin, sqrt
+from sympy import Expr, Float, Integer, Matrix, MatrixBase, Poly, Rational, Symbol, cos, diag, hessian, linsolve, sign, sin, sqrt
 
 from ..errors import PublishedError
 from ..notation import jet, symbol
@@ -29,7 +29,7 @@ class Model:
         self.k3 = {"E1": Integer(1), "E2": Integer(-1)}.get(str(self.label), self.values.get(K[2], Integer(0)))
         self.U = self._potential(scene) if scene.potential else Integer(0)
         self.point = self._point() if self.label else [x.subs(self.values) for x in self.coordinates]
-        if self.label and any(self.field.subs(dict(zip(self.coordinates, self.point)))):
+        if self.label and any(abs(x.evalf(30)) > 1e-20 for x in self.field.subs(dict(zip(self.coordinates, self.point)))):
             raise PublishedError(f"{self.label} is no equilibrium of Newton and Euler's equations at {self.values}")
 
     def _potential(self, scene: Scene) -> Expr:
@@ -39,14 +39,15 @@ class Model:
         if potential.given:
             return potential.expression.subs({s: v for s, v in self.values.items() if s not in potential.variables})
         if not potential.axial:
-            return sum((self.values.get(symbol(f"dU_{i}"), Integer(0)) * K[i - 1] for i in (1, 2, 3)), Integer(0))
+            linear = sum((self.values.get(symbol(f"dU_{i}"), Integer(0)) * K[i - 1] for i in (1, 2, 3)), Integer(0))
+            return linear - linear.subs(self.values) + self.values.get(symbol("U"), 0)
         slope = self.values.get(symbol("dU"))
         if self.label == "E3":                             # what balances the torques at the point
             omega, l = self.values[symbol("omega")], self.rotor[2]
             slope = omega * (l + self.inertia[2] * omega * self.k3) - omega**2 * self.inertia[0] * self.k3
         jets = [slope, *(self.values.get(symbol(f"d{n}U"), Integer(0)) for n in (2, 3))]
-        rise = K[2] - self.k3
-        return sum((d * rise**n / (1, 2, 6)[n - 1] for n, d in enumerate(jets, 1) if d is not None), Integer(0))
+        rise, constant = K[2] - self.k3, self.values.get(symbol("U"), Integer(0))
+        return sum((d * rise**n / (1, 2, 6)[n - 1] for n, d in enumerate(jets, 1) if d is not None), constant)
 
     def _point(self) -> list[Expr]:
         if self.label in ("E1", "E2"):
@@ -87,27 +88,29 @@ class Model:
         casimirs = 2 if len(self.coordinates) == 6 else 1
         return Poly(self.jacobian().charpoly().all_coeffs()[:-casimirs], lamda).as_expr()
 
-    def isolated(self) -> bool:
-        """Whether the level set of all integrals near the point is only its orbit under the spin: then it is Lyapunov stable.
+    def level_set(self) -> int:
+        """1 if the level set of all integrals near the point is only its orbit under the spin, -1 if motions leave along it, else 0.
 
-        For a body of revolution I1² k̇3² = g(k3); a maximum of g at the equilibrium, where g = 0, isolates it. A pole is
-        approached from inside. On so(3)* the energy has a strict extremum on the sphere.
+        1 proves Lyapunov stability, -1 instability, both modulo the spin. For a body of revolution I1² k̇3² = g(k3), where g has a
+        multiple root at the equilibrium: its leading coefficient there decides; a pole is approached from inside. On so(3)* the energy
+        has a strict extremum on the sphere, or none.
         """
         if len(self.coordinates) == 3:
             axis = int(str(self.label)[-1])
             slope = self.omega[axis - 1].subs(PI[axis - 1], self.point[axis - 1]) / (self.point[axis - 1] + self.rotor[axis - 1])
             excess = [1 / moment - slope for i, moment in enumerate(self.inertia, 1) if i != axis]
-            return bool(excess[0] * excess[1] > 0)
+            return int(sign(excess[0] * excess[1]))
         at = dict(zip(self.coordinates, self.point))
-        z, M = symbol("z"), PI + self.rotor
+        z, x, M = symbol("z"), symbol("x"), PI + self.rotor
         energy = (sum(p**2 / moment for p, moment in zip(PI[:2], self.inertia)) / 2 + self.U).subs(at)
         momentum, total = M.dot(K).subs(at), M[2].subs(at)
         g = 2 * self.inertia[0] * (energy - self.U.subs(K[2], z)) * (1 - z**2) - (momentum - total * z) ** 2
-        x = symbol("x")
         pole = self.label in ("E1", "E2")
-        terms = Poly(g.subs(z, self.k3 * (1 - x) if pole else self.k3 + x).expand(), x).terms()[::-1]
-        (power,), coefficient = terms[0]
-        return bool(coefficient < 0 and (pole or power % 2 == 0))
+        shifted = Poly(g.subs(z, self.k3 * (1 - x) if pole else self.k3 + x).expand(), x)
+        if shifted.is_zero:
+            return 0
+        (power,), coefficient = shifted.terms()[-1]
+        return -1 if coefficient > 0 or not pole and power % 2 else 1
 
     def inertia_of_second_variation(self) -> tuple[int, int, int]:
         """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC1 ∩ ker dC2."""
@@ -132,7 +135,7 @@ def names(scene: Scene, values: Values) -> dict[str, Any]:
 
 def _functions() -> dict[str, Callable[..., Any]]:
     return {"cross": lambda a, b: a.cross(b), "dot": lambda a, b: (a.T * b)[0, 0], "transpose": lambda a: a.T,
-            "inverse": lambda a: a.inv(), "rank": lambda a: Integer(a.rank()), "diff": lambda f, x: f.diff(x),
+            "inverse": lambda a: a.adjugate() / a.det(), "rank": lambda a: Integer(a.rank()), "diff": lambda f, x: f.diff(x),
             "entry": lambda a, i, j: a[i - 1, j - 1], "polhode_period": lambda *x: _period(x[:3], x[3:]),
             **{name: (lambda u, m, i=i: _jacobi(u, m)[i]) for i, name in enumerate(("sn", "cn", "dn"))}}
 

@@ -10,11 +10,15 @@ class _Jacobi(Function):
     letters = ""
 
     def _eval_evalf(self, prec: int) -> Expr | None:
-        u, m = (a.evalf(int(prec / 3.3) + 10) for a in self.args)
-        if not (u.is_Float or u.is_Integer) or not (m.is_Float or m.is_Integer):
+        if any(a.free_symbols for a in self.args):
+            return None
+        values = [a.evalf(int(prec / 3.3) + 10) for a in self.args]
+        if not all(v.is_real for v in values):
             return None
         with mpmath.workprec(prec + 20):
-            return Float._new(mpmath.ellipfun(self.letters, mpmath.mpf(u._mpf_), m=mpmath.mpf(m._mpf_))._mpf_, prec)
+            u, m = (mpmath.mpf(Float(v)._mpf_) for v in values)
+            value = mpmath.ellipfun(self.letters, u, m=m)
+            return Float._new(value._mpf_, prec) if isinstance(value, mpmath.mpf) else None      # complex for some m > 1
 
     def fdiff(self, argindex: int = 1) -> Any:
         u, m = self.args

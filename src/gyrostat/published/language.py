@@ -4,11 +4,12 @@ from collections import ChainMap
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import Abs, Expr, ImmutableMatrix, MatrixBase, Rational
+from sympy import Abs, Expr, Function, ImmutableMatrix, MatrixBase, Rational
 from sympy.matrices.exceptions import MatrixError
 
 from ..errors import ExpressionError, ValuesError
 from ..expressions import FUNCTIONS, Parser, Part
+from ..notation import symbol
 
 _COMPARISON = re.compile(r"\s*(<=|>=|<|>)\s*")
 
@@ -39,21 +40,43 @@ class _Formula(Parser):
                 offered = [n for n, v in self.names.items() if callable(v) and not isinstance(v, (Expr, MatrixBase))]
                 self.fail(f"{token} is not a function of this scene", "its functions are " + ", ".join(sorted({*offered, *FUNCTIONS})))
             return super().call(token)
+        arguments = self.arguments()
+        return Part(function(*(part.value for part in arguments)), nesting=max(part.nesting for part in arguments) + 1)
+
+    def arguments(self) -> list[Part]:
+        """What stands between the parentheses of a function."""
         self.take("(")
-        arguments = [self.sum()]
+        found = [self.sum()]
         while self.take(","):
-            arguments.append(self.sum())
+            found.append(self.sum())
         if not self.take(")"):
             self.fail("a closing parenthesis is missing", "close what you opened")
         self.calls += 1
         if self.calls > 30:
             self.fail("it has more than 30 functions", "write it as several formulas")
-        return Part(function(*(part.value for part in arguments)), nesting=max(part.nesting for part in arguments) + 1)
+        return found
 
     def bounded(self, value: Any, terms: int, degree: int, bits: int, nesting: int) -> Part:
         if isinstance(value, MatrixBase):
             return Part(ImmutableMatrix(value), terms, degree, bits, nesting)
         return super().bounded(value, terms, degree, bits, nesting)
+
+
+class _Form(_Formula):
+    """Every name a symbol and every function unevaluated: the form of what is printed, not its value."""
+
+    def named(self, token: str) -> Part:
+        return Part(symbol(token))
+
+    def call(self, token: str) -> Part:
+        if token in FUNCTIONS:
+            return super().call(token)
+        return Part(Function(token, real=True)(*(part.value for part in self.arguments())))
+
+
+def form(printed: str) -> Expr:
+    """A printed text as an expression of symbols, for typesetting."""
+    return _Form(printed, {}).whole()
 
 
 def read(printed: Any, names: Mapping[str, Any]) -> Any:

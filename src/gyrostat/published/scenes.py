@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from sympy import Derivative, Expr, ImmutableMatrix, Integer, MatrixBase, Symbol, eye
+from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Symbol, eye
 
 from ..algebra import Ring
 from ..attitude import ANGLES, RATES, angle_rates, angular_velocity, direction, lagrangian, nodes, reduced, rotation
@@ -107,7 +107,10 @@ class Scene:
         return (*(moment * symbol("omega") * x for moment, x in zip(self.body.inertia, k)), *k)
 
     def finish(self, expression: Any) -> Any:
-        """On the family: the relations of the equilibrium and the derivatives of a given U inserted."""
+        """On the family: the relations of the equilibrium, a given U and its derivatives inserted."""
+        if self.potential and self.potential.given:
+            expression = expression.xreplace({symbol("U"): self.potential.expression.xreplace(dict(zip(
+                self.system.space.coordinates, self.point)))})
         if self.equilibrium is None:
             if self.potential and self.potential.given:
                 jets = [s for s in expression.free_symbols if jet(s.name)]
@@ -147,9 +150,11 @@ def _phase_space(scene: Scene) -> dict[str, Callable[[], Any]]:
     coordinates = system.space.coordinates
     place = dict(zip(coordinates, scene.point))
 
+    field_value, slopes = symbol("U"), system.potential.gradient() if system.potential else ()
+
     def gradient(f: Expr) -> list[Expr]:
-        rates = [f.diff(x) for x in coordinates]
-        return [_in_jets(rate) for rate in rates]
+        outer = f.diff(field_value)
+        return [f.diff(x) + outer * slope for x, slope in zip(coordinates, (0, 0, 0, *slopes))]
 
     def along(direction: ImmutableMatrix) -> Callable[[Any], Any]:
         """The derivative in a direction, of functions of the coordinates and the jet of U."""
@@ -164,19 +169,19 @@ def _phase_space(scene: Scene) -> dict[str, Callable[[], Any]]:
     def vector(name: str) -> ImmutableMatrix:
         return ImmutableMatrix([symbol(f"{name}{i}") for i in (1, 2, 3)])
 
-    pi = vector("pi")
+    pi, kinetic = vector("pi"), body.kinetic_energy(coordinates[:3])
     rotor = ImmutableMatrix(body.gyrostatic_momentum)
     omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.inertia)])
     thunks: dict[str, Callable[[], Any]] = {str(x): (lambda x=x: x) for x in coordinates}
     thunks |= {f"omega{i}": (lambda i=i: omega[i - 1]) for i in (1, 2, 3)}
     thunks |= {"vector_pi": lambda: pi, "vector_l": lambda: rotor, "vector_M": lambda: pi + rotor, "vector_omega": lambda: omega,
-               "B": lambda: system.space.tensor, "h": lambda: system.hamiltonian, "T": lambda: body.kinetic_energy(pi),
+               "B": lambda: system.space.tensor, "h": lambda: kinetic + (field_value if system.potential else 0), "T": lambda: kinetic,
                "field": lambda: system.jet_field, "state": lambda: ImmutableMatrix(coordinates)}
     thunks |= {f"C{n if len(coordinates) > 3 else ''}": (lambda c=c: c) for n, c in enumerate(system.space.casimirs, 1)}
     test = {f: sum(symbol(f"{f}{i}") * x for i, x in enumerate(coordinates, 1)) for f in "FG"}
     thunks |= {f: (lambda f=f: test[f]) for f in test}
     if scene.potential:
-        thunks |= {"U": lambda: scene.potential.expression, "vector_k": lambda: vector("k")}
+        thunks |= {"U": lambda: field_value, "vector_k": lambda: vector("k")}
         thunks |= {d: (lambda d=d: symbol(d)) for d in _jet_names(scene.potential)}
     if scene.equilibrium is None:
         B, delta = system.space.tensor, ImmutableMatrix([symbol(f"delta_{x}") for x in coordinates])
@@ -243,15 +248,6 @@ def _attitude(scene: Scene) -> dict[str, Callable[[], Any]]:
 
 def _jet_names(potential: Potential) -> list[str]:
     return [jet_name(n) for n in (1, 2, 3)] if potential.axial else [jet_name(1, a) for a in "123"]
-
-
-def _in_jets(expression: Expr) -> Expr:
-    """Derivatives of an unspecified U as the symbols of its jet."""
-    found = {}
-    for d in expression.atoms(Derivative):
-        axes = "".join(str(v)[-1] * n for v, n in d.variable_count)
-        found[d] = symbol(jet_name(len(axes), axes if len(d.expr.args) > 1 else ""))
-    return expression.xreplace(found)
 
 
 def is_zero(expression: Expr) -> bool:

@@ -35,6 +35,7 @@ class Statement:
     at : mapping                     values inserted on both sides
     given : str                      comparisons under which the claim is made
     constants : tuple of str         those of a solution that is called general
+    corrected : as printed, or None  what a misprint should read; checked as if it were printed
     file : str                       where it was read
     """
 
@@ -50,6 +51,7 @@ class Statement:
     at: Mapping[str, str] = field(default_factory=dict)
     given: str = ""
     constants: tuple[str, ...] = ()
+    corrected: Any = None
     file: str = ""
 
 
@@ -72,6 +74,7 @@ class Outcome:
     derived: Any = None
     difference: Any = None
     counterexample: Counterexample | None = None
+    corrected: Any = None
 
 
 class Reading:

@@ -1,0 +1,131 @@
+"""Findings for a reader: a table by source in text, and JSON."""
+from collections.abc import Iterable
+from itertools import groupby
+from textwrap import wrap
+from typing import Any
+
+from sympy import Expr, MatrixBase
+
+from ..attitude import reduced
+from ..conditions import Criterion
+from ..presentation import readable
+from ..unicode import plain, unicode
+from . import Finding, source_of
+
+_MARK = {"confirmed": "✓", "misprint": "✗", "unchecked": "–"}
+
+
+def rows(finding: Finding) -> list[tuple[str, Any, Any]]:
+    """(entry, printed, right) for each entry in which they differ; one row where it is corrected, or has no entries.
+
+    printed is the text, or texts, of the source; right is such a text too where the statement is corrected, else a value.
+    """
+    s, outcome = finding.statement, finding.outcome
+    if outcome.corrected is not None:
+        return [("", s.printed, outcome.corrected)]
+    if not outcome.difference or not isinstance(outcome.derived, MatrixBase):
+        return [("", s.printed, _shown(outcome.derived))]
+    found = []
+    for i, j in (place for place, _ in outcome.difference):
+        text = s.printed if isinstance(s.printed, str) else s.printed[i][j] if isinstance(s.printed[i], list) else s.printed[i]
+        found.append((f"entry {i + 1}" + (f", {j + 1}" if outcome.derived.cols > 1 else ""), text, _shown(outcome.derived[i, j])))
+    return found
+
+
+def as_text(printed: Any) -> str:
+    """Texts of a list in brackets."""
+    return printed if isinstance(printed, str) else "[" + ", ".join(map(as_text, printed)) + "]"
+
+
+def _shown(value: Any) -> Any:
+    return readable(reduced(value)) if isinstance(value, Expr) else value
+
+
+def _one_line(value: Any, at: Any = None) -> str:
+    if isinstance(value, (str, list, type(None))):
+        return as_text(value or "")
+    return plain(value) if isinstance(value, Criterion) else unicode(value, at)
+
+
+def place(finding: Finding) -> Any:
+    """The k3 at which derivatives of U are taken, for typesetting."""
+    eq = finding.statement.scene.equilibrium
+    return eq.at if eq and eq.system.potential else None
+
+
+def text(findings: Iterable[Finding], width: int = 110) -> str:
+    """A table by source, each misprint with what is derived and its counterexample."""
+    lines: list[str] = []
+    for _, group in groupby(findings, key=lambda f: f.statement.file):
+        found = list(group)
+        source = source_of(found[0])
+        lines += wrap(f"{source.name}: {source.title}", width) + [f"  {_counts(found)}", ""]
+        size = max(len(f.statement.key) for f in found)
+        for f in found:
+            unexpected = "" if f.status == f.expected else f"   ← expected: {f.expected}"
+            lines.append(f"  {_MARK[f.status]} {f.status:<10} {f.statement.key:<{size}}  {f.statement.where}{unexpected}")
+            lines += [] if f.status == "confirmed" else _details(f, width)
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _counts(found: list[Finding]) -> str:
+    counts = [(sum(f.status == status for f in found), status) for status in _MARK]
+    return f"{len(found)} statements: " + ", ".join(f"{n} {status}" for n, status in counts if n)
+
+
+def _details(f: Finding, width: int) -> list[str]:
+    pairs: list[tuple[str, str]] = []
+    if f.status == "misprint":
+        for entry, printed, right in rows(f):
+            where = f"{entry}: " if entry else ""
+            whole = printed == f.statement.printed
+            pairs += [("printed", ("" if whole else where) + as_text(printed))] if not whole or not pairs else []
+            pairs.append(("right", where + _one_line(right, place(f))))
+        c = f.outcome.counterexample
+        if c:
+            pairs.append(("at", ", ".join(f"{name} = {value}" for name, value in c.values)))
+            pairs.append(("there", f"printed {number(c.printed)}, derived {number(c.derived)}; {c.confirmation}"))
+    else:
+        pairs.append(("claim", as_text(f.statement.printed)))
+    pairs += [("note", f.statement.note)] if f.statement.note else []
+    lines = []
+    for label, value in pairs:
+        lines += wrap(f"{label + ':':<9} {value}", width, initial_indent=" " * 15, subsequent_indent=" " * 25, break_long_words=False)
+    return lines
+
+
+def number(value: Any) -> str:
+    """A value of a counterexample: exact where it is rational, else 15 digits."""
+    return str(value) if not isinstance(value, Expr) or value.is_Rational else str(value.evalf(15))
+
+
+def to_json(findings: Iterable[Finding]) -> list[dict[str, Any]]:
+    """One object for each statement, as docs/published.md describes."""
+    return [{"source": f.statement.source, "key": f.statement.key, "where": f.statement.where, "quantity": f.statement.quantity,
+             "kind": f.statement.kind, "printed": f.statement.printed,
+             "derived": _plain(f.outcome.derived, f.status) if f.outcome.corrected is None else f.outcome.corrected,
+             "status": f.status, "expected": f.expected, "difference": _difference(f), "counterexample": _example(f),
+             "note": f.statement.note} for f in findings]
+
+
+def _plain(value: Any, status: str) -> Any:
+    if value is None or isinstance(value, str):
+        return value
+    if isinstance(value, MatrixBase):
+        return [[_plain(entry, status) for entry in row] for row in value.tolist()]
+    if isinstance(value, Criterion):
+        return plain(value)
+    return str(reduced(value)) if status == "misprint" else str(value)
+
+
+def _difference(f: Finding) -> Any:
+    if f.status != "misprint" or not f.outcome.difference:
+        return None
+    return [{"entry": entry and [i + 1 for i in entry], "printed_minus_derived": str(value)} for entry, value in f.outcome.difference]
+
+
+def _example(f: Finding) -> Any:
+    c = f.outcome.counterexample
+    return c and {"values": {name: str(value) for name, value in c.values}, "printed": number(c.printed), "derived": number(c.derived),
+                  "confirmation": c.confirmation}
