@@ -67,7 +67,8 @@ def scene_blocks(scene: System) -> list[Block]:
         "Principal moments ({}, {}, {}), gyrostatic momentum {} = ({}, {}, {}), {}" + (", potential {}." if potential else ", no field."),
         (*body.inertia, *momentum, *([potential.expression] if potential else [])))]
     bracket = Word("{F, G} = ∇F·B∇G", r"\{F, G\} = \nabla F\cdot B\,\nabla G")
-    blocks += [Sentence(f"Poisson tensor on {'e' if potential else 'so'}(3)*, {{}}; the Jacobi identity holds.", (bracket,)),
+    blocks += [Sentence(f"Poisson tensor on {'e' if potential else 'so'}(3)*, {{}}; the Jacobi identity holds (Marsden, Ratiu & "
+                        "Weinstein 1984; with a rotor, Vera & Viguera 2003, §2).", (bracket,)),
                Display(Word("B", "B"), space.tensor)]
     names = (Word("C₁", "C_1"), Word("C₂", "C_2")) if potential else (Word("C", "C"),)
     blocks += [Sentence("Casimirs and Hamiltonian:"), *(Display(n, c) for n, c in zip(names, space.casimirs)),
@@ -88,7 +89,11 @@ def report_blocks(report: Report) -> list[Block]:
     blocks: list[Block] = [Heading(title), *point_blocks(eq)]
     blocks += _linearization(report)
     blocks += _second_variation(report)
-    blocks += [Heading("Conditions", 2), *criterion_blocks("Necessary (spectral)", report.necessary, eq.at),
+    blocks += [Heading("Conditions", 2), Sentence(
+        "Necessary: where a spectral condition fails, an eigenvalue has a positive real part, and the equilibrium is unstable (Lyapunov "
+        "1892). Sufficient: where the second variation is definite, the equilibrium is Lyapunov stable (Holm, Marsden, Ratiu & Weinstein "
+        "1985)" + ("; modulo the flow of an integral, Ortega & Ratiu 1999." if report.sufficient.modulo else "."))]
+    blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at),
                *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at)]
     if report.casimirs_only != report.sufficient:
         blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at)
@@ -102,7 +107,9 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
     coordinates = eq.system.space.coordinates
     point, roots = _named_roots(eq, ImmutableMatrix([eq.point]))
     template = "({}) = ({})".format(", ".join(["{}"] * len(coordinates)), ", ".join(["{}"] * len(coordinates)))
-    blocks: list[Block] = [Sentence(template + (", where " + ", ".join("{} = {}" for _ in roots) if roots else ""),
+    source = "Hughes 1986, chapter 6" if eq.system.potential is None else "Vera & Viguera 2003, §3"
+    known = f" ({source})" if eq.label in _ABOUT or eq.label.startswith("rotation about axis") else ""
+    blocks: list[Block] = [Sentence(template + known + (", where " + ", ".join("{} = {}" for _ in roots) if roots else ""),
                                     (*coordinates, *point, *(part for pair in roots for part in pair)), eq.at)]
     potential = eq.system.potential
     if potential and potential.given and potential.axial:
@@ -114,15 +121,15 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
         blocks += [Display(name, value if jet(name.name) else readable(value), eq.at) for name, value in eq.relations]
     if eq.domain:
         blocks.append(Sentence("It exists where:"))
-        blocks += [_existence(d, eq.at) for d in eq.existence()]
+        blocks += [existence(d, eq.at) for d in eq.existence()]
     if (tilt := solved_tilt(eq)) is not None:
         blocks += [Sentence("Solved for the tilt:"), Display(symbol("k3"), readable(tilt)),
-                   Sentence("which exists where:"), _existence(1 - tilt**2, eq.at)]
+                   Sentence("which exists where:"), existence(1 - tilt**2, eq.at)]
     return blocks
 
 
-def _existence(domain: Expr, at: Any) -> Display:
-    """|x| < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
+def existence(domain: Expr, at: Any) -> Display:
+    """Where a family exists: |x| < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
     if isinstance(domain, Pow) and domain.exp == 2:
         return Display(readable(domain.base), S.Zero, at, "≠")
     root = readable(square_root(1 - domain))
@@ -143,7 +150,8 @@ def _linearization(report: Report) -> list[Block]:
     basis, _ = _named_roots(eq, linear.basis.T)
     blocks: list[Block] = [Heading("Linearisation on the tangent space of the coadjoint orbit", 2),
                            Sentence("Basis, one vector in each row:"), Display(Word("T", "T"), basis, eq.at),
-                           Sentence("The linearised field in that basis:"), Display(Word("J", "J"), matrix, eq.at)]
+                           Sentence("The linearised field in that basis (Vera & Viguera 2003, §4.1.1 and §5):"),
+                           Display(Word("J", "J"), matrix, eq.at)]
     values = linear.coefficients
     if len(values) == 1:
         q = symbol("q")

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import mpmath
-from sympy import Expr, Float, ImmutableMatrix, Max, Min, S, acos, oo, sqrt
+from sympy import Expr, Float, ImmutableMatrix, Max, Min, acos, oo, sqrt
 
 from .body import Gyrostat
 from .errors import BodyError, ScopeError
@@ -104,9 +104,9 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
     if (side := sign_of_constant(gap)) == 0:
         return oo
     lead = above if side == 1 else below
-    agm_of = [mpmath.mpf(sqrt(x).evalf(digits + 10)._mpf_) for x in (S.One, side * gap / lead)]
     with mpmath.workdps(digits + 10):                      # K(κ) = π / (2 agm(1, κ′)), κ′² = 1 − κ² = |gap| / lead
-        return Float(2 * mpmath.pi / mpmath.agm(*agm_of) * mpmath.mpf(sqrt(I1 * I2 * I3 / lead).evalf(digits + 10)._mpf_), digits)
+        complement, scale = (mpmath.mpf(sqrt(x).evalf(digits + 10)._mpf_) for x in (side * gap / lead, I1 * I2 * I3 / lead))
+        return Float(2 * mpmath.pi / mpmath.agm(1, complement) * scale, digits)
 
 
 @dataclass(frozen=True)

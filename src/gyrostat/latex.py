@@ -7,18 +7,20 @@ from sympy.printing.latex import LatexPrinter
 
 from .body import Gyrostat
 from .conditions import Condition, Criterion
-from .document import DOT, VECTOR_FORM, Block, Display, Heading, Sentence, Word, comparison, decision_blocks, report_blocks, scene_blocks
+from .document import DOT, VECTOR_FORM, Display, Word, comparison
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
 from .liepoisson import LiePoisson
 from .linearization import Linearization
+from .linebreaks import width
 from .notation import jet_name, typeset
 from .potential import Potential
 from .presentation import entries, ordered_factors, ordered_terms, over, readable
 from .stability import Decision, Report
 from .system import System
 
-_RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq"}
+FRACTION = 200.0                                           # points: the widest numerator
+RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq"}
 
 
 class Printer(LatexPrinter):
@@ -34,8 +36,8 @@ class Printer(LatexPrinter):
     def _print_Add(self, expr: Add, order: Any = None) -> str:
         pieces: list[str] = []
         for term in ordered_terms(expr):
-            tex = self._print(term)
-            pieces.append(tex if not pieces else f" - {tex[1:].lstrip()}" if tex.startswith("-") else f" + {tex}")
+            part = self._print(term)
+            pieces.append(part if not pieces else f" - {part[1:].lstrip()}" if part.startswith("-") else f" + {part}")
         return "".join(pieces)
 
     def _print_Mul(self, expr: Mul) -> str:
@@ -45,6 +47,8 @@ class Printer(LatexPrinter):
         if bottom == 1:
             return " ".join(map(self._factor, ordered_factors(top)))
         above, below = ordered_factors(top), ordered_factors(bottom)
+        if width(self._row(above)) > FRACTION:             # so that it can be broken
+            return rf"\frac{{1}}{{{self._row(below)}}} " + " ".join(map(self._factor, above))
         return rf"\frac{{{self._row(above)}}}{{{self._row(below)}}}"
 
     def _row(self, factors: list[Expr]) -> str:
@@ -70,12 +74,14 @@ class Printer(LatexPrinter):
         return typeset(jet_name(len(variables), variables if len(expr.expr.args) > 1 else ""))
 
 
-def _formula(value: Any, at: Any = None) -> str:
+def tex(value: Any, at: Any = None) -> str:
+    """An expression, a matrix or a name."""
     if isinstance(value, Word):
         return value.latex
     if isinstance(value, MatrixBase):
-        rows = r" \\ ".join(" & ".join(_formula(entry, at) for entry in row) for row in value.tolist())
-        return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
+        cells = [[tex(entry, at) for entry in row] for row in value.tolist()]
+        gap = r" \\[3pt] " if any(r"\frac" in cell for row in cells for cell in row) else r" \\ "
+        return r"\begin{pmatrix} " + gap.join(" & ".join(row) for row in cells) + r" \end{pmatrix}"
     return Printer(at)._print(value)
 
 
@@ -101,6 +107,7 @@ def to_latex(obj: Any) -> str:
     >>> print(to_latex(analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).sufficient))
     \\left(\\pi_3^0 + l\\right)^{2} > 4 I_1 U'(1)
     """
+    from .article import document  # an article is made of formulas
     if isinstance(obj, Report):
         return document([obj])
     if isinstance(obj, (list, tuple)) and obj and all(isinstance(report, Report) for report in obj):
@@ -111,7 +118,7 @@ def to_latex(obj: Any) -> str:
 def formula(obj: Any) -> str:
     """A single formula for any public object; a report is its two criteria."""
     if isinstance(obj, (Basic, MatrixBase)):
-        return _formula(obj)
+        return tex(obj)
     if isinstance(obj, Condition):
         return _condition(obj)
     if isinstance(obj, Criterion):
@@ -121,22 +128,22 @@ def formula(obj: Any) -> str:
         shown = rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
         return shown + _modulo(obj.modulo)
     if isinstance(obj, Linearization):
-        return _formula(entries(obj.matrix), obj.equilibrium.at)
+        return tex(entries(obj.matrix), obj.equilibrium.at)
     if isinstance(obj, SecondVariation):
-        return _formula(obj.matrix.applyfunc(readable), obj.equilibrium.at)
+        return tex(obj.matrix.applyfunc(readable), obj.equilibrium.at)
     if isinstance(obj, LiePoisson):
-        return _formula(obj.tensor)
+        return tex(obj.tensor)
     if isinstance(obj, System):
         vector = VECTOR_FORM[obj.potential is not None].latex
         rates = ((DOT[str(x)], rate) for x, rate in zip(obj.space.coordinates, obj.vector_field()))
         return rf"\begin{{gathered}} {vector} \\ {_aligned(rates)} \end{{gathered}}"
     if isinstance(obj, Equilibrium):
-        return rf"\left({', '.join(_formula(x) for x in obj.point)}\right)"
+        return rf"\left({', '.join(tex(x) for x in obj.point)}\right)"
     if isinstance(obj, Gyrostat):
         return _aligned(((Word("I", r"\left(I_1, I_2, I_3\right)"), obj.inertia),
                          (Word("l", r"\left(l_1, l_2, l_3\right)"), obj.gyrostatic_momentum)))
     if isinstance(obj, Potential):
-        return "U = " + _formula(obj.expression)
+        return "U = " + tex(obj.expression)
     if isinstance(obj, Decision):
         return rf"\text{{{obj.verdict.name.lower()}{f' ({obj.notion})' if obj.notion else ''}}}" + _modulo(obj.modulo if obj.notion else ())
     if isinstance(obj, Report):
@@ -146,12 +153,12 @@ def formula(obj: Any) -> str:
 
 
 def _modulo(integrals: tuple[Expr, ...]) -> str:
-    return rf" \quad \text{{modulo the flow of }} {', '.join(map(_formula, integrals))}" if integrals else ""
+    return rf" \quad \text{{modulo the flow of }} {', '.join(map(tex, integrals))}" if integrals else ""
 
 
 def _aligned(rows: Iterable[tuple[Word, Any]]) -> str:
     def right(value: Any) -> str:
-        return rf"\left({', '.join(map(_formula, value))}\right)" if isinstance(value, tuple) else formula(value)
+        return rf"\left({', '.join(map(tex, value))}\right)" if isinstance(value, tuple) else formula(value)
 
     lines = [f"{name.latex} & {'' if isinstance(value, Criterion) else '= '}{right(value)}" for name, value in rows]
     return r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}"
@@ -159,39 +166,14 @@ def _aligned(rows: Iterable[tuple[Word, Any]]) -> str:
 
 def _condition(condition: Condition) -> str:
     shown = comparison(condition)
-    tex = _display(shown)
+    found = display(shown)
     for factor in condition.degenerate:
-        tex += (r" \;\land\; " if condition.strict else r" \;\lor\; ") + _formula(readable(factor), condition.at) + (
+        found += (r" \;\land\; " if condition.strict else r" \;\lor\; ") + tex(readable(factor), condition.at) + (
             r" \neq 0" if condition.strict else " = 0")
-    return tex
+    return found
 
 
-def _display(block: Display) -> str:
-    relation = _RELATIONS.get(block.relation, block.relation)
-    return f"{_formula(block.name, block.at)} {relation} {_formula(block.value, block.at)}"
-
-
-def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = ()) -> str:
-    """An article with the scene of the first report, every report, and the decisions that go with them."""
-    given = list(reports)
-    blocks = scene_blocks(given[0].equilibrium.system)
-    for report, decision in zip(given, list(decisions) or [None] * len(given)):
-        blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
-    body = "\n".join(map(_block, blocks))
-    return preamble("Stability of the relative equilibria of a gyrostat") + body + "\n\\end{document}\n"
-
-
-def preamble(title: str, packages: Iterable[str] = ()) -> str:
-    """An article up to its title."""
-    return "\n".join((r"\documentclass{article}", r"\usepackage[utf8]{inputenc}", *(rf"\usepackage{{{p}}}" for p in ("amsmath", *packages)),
-                      r"\setlength{\textwidth}{17cm}", r"\setlength{\oddsidemargin}{-0.5cm}", r"\setlength{\parindent}{0pt}",
-                      rf"\title{{{title}}}", r"\author{}", r"\date{}", r"\begin{document}", r"\maketitle", ""))
-
-
-def _block(block: Block) -> str:
-    if isinstance(block, Heading):
-        return rf"\{'sub' * (block.level - 1)}section*{{{block.title}}}"
-    if isinstance(block, Sentence):
-        template = block.template
-        return template.format(*(f"${_formula(part, block.at)}$" for part in block.parts)) + r"\par"
-    return rf"\[ {_display(block)} \]"
+def display(block: Display) -> str:
+    """name = value, or a comparison."""
+    relation = RELATIONS.get(block.relation, block.relation)
+    return f"{tex(block.name, block.at)} {relation} {tex(block.value, block.at)}"

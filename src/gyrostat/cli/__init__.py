@@ -5,7 +5,7 @@ import sys
 from collections.abc import Sequence
 
 from .. import __version__
-from ..errors import GyrostatError
+from ..errors import GyrostatError, ValuesError
 
 _EXAMPLES = """examples:
   gyrostat report                                            any field U(k3): E1, E2 and E3
@@ -54,6 +54,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = parser().parse_args(arguments)
     agreed = True
     try:
+        if given.fragment and given.format != "latex":
+            raise ValuesError(f"--fragment is for LaTeX, --format is {given.format}: add --format latex")
         if given.verb == "report":                     # SymPy is loaded after the arguments are understood
             from .report import run
             output = run(given)

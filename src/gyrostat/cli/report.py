@@ -6,7 +6,7 @@ from typing import Any
 
 from ..body import Gyrostat, symmetric_gyrostat
 from ..conditions import Criterion
-from ..document import Block, decision_blocks, report_blocks, scene_blocks
+from ..document import Block, Heading, criterion_blocks, decision_blocks, existence, report_blocks, scene_blocks
 from ..equilibria import Equilibrium
 from ..errors import EquilibriumError, ValuesError
 from ..expressions import exact_number, parse
@@ -26,15 +26,33 @@ def run(given: argparse.Namespace) -> str:
         raise ValuesError(f"--equilibrium {given.equilibrium[0]} needs a field, --potential none has none: leave out one of the two")
     reports = [analyze(eq) for eq in _equilibria(scene, given.equilibrium or ["E1", "E2", "E3"], numbers)]
     decisions: list[Decision | None] = _decisions(reports, numbers) if numbers else [None for _ in reports]
+    if given.conditions and given.format == "json":
+        raise ValuesError("--conditions is a table, --format json has the conditions anyway: leave out one of the two")
+    if given.conditions:
+        return _conditions(reports, given)
     if given.format == "json":
         return json.dumps(_json(scene, reports, decisions), indent=2, ensure_ascii=False) + "\n"
     if given.format == "latex":
-        from ..latex import document
-        return document(reports, decisions)
+        from ..article import document
+        return document(reports, decisions, given.fragment)
     from ..unicode import text
     blocks: list[Block] = scene_blocks(scene)
     for report, decision in zip(reports, decisions):
         blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
+    return text(blocks)
+
+
+def _conditions(reports: list[Report], given: argparse.Namespace) -> str:
+    """Only where each equilibrium exists and its two conditions."""
+    if given.format == "latex":
+        from ..article import conditions_table
+        return conditions_table(reports, given.fragment)
+    from ..unicode import text
+    blocks: list[Block] = []
+    for report in reports:
+        eq = report.equilibrium
+        blocks += [Heading(eq.label), *(existence(d, eq.at) for d in eq.existence()),
+                   *criterion_blocks("Necessary", report.necessary, eq.at), *criterion_blocks("Sufficient", report.sufficient, eq.at)]
     return text(blocks)
 
 

@@ -18,7 +18,7 @@ _OPTIONAL: Mapping[str, Any] = {"scene": str, "note": str, "let": dict, "at": di
                                        "corrected": (str, list)}
 _CHECKS: Mapping[str, Callable[[Reading], Outcome]] = {
     "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium, "solution": formulas.solution,
-    "number": formulas.number, "condition": claims.condition, "statement": claims.statement}
+    "number": formulas.rounded, "condition": claims.condition, "statement": claims.statement}
 _STATUS = {True: "confirmed", False: "misprint", None: "unchecked"}
 
 

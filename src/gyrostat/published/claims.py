@@ -4,7 +4,7 @@ from itertools import islice
 from typing import Any
 
 import mpmath
-from sympy import Expr, Integer, Symbol
+from sympy import Expr, Integer, Poly, Symbol
 
 from ..conditions import Criterion
 from ..errors import GyrostatError, PublishedError
@@ -67,6 +67,21 @@ def _on_boundary(r: Reading, criterion: Criterion) -> Iterator[dict[Symbol, Expr
                         on = values | {s: (s - condition.margin / slope).subs(values)}
                         if all(e.subs(on) > 0 for e in (*r.given, *(x for x in on if x.is_positive))):
                             yield on | _flat(r, on)
+                            yield from _double(r, condition.margin, s, on)
+
+
+def _double(r: Reading, margin: Expr, s: Symbol, on: dict[Symbol, Expr]) -> Iterator[dict[Symbol, Expr]]:
+    """Points of the boundary where the necessary condition is at equality too, if it is a square along the boundary."""
+    if s != symbol("dU"):
+        return
+    solved = s - margin / margin.diff(s)
+    for condition in (c for a in r.claim.report.necessary.alternatives for c in a):
+        for t in sorted(condition.margin.free_symbols - {s}, key=str):
+            along = condition.margin.subs(s, solved).subs({x: v for x, v in on.items() if x not in (s, t)})
+            coefficients = Poly(along, t).all_coeffs() if not t.is_positive and along.is_polynomial(t) else []
+            if len(coefficients) == 3 and coefficients[1] ** 2 == 4 * coefficients[0] * coefficients[2]:
+                there = on | {t: -coefficients[1] / (2 * coefficients[0])}
+                yield there | {s: solved.subs(there)}
 
 
 def _flat(r: Reading, on: dict[Symbol, Expr]) -> dict[Symbol, Expr]:

@@ -6,14 +6,16 @@ from typing import Any
 
 from sympy import Expr, Symbol
 
+from ..article import preamble
 from ..conditions import Criterion
-from ..latex import Printer, formula, preamble
+from ..latex import Printer, formula
 from ..notation import symbol
 from . import Finding, source_of
 from .language import form
-from .listing import number, place, rows
+from .listing import as_text, number, place, rows
 
-_VECTORS = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l": r"\mathbf{l}", "vector_omega": r"\boldsymbol{\omega}",
+_VECTORS = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l": r"\boldsymbol{l}",
+            "vector_omega": r"\boldsymbol{\omega}",
             "vector_M": r"\mathbf{M}", "vector_A": r"\mathbf{A}", "vector_r": r"\mathbf{r}", "vector_m": r"\mathbf{m}",
             "vector_z": r"\hat{\mathbf{z}}", "delta_pi": r"\delta\boldsymbol{\pi}", "delta_k": r"\delta\mathbf{k}",
             "axis_1": r"\hat{\mathbf{e}}_1", "axis_2": r"\hat{\mathbf{e}}_2", "axis_3": r"\hat{\mathbf{e}}_3", "tensor": r"\mathbf{I}",
@@ -21,7 +23,7 @@ _VECTORS = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector
             "linearization": "A", "tensor_torque": r"\boldsymbol{\tau}", "torque": r"\boldsymbol{\tau}"}
 _FUNCTIONS = {"cross": r"{} \times {}", "dot": r"{} \cdot {}", "dt": r"\frac{{d}}{{dt}} {}", "entry": r"{}_{{{}{}}}",
               "transpose": r"{}^{{T}}", "inverse": r"{}^{{-1}}", "variation": r"\delta {}", "gradient_pi": r"\nabla_{{\pi}} {}",
-              "gradient_k": r"\nabla_{{k}} {}", "bracket": r"\{{ {}, {} \}}"}
+              "gradient_k": r"\nabla_{{k}} {}", "abs": r"\left|{}\right|", "bracket": r"\{{ {}, {} \}}"}
 
 
 class _Published(Printer):
@@ -87,7 +89,7 @@ def _erratum(f: Finding) -> str:
 
 def _right(value: Any, at: Any, f: Finding) -> str:
     if isinstance(value, (str, list)):
-        return f"${_latex(value, at)}$" if f.outcome.corrected is not None else _tex(value)
+        return f"${_latex(value, at)}$" if f.outcome.corrected is not None else _tex(as_text(value))
     return f"${formula(value)}$" if isinstance(value, Criterion) else f"${_Published(at).doprint(value)}$"
 
 

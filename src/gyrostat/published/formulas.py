@@ -1,15 +1,17 @@
 """Checks of printed formulas: identities, equilibria, solutions of the equations of motion, numbers."""
 from collections.abc import Mapping
+from itertools import islice
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, Integer, Matrix, MatrixBase, Symbol
+from sympy import Expr, ImmutableMatrix, Integer, Matrix, MatrixBase, Pow, Symbol
 
 from ..attitude import reduced
 from ..errors import PublishedError
 from ..notation import symbol
 from . import independent
+from .independent_names import number
 from .language import decimal, read
-from .scenes import is_zero
+from .names import is_zero
 from .statements import Counterexample, Outcome, Reading, named
 
 
@@ -23,10 +25,12 @@ def identity(r: Reading) -> Outcome:
         return Outcome(True, printed, derived)
     difference = tuple((place, reduced(p - d)) for place, p, d in wrong)
     place, p, d = wrong[0]
+    if never := _never_real(p, d, r):
+        return Outcome(False, printed, derived, difference, never)
     for values in r.points([p, d]):
         if (there := _differ(p, d, values)) is not None:
             quantity = r.independently(s.quantity, values)
-            value = independent.number(quantity[place] if isinstance(quantity, MatrixBase) else quantity, r.scene, values)
+            value = number(quantity[place] if isinstance(quantity, MatrixBase) else quantity, r.scene, values)
             return Outcome(False, printed, derived, difference, _compared(values, *there, value, place))
     return Outcome(None, printed, derived, difference)     # not refuted: at no point that was tried are both defined and different
 
@@ -48,6 +52,17 @@ def _differ(p: Expr, d: Expr, values: Mapping[Symbol, Expr]) -> tuple[Expr, Expr
     if not (x.is_Number and y.is_Number and x.is_finite and y.is_finite) or abs(x - y) < 1e-20:
         return None
     return a, b
+
+
+def _never_real(printed: Expr, derived: Expr | None, r: Reading) -> Counterexample | None:
+    """The print is not a real number at any of the first points, where what is derived is one."""
+    if not printed.atoms(Pow):
+        return None
+    tried = list(islice(r.points([printed, *([derived] if derived is not None else [])]), 12))
+    if not tried or any(printed.subs(values).evalf(20).is_real is not False for values in tried):
+        return None
+    value = "a real number" if derived is None else derived.subs(tried[0])
+    return Counterexample(named(tried[0]), "not real", value, f"the printed value there is {printed.subs(tried[0]).evalf(8)}")
 
 
 def _compared(values: Mapping[Symbol, Expr], p: Expr, d: Expr, value: Any, place: Any = None) -> Counterexample:
@@ -99,10 +114,13 @@ def solution(r: Reading) -> Outcome:
     wrong = [i for i, (a, b) in enumerate(zip(slopes, rates)) if not is_zero((a - b).rewrite("exp") if a.has(t) else a - b)]
     if wrong:
         i = wrong[0]
+        for function in printed:
+            if never := _never_real(function, None, r):
+                return Outcome(False, printed, ImmutableMatrix(rates), None, never)
         for values in r.points([slopes[i], rates[i]]):
             if (there := _differ(slopes[i], rates[i], values)) is not None:
                 moving = values | {x: f.subs(values) for x, f in place.items()}
-                value = independent.number(r.independently(f"dt({names[i]})", moving), scene, moving)
+                value = number(r.independently(f"dt({names[i]})", moving), scene, moving)
                 difference = tuple(((j, 0), slopes[j] - rates[j]) for j in wrong)
                 return Outcome(False, printed, ImmutableMatrix(rates), difference, _compared(values, *there, value, (i, 0)))
         return Outcome(None, printed, ImmutableMatrix(rates))
@@ -124,7 +142,7 @@ def _rank(printed: Any, constants: list[Symbol]) -> int:
     return int(slopes.subs(chosen).rank(iszerofunc=lambda e: abs(e.evalf(30)) < 1e-20))
 
 
-def number(r: Reading) -> Outcome:
+def rounded(r: Reading) -> Outcome:
     """The derived number rounds to the printed digits."""
     s = r.statement
     derived, (printed, half) = r.finish(read(s.quantity, r.own)), decimal(s.printed)
@@ -133,5 +151,5 @@ def number(r: Reading) -> Outcome:
     excess = abs(derived.evalf(50) - printed)
     if excess <= half:
         return Outcome(True, s.printed, derived)
-    value = independent.number(r.independently(s.quantity, r.at), r.scene, r.at)
+    value = number(r.independently(s.quantity, r.at), r.scene, r.at)
     return Outcome(False, s.printed, derived, ((None, printed - derived.evalf(20)),), _compared(r.at, printed, derived, value))

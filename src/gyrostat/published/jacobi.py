@@ -18,7 +18,9 @@ class _Jacobi(Function):
         with mpmath.workprec(prec + 20):
             u, m = (mpmath.mpf(Float(v)._mpf_) for v in values)
             value = mpmath.ellipfun(self.letters, u, m=m)
-            return Float._new(value._mpf_, prec) if isinstance(value, mpmath.mpf) else None      # complex for some m > 1
+            if abs(mpmath.im(value)) > mpmath.mpf(2) ** -prec:             # as for some m > 1
+                return None
+            return Float._new(mpmath.re(value)._mpf_, prec)
 
     def fdiff(self, argindex: int = 1) -> Any:
         u, m = self.args

@@ -1,5 +1,4 @@
 """Statement, Outcome, Counterexample: a published formula, what its check found, and the numbers that show a misprint."""
-from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -8,9 +7,10 @@ from typing import Any
 from sympy import Expr, Symbol
 
 from ..notation import symbol
-from . import independent
+from . import independent_names
 from .criteria import Claim
 from .language import comparisons, read
+from .names import names
 from .sampling import points
 from .scenes import Scene
 
@@ -82,11 +82,11 @@ class Reading:
 
     def __init__(self, statement: Statement):
         self.statement, self.scene = statement, statement.scene
-        bare = self.scene.names({})
+        bare = names(self.scene, {})
         self.at: dict[Symbol, Expr] = {}
         for name, text in statement.at.items():
             self.at[symbol(name)] = read(text, bare)
-        self.names = self.scene.names(self.at) if self.at else bare
+        self.names = names(self.scene, self.at) if self.at else bare
         self.own = _with_let(self.names, statement.let)
         parsed = comparisons(statement.given, self.names) if statement.given else []
         self.given = tuple(margin for margin, _ in parsed)
@@ -106,17 +106,36 @@ class Reading:
 
     def independently(self, text: Any, values: Mapping[Symbol, Expr]) -> Any:
         """A quantity from Newton and Euler's equations at numbers."""
-        names = independent.names(self.scene, values)
-        return read(text, _with_let(names, self.statement.let))
+        found = independent_names.names(self.scene, values)
+        return read(text, _with_let(found, self.statement.let))
 
 
-def _with_let(names: Mapping[str, Any], let: Mapping[str, str]) -> Mapping[str, Any]:
-    """The source's own abbreviations before the names of the scene."""
-    own: dict[str, Any] = {}
-    layered: Mapping[str, Any] = ChainMap(own, names)      # type: ignore[arg-type]
+def _with_let(scene_names: Mapping[str, Any], let: Mapping[str, str]) -> Mapping[str, Any]:
+    """The source's own abbreviations before the names of the scene; each may use those before it."""
+    layered = scene_names
     for name, text in let.items():
-        own[name] = read(text, layered)
+        layered = _Abbreviated(name, text, layered)
     return layered
+
+
+class _Abbreviated(Mapping[str, Any]):
+    """One abbreviation more, read when it is used."""
+
+    def __init__(self, name: str, text: str, outer: Mapping[str, Any]):
+        self._name, self._text, self._outer = name, text, outer
+
+    @cached_property
+    def _value(self) -> Any:
+        return read(self._text, self._outer)
+
+    def __getitem__(self, name: str) -> Any:
+        return self._value if name == self._name else self._outer[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter({**dict.fromkeys(self._outer), self._name: None})
+
+    def __len__(self) -> int:
+        return len(set(self._outer) | {self._name})
 
 
 def named(values: Mapping[Symbol, Expr]) -> tuple[tuple[str, Expr], ...]:

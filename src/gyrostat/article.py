@@ -1,0 +1,89 @@
+"""Reports as LaTeX articles and fragments: sentences, numbered equations that fit the line, references; tables of conditions."""
+from collections.abc import Iterable
+
+from sympy import MatrixBase
+
+from .document import Block, Display, Heading, Sentence, Word, decision_blocks, existence, report_blocks, scene_blocks
+from .latex import RELATIONS, display, formula, tex
+from .linebreaks import broken, width
+from .references import cited
+from .stability import Decision, Report
+
+LINE, NARROW = 440.0, 315.0                                # points: a line of a document, of a fragment
+
+
+def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (), fragment: bool = False) -> str:
+    """An article with the scene of the first report, every report, and the decisions that go with them.
+
+    A fragment has no preamble, fits a column of 12 cm, and names its references in comments.
+    """
+    given = list(reports)
+    blocks = scene_blocks(given[0].equilibrium.system)
+    for report, decision in zip(given, list(decisions) or [None] * len(given)):
+        blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
+    body = "\n".join(_block(block, NARROW if fragment else LINE) for block in blocks)
+    works = cited([block.template for block in blocks if isinstance(block, Sentence)])
+    if fragment:
+        return "".join(f"% {work}\n" for work in works) + body + "\n"
+    listed = "\n".join(rf"\item {_words(work)}" for work in works)
+    return preamble("Stability of the relative equilibria of a gyrostat") + body + (
+        "\n\\section*{References}\n\\begin{itemize}\n" + listed + "\n\\end{itemize}\n\\end{document}\n")
+
+
+def conditions_table(reports: Iterable[Report], fragment: bool = False) -> str:
+    """Where each equilibrium exists, its necessary and its sufficient condition, as a table."""
+    rows = []
+    for report in reports:
+        eq = report.equilibrium
+        exists = [("exists where", display(existence(d, eq.at))) for d in eq.existence()]
+        lines = [*exists, ("necessary (spectral)", formula(report.necessary)), ("sufficient (formal)", formula(report.sufficient))]
+        rows += [rf"{eq.label if n == 0 else ''} & {name} & ${_inline(line)}$ \\" for n, (name, line) in enumerate(lines)] + [r"\hline"]
+    column = r">{\raggedright\arraybackslash}p"
+    table = "\n".join((rf"\begin{{tabular}}{{@{{}}{column}{{0.13\linewidth}}{column}{{0.2\linewidth}}{column}{{0.56\linewidth}}@{{}}}}",
+                       r"\hline", *rows, r"\end{tabular}", ""))
+    return table if fragment else preamble("Conditions for stability", ("array",)) + table + "\\end{document}\n"
+
+
+def preamble(title: str, packages: Iterable[str] = ()) -> str:
+    """An article up to its title."""
+    return "\n".join((r"\documentclass{article}", r"\usepackage[utf8]{inputenc}", *(rf"\usepackage{{{p}}}" for p in ("amsmath", *packages)),
+                      r"\setlength{\textwidth}{17cm}", r"\setlength{\oddsidemargin}{-0.5cm}", r"\setlength{\parindent}{0pt}",
+                      r"\setlength{\emergencystretch}{3em}", r"\allowdisplaybreaks",
+                      rf"\title{{{title}}}", r"\author{}", r"\date{}", r"\begin{document}", r"\maketitle", ""))
+
+
+def _block(block: Block, limit: float) -> str:
+    if isinstance(block, Heading):
+        return rf"\{'sub' * (block.level - 1)}section*{{{_words(block.title)}}}"
+    if isinstance(block, Sentence):
+        return _words(block.template).format(*(f"${_inline(tex(part, block.at))}$" for part in block.parts)) + r"\par"
+    lines = _equations(block, limit)
+    listed = rf"The entries of ${tex(block.name, block.at)}$ that are not 0:\par" if len(lines) > 1 else ""
+    return "\n".join([*filter(None, [listed]), *(rf"\begin{{equation}} {line} \end{{equation}}" for line in lines)])
+
+
+def _equations(block: Display, limit: float) -> list[str]:
+    """The display, broken where it is too wide; a matrix that stays too wide by its entries that are not 0."""
+    whole = display(block)
+    if width(whole) <= limit:
+        return [whole]
+    name, relation = tex(block.name, block.at), RELATIONS.get(block.relation, block.relation)
+    if not isinstance(block.value, MatrixBase) and width(name) > limit / 3:
+        return [r"\begin{aligned}[b] & " + r" \\ & \quad ".join(broken(whole, limit)) + r" \end{aligned}"]
+    if not isinstance(block.value, MatrixBase):
+        first, *rest = broken(f"{relation} {tex(block.value, block.at)}", limit - width(name))
+        return [rf"\begin{{aligned}}[b] {name} & {first} \\ " + r" \\ ".join(rf"& \quad {line}" for line in rest) + r" \end{aligned}"]
+    if width(whole) <= 1.2 * limit:
+        return [rf"\text{{\footnotesize$\displaystyle {whole}$}}"]
+    return [line for i, row in enumerate(block.value.tolist(), 1) for j, entry in enumerate(row, 1) if entry
+            for line in _equations(Display(Word("", rf"{name}_{{{i}{j}}}"), entry, block.at), limit)]
+
+
+def _inline(formula: str) -> str:
+    """A formula in a sentence: its parentheses do not keep it from being broken."""
+    return formula.replace(r"\left(", "(").replace(r"\right)", ")")
+
+
+def _words(text: str) -> str:
+    """Prose in LaTeX."""
+    return text.replace("&", r"\&").replace("§", r"\S")

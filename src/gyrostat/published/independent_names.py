@@ -1,0 +1,102 @@
+"""The names of a formula at numbers, from Newton and Euler's equations and from three turns: what confirms a counterexample."""
+from collections.abc import Callable
+from typing import Any
+
+import mpmath
+from sympy import Expr, Float, Integer, Matrix, MatrixBase, Rational, Symbol, diag
+
+from ..notation import jet, symbol
+from .independent import DIGITS, PI, K, Model, Values
+from .independent_kinematics import turning
+from .names import FUNCTIONS
+from .scenes import Scene
+
+
+def names(scene: Scene, values: Values) -> dict[str, Any]:
+    """The names of a scene at numbers; functions of the motion differentiate along the field of Newton and Euler."""
+    return _functions() | (turning(scene, values) if "angles" in scene.table else _moving(Model(scene, values)))
+
+
+def _functions() -> dict[str, Callable[..., Any]]:
+    """Vector algebra as everywhere; elliptic functions and the polhode from their differential equations."""
+    return {**FUNCTIONS, "inverse": lambda a: a.adjugate() / a.det(), "polhode_period": lambda *x: _period(x[:3], x[3:]),
+            **{name: (lambda u, m, i=i: _jacobi(u, m)[i]) for i, name in enumerate(("sn", "cn", "dn"))}}
+
+
+def _moving(model: Model) -> dict[str, Any]:
+    x, field = model.coordinates, model.field
+    h = sum(p**2 / moment for p, moment in zip(PI, model.inertia)) / 2 + model.U
+    named: dict[str, Any] = {str(s): v for s, v in model.values.items() if s not in x and not jet(s.name)}
+    named |= {str(s): s for s in x}
+    M = PI + model.rotor
+    named |= {f"omega{i}": model.omega[i - 1] for i in (1, 2, 3)}
+    named |= {"vector_pi": PI, "vector_k": K, "vector_l": model.rotor, "vector_M": M, "vector_omega": model.omega, "h": h, "U": model.U,
+              "T": h - model.U, "C": M.dot(M), "C1": M.dot(K), "C2": K.dot(K), "field": field, "state": Matrix(x)}
+    if model.U:
+        slope = model.U.diff(K[2])
+        named |= {"dU": slope, "d2U": slope.diff(K[2]), "d3U": slope.diff(K[2], 2)}
+        named |= {f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}
+    if model.label:
+        place = dict(zip(x, model.point))
+        named = {name: v.subs(place) if isinstance(v, (Expr, MatrixBase)) else v for name, v in named.items()}
+        J, polynomial, lamda = model.jacobian(), model.polynomial(), symbol("lamda")
+        four = [0, 1, 3, 4] if len(x) == 6 else [i for i in range(3) if i + 1 != int(str(model.label)[-1])]
+        named |= {"jacobian": J, "linearization": J.extract(four, four), "identity": diag(*[1] * len(four)),
+                  "polynomial": polynomial.subs(model.values), "lamda": model.values.get(lamda, lamda), "q": polynomial.coeff(lamda, 0)}
+        return named | ({"p": polynomial.coeff(lamda, 2)} if len(x) == 6 else {})
+
+    def along(direction: Matrix) -> Callable[[Any], Any]:
+        def one(f: Expr) -> Expr:
+            return sum((f.diff(s) * rate for s, rate in zip(x, direction)), Integer(0))
+        return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)
+
+    def bracket(f: Any, g: Expr) -> Any:
+        """{f, g} = ∇f · (M × ∂πg + k × ∂kg, k × ∂πg)."""
+        c, d = (Matrix([g.diff(s) for s in part]) for part in (PI, K))
+        return along(Matrix([*(M.cross(c) + K.cross(d)), *K.cross(c)]))(f)
+
+    delta = Matrix([model.values.get(symbol(f"delta_{s}"), Integer(0)) for s in x])
+    named |= {"delta_pi": Matrix(delta[:3]), "delta_k": Matrix(delta[3:]), "dt": along(field), "variation": along(delta),
+              "bracket": bracket, "gradient_pi": lambda f: Matrix([f.diff(s) for s in PI]),
+              "gradient_k": lambda f: Matrix([f.diff(s) for s in K])}
+    named |= {f: sum((model.values.get(symbol(f"{f}{i}"), Integer(0)) * s for i, s in enumerate(x, 1)), Integer(0)) for f in "FG"}
+    return named
+
+
+def _period(inertia: tuple[Expr, ...], momentum: tuple[Expr, ...]) -> Expr:
+    """4 ∫ dM2/|Ṁ2| over a quarter of the polhode, M1 and M3 from the two conserved quantities (I1 < I2 < I3, M² > 2 E I2)."""
+    with mpmath.workdps(DIGITS):
+        (I1, I2, I3), M = ([mpmath.mpf(x.p) / x.q for x in xs] for xs in (inertia, momentum))
+        total, twice = sum(m**2 for m in M), sum(m**2 / i for m, i in zip(M, (I1, I2, I3)))
+        high, low = twice * I3 - total, total - twice * I1                 # M1² and M3² are affine in M2², M1 = 0 at the turning point
+        top = high * I2 / (I3 - I2)
+
+        def slope(angle: Any) -> Any:
+            M2 = mpmath.sqrt(top) * mpmath.sin(angle)
+            M3 = mpmath.sqrt((low - M2**2 * (1 - I1 / I2)) * I3 / (I3 - I1))
+            amplitude = mpmath.sqrt(high * I1 / (I3 - I1))                 # M1 = amplitude cos(angle)
+            return mpmath.sqrt(top) / (amplitude * M3 * (1 / I1 - 1 / I3))
+
+        return Float(4 * mpmath.quad(slope, [0, mpmath.pi / 4, mpmath.pi / 2]), 30)
+
+
+def _jacobi(u: Expr, m: Expr) -> list[Expr]:
+    """y(u) of y1' = y2 y3, y2' = −y1 y3, y3' = −m y1 y2, y(0) = (0, 1, 1), by Taylor steps."""
+    with mpmath.workdps(30):
+        step, m = mpmath.mpf(u.p) / u.q / 48, mpmath.mpf(m.p) / m.q
+        y = [mpmath.mpf(x) for x in (0, 1, 1)]
+        for _ in range(48):
+            c = [[x] for x in y]
+            for n in range(45):
+                product = [sum(c[i][j] * c[k][n - j] for j in range(n + 1)) for i, k in ((1, 2), (0, 2), (0, 1))]
+                for series, sign, p in zip(c, (1, -1, -m), product):
+                    series.append(sign * p / (n + 1))
+            y = [mpmath.polyval(series[::-1], step) for series in c]
+        return [Float(x, 25) for x in y]
+
+
+def number(value: Expr, scene: Scene, values: Values) -> Any:
+    """A value of these names at the instant of the counterexample: exact where it is rational, else to 30 digits."""
+    place = {Symbol("t"): Integer(0)} if "angles" in scene.table else {s: v for s, v in values.items() if s in {*PI, *K}}
+    at = value.subs(place)
+    return at if isinstance(at, Rational) or at.free_symbols else at.evalf(30)

@@ -1,0 +1,113 @@
+"""Everything that a formula may name, as the library derives it from the bracket, the Hamiltonian and the kinematics."""
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Symbol, eye
+
+from ..algebra import Ring
+from ..attitude import reduced
+from ..energy_casimir import multipliers
+from ..equilibria import Equilibrium
+from ..freebody import polhode_period
+from ..linearization import linearize
+from ..notation import jet, jet_name, symbol
+from .jacobi import cn, dn, sn
+from .kinematics import Later, turning
+from .scenes import Scene
+
+
+class Names(Mapping[str, Any]):
+    """Names of a scene; what is Later is derived when it is first asked for; the values of `at` are inserted."""
+
+    def __init__(self, meanings: Mapping[str, Any], at: Mapping[Symbol, Expr]):
+        self._meanings, self._at, self._known = meanings, at, dict[str, Any]()
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._known:
+            value = self._meanings[name]
+            value = value.derive() if isinstance(value, Later) else value
+            self._known[name] = value.xreplace(self._at) if self._at and isinstance(value, (Expr, MatrixBase)) else value
+        return self._known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._meanings)
+
+    def __len__(self) -> int:
+        return len(self._meanings)
+
+
+def names(scene: Scene, at: Mapping[Symbol, Expr]) -> Names:
+    """What each name of a scene stands for, with the values of `at` inserted."""
+    return Names({**FUNCTIONS, **_symbols(scene), **(turning(scene) if "angles" in scene.table else _phase_space(scene))}, at)
+
+
+def is_zero(expression: Expr) -> bool:
+    """Whether an expression vanishes identically."""
+    ring = Ring([expression])
+    return not ring.reduce(ring.fraction(expression)[0])
+
+
+FUNCTIONS: Mapping[str, Any] = {
+    "cross": lambda a, b: a.cross(b), "dot": lambda a, b: (a.T * b)[0, 0], "transpose": lambda a: a.T,
+    "inverse": lambda a: a.adjugate() / reduced(a.det()), "rank": lambda a: Integer(a.rank(iszerofunc=is_zero)),
+    "diff": lambda f, x: f.diff(x), "entry": lambda a, i, j: a[i - 1, j - 1], "sn": sn, "cn": cn, "dn": dn,
+    "polhode_period": lambda *x: polhode_period(x[:3], x[3:], 30)}
+
+
+def _symbols(scene: Scene) -> dict[str, Any]:
+    """Parameters: those of body and field, and those the file declares."""
+    found = {s for e in (*scene.body.inertia, *scene.body.gyrostatic_momentum) for s in e.free_symbols}
+    found |= set(scene.potential.parameters) if scene.potential else set()
+    return {name: symbol(name) for name in {s.name for s in found} | set(scene.table.get("parameters", ())) | {"t"}}
+
+
+def _phase_space(scene: Scene) -> dict[str, Any]:
+    """Names on so(3)* or e(3)*, all at the equilibrium where there is one."""
+    system, body, potential = scene.system, scene.body, scene.potential
+    coordinates, U = system.space.coordinates, symbol("U")
+    slopes = (0, 0, 0, *(system.potential.gradient() if system.potential else ()))
+
+    def gradient(f: Expr) -> ImmutableMatrix:
+        return ImmutableMatrix([f.diff(x) + f.diff(U) * slope for x, slope in zip(coordinates, slopes)])
+
+    def along(direction: ImmutableMatrix) -> Callable[[Any], Any]:
+        """The derivative in a direction, of functions of the coordinates and the jet of U."""
+        def one(f: Expr) -> Expr:
+            total = sum((slope * rate for slope, rate in zip(gradient(f), direction)), Integer(0))
+            for d in f.free_symbols:
+                if jet(d.name) and system.potential:
+                    total += f.diff(d) * sum(x * y for x, y in zip(system.potential.following(d), direction[3:6]))
+            return total
+        return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)
+
+    pi, rotor = ImmutableMatrix(coordinates[:3]), ImmutableMatrix(body.gyrostatic_momentum)
+    omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.inertia)])
+    kinetic = body.kinetic_energy(coordinates[:3])
+    found: dict[str, Any] = {str(x): x for x in coordinates}
+    found |= {f"omega{i}": rate for i, rate in enumerate(omega, 1)}
+    found |= {"vector_pi": pi, "vector_l": rotor, "vector_M": pi + rotor, "vector_omega": omega, "B": system.space.tensor,
+              "h": kinetic + (U if potential else 0), "T": kinetic, "field": system.jet_field, "state": ImmutableMatrix(coordinates)}
+    found |= dict(zip(("C1", "C2") if potential else ("C",), system.space.casimirs))
+    found |= {f: sum(symbol(f"{f}{i}") * x for i, x in enumerate(coordinates, 1)) for f in "FG"}     # any functions, to first order
+    if potential:
+        found |= {"U": U, "vector_k": ImmutableMatrix(coordinates[3:])}
+        found |= {d: symbol(d) for d in ([jet_name(n) for n in (1, 2, 3)] if potential.axial else [jet_name(1, a) for a in "123"])}
+    if scene.equilibrium is not None:
+        place = dict(zip(coordinates, scene.point))
+        return {name: value.xreplace(place) for name, value in found.items()} | _at_equilibrium(scene.equilibrium, place)
+    delta = ImmutableMatrix([symbol(f"delta_{x}") for x in coordinates])
+    return found | {
+        "delta_pi": ImmutableMatrix(delta[:3]), "delta_k": ImmutableMatrix(delta[3:]), "dt": along(system.jet_field),
+        "variation": along(delta), "bracket": lambda f, g: along(system.space.tensor * gradient(g))(f),
+        "gradient_pi": lambda f: ImmutableMatrix(gradient(f)[:3]), "gradient_k": lambda f: ImmutableMatrix(gradient(f)[3:])}
+
+
+def _at_equilibrium(eq: Equilibrium, place: Mapping[Symbol, Expr]) -> dict[str, Any]:
+    found: dict[str, Any] = {s.name: s for e in (*eq.point, *eq.existence()) for s in e.free_symbols} | {"lamda": symbol("lamda")}
+    found |= {"jacobian": Later(lambda: eq.system.jet_jacobian.xreplace(place)), "linearization": Later(lambda: linearize(eq).matrix),
+              "polynomial": Later(lambda: linearize(eq).characteristic_polynomial()), "q": Later(lambda: linearize(eq).coefficients[-1]),
+              "identity": Later(lambda: eye(linearize(eq).matrix.rows))}
+    if eq.system.potential:
+        nu = {f"nu{n + 1}": Later(lambda n=n: multipliers(eq, eq.system.space.casimirs)[n]) for n in (0, 1)}  # type: ignore[misc]
+        found |= {"p": Later(lambda: linearize(eq).coefficients[0]), **nu}
+    return found
