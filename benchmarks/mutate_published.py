@@ -47,8 +47,8 @@ NEXT = {"1": "2", "2": "3", "3": "1"}
 
 def mutants_of(text):
     """(kind, mutant) for every single change of a printed text."""
-    if text in ("stable", "unstable"):
-        yield "verdict", "unstable" if text == "stable" else "stable"
+    if text in ("stable", "unstable", "never"):
+        yield from [("verdict", "unstable" if text == "stable" else "stable")] if text != "never" else []
         return
     for match in re.finditer(r"(?<![eE*/(,<>=])\s*([-+])\s*(?=[^\s])", text):
         place = match.start(1)
@@ -107,7 +107,7 @@ def reason(result):
 
 
 def tried(task):
-    """killed, survived, unreadable (no formula of the scene), or stuck (a difference without a counterexample)."""
+    """killed, survived, refused (an index that the scene does not have, a division by zero), or stuck (another error)."""
     source, key = task
     (statement,) = (s for s in load(source).statements if s.key == key)
     if outcome_of(statement).agrees is not True:
@@ -119,7 +119,10 @@ def tried(task):
             outcome = outcome_of(mutant)
             result = "killed" if outcome.agrees is False and outcome.counterexample else "survived"
         except GyrostatError as error:                     # anything else is a defect, and stops the run
-            result = "unreadable" if "cannot read" in str(error) or "not a name" in str(error) else f"stuck: {error}"
+            quoted = re.search(r"cannot read (?:the chain )?'(.*?)(?:\.\.\.)?'", str(error))
+            texts = [t for _, t in placed(mutant.printed)] + list(mutant.let.values())
+            refused = quoted and any(quoted[1].strip() in t for t in texts)
+            result = "refused" if refused else f"stuck: {error}"
         results.append((source, key, kind, label, result, time.perf_counter() - start))
     return results
 
@@ -136,11 +139,12 @@ def main():
             results += found
             for source, key, kind, label, result, seconds in found if given.show else ():
                 print(f"{source}:{key}: {kind}: {label}: {result} ({seconds:.2f} s)", flush=True)
-    read = [r for r in results if r[4] != "unreadable"]
+    read = [r for r in results if r[4] != "refused"]
     killed = [r for r in read if r[4] == "killed"]
     equivalent = [(r, why) for r in read if r[4] == "survived" for why in [reason(r)] if why]
     left = [r for r in read if r not in killed and r not in [e for e, _ in equivalent]]
-    print(f"{len(read)} mutants ({', '.join(f'{n} {kind}' for kind, n in Counter(r[2] for r in read).most_common())})")
+    kinds = ", ".join(f"{n} {kind}" for kind, n in Counter(r[2] for r in read).most_common())
+    print(f"{len(results)} mutants, {len(results) - len(read)} refused as no formula of their scene; the others: {len(read)} ({kinds})")
     print(f"{len(killed)} reported as misprints, {len(equivalent)} equivalent, {len(left)} neither: "
           f"kill rate {100 * len(killed) / max(1, len(read) - len(equivalent)):.1f} %")
     for (source, key, _, label, _, _), why in equivalent:

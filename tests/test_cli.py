@@ -117,3 +117,90 @@ def test_the_module_runs():
     """python -m gyrostat is the command."""
     run = subprocess.run([sys.executable, "-m", "gyrostat", "--version"], capture_output=True, text=True, check=True)
     assert run.stdout.strip() == f"gyrostat {gyrostat.__version__}"
+
+
+def verify(capsys, *arguments):
+    status = main(["verify", *arguments])
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
+
+
+OWN = """[source]
+name = "mine"
+title = "A paper of my own"
+
+[scene.top]
+inertia = ["I1", "I1", "I3"]
+potential = "m0*k3"
+equilibrium = "E1"
+spin = "omega3_0"
+
+[[formula]]
+key = "stable"
+where = "eq. (1)"
+quantity = "sufficient for stability"
+printed = "(I3*omega3_0)**2 > 2*I1*m0"
+kind = "condition"
+scene = "top"
+"""
+
+
+def test_verify_text(capsys):
+    """A table by source; what is wrong with what is right, and where; no progress where standard error is no terminal."""
+    status, out, err = verify(capsys, "AR")
+    assert status == 0 and err == "" and "40 confirmed, 5 misprint, 1 unchecked" in out and out.endswith("46 statements, all as expected\n")
+    assert "printed:  (I2 - I3)*omega1*omega2" in out and "right:    (I2 - I3)*omega2*omega3" in out
+
+
+def test_verify_json(capsys):
+    """The documented keys; a misprint has its counterexample."""
+    _, out, _ = verify(capsys, "AR", "--format", "json")
+    data = json.loads(out)
+    assert set(data[0]) == {"source", "key", "where", "quantity", "kind", "printed", "derived", "status", "expected", "difference",
+                            "counterexample", "note"}
+    (wrong,) = (d for d in data if d["key"] == "2K-dot")
+    assert wrong["status"] == "misprint" and set(wrong["counterexample"]) == {"values", "printed", "derived", "confirmation"}
+    assert wrong["derived"] == "dot(vector_pi, vector_omega)" and wrong["difference"][0]["entry"] is None
+
+
+def test_verify_latex(capsys):
+    """A table of errata, of misprints only, as a document or a fragment."""
+    _, out, _ = verify(capsys, "AR", "EA", "--format", "latex")
+    assert r"\begin{longtable}" in out and r"\omega_{2} \omega_{3}" in out and "K-constant" not in out and "norm" not in out
+    _, part, _ = verify(capsys, "AR", "--format", "latex", "--fragment")
+    assert part.startswith(r"\begingroup") and r"\hline" in part and r"\documentclass" not in part
+
+
+def test_verify_a_file_of_ones_own(capsys, tmp_path):
+    """Exit status 1 where a formula is not as expected, 2 where it cannot be read, with file and key."""
+    path = tmp_path / "mine.toml"
+    path.write_text(OWN)
+    status, out, _ = verify(capsys, str(path))
+    assert status == 1 and "expected: confirmed" in out and "1 of 1 are not as expected: mine:stable" in out
+    assert "I₃² (ω₃⁰)² > 4 I₁ m₀" in out and "has the real part" in " ".join(out.split())
+    path.write_text(OWN.replace("2*I1*m0", "4*I1*m0"))
+    assert verify(capsys, str(path))[0] == 0
+    path.write_text(OWN.replace("2*I1*m0", "4*I1*mass"))
+    status, out, err = verify(capsys, str(path))
+    assert status == 2 and out == "" and f"{path}: stable: " in err and "mass is not a name" in err
+    assert verify(capsys, "VV2004")[0] == 2
+
+
+def test_progress_on_a_terminal(capsys, monkeypatch):
+    """A bar on standard error, wiped at the end."""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    _, out, err = verify(capsys, "EA")
+    assert "#" in err and "EA" in err and err.rstrip(" ").endswith("\r") and "#" not in out
+
+
+def test_conditions_and_fragments(capsys):
+    """Only the conditions, as text or as a table; a fragment of the report; what does not go together is refused."""
+    _, out, _ = run(capsys, "--conditions", "--equilibrium", "E1")
+    assert "Necessary:" in out and "(π₃⁰ + l)² > 4 I₁ U′(1)" in out and "Scene" not in out
+    _, out, _ = run(capsys, "--conditions", "--format", "latex", "--fragment")
+    assert out.startswith(r"\begin{tabular}") and "E3" in out
+    _, out, _ = run(capsys, "--equilibrium", "E1", "--format", "latex", "--fragment")
+    assert r"\documentclass" not in out and r"\begin{equation}" in out
+    for arguments, why in ((["--fragment"], "--format latex"), (["--conditions", "--format", "json"], "leave out one")):
+        status, out, err = run(capsys, *arguments)
+        assert status == 2 and out == "" and why in err

@@ -10,8 +10,11 @@ import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
 CHAIN = ("errors notation expressions algebra matrices exact signs body potential liepoisson system equilibria families orbit "
-         "linearization energy_casimir implication conditions values stability presentation document unicode latex cli").split()
-VIEWS = CHAIN[CHAIN.index("presentation"):]
+         "linearization energy_casimir implication conditions values stability attitude freebody presentation document unicode references "
+         "linebreaks latex article published cli").split()
+VIEWS = CHAIN[CHAIN.index("attitude"):]
+PUBLISHED = ("jacobi language scenes kinematics names criteria sampling independent independent_kinematics independent_names statements "
+             "formulas claims __init__ listing errata").split()
 
 
 def imported(path, package):
@@ -23,13 +26,23 @@ def imported(path, package):
 
 def test_every_module_is_in_the_chain():
     """The chain names every module of the package."""
-    assert {p.stem for p in SRC.glob("*.py")} - {"__init__", "__main__"} | {"cli"} == set(CHAIN)
+    assert {p.stem for p in SRC.glob("*.py")} - {"__init__", "__main__"} | {"cli", "published"} == set(CHAIN)
+    assert {p.stem for p in (SRC / "published").glob("*.py")} == set(PUBLISHED)
 
 
-@pytest.mark.parametrize("name", [n for n in CHAIN if n != "cli"])
+@pytest.mark.parametrize("name", [n for n in CHAIN if n not in ("cli", "published")])
 def test_modules_import_only_from_above(name):
     """Reading the chain top to bottom is reading the theory: nothing is used before it is defined."""
     assert set(imported(SRC / f"{name}.py", 1)) <= set(CHAIN[:CHAIN.index(name)])
+
+
+@pytest.mark.parametrize("name", PUBLISHED)
+def test_modules_of_published_import_only_from_above(name):
+    """The package of published formulas is a chain of its own, on top of the library."""
+    path = SRC / "published" / f"{name}.py"
+    top = {"Finding", "source_of"} if name in ("listing", "errata") else set()
+    assert set(imported(path, 1)) <= set(PUBLISHED[:PUBLISHED.index(name)]) | top
+    assert set(imported(path, 2)) <= set(CHAIN[:CHAIN.index("published")])
 
 
 def loaded(code):
@@ -56,7 +69,8 @@ def test_a_verdict_loads_no_view_and_no_numpy():
 
 def test_help_does_not_load_the_derivation_views():
     """The command line understands its arguments before it loads what typesets."""
-    assert "gyrostat.document" not in loaded("import gyrostat.cli; gyrostat.cli.parser()")
+    new = loaded("import gyrostat.cli; gyrostat.cli.parser()")
+    assert "gyrostat.document" not in new and "gyrostat.published" not in new
 
 
 def test_oracle_imports_nothing_of_ours():

@@ -10,7 +10,7 @@ from ..conditions import Criterion
 from ..errors import GyrostatError, PublishedError
 from ..notation import symbol
 from . import independent
-from .criteria import agree, free_symbols, holds, normal, printed_criterion
+from .criteria import agree, free_symbols, holds, printed_criterion
 from .language import comparisons
 from .sampling import K
 from .statements import Counterexample, Outcome, Reading, named
@@ -20,13 +20,13 @@ def condition(r: Reading) -> Outcome:
     """The printed comparisons are the derived condition, in normal form."""
     s, quantity = r.statement, str(r.statement.quantity)
     derived = r.claim.derived(quantity)
-    if s.printed == "never":                               # a method that proves nothing
-        return Outcome(not normal(derived, r.claim.domain), s.printed, derived)
-    margins = [(r.finish(margin), strict) for margin, strict in comparisons(s.printed, r.own)]
+    never = s.printed == "never"                           # a method that proves nothing
+    margins = [] if never else [(r.finish(margin), strict) for margin, strict in comparisons(s.printed, r.own)]
     if quantity == "existence":                            # what is divided by is not zero
         bottoms = {f**2 for margin, _ in margins for f in [margin.as_numer_denom()[1]] if f.free_symbols}
         margins += [(f, True) for f in bottoms]
-    printed = printed_criterion(margins, r.scene.equilibrium.at if r.scene.equilibrium else symbol("k3"))
+    at = r.scene.equilibrium.at if r.scene.equilibrium else symbol("k3")
+    printed = Criterion("formal", ()) if never else printed_criterion(margins, at)
     both = quantity == "necessary and sufficient for stability"
     claim = "sufficient for stability" if both else quantity
     if agree(claim, printed, derived, r.claim.domain):
@@ -40,7 +40,7 @@ def condition(r: Reading) -> Outcome:
 def _at_equality(r: Reading, claim: str, printed: Criterion, derived: Criterion) -> Outcome:
     """The print says more than is derived, at equality only: a point on the boundary refutes it, or nothing does."""
     wanted = -1 if claim.startswith("sufficient for stability") else 1     # an unstable point called stable, or the other way round
-    for values in islice(_on_boundary(r, derived), 400):
+    for values in islice(_on_boundary(r, derived), 150):
         if wanted == -1 and holds(r.claim.report.sufficient, values):
             continue
         model = independent.Model(r.scene, values)

@@ -41,7 +41,8 @@ class _Published(Printer):
 def _latex(printed: Any, at: Any) -> str:
     """A printed text, or texts, in LaTeX: a formula, comparisons, or words."""
     if isinstance(printed, list):
-        return rf"\bigl({', '.join(_latex(entry, at) for entry in printed)}\bigr)"
+        entries = "$, $".join(_latex(entry, at) for entry in printed)      # so that lines may end at the commas
+        return rf"\bigl({entries}\bigr)"
     words = []
     for part in re.split(r"\band\b", printed):
         pieces = re.split(r"\s*(<=|>=|<|>)\s*", part.strip())

@@ -117,15 +117,24 @@ class Model:
         (power,), coefficient = shifted.terms()[-1]
         return -1 if coefficient > 0 or not pole and power % 2 else 1
 
-    def inertia_of_second_variation(self) -> tuple[int, int, int]:
-        """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC1 ∩ ker dC2."""
-        at = dict(zip(self.coordinates, self.point))
+    def _gradients(self) -> tuple[Expr, list[Expr], Matrix]:
         h = sum(p**2 / moment for p, moment in zip(PI, self.inertia)) / 2 + self.U
         C = [(PI + self.rotor).dot(K), K.dot(K)]
-        gradients = Matrix([[f.diff(x) for x in self.coordinates] for f in (h, *C)]).subs(at)
+        rows = Matrix([[f.diff(x) for x in self.coordinates] for f in (h, *C)])
+        return h, C, rows.subs(dict(zip(self.coordinates, self.point)))
+
+    def multipliers(self) -> tuple[Expr, Expr]:
+        """ν with ∇h + ν1 ∇(M·k) + ν2 ∇|k|² = 0 at the point."""
+        _, _, gradients = self._gradients()
         a, b = symbol("a"), symbol("b")
         ((nu1, nu2),) = linsolve(list(gradients.row(0) + a * gradients.row(1) + b * gradients.row(2)), [a, b])
-        form = hessian(h + nu1 * C[0] + nu2 * C[1], self.coordinates).subs(at)
+        return nu1, nu2
+
+    def inertia_of_second_variation(self) -> tuple[int, int, int]:
+        """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC1 ∩ ker dC2."""
+        h, C, gradients = self._gradients()
+        nu1, nu2 = self.multipliers()
+        form = hessian(h + nu1 * C[0] + nu2 * C[1], self.coordinates).subs(dict(zip(self.coordinates, self.point)))
         kernel = Matrix.hstack(*gradients[1:, :].nullspace())
         roots = Poly((kernel.T * form * kernel).charpoly().all_coeffs(), symbol("lamda"))
         zero = min(monomial[0] for monomial in roots.monoms())

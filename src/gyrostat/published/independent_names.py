@@ -8,13 +8,13 @@ from sympy import Expr, Float, Integer, Matrix, MatrixBase, Rational, Symbol, di
 from ..notation import jet, symbol
 from .independent import DIGITS, PI, K, Model, Values
 from .independent_kinematics import turning
-from .names import FUNCTIONS
+from .names import FUNCTIONS, Names
 from .scenes import Scene
 
 
-def names(scene: Scene, values: Values) -> dict[str, Any]:
+def names(scene: Scene, values: Values) -> Names:
     """The names of a scene at numbers; functions of the motion differentiate along the field of Newton and Euler."""
-    return _functions() | (turning(scene, values) if "angles" in scene.table else _moving(Model(scene, values)))
+    return Names(_functions() | (turning(scene, values) if "angles" in scene.table else _moving(Model(scene, values))), {})
 
 
 def _functions() -> dict[str, Callable[..., Any]]:
@@ -43,6 +43,8 @@ def _moving(model: Model) -> dict[str, Any]:
         four = [0, 1, 3, 4] if len(x) == 6 else [i for i in range(3) if i + 1 != int(str(model.label)[-1])]
         named |= {"jacobian": J, "linearization": J.extract(four, four), "identity": diag(*[1] * len(four)),
                   "polynomial": polynomial.subs(model.values), "lamda": model.values.get(lamda, lamda), "q": polynomial.coeff(lamda, 0)}
+        if len(x) == 6 and all(e.is_Rational for e in model.point):
+            named |= dict(zip(("nu1", "nu2"), model.multipliers()))
         return named | ({"p": polynomial.coeff(lamda, 2)} if len(x) == 6 else {})
 
     def along(direction: Matrix) -> Callable[[Any], Any]:
@@ -55,6 +57,7 @@ def _moving(model: Model) -> dict[str, Any]:
         c, d = (Matrix([g.diff(s) for s in part]) for part in (PI, K))
         return along(Matrix([*(M.cross(c) + K.cross(d)), *K.cross(c)]))(f)
 
+    named["B"] = Matrix([[bracket(a, b) for b in x] for a in x])
     delta = Matrix([model.values.get(symbol(f"delta_{s}"), Integer(0)) for s in x])
     named |= {"delta_pi": Matrix(delta[:3]), "delta_k": Matrix(delta[3:]), "dt": along(field), "variation": along(delta),
               "bracket": bracket, "gradient_pi": lambda f: Matrix([f.diff(s) for s in PI]),

@@ -2,7 +2,7 @@
 from typing import Any
 
 import mpmath
-from sympy import Expr, Float, Function
+from sympy import Expr, Float, Function, I
 
 
 class _Jacobi(Function):
@@ -12,15 +12,11 @@ class _Jacobi(Function):
     def _eval_evalf(self, prec: int) -> Expr | None:
         if any(a.free_symbols for a in self.args):
             return None
-        values = [a.evalf(int(prec / 3.3) + 10) for a in self.args]
-        if not all(v.is_real for v in values):
-            return None
         with mpmath.workprec(prec + 20):
-            u, m = (mpmath.mpf(Float(v)._mpf_) for v in values)
+            u, m = (mpmath.mpmathify(a.evalf(int(prec / 3.3) + 10)) for a in self.args)
             value = mpmath.ellipfun(self.letters, u, m=m)
-            if abs(mpmath.im(value)) > mpmath.mpf(2) ** -prec:             # as for some m > 1
-                return None
-            return Float._new(mpmath.re(value)._mpf_, prec)
+            parts = [Float._new(mpmath.mpf(part)._mpf_, prec) for part in (mpmath.re(value), mpmath.im(value))]
+        return parts[0] if abs(parts[1]) < Float(2) ** -prec else parts[0] + I * parts[1]
 
     def fdiff(self, argindex: int = 1) -> Any:
         u, m = self.args

@@ -71,7 +71,7 @@ def text(findings: Iterable[Finding], width: int = 110) -> str:
 
 def _counts(found: list[Finding]) -> str:
     counts = [(sum(f.status == status for f in found), status) for status in _MARK]
-    return f"{len(found)} statements: " + ", ".join(f"{n} {status}" for n, status in counts if n)
+    return f"{len(found)} statement{'s' if len(found) > 1 else ''}: " + ", ".join(f"{n} {status}" for n, status in counts if n)
 
 
 def _details(f: Finding, width: int) -> list[str]:

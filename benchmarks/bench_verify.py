@@ -1,0 +1,86 @@
+"""How long does it take to check all published formulas, and how does the zero test compare with SymPy's simplify?
+
+    python benchmarks/bench_verify.py            all of it, some minutes; prints the rows of RESULTS.md
+    python benchmarks/bench_verify.py --quick    once, without the comparison, for breakage
+"""
+import argparse
+import platform
+import signal
+import statistics
+import subprocess
+import sys
+import time
+
+import sympy
+from sympy import MatrixBase
+
+from gyrostat.published import SOURCES, check, load
+from gyrostat.published.language import read
+from gyrostat.published.names import is_zero
+from gyrostat.published.statements import Reading
+
+LIMIT = 10
+
+
+def differences():
+    """printed − derived of every confirmed identity, entry by entry."""
+    found = []
+    for source in SOURCES:
+        for statement in load(source).statements:
+            if statement.kind in ("identity", "family") and statement.key not in load(source).expected:
+                r = Reading(statement)
+                printed, derived = (r.finish(read(x, r.own)) for x in (statement.printed, statement.quantity))
+                found.append(list(printed - derived) if isinstance(printed, MatrixBase) else [printed - derived])
+    return found
+
+
+def stopped(*_):
+    raise TimeoutError
+
+
+def decided(test, entries):
+    """Seconds and outcome of a zero test on one formula, stopped at the limit."""
+    signal.signal(signal.SIGALRM, stopped)
+    signal.alarm(LIMIT)
+    begin = time.perf_counter()
+    try:
+        return all(test(e) for e in entries), time.perf_counter() - begin
+    except TimeoutError:
+        return None, time.perf_counter() - begin
+    finally:
+        signal.alarm(0)
+
+
+def spread(values):
+    return f"{statistics.median(values):.2f} ({min(values):.2f}–{max(values):.2f})"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true")
+    given = parser.parse_args()
+    rounds = 1 if given.quick else 5
+    cold, warm, wrong = [], [], 0
+    for _ in range(rounds):
+        begin = time.perf_counter()
+        subprocess.run([sys.executable, "-m", "gyrostat", "verify"], check=True, stdout=subprocess.DEVNULL)
+        cold.append(time.perf_counter() - begin)
+        check()                                            # what a first run leaves in SymPy's caches
+        begin = time.perf_counter()
+        wrong += sum(f.status != f.expected for f in check())
+        warm.append(time.perf_counter() - begin)
+    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {sympy.__version__}, {rounds} rounds")
+    print("| all published formulas | seconds | not as expected |\n|---|---|---|")
+    print(f"| `gyrostat verify`, whole process | {spread(cold)} | 0 |\n| `check()`, repeated | {spread(warm)} | {wrong} |")
+    if given.quick:
+        return 1 if wrong else 0
+    formulas = differences()
+    ours, theirs = [decided(is_zero, f) for f in formulas], [decided(lambda e: sympy.simplify(e) == 0, f) for f in formulas]
+    print(f"\n| {len(formulas)} confirmed identities, zero test | seconds in all | decided right | stopped at {LIMIT} s |\n|---|---|---|---|")
+    for name, results in (("`is_zero`", ours), ("`sympy.simplify(…) == 0`", theirs)):
+        print(f"| {name} | {sum(t for _, t in results):.2f} | {sum(a is True for a, _ in results)} | {sum(a is None for a, _ in results)} |")
+    return 1 if wrong or not all(a for a, _ in ours) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

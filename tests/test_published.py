@@ -1,0 +1,267 @@
+"""Published formulas: statuses, counterexamples that confirm themselves, mutants, and files of a user's own."""
+import ast
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import oracle
+import pytest
+from sympy import Expr, MatrixBase, Rational
+
+import gyrostat
+from gyrostat.errors import ExpressionError, GyrostatError, PublishedError, ValuesError
+from gyrostat.notation import symbol
+from gyrostat.published import SOURCES, check, independent_names, load, outcome_of
+from gyrostat.published.language import comparisons, decimal, read
+from gyrostat.published.statements import Reading
+
+HERE = Path(gyrostat.__file__).parent / "published"
+FOUND = {source: check([source]) for source in SOURCES}
+STATEMENTS = [s for source in SOURCES for s in load(source).statements]
+BY_KEY = {(s.source, s.key): s for s in STATEMENTS}
+
+
+@pytest.mark.parametrize("source", SOURCES)
+def test_every_status_is_the_expected_one(source):
+    """What is computed is what expected.toml says, statement by statement."""
+    assert {f.statement.key: f.status for f in FOUND[source]} == {f.statement.key: f.expected for f in FOUND[source]}
+
+
+def test_no_status_is_stored_with_a_statement():
+    """The files hold what is printed; a status is computed."""
+    for source in SOURCES:
+        text = (HERE / f"{source}.toml").read_text(encoding="utf-8")
+        assert not any(f'"{word}"' in text or f"\n{word}" in text for word in ("confirmed", "misprint", "status"))
+
+
+def test_every_misprint_has_a_counterexample():
+    """Values at which printed and derived differ, and a confirmation; every formula says what is right."""
+    wrong = [f for found in FOUND.values() for f in found if f.status == "misprint"]
+    assert len(wrong) == 30
+    for f in wrong:
+        c = f.outcome.counterexample
+        assert c and c.values and c.confirmation and c.printed != c.derived
+        assert f.outcome.corrected is not None or f.outcome.derived is not None
+        assert all(isinstance(value, Expr) and not value.free_symbols for _, value in c.values)
+
+
+def test_every_unchecked_statement_says_why():
+    """Nothing is left open without a reason."""
+    assert all(f.statement.note for found in FOUND.values() for f in found if f.status == "unchecked")
+
+
+@pytest.mark.parametrize(("key", "entry"), [("E3-b", (0, 2)), ("E3-c", (1, 2)), ("E3-matrix", (3, 5))])
+def test_entries_of_the_inclined_matrix_against_the_oracle(key, entry):
+    """The differenced Euler-Poisson field has the derived entry at the counterexample, not the printed one."""
+    (f,) = (f for f in FOUND["VV2003"] if f.statement.key == key)
+    v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
+    x, field = oracle.inclined(v["I1"], v["I3"], v["l"], v["omega"], (v["k1"], v["k2"], v["k3"]), Fraction(0))
+    theirs = oracle.jacobian(field, x)[entry]
+    assert theirs == Fraction(str(f.outcome.counterexample.derived)) != Fraction(str(f.outcome.counterexample.printed))
+
+
+def test_tilt_at_k3_zero_against_the_oracle():
+    """Where the printed necessary condition for k3 = 0 fails, the field has no growing mode."""
+    (f,) = (f for f in FOUND["VV2003"] if f.statement.key == "k3-zero-necessary")
+    v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
+    x, field = oracle.inclined(v["I1"], v["I3"], v["l"], v["omega"], (v["k1"], v["k2"], Fraction(0)), v["d2U"])
+    assert v["l"]**4 + v["m0"]**2 * v["I1"]**2 - v["d2U"] * v["l"]**2 * v["I1"] < 0 and not oracle.growth(field, x)
+
+
+def test_critical_top_against_the_oracle():
+    """At equality in Rumiantsev's condition the reduced motion has its maximum at the pole: g = −2 I1 m g z0 x³ < 0."""
+    (f,) = (f for f in FOUND["VV2003"] if f.statement.key == "Rumiantsev")
+    v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
+    P, weight = v["I3"] * v["omega3_0"] + v["l"], v["m"] * v["g"] * v["z0"]
+    assert P**2 == 4 * v["I1"] * weight and weight > 0
+    for x in (Fraction(1, 10**6), Fraction(1, 2), Fraction(2)):
+        z = 1 - x
+        g = oracle.reduced(v["I1"], v["l"], v["I3"] * v["omega3_0"], P, weight, weight * z, weight, Fraction(0), z)[0]
+        assert g == -2 * v["I1"] * weight * x**3 < 0
+
+
+@pytest.mark.parametrize("statement", [s for s in STATEMENTS if s.kind in ("identity", "family") and "rank" not in str(s.quantity)],
+                         ids=lambda s: f"{s.source}:{s.key}")
+def test_derived_quantities_are_those_of_newton_and_euler(statement):
+    """Every quantity the library derives from the bracket, at numbers, by cross products and turns."""
+    r = Reading(statement)
+    derived = r.finish(read(statement.quantity, r.own))
+    entries = list(derived) if isinstance(derived, MatrixBase) else [derived]
+    printed = r.finish(read(statement.printed, r.own))
+    values = next(v for v in r.points([*entries, *(printed if isinstance(printed, MatrixBase) else [printed])])
+                  if all(e.subs(v).evalf(20).is_Number for e in entries))
+    theirs = r.independently(statement.quantity, values)
+    for ours, other in zip(entries, theirs if isinstance(theirs, MatrixBase) else [theirs]):
+        value = independent_names.number(other, statement.scene, values)
+        assert abs((ours.subs(values) - value).evalf(25)) < 1e-15 * (1 + abs(value.evalf(25)))
+
+
+def test_independent_confirmation_uses_no_derivation():
+    """Neither the bracket nor the linearisation nor the criteria stand behind a counterexample."""
+    for name in ("independent", "independent_kinematics"):
+        tree = ast.parse((HERE / f"{name}.py").read_text(encoding="utf-8"))
+        ours = {n.module for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and n.level}
+        assert ours <= {"errors", "notation", "scenes", "independent", "kinematics"}
+
+
+MUTANTS = [
+    ("VV2003", "symmetric-pi1", {"printed": "(I1 + I3)/(I1*I3)*pi2*pi3 - l*pi2/I2 + k2*dU"}),
+    ("VV2003", "tensor", {"printed": [["0", "pi3"] + ["0"] * 4] + [["0"] * 6] * 5}),
+    ("VV2003", "E3-p", {"printed": "I1*(1 - k3**2)*d3U - 2*I1*k3*dU + I1**2*(omega**2 + a**2)"}),
+    ("VV2003", "E1-polynomial", {"let": {"a": "pi3_0/I3", "b": "(pi3_0 + l)/I1", "c": "dU", "d": "-1/I1"}}),
+    ("VV2003", "E1-necessary", {"printed": "(pi3_0 + l)**2 >= 5*I1*dU"}),
+    ("VV2003", "E1-necessary", {"printed": "(pi3_0 + l)**2 > 4*I1*dU"}),
+    ("VV2003", "E1-sufficient", {"printed": "(pi3_0 - l)**2 > 4*I1*dU"}),
+    ("VV2003", "E1-sufficient", {"printed": "(pi3_0 + l)**2 >= 4*I1*dU"}),
+    ("VV2003", "E1-instability", {"printed": "b**2 - 4*d*c < 0"}), ("VV2003", "E3-necessary", {"printed": "p > 0"}),
+    ("VV2003", "E3", {"printed": ["I1*omega*k1", "I1*omega*k2", "I1*omega*k3", "k1", "k2", "k3"]}),
+    ("VV2003", "heavy-existence", {"printed": "abs((omega*l - m0)/(omega**2*(I1 - I3))) < 2"}),
+    ("VV2003", "k3-inside", {"printed": "abs(k1) < 1"}), ("VV2003", "E3-no-information", {"quantity": "sufficient for stability"}),
+    ("VV2003", "E3-relation", {"printed": "dU - omega**2*k3*(I1 - I3) - omega*l"}),
+    ("N2025", "symmetric-solution", {"printed": ["A*cos(omega*t)", "-A*sin(omega*t)", "Omega3"]}),
+    ("N2025", "curves-around-1", {"printed": "unstable"}), ("AR", "unstable-2", {"printed": "stable"}),
+    ("EA", "4.38", {"printed": "1/2*I1*(phi_dot**2*sin(theta) + theta_dot**2) + 1/2*I3*(psi_dot + phi_dot*cos(theta))**2"}),
+    ("EA", "space-cone-e3", {"printed": "cross(psi_dot*vector_z, R*axis_3)"}),
+    ("literature", "F5-y1", {"printed": "-0.705397809522573"}), ("literature", "F3-period", {"printed": "22.898647550622"}),
+    ("literature", "S4-slow-nutation", {"printed": "2.4954551005"}), ("literature", "S8-multiplicity", {"printed": "3"}),
+    ("literature", "F3-solution", {"printed": ["sqrt(I1)*u/r*cn(n*t, m)", "sqrt(I2)*u/s*sn(n*t, m)", "sqrt(I3)*v/r*cn(n*t, m)"]}),
+    ("literature", "F2", {"let": {**BY_KEY["literature", "F2"].let, "y": "sqrt(1/I2 - 1/I1)"}}),                 # not real
+    ("literature", "F4-stable", {"printed": "(l + (I3 - I1)*omega3_0)*(l + (I3 - I2)*omega3_0) >= 0"}),
+    ("literature", "F4-unstable", {"printed": "(l + (I3 - I1)*omega3_0)*(l + (I3 - I2)*omega3_0) <= 0"}),
+    ("literature", "S7-Casimirs", {"printed": "l*omega3_0 + (I3 - I1)*omega3_0**2 >= dU"}),
+    ("literature", "A1-Energy-Casimir", {"printed": "(I3 - I1)*(omega3_0**2 - m1) + l*omega3_0 - m0 > 0"}),
+]
+
+
+@pytest.mark.parametrize(("source", "key", "change"), MUTANTS, ids=[f"{s}:{k}:{n}" for n, (s, k, _) in enumerate(MUTANTS)])
+def test_a_changed_formula_is_a_misprint(source, key, change):
+    """One sign, index, exponent, prime, relation, digit or verdict changed is found, with a counterexample."""
+    outcome = outcome_of(replace(BY_KEY[source, key], **change))
+    assert outcome.agrees is False and outcome.counterexample
+
+
+@pytest.mark.slow
+def test_all_mutants():
+    """Every one-symbol change of every confirmed formula is reported, or is argued to be as true as the original."""
+    import subprocess
+    import sys
+    script = Path(__file__).parent.parent / "benchmarks" / "mutate_published.py"
+    run = subprocess.run([sys.executable, str(script)], capture_output=True, text=True)
+    assert run.returncode == 0 and "kill rate 100.0 %" in run.stdout, run.stdout
+
+
+def test_what_is_neither_confirmed_nor_refuted_is_unchecked():
+    """At equality the library decides nothing yet for the heavy top: ≥ for > is neither confirmed nor called a misprint."""
+    assert outcome_of(replace(BY_KEY["literature", "S11-uniform"], printed="(I3*omega3_0 + l)**2 >= 4*I1*m0")).agrees is None
+
+
+def test_a_wrong_correction_is_refused():
+    """What a misprint is corrected to is checked as if it were printed."""
+    with pytest.raises(PublishedError, match="not what is derived"):
+        outcome_of(replace(BY_KEY["VV2003", "E3-b"], corrected="(I1 - I3)*omega*k2/I1"))
+
+
+def test_language():
+    """Chains, absolute values, decimals; nothing is evaluated, and shapes have to fit."""
+    a = symbol("a")
+    assert comparisons("0 < a < 2 and abs(a) < 3", {"a": a}) == [(a, True), (2, True), (2 - a, True), (9 - a**2, True)]
+    assert decimal("-0.70") == (Rational(-7, 10), Rational(1, 200))
+    for text, why in (("__import__('os')", "cannot read"), ("a.real", "grammar"), ("a < ", "too early"), ("b", "not a name"),
+                      ("f(a)", "not a"), ("dot", "no argument"), ("dot(a", "parenthesis"), ("dot(a, a)", "do not fit"),
+                      ("9**9**9", "exponent")):
+        with pytest.raises(ExpressionError, match=why):
+            read(text.replace("<", "+"), {"a": a, "dot": lambda x, y: (x.T * y)[0]})
+    for text, why in (("a", "as a condition"), ("0 < a > 2", "one way")):
+        with pytest.raises(ExpressionError, match=why):
+            comparisons(text, {"a": a})
+    with pytest.raises(ValuesError, match="decimal"):
+        decimal("1,2")
+    with pytest.raises(ExpressionError, match="one length"):
+        read([["a", "a"], ["a"]], {"a": a})
+    with pytest.raises(ExpressionError, match="texts"):
+        read([1], {})
+
+
+GOOD = """
+[source]
+name = "mine"
+title = "A paper"
+
+[scene.top]
+inertia = ["I1", "I1", "I3"]
+potential = "m0*k3"
+equilibrium = "E1"
+"""
+FORMULA = '[[formula]]\nkey = "a"\nwhere = "(1)"\nquantity = "p"\nprinted = "{}"\nkind = "identity"\nscene = "top"\n'
+
+
+def written(tmp_path, text):
+    path = tmp_path / "mine.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize(("text", "why"), [
+    ("x = [", "is not TOML"), ("[source]\nname = 1", "no \\[source\\]"), (GOOD + "[extra]\n", "unknown tables"),
+    (GOOD + "[scene.b]\nmass = 1\n", "scene.b: a scene has no entry mass"), (GOOD + '[[formula]]\nkey = "a"\n', "a: lacks where"),
+    (GOOD + FORMULA.format("p") + "colour = 1\n", "unknown entry colour"), (GOOD + FORMULA.format("p").replace('"p"', "1", 1), "is a int"),
+    (GOOD + FORMULA.format("p").replace("identity", "guess"), "kind = 'guess'"), (GOOD + FORMULA.format("p") * 2, "occur twice"),
+    (GOOD + FORMULA.format("p").replace('"top"', '"bottom"'), "scene = 'bottom'"), (GOOD + FORMULA.format("p*"), "a: cannot read"),
+    (GOOD + FORMULA.format("mass"), "a: cannot read 'mass': mass is not a name of this scene"),
+    (GOOD + FORMULA.format("vector_k"), "a: printed is a 3×1 matrix, the quantity a number"),
+    (GOOD + FORMULA.format("p > 0").replace("identity", "condition"), "a condition is necessary for"),
+    (GOOD + FORMULA.format("p").replace("identity", "statement"), "a statement is about"),
+    (GOOD + FORMULA.format("1").replace("identity", "number"), "still contains"),
+    (GOOD + FORMULA.format("p").replace("identity", "solution"), "list of omega1"),
+    (GOOD + FORMULA.format("p").replace("identity", "equilibrium"), "6 coordinates"),
+    (GOOD.replace('"E1"', '"E4"') + FORMULA.format("p"), "equilibrium = 'E4'"), (GOOD + '[expected]\nmisprint = ["b"]\n', "no such key"),
+    (GOOD.replace('"m0*k3"', '"m0*"') + FORMULA.format("p"), "a: cannot read 'm0\\*'")])
+def test_bad_files(tmp_path, text, why):
+    """A clear error with file and key."""
+    path = written(tmp_path, text)
+    with pytest.raises(PublishedError, match=why) as error:
+        check([path])
+    assert str(path) in str(error.value)
+
+
+def test_no_such_source(tmp_path):
+    """Neither a source of ours nor a file."""
+    for source in ("VV2004", tmp_path / "missing.toml"):
+        with pytest.raises(PublishedError):
+            load(source)
+
+
+def test_a_file_of_ones_own(tmp_path):
+    """The same format; a status that differs from the expected one is seen."""
+    text = GOOD + FORMULA.format("((omega3 - (pi3 + l)/I1)**2)").replace("l)", "0)") + '[expected]\nmisprint = ["a"]\n'
+    (finding,) = check([written(tmp_path, text)])
+    assert (finding.status, finding.expected) == ("misprint", "misprint") and finding.outcome.counterexample
+    assert "I1" in dict(finding.outcome.counterexample.values)
+
+
+def test_progress():
+    """Called once for each statement, with the total of the source."""
+    seen = []
+    check(["EA"], lambda source, done, total: seen.append((source, done, total)))
+    assert seen == [("EA", n, len(FOUND["EA"])) for n in range(1, len(FOUND["EA"]) + 1)]
+
+
+def test_second_variation_at_a_tilt_has_both_signs():
+    """The form of the Casimirs alone, by numpy at the counterexample: two positive, one zero and one negative eigenvalue."""
+    (f,) = (f for f in FOUND["VV2003"] if f.statement.key == "E3-semidefinite")
+    v = {name: float(value) for name, value in f.outcome.counterexample.values}
+    k, omega = np.array([v["k1"], v["k2"], v["k3"]]), v["omega"]
+    inertia, rotor = np.array([v["I1"], v["I1"], v["I3"]]), np.array([0, 0, v["l"]])
+    form = np.zeros((6, 6))                                                # D²(h − ω M·k + ½ I1 ω² |k|²)
+    form[:3, :3], form[:3, 3:], form[3:, :3] = np.diag(1 / inertia), -omega * np.eye(3), -omega * np.eye(3)
+    form[3:, 3:] = v["I1"] * omega**2 * np.eye(3) + np.diag([0, 0, v["d2U"]])
+    constraints = np.array([[*k, *(inertia * omega * k + rotor)], [0, 0, 0, *k]])
+    kernel = np.linalg.svd(constraints)[2][2:].T
+    values = np.sort(np.linalg.eigvalsh(kernel.T @ form @ kernel))
+    assert values[0] < -1e-6 and abs(values[1]) < 1e-9 and values[2] > 1e-6  # rounding of eigenvalues of order one
+
+
+def test_errors_are_of_one_family():
+    """except GyrostatError catches what verify refuses."""
+    assert issubclass(PublishedError, GyrostatError) and issubclass(PublishedError, ValueError)
