@@ -140,7 +140,9 @@ def main() -> None:
     text = "\n".join(lines) + "\n"
     print(text)
     if not given.quick:
-        (HERE / "RESULTS.md").write_text(text, encoding="utf-8")
+        results = HERE / "RESULTS.md"
+        _, mark, others = results.read_text(encoding="utf-8").partition("\n## Published formulas")
+        results.write_text(text + mark + others, encoding="utf-8")
 
 
 def commit() -> str:

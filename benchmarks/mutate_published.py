@@ -28,7 +28,7 @@ EQUIVALENT = (
     (r"VV2003:(heavy-existence|newtonian-existence|k3-inside): .*<=", "at equality the point is E1 or E2, an equilibrium too"),
     (r"VV2003:(E1-instability|E3-p): [ab] = ", "the name enters squared"),
     (r"VV2003:E3-polynomial: ", "q is 0 on the family"),
-    (r"VV2003:E3-necessary: (p >= 0 and q >= 0 and p|q = |p = I1\*\*3|.*q <= 0)", "q is 0 on the family: only the sign of p is left"),
+    (r"VV2003:E3-necessary: (p >= 0 and q >= 0 and p.*>= 0$|q = |p = I1\*\*3|.*q <= 0)", "q is 0 on the family: the sign of p is left"),
     (r"VV2003:fluid-applies: .*>=", "at equality a body in a fluid is stable unless A = 0 (S13 of the literature)"),
     (r"N2025:semi-axis-order: ", "true wherever I1 < I2 < I3"),
     (r"N2025:(omega-x1|symmetric-second-order): \w+ = -", "the name enters squared"),

@@ -51,6 +51,6 @@ def test_a_report_is_a_document(e1, e2, e3):
     """A plain article; one document for several reports; only ASCII, balanced."""
     for document in (to_latex(e1), to_latex([e1, e2, e3])):
         assert document.startswith(r"\documentclass{article}") and document.rstrip().endswith(r"\end{document}")
-        assert document.count("{") == document.count("}") and document.count(r"\[") == document.count(r"\]")
+        assert document.count("{") == document.count("}") and document.count(r"\begin{equation}") == document.count(r"\end{equation}") > 20
         assert document.isascii()
-    assert to_latex([e1, e2, e3]).count(r"\section*") == 4
+    assert to_latex([e1, e2, e3]).count(r"\section*") == 5       # scene, three equilibria, references

@@ -49,3 +49,12 @@ def test_parameters_of_the_user_are_typeset():
     assert typeset("alpha2") == r"\alpha_{2}" and typeset("mass_a") == r"\mathrm{mass\_a}"
     assert typeset("m_0") != typeset("m0") and typeset("x_1") != typeset("x1")
     assert typeset("c") == "c" and typeset("beta", style="text") == "β" and typeset("a1", style="text") == "a₁"
+
+
+@pytest.mark.parametrize(("name", "latex", "text"), [
+    ("phi_dot", r"\dot{\phi}", "φ\u0307"), ("psi_ddot", r"\ddot{\psi}", "ψ\u0308"), ("A1_dot", r"\dot{A_{1}}", "A\u0307₁"),
+    ("delta_pi3", r"\delta \pi_3", "δπ₃"), ("Omega_b", r"\Omega_{b}", "Ω_b"), ("omega2", r"\omega_{2}", "ω₂"),
+    ("spring_rate", r"\mathrm{spring\_rate}", "spring_rate")])
+def test_rates_variations_and_subscripts(name, latex, text):
+    """A rate has its dots, a variation its δ, a single letter or Greek name its subscript."""
+    assert typeset(name) == latex and typeset(name, style="text") == text

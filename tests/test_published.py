@@ -1,5 +1,6 @@
 """Published formulas: statuses, counterexamples that confirm themselves, mutants, and files of a user's own."""
 import ast
+import re
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -265,3 +266,22 @@ def test_second_variation_at_a_tilt_has_both_signs():
 def test_errors_are_of_one_family():
     """except GyrostatError catches what verify refuses."""
     assert issubclass(PublishedError, GyrostatError) and issubclass(PublishedError, ValueError)
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/published.md"])
+def test_the_page_is_true(page, tmp_path):
+    """Its example of a file is confirmed, and its table counts what is computed."""
+    text = (Path(__file__).parent.parent / page).read_text(encoding="utf-8")
+    (example,) = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
+    (finding,) = check([written(tmp_path, example)])
+    assert finding.status == "confirmed"
+    for source, found in FOUND.items():
+        (row,) = (line for line in text.splitlines() if line.startswith("|") and f"`{source}`" in line)
+        counts = [sum(f.status == status for f in found) for status in ("confirmed", "misprint", "unchecked")]
+        assert list(map(int, re.findall(r"\| (\d+) (?=\|)", row))) == [len(found), *counts]
+
+
+def test_the_sources_agree_where_they_print_the_same():
+    """Euler's equations as N2025, EA and AR print them are one."""
+    rates = [outcome_of(BY_KEY[key]).derived for key in (("N2025", "free-1"), ("AR", "determinant-momenta"))]
+    assert (rates[0] - rates[1][0]).expand() == 0

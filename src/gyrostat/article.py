@@ -24,7 +24,7 @@ def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (
     body = "\n".join(_block(block, NARROW if fragment else LINE) for block in blocks)
     works = cited([block.template for block in blocks if isinstance(block, Sentence)])
     if fragment:
-        return "".join(f"% {work}\n" for work in works) + body + "\n"
+        return "".join(f"% {_words(work)}\n" for work in works) + body + "\n"
     listed = "\n".join(rf"\item {_words(work)}" for work in works)
     return preamble("Stability of the relative equilibria of a gyrostat") + body + (
         "\n\\section*{References}\n\\begin{itemize}\n" + listed + "\n\\end{itemize}\n\\end{document}\n")
@@ -85,5 +85,5 @@ def _inline(formula: str) -> str:
 
 
 def _words(text: str) -> str:
-    """Prose in LaTeX."""
-    return text.replace("&", r"\&").replace("§", r"\S")
+    """Prose in LaTeX, in ASCII."""
+    return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}")

@@ -133,7 +133,7 @@ def _typeset_parameter(name: str, style: str) -> str:
         return rf"\{rate[2]}{{{inner}}}" if style == "latex" else f"{inner[0]}{dots}{inner[1:]}"
     if name.startswith("delta_"):                      # a variation
         return (r"\delta " if style == "latex" else "δ") + typeset(name[6:], style=style)
-    if (subscript := re.fullmatch(r"([A-Za-z]+)_([A-Za-z0-9]+)", name)) and (subscript[1] in _GREEK or len(subscript[1]) == 1):
+    if (subscript := re.fullmatch(r"([A-Za-z]+)_([A-Za-z]+)", name)) and (subscript[1] in _GREEK or len(subscript[1]) == 1):
         return _typeset_parameter(subscript[1], style) + (rf"_{{{subscript[2]}}}" if style == "latex" else f"_{subscript[2]}")
     match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
     if match is None:

@@ -70,9 +70,9 @@ def load(source: str | Path) -> Source:
 
     Examples
     --------
-    >>> statement = load("VV2003").statements[-1]
+    >>> statement = load("VV2003").statements[0]
     >>> statement.kind, statement.where
-    ('statement', 'abstract; §6')
+    ('equilibrium', '§1, first display')
     """
     if str(source) in SOURCES:
         return _own(str(source))

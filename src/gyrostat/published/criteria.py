@@ -142,8 +142,8 @@ def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[E
     even = claim != "sufficient for instability"
 
     def bare(criterion: Criterion) -> set[frozenset[tuple[Any, ...]]]:
-        return {frozenset((margin, strict and strictness, degenerate if even and strictness else ()) for margin, strict, degenerate in a)
-                for a in normal(criterion, domain)}
+        return {frozenset((margin, strict and strictness, degenerate if even and strictness else ()) for margin, strict, degenerate in a
+                          if strictness or margin.free_symbols) for a in normal(criterion, domain)}
 
     return bare(derived) == bare(printed)
 
