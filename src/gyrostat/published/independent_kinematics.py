@@ -40,15 +40,17 @@ def turning(scene: Scene, values: Values) -> dict[str, Any]:
     A = Matrix([given.get(f"A{i}", zero) + given.get(f"A{i}_dot", zero) * t for i in (1, 2, 3)])
     J = Matrix(3, 3, lambda i, j: given.get(f"J{min(i, j) + 1}{max(i, j) + 1}", zero))
 
-    def torque() -> Matrix:
-        return R.T * (R * pi).diff(t)
+    def torque(momentum: Matrix) -> Matrix:
+        """The rate in space of a momentum that is given in the body, now, in body components."""
+        now, turning_now, here, rate = (x.subs(t, 0) for x in (R, R.diff(t), momentum, momentum.diff(t)))
+        return now.T * (turning_now * here + now * rate)
 
     named: dict[str, Any] = {**given, "R": R, "vector_k": k, "vector_omega": omega, "vector_pi": pi, "vector_A": A, "tensor": J,
                              "vector_z": unit[2], "axis_1": unit[0], "axis_2": unit[1], "axis_3": unit[2], "axis_vertical": k,
-                             "axis_nodes": line, "torque": Later(torque),
-                             "tensor_torque": Later(lambda: R.T * (R * J * omega).diff(t)), "T": pi.dot(omega) / 2}
+                             "axis_nodes": line, "torque": Later(lambda: torque(pi)),
+                             "tensor_torque": Later(lambda: torque(J * omega)), "T": pi.dot(omega) / 2}
     named |= {f"vector_{x}": Matrix([given.get(f"{x}{i}", zero) for i in (1, 2, 3)]) for x in "mr"}
-    named |= {f"tau{i}": Later(lambda i=i: torque()[i - 1]) for i in (1, 2, 3)}    # type: ignore[misc]
+    named |= {f"tau{i}": Later(lambda i=i: torque(pi)[i - 1]) for i in (1, 2, 3)}    # type: ignore[misc]
     for name, v in (("k", k), ("omega", omega), ("pi", pi)):
         named |= {f"{name}{i}": v[i - 1] for i in (1, 2, 3)}
     named |= dict(zip(("phi", "theta", "psi"), angles))
