@@ -149,7 +149,7 @@ def test_verify_text(capsys):
     """A table by source; what is wrong with what is right, and where; no progress where standard error is no terminal."""
     status, out, err = verify(capsys, "AR")
     assert status == 0 and err == "" and "40 confirmed, 5 misprint, 1 unchecked" in out and out.endswith("46 statements, all as expected\n")
-    assert "printed:  (I2 - I3)*omega1*omega2" in out and "right:    (I2 - I3)*omega2*omega3" in out
+    assert "printed:   (I2 - I3)*omega1*omega2" in out and "right:     (I2 - I3)*omega2*omega3" in out
 
 
 def test_verify_json(capsys):

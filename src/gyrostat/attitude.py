@@ -83,6 +83,18 @@ def angular_velocity(convention: str = "zxz") -> ImmutableMatrix:
     return nodes(convention) * ImmutableMatrix(RATES)
 
 
+def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix:
+    """M = I ω + l in body components, in the angles and their rates, shape (3, 1).
+
+    Examples
+    --------
+    >>> angular_momentum(Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, 0)))[2]
+    I3*(phi_dot*cos(theta) + psi_dot)
+    """
+    return ImmutableMatrix([moment * rate + rotor for moment, rate, rotor in zip(
+        body.inertia, angular_velocity(convention), body.gyrostatic_momentum)])
+
+
 def direction(convention: str = "zxz") -> ImmutableMatrix:
     """k = Rᵀ e_z in body components, shape (3, 1)."""
     return rotation(convention).row(2).T
@@ -129,8 +141,7 @@ def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
     >>> momenta(symmetric_gyrostat())[2]
     I3*(phi_dot*cos(theta) + psi_dot) + l
     """
-    total = [moment * rate + rotor for moment, rate, rotor in zip(body.inertia, angular_velocity(convention), body.gyrostatic_momentum)]
-    p_phi, p_theta, p_psi = nodes(convention).T * ImmutableMatrix(total)
+    p_phi, p_theta, p_psi = nodes(convention).T * angular_momentum(body, convention)
     return p_phi, p_theta, p_psi
 
 

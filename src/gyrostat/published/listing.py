@@ -82,6 +82,7 @@ def _details(f: Finding, width: int) -> list[str]:
             whole = printed == f.statement.printed
             pairs += [("printed", ("" if whole else where) + as_text(printed))] if not whole or not pairs else []
             pairs.append(("right", where + _one_line(right, place(f))))
+        pairs += [("differ by", difference)] if (difference := _differences(f)) else []
         c = f.outcome.counterexample
         if c:
             pairs.append(("at", ", ".join(f"{name} = {value}" for name, value in c.values)))
@@ -91,8 +92,17 @@ def _details(f: Finding, width: int) -> list[str]:
     pairs += [("note", f.statement.note)] if f.statement.note else []
     lines = []
     for label, value in pairs:
-        lines += wrap(f"{label + ':':<9} {value}", width, initial_indent=" " * 15, subsequent_indent=" " * 25, break_long_words=False)
+        lines += wrap(f"{label + ':':<10} {value}", width, initial_indent=" " * 15, subsequent_indent=" " * 26, break_long_words=False)
     return lines
+
+
+def _differences(f: Finding) -> str:
+    """printed − derived, where it fits a few lines; JSON has it whole."""
+    found = []
+    for entry, value in f.outcome.difference or () if not isinstance(f.outcome.derived, str) else ():
+        label = f"entry {', '.join(str(i + 1) for i in entry[:f.outcome.derived.cols])}: " if entry else ""
+        found.append(label + unicode(readable(value), place(f)))
+    return "; ".join(found) if sum(map(len, found)) < 400 else ""
 
 
 def number(value: Any) -> str:
