@@ -14,7 +14,7 @@ CHAIN = ("errors notation expressions algebra matrices exact signs body potentia
          "linebreaks latex article published cli").split()
 VIEWS = CHAIN[CHAIN.index("attitude"):]
 PUBLISHED = ("jacobi language scenes kinematics names criteria sampling independent independent_kinematics independent_names statements "
-             "formulas claims __init__ listing errata").split()
+             "formulas claims __init__ listing typesetting errata").split()
 
 
 def imported(path, package):

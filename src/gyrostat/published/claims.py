@@ -12,7 +12,7 @@ from ..notation import symbol
 from . import independent
 from .criteria import agree, free_symbols, holds, printed_criterion
 from .language import comparisons
-from .sampling import K
+from .sampling import K, on_family
 from .statements import Counterexample, Outcome, Reading, named
 
 
@@ -46,10 +46,12 @@ def _at_equality(r: Reading, claim: str, printed: Criterion, derived: Criterion)
         model = independent.Model(r.scene, values)
         if model.level_set() == wanted:
             said, truth = ("unstable", "stable") if wanted == 1 else ("stable", "unstable")
-            why = "no other point near it has its energy, momenta and |k| (g(k3) < 0 around it): it is Lyapunov stable" if wanted == 1 \
-                else "motions with its energy, momenta and |k| leave it (g(k3) > 0 beside it): it is unstable"
-            shown = f"sufficient where {derived}, necessary where {r.claim.derived('necessary for stability')}"
-            return Outcome(False, printed, shown, None, Counterexample(named(values), said, truth, f"{why}, though equality holds"))
+            why = "no point near it has the same energy and momenta (the square of dk3/dt would be negative): it is Lyapunov stable" \
+                if wanted == 1 else "motions with the same energy and momenta leave it: it is unstable"
+            both = r.statement.quantity == "necessary and sufficient for stability"
+            shown = "sufficient as printed; necessary only with equality allowed" if both else derived
+            example = Counterexample(named(values), said, truth, f"{why}, though the two sides are equal")
+            return Outcome(False, printed, shown, None, example)
     return Outcome(None, printed, derived)
 
 
@@ -107,7 +109,7 @@ def _anywhere(r: Reading, symbols: set[Symbol]) -> Iterator[dict[Symbol, Expr]]:
     """Points with special values too: existence may fail where a parameter is 0, or where |k| is not 1."""
     for values in r.points(symbols):
         for s in sorted(symbols, key=str):
-            yield values | {s: Integer(2 if s in K else s.is_positive or 0)}
+            yield on_family(r.scene, values | {s: Integer(2 if s in K else s.is_positive or 0)})
         yield values
 
 

@@ -1,41 +1,18 @@
 """The misprints among findings as a table of errata in LaTeX."""
-import re
 from collections.abc import Iterable
 from itertools import groupby
 from typing import Any
 
-from sympy import Expr, Symbol
+from sympy import Expr
 
 from ..article import preamble
 from ..conditions import Criterion
+from ..errors import ExpressionError
 from ..latex import Printer, formula
 from ..notation import symbol
 from . import Finding, source_of
-from .language import form
 from .listing import as_text, number, place, rows
-
-_VECTORS = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l": r"\boldsymbol{l}",
-            "vector_omega": r"\boldsymbol{\omega}",
-            "vector_M": r"\mathbf{M}", "vector_A": r"\mathbf{A}", "vector_r": r"\mathbf{r}", "vector_m": r"\mathbf{m}",
-            "vector_z": r"\hat{\mathbf{z}}", "delta_pi": r"\delta\boldsymbol{\pi}", "delta_k": r"\delta\mathbf{k}",
-            "axis_1": r"\hat{\mathbf{e}}_1", "axis_2": r"\hat{\mathbf{e}}_2", "axis_3": r"\hat{\mathbf{e}}_3", "tensor": r"\mathbf{I}",
-            "axis_vertical": r"\hat{\mathbf{z}}", "axis_nodes": r"\hat{\mathbf{e}}_2'", "delta": "dt", "jacobian": "J",
-            "linearization": "A", "tensor_torque": r"\boldsymbol{\tau}", "torque": r"\boldsymbol{\tau}"}
-_FUNCTIONS = {"cross": r"{} \times {}", "dot": r"{} \cdot {}", "dt": r"\frac{{d}}{{dt}} {}", "entry": r"{}_{{{}{}}}",
-              "transpose": r"{}^{{T}}", "inverse": r"{}^{{-1}}", "variation": r"\delta {}", "gradient_pi": r"\nabla_{{\pi}} {}",
-              "gradient_k": r"\nabla_{{k}} {}", "abs": r"\left|{}\right|", "bracket": r"\{{ {}, {} \}}"}
-
-
-class _Published(Printer):
-    """The printed form, with vectors and the functions of the motion."""
-
-    def _print_Symbol(self, expr: Symbol, style: str = "plain") -> str:
-        return _VECTORS.get(expr.name) or super()._print_Symbol(expr)
-
-    def _print_AppliedUndef(self, expr: Any) -> str:
-        template = _FUNCTIONS.get(str(expr.func))
-        parts = [self._factor(a) if template and len(expr.args) < 3 else self._print(a) for a in expr.args]
-        return template.format(*parts) if template else super()._print_AppliedUndef(expr)
+from .typesetting import formula_of
 
 
 def _latex(printed: Any, at: Any) -> str:
@@ -43,16 +20,18 @@ def _latex(printed: Any, at: Any) -> str:
     if isinstance(printed, list):
         entries = "$, $".join(_latex(entry, at) for entry in printed)      # so that lines may end at the commas
         return rf"\bigl({entries}\bigr)"
-    words = []
-    for part in re.split(r"\band\b", printed):
-        pieces = re.split(r"\s*(<=|>=|<|>)\s*", part.strip())
-        try:
-            sides = [_Published(at).doprint(form(piece)) for piece in pieces[::2]]
-        except ValueError:                                 # a verdict in words
-            return rf"\text{{{_tex(printed)}}}"
-        relations = [{"<=": r"\leq", ">=": r"\geq"}.get(sign, sign) for sign in pieces[1::2]]
-        words.append(" ".join(x for pair in zip(sides, [*relations, ""]) for x in pair).strip())
-    return r" \text{ and } ".join(words)
+    try:
+        return formula_of(printed, at)
+    except ExpressionError:                                # a verdict in words
+        return rf"\text{{{_tex(printed)}}}"
+
+
+def _about(f: Finding, at: Any) -> str:
+    """What the statement is about: a quantity, or a claim in words."""
+    quantity = f.statement.quantity
+    if f.statement.kind in ("identity", "family", "number", "solution") and quantity != "0":
+        return f"${_latex(quantity, at)}$"
+    return _tex(quantity) if isinstance(quantity, str) and quantity != "0" else "$0$"
 
 
 def latex(findings: Iterable[Finding], fragment: bool = False) -> str:
@@ -73,11 +52,11 @@ def latex(findings: Iterable[Finding], fragment: bool = False) -> str:
 
 
 def _erratum(f: Finding) -> str:
-    at, lines = place(f), list[str]()
+    at, lines = place(f), [rf"about {_about(f, place(f))}"]
     for entry, printed, right in rows(f):
         label, whole = f"{entry}: " if entry else "", printed == f.statement.printed
-        lines += [f"{'' if whole else label}printed ${_latex(printed, at)}$"] if not whole or not lines else []
-        lines.append(f"{label}right {_right(right, at, f)}")
+        lines += [rf"{'' if whole else label}\textbf{{printed}} ${_latex(printed, at)}$"] if not whole or len(lines) == 1 else []
+        lines.append(rf"{label}\textbf{{right}} {_right(right, at, f)}")
     if f.statement.note:
         lines.append(rf"\emph{{{_tex(f.statement.note)}}}")
     example = ""
@@ -85,13 +64,13 @@ def _erratum(f: Finding) -> str:
         values = ", ".join(f"${Printer().doprint(symbol(n)) if n.isidentifier() else n} = {formula(v)}$" for n, v in c.values)
         example = f"{values}: printed {_value(c.printed)}, derived {_value(c.derived)}; {_tex(c.confirmation)}"
     shown = r" \newline ".join(lines)
-    return rf"{_tex(f.statement.where)} & {shown} & {example} \\[1ex]"
+    return rf"{_tex(f.statement.where)} \newline \textsf{{{_tex(f.statement.key)}}} & {shown} & {example} \\[2ex]"
 
 
 def _right(value: Any, at: Any, f: Finding) -> str:
     if isinstance(value, (str, list)):
         return f"${_latex(value, at)}$" if f.outcome.corrected is not None else _tex(as_text(value))
-    return f"${formula(value)}$" if isinstance(value, Criterion) else f"${_Published(at).doprint(value)}$"
+    return f"${formula(value)}$" if isinstance(value, Criterion) else f"${Printer(at).doprint(value)}$"
 
 
 def _value(value: Any) -> str:

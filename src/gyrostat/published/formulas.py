@@ -31,7 +31,7 @@ def identity(r: Reading) -> Outcome:
         if (there := _differ(p, d, values)) is not None:
             quantity = r.independently(s.quantity, values)
             value = number(quantity[place] if isinstance(quantity, MatrixBase) else quantity, r.scene, values)
-            return Outcome(False, printed, derived, difference, _compared(values, *there, value, place))
+            return Outcome(False, printed, derived, difference, _compared(r, values, *there, value, place))
     return Outcome(None, printed, derived, difference)     # not refuted: at no point that was tried are both defined and different
 
 
@@ -65,12 +65,15 @@ def _never_real(printed: Expr, derived: Expr | None, r: Reading) -> Counterexamp
     return Counterexample(named(tried[0]), "not real", value, f"the printed value there is {printed.subs(tried[0]).evalf(8)}")
 
 
-def _compared(values: Mapping[Symbol, Expr], p: Expr, d: Expr, value: Any, place: Any = None) -> Counterexample:
+def _compared(r: Reading, values: Mapping[Symbol, Expr], p: Expr, d: Expr, value: Any, place: Any = None) -> Counterexample:
     """The independent value must be the derived one."""
     if not isinstance(value, Expr) or value.free_symbols or abs((value - d).evalf(25)) > 1e-18 * max(1, abs(d.evalf(25))):
-        raise PublishedError(f"Newton and Euler's equations give {value} at {dict(values)}, the library {d}, the print {p}")
-    which = f"entry {', '.join(str(i + 1) for i in place)}: " if place else ""
-    return Counterexample(named(values), p, d, f"{which}by Newton and Euler's equations at these numbers {_short(value)}")
+        raise PublishedError(f"computed independently it is {value} at {dict(values)}, by the library {d}, in print {p}")
+    by = "three turns of the body" if "angles" in r.scene.table else "Newton and Euler's equations"
+    printed = r.statement.printed
+    columns = len(printed[0]) if isinstance(printed, list) and isinstance(printed[0], list) else 1
+    which = f"entry {', '.join(str(i + 1) for i in place[:2 if columns > 1 else 1])}: " if place else ""
+    return Counterexample(named(values), p, d, f"{which}by {by} at these numbers {_short(value)}")
 
 
 def _short(value: Expr) -> str:
@@ -122,7 +125,7 @@ def solution(r: Reading) -> Outcome:
                 moving = values | {x: f.subs(values) for x, f in place.items()}
                 value = number(r.independently(f"dt({names[i]})", moving), scene, moving)
                 difference = tuple(((j, 0), slopes[j] - rates[j]) for j in wrong)
-                return Outcome(False, printed, ImmutableMatrix(rates), difference, _compared(values, *there, value, (i, 0)))
+                return Outcome(False, printed, ImmutableMatrix(rates), difference, _compared(r, values, *there, value, (i, 0)))
         return Outcome(None, printed, ImmutableMatrix(rates))
     missing = len(names) - _rank(printed, [symbol(c) for c in s.constants]) if s.constants else 0
     if not missing:
@@ -152,4 +155,4 @@ def rounded(r: Reading) -> Outcome:
     if excess <= half:
         return Outcome(True, s.printed, derived)
     value = number(r.independently(s.quantity, r.at), r.scene, r.at)
-    return Outcome(False, s.printed, derived, ((None, printed - derived.evalf(20)),), _compared(r.at, printed, derived, value))
+    return Outcome(False, s.printed, derived, ((None, printed - derived.evalf(20)),), _compared(r, r.at, printed, derived, value))

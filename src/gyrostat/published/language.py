@@ -4,17 +4,16 @@ from collections import ChainMap
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import Abs, Expr, Function, ImmutableMatrix, MatrixBase, Rational
+from sympy import Abs, Expr, ImmutableMatrix, MatrixBase, Rational
 from sympy.matrices.exceptions import MatrixError
 
 from ..errors import ExpressionError, ValuesError
 from ..expressions import FUNCTIONS, Parser, Part
-from ..notation import symbol
 
 _COMPARISON = re.compile(r"\s*(<=|>=|<|>)\s*")
 
 
-class _Formula(Parser):
+class Formula(Parser):
     """Names come from a scene; a function may be one of its functions and take several arguments."""
 
     TOKEN = re.compile(Parser.TOKEN.pattern.replace("-+*/()", "-+*/(),"), re.ASCII)
@@ -62,23 +61,6 @@ class _Formula(Parser):
         return super().bounded(value, terms, degree, bits, nesting)
 
 
-class _Form(_Formula):
-    """Every name a symbol and every function unevaluated: the form of what is printed, not its value."""
-
-    def named(self, token: str) -> Part:
-        return Part(symbol(token))
-
-    def call(self, token: str) -> Part:
-        if token in FUNCTIONS:
-            return super().call(token)
-        return Part(Function(token, real=True)(*(part.value for part in self.arguments())))
-
-
-def form(printed: str) -> Expr:
-    """A printed text as an expression of symbols, for typesetting."""
-    return _Form(printed, {}).whole()
-
-
 def read(printed: Any, names: Mapping[str, Any]) -> Any:
     """The expression, vector or matrix that a printed text, or list of texts, stands for.
 
@@ -105,7 +87,7 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
     if not isinstance(printed, str):
         raise ExpressionError(f"cannot read {printed!r}, a {type(printed).__name__}: formulas are texts, write \"...\"")
     try:
-        return _Formula(printed, names).whole()
+        return Formula(printed, names).whole()
     except (TypeError, AttributeError, MatrixError, NotImplementedError) as error:
         raise ExpressionError(f"cannot read {printed!r}: vectors, matrices and numbers do not fit together ({error})") from None
 

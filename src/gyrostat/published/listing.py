@@ -50,6 +50,8 @@ def _one_line(value: Any, at: Any = None) -> str:
 def place(finding: Finding) -> Any:
     """The k3 at which derivatives of U are taken, for typesetting."""
     eq = finding.statement.scene.equilibrium
+    if "k3" in finding.statement.at:
+        return finding.statement.at["k3"]
     return eq.at if eq and eq.system.potential else None
 
 
@@ -77,10 +79,11 @@ def _counts(found: list[Finding]) -> str:
 def _details(f: Finding, width: int) -> list[str]:
     pairs: list[tuple[str, str]] = []
     if f.status == "misprint":
+        pairs.append(("about", as_text(f.statement.quantity)))
         for entry, printed, right in rows(f):
             where = f"{entry}: " if entry else ""
             whole = printed == f.statement.printed
-            pairs += [("printed", ("" if whole else where) + as_text(printed))] if not whole or not pairs else []
+            pairs += [("printed", ("" if whole else where) + as_text(printed))] if not whole or len(pairs) == 1 else []
             pairs.append(("right", where + _one_line(right, place(f))))
         pairs += [("differ by", difference)] if (difference := _differences(f)) else []
         c = f.outcome.counterexample

@@ -41,12 +41,24 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
         values = {s: chance.choice(_SIZES) * (1 if s.is_positive or chance.random() < 0.7 else -1) for s in names}
         values |= {s: x for s, x in zip(K, chance.choice(directions)) if s in values}
         values |= {name: value.subs(values) for name, value in at.items()}
-        for name, value in eq.relations if eq else ():
-            values[name] = value.subs(values)
-        if all(x.is_finite for x in values.values()) and all(_positive(e.subs(values)) for e in positive):
+        values = on_family(scene, values)
+        if _is_a_body(scene, values) and all(x.is_finite for x in values.values()) and all(_positive(e.subs(values)) for e in positive):
             yield values
             if (found := found + 1) == TRIALS:
                 return
+
+
+def on_family(scene: Scene, values: dict[Symbol, Expr]) -> dict[Symbol, Expr]:
+    """The values with what the relations of the equilibrium make of them."""
+    for name, value in scene.equilibrium.relations if scene.equilibrium else ():
+        values = values | {name: value.subs(values)}
+    return values
+
+
+def _is_a_body(scene: Scene, values: dict[Symbol, Expr]) -> bool:
+    """Whether no moment exceeds the sum of the others, where the moments are drawn."""
+    moments = [moment.subs(values) for moment in scene.body.inertia]
+    return all(2 * m <= sum(moments) for m in moments) or not any(m.free_symbols for m in scene.body.inertia)
 
 
 def _positive(value: Expr) -> bool:

@@ -88,8 +88,8 @@ class Reading:
             self.at[symbol(name)] = read(text, bare)
         self.names = names(self.scene, self.at) if self.at else bare
         self.own = _with_let(self.names, statement.let)
-        parsed = comparisons(statement.given, self.names) if statement.given else []
-        self.given = tuple(margin for margin, _ in parsed)
+        given = [text for text in (self.scene.table.get("given", ""), statement.given) if text]
+        self.given = tuple(margin for text in given for margin, _ in comparisons(text, self.names))
 
     def finish(self, expression: Any) -> Any:
         """On the family, with the values of at."""
