@@ -93,6 +93,14 @@ def test_polhode_refuses():
         momentum_limits(gs.symmetric_gyrostat(), 1)
     with pytest.raises(BodyError, match="transverse and the axial"):
         free_precession((1, 2, 3), 1, 1)
+    for call, error, why in ((lambda: polhode_period((1, 2, 3), (1, 1)), ValuesError, "three components"),
+                             (lambda: polhode_period((1, 2, 3), (1, 1, 0), 0), ValuesError, "number of digits"),
+                             (lambda: free_precession((1, 2), 0, 0), ScopeError, "at rest"),
+                             (lambda: momentum_limits(gs.Gyrostat((1, 2, 3), (0, 0, 0)), -1), ValuesError, "not negative"),
+                             (lambda: torque_equations(5), TypeError, "not a Gyrostat"),
+                             (lambda: torque_equations(gs.Gyrostat(), ("a*", "0", "0")), ValueError, "cannot read")):
+        with pytest.raises(error, match=why):
+            call()
     with pytest.raises(BodyError, match="components"):
         torque_equations(gs.Gyrostat(), (1, 2))
 

@@ -14,8 +14,10 @@ import gyrostat
 from gyrostat.errors import ExpressionError, GyrostatError, PublishedError, ValuesError
 from gyrostat.notation import symbol
 from gyrostat.published import SOURCES, check, independent_names, load, outcome_of
+from gyrostat.published.errata import latex
 from gyrostat.published.language import comparisons, decimal, read
 from gyrostat.published.statements import Reading
+from gyrostat.published.typesetting import formula_of
 
 HERE = Path(gyrostat.__file__).parent / "published"
 FOUND = {source: check([source]) for source in SOURCES}
@@ -214,8 +216,19 @@ def written(tmp_path, text):
     (GOOD + FORMULA.format("p > 0").replace("identity", "condition"), "a condition is necessary for"),
     (GOOD + FORMULA.format("p").replace("identity", "statement"), "a statement is about"),
     (GOOD + FORMULA.format("1").replace("identity", "number"), "still contains"),
-    (GOOD + FORMULA.format("p").replace("identity", "solution"), "list of omega1"),
+    (GOOD + FORMULA.format("p").replace("identity", "solution"), "the list omega1"),
     (GOOD + FORMULA.format("p").replace("identity", "equilibrium"), "6 coordinates"),
+    (GOOD.replace('["I1", "I1", "I3"]', "[1, 1, 3]") + FORMULA.format("p"), "scene.top: inertia = .*in quotation marks"),
+    (GOOD.replace('"m0*k3"', "5") + FORMULA.format("p"), "scene.top: potential = 5"),
+    ("scene = 5\n" + GOOD.split("[scene")[0], "\\[scene.NAME"),
+    (GOOD + FORMULA.format("p").replace("[[formula]]", "[formula]"), "\\[\\[formula\\]\\]"),
+    (GOOD + "[expected]\nmisprint = 'a'", "lists of keys"),
+    (GOOD + FORMULA.format("p") + 'at = { zz = "1" }\n', "at gives zz"),
+    (GOOD + FORMULA.format("p") + 'at = { I1 = "0" }\n', "are positive"),
+    (GOOD + FORMULA.format("p") + 'given = "m0 >= 0"\n', "write > or <"), (GOOD + FORMULA.format("entry(jacobian, 0, 1)"), "no entry 0, 1"),
+    (GOOD + FORMULA.format("sqrt(jacobian)"), "takes one number"), (GOOD + FORMULA.format("entry(jacobian**9, 1, 1)"), "powers 2 and 3"),
+    (GOOD + FORMULA.format("(p + 1)**100"), "others to 12"),
+    (GOOD + FORMULA.format("round").replace('"p"', '"stability"').replace("identity", "statement"), "stable or unstable"),
     (GOOD.replace('"E1"', '"E4"') + FORMULA.format("p"), "equilibrium = 'E4'"), (GOOD + '[expected]\nmisprint = ["b"]\n', "no such key"),
     (GOOD.replace('"m0*k3"', '"m0*"') + FORMULA.format("p"), "a: cannot read 'm0\\*'")])
 def test_bad_files(tmp_path, text, why):
@@ -285,3 +298,66 @@ def test_the_sources_agree_where_they_print_the_same():
     """Euler's equations as N2025, EA and AR print them are one."""
     rates = [outcome_of(BY_KEY[key]).derived for key in (("N2025", "free-1"), ("AR", "determinant-momenta"))]
     assert (rates[0] - rates[1][0]).expand() == 0
+
+
+@pytest.mark.parametrize(("printed", "tex"), [
+    ("-omega2*omega3*(I3 - I1)", r"- \omega_{2} \omega_{3} \left(I_3 - I_1\right)"), ("-(a + b)/c**2", r"- \frac{a + b}{c^{2}}"),
+    ("z - b - (c + d)", r"z - b - \left(c + d\right)"), ("2*(a/b)**2", r"2 \left(\frac{a}{b}\right)^{2}"), ("a*-b", r"a \left(- b\right)"),
+    ("1 <= pi3*k3 < 2", r"1 \leq \pi_3 k_3 < 2"),
+    ("cross(vector_k, vector_l + vector_k)", r"\mathbf{k} \times \left(\boldsymbol{l} + \mathbf{k}\right)")])
+def test_printed_formulas_keep_their_order(printed, tex):
+    """The errata show terms and factors as they are printed, not as a computer algebra sorts them."""
+    assert formula_of(printed) == tex
+
+
+CLAIM = """[[formula]]
+key = "{key}"
+where = "(1)"
+quantity = "{quantity}"
+printed = "{printed}"
+kind = "{kind}"
+scene = "s"
+"""
+
+
+def status(tmp_path, scene, quantity, printed, kind="condition", given=""):
+    """What check says of one claim in a scene of its own."""
+    text = '[source]\nname = "mine"\ntitle = "t"\n[scene.s]\n' + scene + "\n"
+    text += CLAIM.format(key="a", quantity=quantity, printed=printed, kind=kind)
+    (finding,) = check([written(tmp_path, text + (f'given = "{given}"\n' if given else ""))])
+    return finding.status
+
+
+E3 = 'inertia = ["I1", "I1", "I3"]\ngyrostatic_momentum = ["0", "0", "l"]\npotential = "m0*k3"\nequilibrium = "E3"'
+EXP = 'inertia = ["I1", "I1", "I3"]\ngyrostatic_momentum = ["0", "0", "l"]\npotential = "exp(a*k3)"\nequilibrium = "E1"'
+
+
+@pytest.mark.parametrize(("scene", "arguments", "expected"), [
+    (E3, ("existence", "I1 > 0"), "misprint"), (E3, ("existence", "k3**2 < 1 and omega**2 > 0"), "confirmed"),
+    (E3, ("stability", "stable", "statement"), "unchecked"),                                         # stable modulo the spin only
+    ('inertia = ["I1", "I2", "I2"]\nequilibrium = "axis 2"', ("stability", "stable", "statement"), "unchecked"),
+    (EXP, ("sufficient for stability", "(pi3_0 + l)**2 > 4*I1*a*exp(a)"), "confirmed"),
+    (EXP, ("sufficient for stability", "(pi3_0 + l)**2 > 4*I1*exp(a)"), "misprint"),
+    (EXP, ("necessary and sufficient for stability", "(pi3_0 + l)**2 > 4*I1*a*exp(a)"), "misprint"),
+    ('parameters = ["a"]', ("sin(2*a)*sqrt(a - 20)", "2*sin(a)*cos(a)*sqrt(a - 20)", "identity"), "unchecked"),     # neither is real there
+    ('parameters = ["a"]', ("T", "2*T", "identity", "I1 < I2 and I2 < I1"), "unchecked"),          # nothing satisfies what is given
+    ('parameters = ["a"]', ("polhode_period(3, 2, 1, 3/10, 1/5, 9/10)", "12.9", "number"), "misprint"),
+    ('inertia = ["I1", "I1", "I1"]\nparameters = ["a"]', ("T", "T", "identity"), "confirmed")])
+def test_claims_that_are_easy_to_get_wrong(tmp_path, scene, arguments, expected):
+    """Existence is not judged where it is assumed; stability modulo a flow is not stability; transcendental fields; empty domains."""
+    assert status(tmp_path, scene, *arguments) == expected
+
+
+def test_a_file_with_a_byte_order_mark(tmp_path):
+    """As some editors write them."""
+    path = tmp_path / "mine.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + (GOOD + FORMULA.format("p")).encode())
+    assert check([path])[0].status == "confirmed"
+
+
+def test_errata_of_odd_texts_compile():
+    """Special characters of LaTeX and letters it does not know are set or replaced."""
+    finding = next(f for f in FOUND["AR"] if f.status == "misprint")
+    odd = replace(finding, statement=replace(finding.statement, note="50% of $x_1 & #2 \\foo {~^} \U0001d714"))
+    tex = latex([odd])
+    assert r"50\% of \$x\_1 \& \#2 \textbackslash{}foo \{\textasciitilde{}\^{}\} ?" in tex

@@ -24,7 +24,7 @@ def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (
     body = "\n".join(_block(block, NARROW if fragment else LINE) for block in blocks)
     works = cited([block.template for block in blocks if isinstance(block, Sentence)])
     if fragment:
-        return "".join(f"% {_words(work)}\n" for work in works) + body + "\n"
+        return "% needs amsmath; it cites\n" + "".join(f"% {_words(work)}\n" for work in works) + body + "\n"
     listed = "\n".join(rf"\item {_words(work)}" for work in works)
     return preamble("Stability of the relative equilibria of a gyrostat") + body + (
         "\n\\section*{References}\n\\begin{itemize}\n" + listed + "\n\\end{itemize}\n\\end{document}\n")
@@ -41,7 +41,9 @@ def conditions_table(reports: Iterable[Report], fragment: bool = False) -> str:
     column = r">{\raggedright\arraybackslash}p"
     table = "\n".join((rf"\begin{{tabular}}{{@{{}}{column}{{0.13\linewidth}}{column}{{0.2\linewidth}}{column}{{0.56\linewidth}}@{{}}}}",
                        r"\hline", *rows, r"\end{tabular}", ""))
-    return table if fragment else preamble("Conditions for stability", ("array",)) + table + "\\end{document}\n"
+    if fragment:
+        return "% needs amsmath and array\n" + table
+    return preamble("Conditions for stability", ("array",)) + table + "\\end{document}\n"
 
 
 def preamble(title: str, packages: Iterable[str] = ()) -> str:

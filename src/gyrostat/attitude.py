@@ -9,7 +9,7 @@ from sympy import Expr, ImmutableMatrix, Rational, cos, sin
 
 from .algebra import Ring
 from .body import Gyrostat
-from .errors import ScopeError
+from .errors import ScopeError, require
 from .notation import symbol
 from .potential import Potential
 
@@ -91,6 +91,7 @@ def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix
     >>> angular_momentum(Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, 0)))[2]
     I3*(phi_dot*cos(theta) + psi_dot)
     """
+    require(body, Gyrostat, "the body")
     return ImmutableMatrix([moment * rate + rotor for moment, rate, rotor in zip(
         body.inertia, angular_velocity(convention), body.gyrostatic_momentum)])
 
@@ -118,6 +119,7 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     >>> lagrangian(Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, 0)), uniform_field())
     I1*phi_dot**2*sin(theta)**2/2 + I1*theta_dot**2/2 + I3*(phi_dot*cos(theta) + psi_dot)**2/2 - m0*cos(theta)
     """
+    require(body, Gyrostat, "the body")
     omega = angular_velocity(convention)
     kinetic = Rational(1, 2) * sum(moment * rate**2 for moment, rate in zip(body.inertia, omega))
     if body.inertia[0] == body.inertia[1]:             # ω1² + ω2² is θ̇² + φ̇² sin²θ in either convention
@@ -164,6 +166,8 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     >>> effective_potential(symmetric_gyrostat(), uniform_field())
     m0*cos(theta) + (-l + p_psi)**2/(2*I3) + (p_phi - p_psi*cos(theta))**2/(2*I1*sin(theta)**2)
     """
+    require(body, Gyrostat, "the body")
+    require(potential, Potential, "the potential")
     if not body.is_of_revolution() or not potential.axial:
         raise ScopeError(f"θ moves by itself only for a body of revolution in U(k3); here inertia = {body.inertia}, "
                          f"U = {potential.expression}: use lagrangian")

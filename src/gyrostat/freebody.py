@@ -7,9 +7,9 @@ import mpmath
 from sympy import Expr, Float, ImmutableMatrix, Max, Min, acos, oo, sqrt
 
 from .body import Gyrostat
-from .errors import BodyError, ScopeError
+from .errors import BodyError, ScopeError, ValuesError, require
 from .exact import sign_of_constant
-from .expressions import exact_expression, exact_number
+from .expressions import exact_expression, exact_number, parse
 from .notation import symbol
 
 
@@ -21,7 +21,7 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
     Parameters
     ----------
     body : Gyrostat
-    torque : sequence of three       expressions [M L²/T²], or names; by default tau1, tau2, tau3
+    torque : sequence of three       expressions [M L²/T²], or texts of such; by default tau1, tau2, tau3
 
     Returns
     -------
@@ -36,9 +36,10 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
     >>> torque_equations(Gyrostat(gyrostatic_momentum=(0, 0, 0)))[2].factor()
     (I1*I2*tau3 + I1*pi1*pi2 - I2*pi1*pi2)/(I1*I2)
     """
+    require(body, Gyrostat, "the body")
     if len(torque) != 3:
         raise BodyError(f"the torque has {len(torque)} components: give three, along the axes of the body")
-    tau = ImmutableMatrix([symbol(t) if isinstance(t, str) else exact_expression(t) for t in torque])
+    tau = ImmutableMatrix([parse(t) if isinstance(t, str) else exact_expression(t) for t in torque])
     pi = ImmutableMatrix([symbol(f"pi{i}") for i in (1, 2, 3)])
     omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.inertia)])
     return (pi + ImmutableMatrix(body.gyrostatic_momentum)).cross(omega) + tau
@@ -54,9 +55,12 @@ def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
     >>> momentum_limits(Gyrostat((1, 2, 3), (0, 0, 0)), 5)
     (10, 30)
     """
+    require(body, Gyrostat, "the body")
     if any(body.gyrostatic_momentum):
         raise ScopeError(f"the ellipsoid is centred only without a rotor; the body has l = {body.gyrostatic_momentum}")
     twice = 2 * exact_expression(energy, "energy")
+    if twice.is_negative:
+        raise ValuesError(f"energy = {twice / 2}: the kinetic energy of a body is not negative")
     return twice * Min(*body.inertia), twice * Max(*body.inertia)
 
 
@@ -90,6 +94,9 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
     >>> polhode_period((1, 2, 3), ("0.3", "0.2", "0.9"))
     22.8986475506197
     """
+    if len(inertia) != 3 or len(momentum) != 3 or not isinstance(digits, int) or digits < 1:
+        raise ValuesError(f"inertia = {inertia}, momentum = {momentum}, digits = {digits}: give three moments, three components of M and "
+                          "a positive number of digits")
     moments = [exact_number(i, "inertia") for i in inertia]
     M = [exact_number(m, "momentum") for m in momentum]
     Gyrostat(moments, (0, 0, 0))                           # positive, or refused
@@ -145,6 +152,7 @@ def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> Free
     Raises
     ------
     BodyError                 there are not two moments, or one is not positive
+    ScopeError                both rates are 0
 
     Source
     ------
@@ -161,6 +169,8 @@ def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> Free
     I1, I3 = (exact_expression(i, "inertia") for i in inertia)
     Gyrostat((I1, I1, I3), (0, 0, 0))                      # positive, or refused
     across, along = exact_expression(transverse, "transverse"), exact_expression(axial, "axial")
+    if across == along == 0:
+        raise ScopeError("transverse = axial = 0: the body is at rest and has no precession; give a rate that is not 0")
     rate = (I1 - I3) * along / I1
     M, omega = sqrt((I1 * across) ** 2 + (I3 * along) ** 2), sqrt(across**2 + along**2)
     return FreePrecession(rate, M / I1, rate, acos(I3 * along / M), acos(along / omega),

@@ -90,7 +90,7 @@ def _own(name: str) -> Source:
 
 def _read(path: Path, expected: Mapping[str, Any] | None) -> Source:
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
+        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except (OSError, UnicodeDecodeError) as error:
         raise PublishedError(f"{path}: cannot be read ({error}): give a text file in UTF-8") from None
     except tomllib.TOMLDecodeError as error:
@@ -100,15 +100,22 @@ def _read(path: Path, expected: Mapping[str, Any] | None) -> Source:
         raise PublishedError(f"{path}: has no [source] table with name and title: see the README for an example")
     if unknown := set(data) - {"source", "scene", "formula", "expected"}:
         raise PublishedError(f"{path}: has the unknown tables {', '.join(sorted(unknown))}: a file has source, scene, formula, expected")
+    tables, listed, status = data.get("scene", {}), data.get("formula", []), data.get("expected", {})
+    if not isinstance(tables, dict) or not all(isinstance(table, dict) for table in tables.values()):
+        raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: see the README for an example")
+    if not isinstance(listed, list) or not all(isinstance(entry, dict) for entry in listed) or not isinstance(status, dict):
+        raise PublishedError(f"{path}: formulas are [[formula]] tables, and what is expected one [expected] table: see the README")
     scenes = {"": Scene()}
-    for name, table in data.get("scene", {}).items():
+    for name, table in tables.items():
         with _at(path, f"scene.{name}"):
             scenes[name] = Scene(table)
-    statements = [_statement(path, header, scenes, entry) for entry in data.get("formula", [])]
+    statements = [_statement(path, header, scenes, entry) for entry in listed]
     keys = [s.key for s in statements]
     if twice := {key for key in keys if keys.count(key) > 1}:
         raise PublishedError(f"{path}: the keys {', '.join(sorted(twice))} occur twice: give each formula its own")
-    table = data.get("expected", {}) if expected is None else expected
+    table = status if expected is None else expected
+    if not set(table) <= {"misprint", "unchecked"} or not all(_texts(keys) and isinstance(keys, list) for keys in table.values()):
+        raise PublishedError(f"{path}: expected has lists of keys under misprint and unchecked, and nothing else")
     status = {key: name for name in ("misprint", "unchecked") for key in table.get(name, ())}
     if unknown := set(status) - set(keys):
         raise PublishedError(f"{path}: a status is expected of {', '.join(sorted(unknown))}, but there is no such key")
@@ -129,6 +136,15 @@ class _at:
             raise PublishedError(f"{self.path}: {self.key}: {error}") from None
 
 
+def _texts(value: Any) -> bool:
+    """Whether a value is a text, or a list or table of such, at most two deep in lists."""
+    if isinstance(value, dict):
+        return all(isinstance(text, str) for text in value.values())
+    if isinstance(value, list):
+        return all(isinstance(x, str) or isinstance(x, list) and all(isinstance(y, str) for y in x) for x in value)
+    return isinstance(value, str)
+
+
 def _statement(path: Path, header: Mapping[str, Any], scenes: Mapping[str, Scene], entry: Mapping[str, Any]) -> Statement:
     key = entry.get("key", "a formula without a key")
     with _at(path, key):
@@ -138,12 +154,14 @@ def _statement(path: Path, header: Mapping[str, Any], scenes: Mapping[str, Scene
             if field not in _REQUIRED and field not in _OPTIONAL:
                 raise PublishedError(f"has the unknown entry {field}: there are {', '.join((*_REQUIRED, *_OPTIONAL))}")
             wanted = _OPTIONAL.get(field, (str, list) if field in ("quantity", "printed") else str)
-            if not isinstance(value, wanted):
+            if not isinstance(value, wanted) or not _texts(value):
                 raise PublishedError(f"{field} = {value!r} is a {type(value).__name__}: write it as in the README's example")
         if entry["kind"] not in KINDS:
             raise PublishedError(f"kind = {entry['kind']!r}: the kinds are {', '.join(KINDS)}")
         name = entry.get("scene", header.get("scene", ""))
-        if name not in scenes:
+        if not all(abbreviation.isidentifier() for abbreviation in entry.get("let", ())):
+            raise PublishedError(f"let = {entry['let']}: abbreviations are names")
+        if not isinstance(name, str) or name not in scenes:
             raise PublishedError(f"scene = {name!r} is not in the file: its scenes are {', '.join(filter(None, scenes))}")
         fields = {**entry, "scene": scenes[name], "constants": tuple(entry.get("constants", ()))}
         return Statement(source=header["name"], file=str(path), **fields)

@@ -48,10 +48,9 @@ class Claim:
         """Its analysis."""
         return analyze(self.equilibrium)
 
-    @property
-    def domain(self) -> tuple[Expr, ...]:
-        """Positive where the claim is made and the scene exists."""
-        positive = self.equilibrium.existence() if self.scene.equilibrium else self.given
+    def domain(self, claim: str = "") -> tuple[Expr, ...]:
+        """Positive where the claim is made and, unless that is the claim, the equilibrium exists."""
+        positive = self.equilibrium.existence() if self.scene.equilibrium and claim != "existence" else self.given
         return tuple(e.xreplace(self.at) for e in positive)
 
     def derived(self, claim: str) -> Criterion:
@@ -92,10 +91,10 @@ class Claim:
         return _criterion("periodic", [(low, True), (-high, True), (middle**2, True)])
 
     def verdict(self) -> str:
-        """stable, unstable or undecided, where it is the same on the whole domain."""
-        if () in normal(self.report.sufficient, self.domain):
-            return "stable"
-        return "unstable" if not normal(self.report.necessary, self.domain) else "undecided"
+        """stable, stable modulo a flow, unstable or undecided, where it is the same on the whole domain."""
+        if () in normal(self.report.sufficient, self.domain()):
+            return "stable" + (f", modulo the flow of {', '.join(map(str, m))}" if (m := self.report.sufficient.modulo) else "")
+        return "unstable" if not normal(self.report.necessary, self.domain()) else "undecided"
 
 
 def _criterion(notion: str, margins: Margins) -> Criterion:
@@ -162,6 +161,6 @@ def _holds(condition: Condition, values: dict[Symbol, Expr]) -> bool:
     value = condition.margin.subs(values)
     if any(e.subs(values) == 0 for e in condition.degenerate):
         value = S.Zero
-    if not value.is_finite:                                # where it divides by zero it says nothing
+    if not value.is_finite or not value.is_real:           # where it divides by zero or is not real it says nothing
         return False
     return bool(value > 0 if condition.strict else value >= 0)

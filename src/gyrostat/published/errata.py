@@ -48,7 +48,9 @@ def latex(findings: Iterable[Finding], fragment: bool = False) -> str:
         r">{\raggedright\arraybackslash}p{0.19\textwidth}>{\raggedright\arraybackslash}p{0.42\textwidth}"
         r">{\raggedright\arraybackslash}p{0.31\textwidth}@{}}", r"\textbf{Where} & \textbf{Printed, and derived} & "
         r"\textbf{Counterexample}\\ \hline \endhead", *body, r"\end{longtable}\endgroup", ""))
-    return table if fragment else preamble("Errata", ("longtable", "array")) + table + "\\end{document}\n"
+    if fragment:
+        return "% needs amsmath, array and longtable\n" + table
+    return preamble("Errata", ("longtable", "array")) + table + "\\end{document}\n"
 
 
 def _erratum(f: Finding) -> str:
@@ -80,11 +82,15 @@ def _value(value: Any) -> str:
 _UNICODE = dict(zip("−′″²³⁴⁻¹⁰₀₁₂₃≥≤≠×·Σ√±πωΩφψθλνσδτεαμκΦ∇∂§ẑê", (f"${x}$" for x in (
     r"-|\prime|\prime\prime|^2|^3|^4|^-|^1|^0|_0|_1|_2|_3|\geq|\leq|\neq|\times|\cdot|\Sigma|\surd|\pm|\pi|\omega|\Omega|\varphi|\psi|"
     r"\theta|\lambda|\nu|\sigma|\delta|\tau|\varepsilon|\alpha|\mu|\kappa|\Phi|\nabla|\partial|\text{\S}|\hat z|\hat e").split("|"))))
-_SPECIAL = {"_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "^": r"\^{}", "<": "$<$", ">": "$>$", "|": "$|$"}
+_SPECIAL = {"$": r"\$", "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}",
+            "_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "^": r"\^{}", "<": "$<$", ">": "$>$", "|": "$|$"}
+
+
+_LATIN = "áéíóúñüÁÉÍÓÚÑÜçàèìòùâêîôûäëïöøåßæ¿¡’–—…"
 
 
 def _tex(words: str) -> str:
     """Words in LaTeX: special characters, and the Unicode of formulas in prose."""
     dotted = words.replace("ψ̇", "\0").replace("φ̇", "\1")
-    shown = "".join(_UNICODE.get(c, _SPECIAL.get(c, c)) for c in dotted)
+    shown = "".join(_UNICODE.get(c, _SPECIAL.get(c, c if c.isascii() or c in _LATIN else "?")) for c in dotted)
     return shown.replace("\0", r"$\dot\psi$").replace("\1", r"$\dot\varphi$").replace("$$", "")

@@ -61,6 +61,8 @@ def _never_real(printed: Expr, derived: Expr | None, r: Reading) -> Counterexamp
     tried = list(islice(r.points([printed, *([derived] if derived is not None else [])]), 12))
     if not tried or any(printed.subs(values).evalf(20).is_real is not False for values in tried):
         return None
+    if derived is not None and derived.subs(tried[0]).evalf(20).is_real is not True:
+        return None
     value = "a real number" if derived is None else derived.subs(tried[0])
     return Counterexample(named(tried[0]), "not real", value, f"the printed value there is {printed.subs(tried[0]).evalf(8)}")
 
@@ -108,9 +110,12 @@ def solution(r: Reading) -> Outcome:
     """The printed functions of t satisfy the equations of motion; a general solution has as many constants as equations."""
     s, scene = r.statement, r.scene
     names = list(map(str, s.quantity))
-    if not set(names) <= {f"{x}{i}" for x in ("omega", "pi") for i in (1, 2, 3)}:
-        raise PublishedError("the quantity of a solution is a list of omega1, omega2, omega3, or of pi1, pi2, pi3")
+    if names not in ([f"{x}{i}" for i in (1, 2, 3)] for x in ("omega", "pi")) or scene.potential or scene.equilibrium or (
+            "angles" in scene.table):
+        raise PublishedError("a solution is one of a free body, its quantity the list omega1, omega2, omega3 or pi1, pi2, pi3")
     t, printed = symbol("t"), read(s.printed, r.own)
+    if not isinstance(printed, MatrixBase) or len(printed) != 3:
+        raise PublishedError("a solution is printed as a list of three functions of t")
     place = {symbol(f"pi{n[-1]}"): f * (scene.body.inertia[int(n[-1]) - 1] if n.startswith("omega") else 1) for n, f in zip(names, printed)}
     slopes = [f.diff(t) for f in printed]
     rates = [read(f"dt({n})", r.names).xreplace(place) for n in names]
@@ -131,7 +136,9 @@ def solution(r: Reading) -> Outcome:
     if not missing:
         return Outcome(True, printed, printed)
     start = printed.subs(t, 0)
-    fixed = next(n for n, f in zip(names, start) if f.is_number)
+    fixed = next((n for n, f in zip(names, start) if f.is_number), None)
+    if fixed is None:
+        return Outcome(None, printed, f"a solution with {len(names) - missing} of the {len(names)} constants of the general one")
     value = start[names.index(fixed)] + 1
     return Outcome(False, printed, f"a solution with {len(s.constants)} of the {len(names)} constants of the general one",
                    ((None, Integer(missing)),), Counterexample(((f"{fixed}(0)", value),), start[names.index(fixed)], value,
@@ -148,7 +155,9 @@ def _rank(printed: Any, constants: list[Symbol]) -> int:
 def rounded(r: Reading) -> Outcome:
     """The derived number rounds to the printed digits."""
     s = r.statement
-    derived, (printed, half) = r.finish(read(s.quantity, r.own)), decimal(s.printed)
+    derived, (printed, half) = r.finish(read(s.quantity, r.own)), decimal(str(s.printed))
+    if isinstance(derived, MatrixBase):
+        raise PublishedError("the quantity of a number is one number, this is a vector or matrix: use entry(…, i, j)")
     if derived.free_symbols:
         raise PublishedError(f"the quantity still contains {', '.join(sorted(map(str, derived.free_symbols)))}: give numbers under at")
     excess = abs(derived.evalf(50) - printed)

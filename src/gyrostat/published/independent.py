@@ -5,7 +5,7 @@ Nothing here uses the bracket, the linearisation or the criteria of the library,
 from collections.abc import Mapping
 
 import mpmath
-from sympy import Expr, Integer, Matrix, Poly, Symbol, hessian, linsolve, sign, sqrt
+from sympy import Expr, Float, Integer, Matrix, Poly, Symbol, hessian, linsolve, sign, sqrt
 
 from ..errors import PublishedError
 from ..notation import symbol
@@ -79,7 +79,7 @@ class Model:
         """Largest real part of an eigenvalue, to 50 digits."""
         with mpmath.workdps(2 * DIGITS):
             J = self.jacobian()
-            values, _ = mpmath.eig(mpmath.matrix([[mpmath.mpf(int(x.p)) / int(x.q) for x in J.row(i)] for i in range(J.rows)]))
+            values, _ = mpmath.eig(mpmath.matrix([[mpmath.mpf(Float(x.evalf(2 * DIGITS))._mpf_) for x in J.row(i)] for i in range(J.rows)]))
             return max(mpmath.re(v) for v in values)
 
     def polynomial(self) -> Expr:
@@ -111,11 +111,15 @@ class Model:
         momentum, total = M.dot(K).subs(at), M[2].subs(at)
         g = 2 * self.inertia[0] * (energy - self.U.subs(K[2], z)) * (1 - z**2) - (momentum - total * z) ** 2
         pole = self.label in ("E1", "E2")
-        shifted = Poly(g.subs(z, self.k3 * (1 - x) if pole else self.k3 + x).expand(), x)
-        if shifted.is_zero:
-            return 0
-        (power,), coefficient = shifted.terms()[-1]
-        return -1 if coefficient > 0 or not pole and power % 2 else 1
+        shifted = g.subs(z, self.k3 * (1 - x) if pole else self.k3 + x).expand()
+        for power in range(2, 7):                          # g and its slope vanish at an equilibrium
+            coefficient = shifted.diff(x, power).subs(x, 0)
+            if coefficient == 0:
+                continue
+            if abs(coefficient.evalf(30)) < 1e-20:         # of a transcendental U: not known to be 0
+                return 0
+            return -1 if coefficient > 0 or not pole and power % 2 else 1
+        return 0
 
     def _gradients(self) -> tuple[Expr, list[Expr], Matrix]:
         h = sum(p**2 / moment for p, moment in zip(PI, self.inertia)) / 2 + self.U

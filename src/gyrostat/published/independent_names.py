@@ -67,18 +67,19 @@ def _moving(model: Model) -> dict[str, Any]:
 
 
 def _period(inertia: tuple[Expr, ...], momentum: tuple[Expr, ...]) -> Expr:
-    """4 ∫ dM2/|Ṁ2| over a quarter of the polhode, M1 and M3 from the two conserved quantities (I1 < I2 < I3, M² > 2 E I2)."""
+    """4 ∫ dM2/|Ṁ2| over a quarter of the polhode, the other two components from the two conserved quantities."""
     with mpmath.workdps(DIGITS):
-        (I1, I2, I3), M = ([mpmath.mpf(x.p) / x.q for x in xs] for xs in (inertia, momentum))
-        total, twice = sum(m**2 for m in M), sum(m**2 / i for m, i in zip(M, (I1, I2, I3)))
-        high, low = twice * I3 - total, total - twice * I1                 # M1² and M3² are affine in M2², M1 = 0 at the turning point
-        top = high * I2 / (I3 - I2)
+        pairs = sorted((mpmath.mpf(Float(i, DIGITS)._mpf_), mpmath.mpf(Float(m, DIGITS)._mpf_)) for i, m in zip(inertia, momentum))
+        (I1, M1), (I2, M2), (I3, M3) = pairs
+        if M3**2 * (1 - I2 / I3) < M1**2 * (I2 / I1 - 1):                  # about axis 1: the same with 1 and 3 exchanged
+            (I1, M1), (I3, M3) = (I3, M3), (I1, M1)
+        top = M2**2 + M1**2 * I2 * (I3 - I1) / (I1 * (I3 - I2))            # M2² where M1 = 0
+        third = M3**2 + M2**2 * (1 - I1 / I2) / (1 - I1 / I3)              # M3² where M2 = 0
+        first = top * I1 * (I3 - I2) / (I2 * (I3 - I1))                    # M1² there
 
         def slope(angle: Any) -> Any:
-            M2 = mpmath.sqrt(top) * mpmath.sin(angle)
-            M3 = mpmath.sqrt((low - M2**2 * (1 - I1 / I2)) * I3 / (I3 - I1))
-            amplitude = mpmath.sqrt(high * I1 / (I3 - I1))                 # M1 = amplitude cos(angle)
-            return mpmath.sqrt(top) / (amplitude * M3 * (1 / I1 - 1 / I3))
+            other = mpmath.sqrt(third - top * mpmath.sin(angle) ** 2 * (1 - I1 / I2) / (1 - I1 / I3))
+            return mpmath.sqrt(top / first) / (other * abs(1 / I1 - 1 / I3))
 
         return Float(4 * mpmath.quad(slope, [0, mpmath.pi / 4, mpmath.pi / 2]), 30)
 
@@ -86,7 +87,7 @@ def _period(inertia: tuple[Expr, ...], momentum: tuple[Expr, ...]) -> Expr:
 def _jacobi(u: Expr, m: Expr) -> list[Expr]:
     """y(u) of y1' = y2 y3, y2' = −y1 y3, y3' = −m y1 y2, y(0) = (0, 1, 1), by Taylor steps."""
     with mpmath.workdps(30):
-        step, m = mpmath.mpf(u.p) / u.q / 48, mpmath.mpf(m.p) / m.q
+        step, m = (mpmath.mpf(Float(x, 30)._mpf_) for x in (u / 48, m))
         y = [mpmath.mpf(x) for x in (0, 1, 1)]
         for _ in range(48):
             c = [[x] for x in y]

@@ -1,8 +1,19 @@
 """Jacobi's elliptic functions of formulas: sn, cn, dn of (u, m), m = κ², with their derivatives along u and their values."""
+from functools import lru_cache
 from typing import Any
 
 import mpmath
 from sympy import Expr, Float, Function, I
+
+
+@lru_cache(maxsize=4096)
+def _value(letters: str, u: Expr, m: Expr, prec: int) -> Expr:
+    """The number; SymPy asks for it many times over."""
+    with mpmath.workprec(prec + 20):
+        at, modulus = (mpmath.mpmathify(a.evalf(int(prec / 3.3) + 10)) for a in (u, m))
+        value = mpmath.ellipfun(letters, at, m=modulus)
+        parts = [Float._new(mpmath.mpf(part)._mpf_, prec) for part in (mpmath.re(value), mpmath.im(value))]
+    return parts[0] if abs(parts[1]) < Float(2) ** -prec else parts[0] + I * parts[1]
 
 
 class _Jacobi(Function):
@@ -12,11 +23,7 @@ class _Jacobi(Function):
     def _eval_evalf(self, prec: int) -> Expr | None:
         if any(a.free_symbols for a in self.args):
             return None
-        with mpmath.workprec(prec + 20):
-            u, m = (mpmath.mpmathify(a.evalf(int(prec / 3.3) + 10)) for a in self.args)
-            value = mpmath.ellipfun(self.letters, u, m=m)
-            parts = [Float._new(mpmath.mpf(part)._mpf_, prec) for part in (mpmath.re(value), mpmath.im(value))]
-        return parts[0] if abs(parts[1]) < Float(2) ** -prec else parts[0] + I * parts[1]
+        return _value(self.letters, *self.args, prec)
 
     def fdiff(self, argindex: int = 1) -> Any:
         u, m = self.args

@@ -4,10 +4,10 @@ from collections import ChainMap
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import Abs, Expr, ImmutableMatrix, MatrixBase, Rational
+from sympy import Abs, Add, Expr, ImmutableMatrix, MatrixBase, Rational
 from sympy.matrices.exceptions import MatrixError
 
-from ..errors import ExpressionError, ValuesError
+from ..errors import ExpressionError, GyrostatError, ValuesError
 from ..expressions import FUNCTIONS, Parser, Part
 
 _COMPARISON = re.compile(r"\s*(<=|>=|<|>)\s*")
@@ -30,7 +30,15 @@ class Formula(Parser):
         value = self.names[token]
         if callable(value) and not isinstance(value, (Expr, MatrixBase)):
             self.fail(f"the function {token} has no argument", f"write {token}(...)")
-        return Part(value, degree=1)
+        terms = len(Add.make_args(value)) if isinstance(value, Expr) else 4
+        return Part(value, terms, 2 if terms > 1 else 1)
+
+    def power(self, base: Part, exponent: Rational) -> Part:
+        if isinstance(base.value, MatrixBase) and exponent not in (2, 3):
+            self.fail(f"a vector or matrix is raised to the power {exponent}", "matrices have the powers 2 and 3, and inverse(…)")
+        if abs(exponent) > 12 and not (base.value.is_Symbol or base.value.is_number):
+            self.fail(f"an expression is raised to the power {exponent}", "those of names and numbers go up to 100, others to 12")
+        return super().power(base, exponent)
 
     def call(self, token: str) -> Part:
         function = self.names.get(token)
@@ -38,7 +46,10 @@ class Formula(Parser):
             if token not in FUNCTIONS:
                 offered = [n for n, v in self.names.items() if callable(v) and not isinstance(v, (Expr, MatrixBase))]
                 self.fail(f"{token} is not a function of this scene", "its functions are " + ", ".join(sorted({*offered, *FUNCTIONS})))
-            return super().call(token)
+            (inner, *others) = self.arguments()
+            if others or isinstance(inner.value, MatrixBase) or inner.nesting >= 4:
+                self.fail(f"{token} takes one number, nested at most 4 deep", "check its argument")
+            return self.bounded(FUNCTIONS[token](inner.value), 1, 1, inner.bits, inner.nesting + 1)
         arguments = self.arguments()
         return Part(function(*(part.value for part in arguments)), nesting=max(part.nesting for part in arguments) + 1)
 
@@ -88,8 +99,11 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
         raise ExpressionError(f"cannot read {printed!r}, a {type(printed).__name__}: formulas are texts, write \"...\"")
     try:
         return Formula(printed, names).whole()
-    except (TypeError, AttributeError, MatrixError, NotImplementedError) as error:
-        raise ExpressionError(f"cannot read {printed!r}: vectors, matrices and numbers do not fit together ({error})") from None
+    except GyrostatError:
+        raise
+    except (TypeError, AttributeError, MatrixError, NotImplementedError, ValueError, IndexError) as error:
+        raise ExpressionError(f"cannot read {printed!r}: vectors, matrices and numbers do not fit together there"
+                              f"{f' ({error})' if str(error) else ''}") from None
 
 
 def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool]]:
@@ -109,6 +123,8 @@ def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool
         if len(pieces) < 3:
             raise ExpressionError(f"cannot read {part.strip()!r} as a condition: write left > right, with >, >=, < or <=")
         sides = [read(piece, ChainMap({"abs": Abs}, names)) for piece in pieces[::2]]  # type: ignore[arg-type]
+        if any(isinstance(side, MatrixBase) for side in sides):
+            raise ExpressionError(f"cannot read {part.strip()!r} as a condition: a vector or matrix is compared")
         signs = pieces[1::2]
         if len({sign[0] for sign in signs}) > 1:
             raise ExpressionError(f"cannot read the chain {part.strip()!r}: all its signs point one way")

@@ -8,6 +8,7 @@ from ..algebra import Ring
 from ..attitude import reduced
 from ..energy_casimir import multipliers
 from ..equilibria import Equilibrium
+from ..errors import ExpressionError
 from ..freebody import polhode_period
 from ..linearization import linearize
 from ..notation import jet, jet_name, symbol
@@ -47,10 +48,16 @@ def is_zero(expression: Expr) -> bool:
     return not ring.reduce(ring.fraction(expression)[0])
 
 
+def _entry(matrix: MatrixBase, i: Expr, j: Expr) -> Expr:
+    if i not in range(1, matrix.rows + 1) or j not in range(1, matrix.cols + 1):
+        raise ExpressionError(f"a {matrix.rows}×{matrix.cols} matrix has no entry {i}, {j}: rows and columns count from 1")
+    return matrix[int(i) - 1, int(j) - 1]
+
+
 FUNCTIONS: Mapping[str, Any] = {
     "cross": lambda a, b: a.cross(b), "dot": lambda a, b: (a.T * b)[0, 0], "transpose": lambda a: a.T,
     "inverse": lambda a: a.adjugate() / reduced(a.det()), "rank": lambda a: Integer(a.rank(iszerofunc=is_zero)),
-    "diff": lambda f, x: f.diff(x), "entry": lambda a, i, j: a[i - 1, j - 1], "sn": sn, "cn": cn, "dn": dn,
+    "diff": lambda f, x: f.diff(x), "entry": _entry, "sn": sn, "cn": cn, "dn": dn,
     "polhode_period": lambda *x: polhode_period(x[:3], x[3:], 30)}
 
 

@@ -37,7 +37,9 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
     positive += eq.existence() if eq and inside else []
     directions = [v for v in _DIRECTIONS if v[2] == at.get(K[2], v[2])]
     chance, found = random.Random(1), 0
-    for _ in range(50 * TRIALS):
+    for trial in range(50 * TRIALS):
+        if trial > 2000 and not found:                     # nothing satisfies what is given
+            return
         values = {s: chance.choice(_SIZES) * (1 if s.is_positive or chance.random() < 0.7 else -1) for s in names}
         values |= {s: x for s, x in zip(K, chance.choice(directions)) if s in values}
         values |= {name: value.subs(values) for name, value in at.items()}

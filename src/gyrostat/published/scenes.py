@@ -32,6 +32,14 @@ class Scene:
     def __post_init__(self) -> None:
         if unknown := set(self.table) - KEYS:
             raise PublishedError(f"a scene has no entry {', '.join(sorted(unknown))}: its entries are {', '.join(sorted(KEYS))}")
+        for name, value in self.table.items():
+            listed = name in ("inertia", "gyrostatic_momentum", "parameters")
+            texts = value if listed and isinstance(value, list) else [value]
+            if isinstance(value, list) != listed or not all(isinstance(text, str) for text in texts):
+                raise PublishedError(f"{name} = {value!r}: write {'a list of texts' if listed else 'a text'}, in quotation marks")
+        for name in self.table.get("parameters", ()):
+            if not name.isidentifier():
+                raise PublishedError(f"the parameter {name!r} is not a name: letters, digits and _ make one")
 
     @cached_property
     def body(self) -> Gyrostat:

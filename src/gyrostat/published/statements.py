@@ -6,6 +6,7 @@ from typing import Any
 
 from sympy import Expr, Symbol
 
+from ..errors import PublishedError
 from ..notation import symbol
 from . import independent_names
 from .criteria import Claim
@@ -85,11 +86,18 @@ class Reading:
         bare = names(self.scene, {})
         self.at: dict[Symbol, Expr] = {}
         for name, text in statement.at.items():
-            self.at[symbol(name)] = read(text, bare)
+            if name not in bare or not isinstance(bare[name], Symbol) and self.scene.equilibrium is None:
+                raise PublishedError(f"at gives {name}, which is no parameter of the scene: its names are {', '.join(sorted(bare))}")
+            value = self.at[symbol(name)] = read(text, bare)
+            if symbol(name).is_positive and value.is_positive is False:
+                raise PublishedError(f"at gives {name} = {value}: moments of inertia are positive")
         self.names = names(self.scene, self.at) if self.at else bare
         self.own = _with_let(self.names, statement.let)
         given = [text for text in (self.scene.table.get("given", ""), statement.given) if text]
-        self.given = tuple(margin for text in given for margin, _ in comparisons(text, self.names))
+        conditions = [condition for text in given for condition in comparisons(text, self.names)]
+        if not all(strict for _, strict in conditions):
+            raise PublishedError(f"given = {'; '.join(given)}: equality is a case of its own, write > or <")
+        self.given = tuple(margin for margin, _ in conditions)
 
     def finish(self, expression: Any) -> Any:
         """On the family, with the values of at."""

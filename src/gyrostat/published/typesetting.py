@@ -14,8 +14,8 @@ _NAMES = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l
           "vector_m": r"\mathbf{m}", "vector_z": r"\hat{\mathbf{z}}", "delta_pi": r"\delta\boldsymbol{\pi}",
           "delta_k": r"\delta\mathbf{k}", "axis_1": r"\hat{\mathbf{e}}_1", "axis_2": r"\hat{\mathbf{e}}_2", "axis_3": r"\hat{\mathbf{e}}_3",
           "axis_vertical": r"\hat{\mathbf{z}}", "axis_nodes": r"\hat{\mathbf{e}}_2'", "tensor": r"\mathbf{I}", "delta": "dt",
-          "jacobian": "J",
-          "linearization": "A", "tensor_torque": r"\boldsymbol{\tau}", "torque": r"\boldsymbol{\tau}", "polynomial": r"\chi"}
+          "jacobian": "J", "linearization": "A", "tensor_torque": r"\boldsymbol{\tau}", "torque": r"\boldsymbol{\tau}",
+          "polynomial": r"\chi"}
 _FUNCTIONS = {"cross": r"{} \times {}", "dot": r"{} \cdot {}", "dt": r"\tfrac{{d}}{{dt}} {}", "entry": r"{}_{{{}{}}}",
               "transpose": r"{}^{{T}}", "inverse": r"{}^{{-1}}", "variation": r"\delta {}", "gradient_pi": r"\nabla_{{\pi}} {}",
               "gradient_k": r"\nabla_{{k}} {}", "bracket": r"\{{ {}, {} \}}", "abs": r"\left|{}\right|"}
@@ -28,6 +28,7 @@ class _Tex:
     text: str
     sum: bool = False
     under: str | None = None
+    negated: "_Tex | None" = None
 
     free_symbols = ("something",)                          # no number is checked here
 
@@ -41,10 +42,12 @@ class _Tex:
         return _Tex(f"{self.text} - {other.closed()}", True)
 
     def __mul__(self, other: "_Tex") -> "_Tex":
+        if self.negated:
+            return -(self.negated * other)
         return _Tex(rf"\frac{{{self.text}}}{{{other.under}}}" if other.under else f"{self.closed()} {other.closed()}")
 
     def __neg__(self) -> "_Tex":
-        return _Tex(f"- {self.closed()}", True)
+        return _Tex(f"- {self.closed()}", True, negated=self)
 
     def __pow__(self, exponent: Rational) -> "_Tex":
         return _Tex("", under=self.text)                   # only a division raises to a number
