@@ -25,7 +25,7 @@ def identity(r: Reading) -> Outcome:
         return Outcome(True, printed, derived)
     difference = tuple((place, reduced(p - d)) for place, p, d in wrong)
     place, p, d = wrong[0]
-    if never := _never_real(p, d, r):
+    if never := _never_real([p], d, r):
         return Outcome(False, printed, derived, difference, never)
     for values in r.points([p, d]):
         if (there := _differ(p, d, values)) is not None:
@@ -54,17 +54,18 @@ def _differ(p: Expr, d: Expr, values: Mapping[Symbol, Expr]) -> tuple[Expr, Expr
     return a, b
 
 
-def _never_real(printed: Expr, derived: Expr | None, r: Reading) -> Counterexample | None:
-    """The print is not a real number at any of the first points, where what is derived is one."""
-    if not printed.atoms(Pow):
-        return None
-    tried = list(islice(r.points([printed, *([derived] if derived is not None else [])]), 12))
-    if not tried or any(printed.subs(values).evalf(20).is_real is not False for values in tried):
-        return None
-    if derived is not None and derived.subs(tried[0]).evalf(20).is_real is not True:
-        return None
-    value = "a real number" if derived is None else derived.subs(tried[0])
-    return Counterexample(named(tried[0]), "not real", value, f"the printed value there is {printed.subs(tried[0]).evalf(8)}")
+def _never_real(functions: list[Expr], derived: Expr | None, r: Reading) -> Counterexample | None:
+    """One of the printed functions is not a real number at any of the first points, where what is derived is one."""
+    rooted = [f for f in functions if f.atoms(Pow)]
+    tried = list(islice(r.points([*rooted, *([derived] if derived is not None else [])]), 12)) if rooted else []
+    for f in rooted if tried else ():
+        if any(f.subs(values).evalf(20).is_real is not False for values in tried):
+            continue
+        value = derived.subs(tried[0]) if derived is not None else None
+        if value is None or value.evalf(20).is_real is True:
+            real = "a real number" if value is None else value
+            return Counterexample(named(tried[0]), "not real", real, f"the printed value there is {f.subs(tried[0]).evalf(8)}")
+    return None
 
 
 def _compared(r: Reading, values: Mapping[Symbol, Expr], p: Expr, d: Expr, value: Any, place: Any = None) -> Counterexample:
@@ -122,9 +123,8 @@ def solution(r: Reading) -> Outcome:
     wrong = [i for i, (a, b) in enumerate(zip(slopes, rates)) if not is_zero((a - b).rewrite("exp") if a.has(t) else a - b)]
     if wrong:
         i = wrong[0]
-        for function in printed:
-            if never := _never_real(function, None, r):
-                return Outcome(False, printed, ImmutableMatrix(rates), None, never)
+        if never := _never_real(list(printed), None, r):
+            return Outcome(False, printed, ImmutableMatrix(rates), None, never)
         for values in r.points([slopes[i], rates[i]]):
             if (there := _differ(slopes[i], rates[i], values)) is not None:
                 moving = values | {x: f.subs(values) for x, f in place.items()}

@@ -44,7 +44,7 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
         values |= {s: x for s, x in zip(K, chance.choice(directions)) if s in values}
         values |= {name: value.subs(values) for name, value in at.items()}
         values = on_family(scene, values)
-        if _is_a_body(scene, values) and all(x.is_finite for x in values.values()) and all(_positive(e.subs(values)) for e in positive):
+        if all(_positive(e.xreplace(values)) for e in positive) and _is_a_body(scene, values) and all(x.is_finite for x in values.values()):
             yield values
             if (found := found + 1) == TRIALS:
                 return
@@ -59,7 +59,7 @@ def on_family(scene: Scene, values: dict[Symbol, Expr]) -> dict[Symbol, Expr]:
 
 def _is_a_body(scene: Scene, values: dict[Symbol, Expr]) -> bool:
     """Whether no moment exceeds the sum of the others, where the moments are drawn."""
-    moments = [moment.subs(values) for moment in scene.body.inertia]
+    moments = [moment.xreplace(values) for moment in scene.body.inertia]
     return all(2 * m <= sum(moments) for m in moments) or not any(m.free_symbols for m in scene.body.inertia)
 
 
