@@ -226,6 +226,7 @@ def written(tmp_path, text):
     (GOOD + FORMULA.format("p") + 'at = { zz = "1" }\n', "at gives zz"),
     (GOOD + FORMULA.format("p") + 'at = { I1 = "0" }\n', "are positive"),
     (GOOD + FORMULA.format("p") + 'given = "m0 >= 0"\n', "write > or <"), (GOOD + FORMULA.format("entry(jacobian, 0, 1)"), "no entry 0, 1"),
+    (GOOD + '[expected]\nmisprint = [["a"]]', "lists of keys"), (GOOD + FORMULA.format("sn(vector_pi, 1)"), "sn takes numbers"),
     (GOOD + FORMULA.format("sqrt(jacobian)"), "takes one number"), (GOOD + FORMULA.format("entry(jacobian**9, 1, 1)"), "powers 2 and 3"),
     (GOOD + FORMULA.format("(p + 1)**100"), "others to 12"),
     (GOOD + FORMULA.format("round").replace('"p"', '"stability"').replace("identity", "statement"), "stable or unstable"),

@@ -114,7 +114,8 @@ def _read(path: Path, expected: Mapping[str, Any] | None) -> Source:
     if twice := {key for key in keys if keys.count(key) > 1}:
         raise PublishedError(f"{path}: the keys {', '.join(sorted(twice))} occur twice: give each formula its own")
     table = status if expected is None else expected
-    if not set(table) <= {"misprint", "unchecked"} or not all(_texts(keys) and isinstance(keys, list) for keys in table.values()):
+    if not set(table) <= {"misprint", "unchecked"} or not all(
+            isinstance(keys, list) and all(isinstance(key, str) for key in keys) for keys in table.values()):
         raise PublishedError(f"{path}: expected has lists of keys under misprint and unchecked, and nothing else")
     status = {key: name for name in ("misprint", "unchecked") for key in table.get(name, ())}
     if unknown := set(status) - set(keys):

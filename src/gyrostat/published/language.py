@@ -51,6 +51,8 @@ class Formula(Parser):
                 self.fail(f"{token} takes one number, nested at most 4 deep", "check its argument")
             return self.bounded(FUNCTIONS[token](inner.value), 1, 1, inner.bits, inner.nesting + 1)
         arguments = self.arguments()
+        if token in ("sn", "cn", "dn", "polhode_period") and any(isinstance(part.value, MatrixBase) for part in arguments):
+            self.fail(f"{token} takes numbers", "check its arguments")
         return Part(function(*(part.value for part in arguments)), nesting=max(part.nesting for part in arguments) + 1)
 
     def arguments(self) -> list[Part]:
