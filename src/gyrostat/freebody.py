@@ -65,7 +65,7 @@ def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
 
 
 def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int = 15) -> Expr:
-    """Period of M in the body, for a free rigid body; infinite on the separatrix and 0 at an equilibrium.
+    """Period of M in the body, for a free rigid body; infinite on the separatrix.
 
     T = 4 K(κ) √(I1 I2 I3 / ((I3 − I2)(M² − 2 E I1))), κ² = (I2 − I1)(2 E I3 − M²) / ((I3 − I2)(M² − 2 E I1)),
     I1 < I2 < I3 and M² > 2 E I2; else with axes 1 and 3 exchanged.

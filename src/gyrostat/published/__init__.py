@@ -168,7 +168,7 @@ def _statement(path: Path, header: Mapping[str, Any], scenes: Mapping[str, Scene
         return Statement(source=header["name"], file=str(path), **fields)
 
 
-def source_of(finding: "Finding") -> Source:
+def source_of(finding: Finding) -> Source:
     """The source of a finding."""
     return load(finding.statement.source if Path(finding.statement.file).parent == _HERE else finding.statement.file)
 

@@ -10,7 +10,7 @@ from ..conditions import Criterion
 from ..errors import GyrostatError, PublishedError
 from ..notation import symbol
 from . import independent
-from .criteria import agree, free_symbols, holds, printed_criterion
+from .criteria import K3, agree, criterion, free_symbols, holds
 from .language import comparisons
 from .sampling import K, on_family
 from .statements import Counterexample, Outcome, Reading, named
@@ -27,8 +27,8 @@ def condition(r: Reading) -> Outcome:
     if quantity == "existence":                            # what is divided by is not zero
         bottoms = {f**2 for margin, _ in margins for f in [margin.as_numer_denom()[1]] if f.free_symbols}
         margins += [(f, True) for f in bottoms]
-    at = r.scene.equilibrium.at if r.scene.equilibrium else symbol("k3")
-    printed = Criterion("formal", ()) if never else printed_criterion(margins, at)
+    at = r.scene.equilibrium.at if r.scene.equilibrium else K3
+    printed = Criterion("formal", ()) if never else criterion("printed", margins, at)
     both = quantity == "necessary and sufficient for stability"
     claim = "sufficient for stability" if both else quantity
     if agree(claim, printed, derived, r.claim.domain(claim)):
@@ -57,9 +57,9 @@ def _at_equality(r: Reading, claim: str, printed: Criterion, derived: Criterion)
     return Outcome(None, printed, derived)
 
 
-def _on_boundary(r: Reading, criterion: Criterion) -> Iterator[dict[Symbol, Expr]]:
+def _on_boundary(r: Reading, derived: Criterion) -> Iterator[dict[Symbol, Expr]]:
     """Points where a margin is 0, found along a name in which it is affine; the curvature of an unspecified U is drawn too."""
-    for alternative in criterion.alternatives:
+    for alternative in derived.alternatives:
         for condition in alternative:
             for values in r.points([condition.margin, *([symbol("d2U")] if condition.margin.has(symbol("dU")) else [])]):
                 for s in sorted(condition.margin.free_symbols, key=str):
@@ -122,7 +122,7 @@ def _confirmed(r: Reading, claim: str, said: bool, values: dict[Symbol, Expr]) -
     except GyrostatError:
         return None
     if claim == "existence":
-        unit = sum(x**2 for x in model.point[3:]) == 1
+        unit = r.scene.potential is None or sum(x**2 for x in model.point[3:]) == 1
         why = f"the field of Newton and Euler vanishes there, at {model.point}" if unit else f"there is no such direction, k3 = {model.k3}"
         return Counterexample(named(values), says, truth, why)
     growth, level = model.growth(), model.level_set()

@@ -16,6 +16,7 @@ from ..signs import Signs
 from ..stability import Report, analyze
 from .scenes import Scene
 
+K3 = symbol("k3")
 Margins = Sequence[tuple[Expr, bool]]
 CLAIMS = ("necessary for stability", "sufficient for stability", "sufficient for stability, Casimirs alone",
           "necessary and sufficient for stability", "sufficient for instability", "existence", "sufficient for periodic motion")
@@ -77,7 +78,7 @@ class Claim:
             return Criterion("instability", tuple((replace(c, margin=-c.margin, strict=True),)
                                                   for (a,) in [self.report.necessary.alternatives] for c in a))
         if claim == "existence":
-            return _criterion(claim, [(e, True) for e in self.scene.equilibrium.existence()] if self.scene.equilibrium else [])
+            return criterion(claim, [(e, True) for e in self.scene.equilibrium.existence()] if self.scene.equilibrium else [])
         if claim == "sufficient for periodic motion":
             return self._periodic()
         raise PublishedError(f"quantity = {claim!r}: a condition is {', '.join(CLAIMS)}")
@@ -88,7 +89,7 @@ class Claim:
             raise PublishedError("periodic motion is decided for a free rigid body: leave out potential and gyrostatic_momentum")
         E, L2 = symbol("E"), symbol("L2")
         low, middle, high = (L2 - 2 * E * moment for moment in self.scene.body.inertia)
-        return _criterion("periodic", [(low, True), (-high, True), (middle**2, True)])
+        return criterion("periodic", [(low, True), (-high, True), (middle**2, True)])
 
     def verdict(self) -> str:
         """stable, stable modulo a flow, unstable or undecided, where it is the same on the whole domain."""
@@ -97,26 +98,22 @@ class Claim:
         return "unstable" if not normal(self.report.necessary, self.domain()) else "undecided"
 
 
-def _criterion(notion: str, margins: Margins) -> Criterion:
-    return Criterion(notion, (tuple(Condition(margin, strict, notion, (), symbol("k3")) for margin, strict in margins),))
-
-
-def printed_criterion(margins: Margins, at: Expr) -> Criterion:
-    """Printed comparisons as a criterion, not yet in normal form."""
-    return Criterion("printed", (tuple(Condition(margin, strict, "printed", (), at) for margin, strict in margins),))
+def criterion(notion: str, margins: Margins, at: Expr = K3) -> Criterion:
+    """Comparisons as a criterion, not yet in normal form."""
+    return Criterion(notion, (tuple(Condition(margin, strict, notion, (), at) for margin, strict in margins),))
 
 
 Normal = frozenset[tuple[Expr, bool, frozenset[Expr]]]
 
 
-def normal(criterion: Criterion, domain: Iterable[Expr]) -> set[Normal | tuple[()]]:
+def normal(given: Criterion, domain: Iterable[Expr]) -> set[Normal | tuple[()]]:
     """The alternatives of a criterion, each as its independent conditions in normal form; () is always true."""
     domain = list(domain)
-    conditions = [c for alternative in criterion.alternatives for c in alternative]
+    conditions = [c for alternative in given.alternatives for c in alternative]
     ring = Ring([e for c in conditions for e in (c.margin, *c.degenerate)] + domain)
     signs = Signs(ring, domain)
     found: set[Normal | tuple[()]] = set()
-    for alternative in criterion.alternatives:
+    for alternative in given.alternatives:
         items = reduced([_item(c, ring, signs) for c in alternative], signs)
         if items is not None:
             found.add(frozenset((ring.expression(i.margin), i.strict, frozenset(map(ring.expression, i.degenerate)))
@@ -140,21 +137,21 @@ def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[E
     domain = list(domain)
     even = claim != "sufficient for instability"
 
-    def bare(criterion: Criterion) -> set[frozenset[tuple[Any, ...]]]:
+    def bare(side: Criterion) -> set[frozenset[tuple[Any, ...]]]:
         return {frozenset((margin, strict and strictness, degenerate if even and strictness else ()) for margin, strict, degenerate in a
-                          if strictness or margin.free_symbols) for a in normal(criterion, domain)}
+                          if strictness or margin.free_symbols) for a in normal(side, domain)}
 
     return bare(derived) == bare(printed)
 
 
-def free_symbols(criterion: Criterion) -> set[Symbol]:
+def free_symbols(given: Criterion) -> set[Symbol]:
     """All symbols of a criterion."""
-    return {s for a in criterion.alternatives for c in a for e in (c.margin, *c.degenerate) for s in e.free_symbols}
+    return {s for a in given.alternatives for c in a for e in (c.margin, *c.degenerate) for s in e.free_symbols}
 
 
-def holds(criterion: Criterion, values: dict[Symbol, Expr]) -> bool:
+def holds(given: Criterion, values: dict[Symbol, Expr]) -> bool:
     """Whether a criterion holds at rational values."""
-    return any(all(_holds(c, values) for c in alternative) for alternative in criterion.alternatives)
+    return any(all(_holds(c, values) for c in alternative) for alternative in given.alternatives)
 
 
 def _holds(condition: Condition, values: dict[Symbol, Expr]) -> bool:
