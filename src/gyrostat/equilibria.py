@@ -70,7 +70,7 @@ class Equilibrium(Typeset):
         if any(k) and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
             raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}: k is a direction, |k| = 1; "
                                    "divide it by its length")
-        for value in (*self.field_values(), *self.constraints):
+        for value in (*self.field_values, *self.constraints):
             if value.is_finite is False or value.is_real is False:
                 raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is {value} there, "
                                        "not a finite real number")
@@ -121,8 +121,13 @@ class Equilibrium(Typeset):
 
     def existence(self) -> tuple[Expr, ...]:
         """The domain in the parameters that are left: positive where the family exists."""
+        return self._existence
+
+    @cached_property
+    def _existence(self) -> tuple[Expr, ...]:
         return tuple(map(self.insert, self.domain))
 
+    @cached_property
     def field_values(self) -> tuple[Expr, ...]:
         """A given U, its slope and its curvature at the point; () where U is unspecified."""
         potential = self.system.potential
@@ -139,7 +144,6 @@ class Equilibrium(Typeset):
             return ()
         residuals = (_residual(self.insert(name) - self.insert(value), self) for name, value in self.relations if jet(name.name))
         return tuple(residual for residual in residuals if residual is not None)
-
 
     @cached_property
     def memory(self) -> dict[str, Any]:
@@ -177,7 +181,7 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
     Examples
     --------
     >>> from gyrostat.body import symmetric_gyrostat
-    >>> from gyrostat.potential import uniform_field
+    >>> from gyrostat.fields import uniform_field
     >>> from gyrostat.system import assemble
     >>> equilibrium(assemble(symmetric_gyrostat(), uniform_field()), (0, 0, 0, 1, 0, 0))  # doctest: +ELLIPSIS
     Traceback (most recent call last):

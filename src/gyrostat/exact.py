@@ -39,27 +39,39 @@ def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
     return sign_of_constant(evaluate(expression, values))
 
 
+class Point(dict[Symbol, Expr]):
+    """Exact numbers by symbol, the rational ones ready for polynomial arithmetic."""
+
+    def __init__(self, numbers: Mapping[Symbol, Expr]):
+        super().__init__(numbers)
+        self.rational = {s: fmpq(int(x.p), int(x.q)) for s, x in self.items() if isinstance(x, Rational)}
+
+
 def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
     """The exact value: a Rational where all numbers are rational and the expression is a fraction of polynomials."""
-    fraction = _fraction(expression)
-    if fraction is None or not all(isinstance(values[s], Rational) for s in fraction[0]):
+    given = values if isinstance(values, Point) else Point(values)
+    fraction = compiled(expression)
+    if fraction is None or not all(s in given.rational for s in fraction[0]):
         return expression.xreplace(dict(values)).doit()
     symbols, top, bottom = fraction
-    point = [fmpq(int(values[s].p), int(values[s].q)) for s in symbols]
-    below = bottom(*point)
-    if below == 0:
-        return sympy.nan
-    value = top(*point) / below
+    point = [given.rational[s] for s in symbols]
+    value = top(*point)
+    if bottom is not None:
+        below = bottom(*point)
+        if below == 0:
+            return sympy.nan
+        value /= below
     return Rational(int(value.p), int(value.q))
 
 
 @lru_cache(maxsize=4096)
-def _fraction(expression: Expr) -> tuple[tuple[Symbol, ...], fmpq_mpoly, fmpq_mpoly] | None:
-    """The expression as a fraction of polynomials in its symbols, None where it is none."""
+def compiled(expression: Expr) -> tuple[tuple[Symbol, ...], fmpq_mpoly, fmpq_mpoly | None] | None:
+    """The expression as a fraction of polynomials in its symbols, None where it is none; a denominator 1 is left out."""
     ring = Ring([expression])
     if not all(isinstance(g, Symbol) for g in ring.generators):
         return None
-    return (ring.generators, *ring.fraction(expression))
+    top, bottom = ring.fraction(expression)
+    return ring.generators, top, None if bottom.is_one() else bottom
 
 
 def sign_of_constant(constant: Expr) -> int | None:

@@ -201,7 +201,9 @@ def shown(number: Any, digits: int = 40) -> str:
     """A number in a message: a rational exactly if it is short, anything else rounded."""
     value = Rational(number) if isinstance(number, int) else number
     short = isinstance(value, Rational) and max(abs(int(value.p)), int(value.q)).bit_length() <= 3.3 * digits
-    return str(value if short else value.evalf(12))
+    if short:
+        return f"{value.p}/{value.q}" if value.q != 1 else str(value.p)
+    return str(value.evalf(12))
 
 
 def exact_expression(value: Any, name: str = "value") -> Expr:
@@ -221,6 +223,8 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     >>> exact_number("0.1"), exact_number(0.5), exact_number("sqrt(3)/2")
     (1/10, 1/2, sqrt(3)/2)
     """
+    if type(value) in (int, Fraction):                     # by far the most
+        return Rational(value.numerator, value.denominator)
     if isinstance(value, str):
         value = parse(value)
     if isinstance(value, Float):

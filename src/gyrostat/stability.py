@@ -1,17 +1,19 @@
 """Verdict, Decision, Report, analyze: the one call a newcomer needs."""
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
-from sympy import Expr, Symbol
+from sympy import Expr
 
-from .conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
+from .boundary import Boundary, boundary_of
+from .conditions import Criterion, formal_criterion, holds, independent, spectral_criterion
+from .drift import Drift
 from .energy_casimir import SecondVariation, second_variation
 from .equilibria import Equilibrium
 from .errors import require
-from .exact import evaluate, sign_of_constant
+from .exact import Point
 from .expressions import shown
 from .linearization import Linearization, linearize
 from .notation import Typeset, jet
@@ -87,10 +89,10 @@ class Report(Typeset):
             return self.sufficient
         return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)), self.equilibrium)
 
-    @property
-    def boundary(self) -> Criterion | None:
-        """What decides between necessary and sufficient: nothing does yet."""
-        return None
+    @cached_property
+    def boundary(self) -> Boundary | None:
+        """What decides where necessary holds and sufficient does not; None where nothing does: not a body of revolution in U(k3)."""
+        return boundary_of(self.equilibrium)
 
     @cached_property
     def required(self) -> tuple[str, ...]:
@@ -134,17 +136,49 @@ class Report(Typeset):
         <Verdict.STABLE: 'a sufficient condition for stability is proved to hold'>
         """
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
-        note = inertia_note(self.equilibrium, numbers)
-        modulo = self.sufficient.modulo
-        sufficient, margins = _holds(self.sufficient, numbers)
+        margins: dict[Expr, Expr] = {}
+        stable, notion, why = self._decided(numbers, margins)
+        verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
+        return Decision(verdict, notion, self.sufficient.modulo, _reason(margins, why), tuple(margins.items()),
+                        inertia_note(self.equilibrium, numbers))
+
+    def itself(self, values: Mapping[str, Any]) -> Decision:
+        """The decision on the point itself, where verdict speaks of it modulo a flow; otherwise the same as verdict.
+
+        A tilted equilibrium that is stable modulo the spin is not Lyapunov stable as a point: relative equilibria near it drift along
+        its orbit (Drift). margins has D, which is not 0 where the linearised flow grows too, by a Jordan block.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, axial_potential, inclined, symmetric_gyrostat
+        >>> report = analyze(inclined(assemble(symmetric_gyrostat(), axial_potential())))
+        >>> values = {"I1": 4, "I3": 5, "l": 2, "omega": 1, "k3": 0, "d2U": 0}
+        >>> report.verdict(values).verdict.name, report.itself(values).verdict.name
+        ('STABLE', 'UNSTABLE')
+        """
+        decision = self.verdict(values)
+        if not decision.modulo or self.boundary is None or decision.verdict is not Verdict.STABLE:
+            return replace(decision, modulo=() if decision.verdict is Verdict.UNSTABLE else decision.modulo)
+        numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
+        margins: dict[Expr, Expr] = {}
+        stable, why = Drift(self.equilibrium).decide(numbers, margins)
+        verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
+        return Decision(verdict, "" if stable is None else "Lyapunov", (), _reason(margins, why), tuple(margins.items()), decision.note)
+
+    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[bool | None, str, str]:
+        """Whether it is stable, the notion, and why."""
+        sufficient = holds(self.sufficient, numbers, margins)
         if sufficient:
-            why = "the second variation is definite on the symplectic slice"
-            return Decision(Verdict.STABLE, "Lyapunov", modulo, _reason(margins, why), margins, note)
-        necessary, margins = _holds(self.necessary, numbers)
+            return True, "Lyapunov", "the second variation is definite on the symplectic slice"
+        necessary = holds(self.necessary, numbers, margins)
         if necessary is False:
-            return Decision(Verdict.UNSTABLE, "spectral", modulo, _reason(margins, "an eigenvalue has a positive real part"), margins, note)
-        why = "a margin has no proved sign" if None in (sufficient, necessary) else "the point lies between the two criteria"
-        return Decision(Verdict.UNDECIDED, "", modulo, _reason(margins, why), margins, note)
+            return False, "spectral", "an eigenvalue has a positive real part"
+        if None in (sufficient, necessary):
+            return None, "", "a margin has no proved sign"
+        if self.boundary is None:
+            return None, "", "the point lies between the two criteria"
+        stable, why = self.boundary.decide(numbers, margins)
+        return stable, "" if stable is None else "Lyapunov", why
 
 
 def analyze(eq: Equilibrium) -> Report:
@@ -160,32 +194,12 @@ def analyze(eq: Equilibrium) -> Report:
     return Report(eq)
 
 
-def _holds(criterion: Criterion, numbers: Mapping[Symbol, Expr]) -> tuple[bool | None, tuple[tuple[Expr, Expr], ...]]:
-    """Three-valued truth of a criterion, with the margins evaluated."""
-    margins: dict[Expr, Expr] = {}
-    answers = [_all(_condition_holds(c, numbers, margins) for c in alternative) for alternative in criterion.alternatives]
-    truth = True if True in answers else None if None in answers else False
-    return truth, tuple(margins.items())
-
-
-def _all(answers: Iterable[bool | None]) -> bool | None:
-    given = list(answers)
-    return False if False in given else None if None in given else True
-
-
-def _condition_holds(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> bool | None:
-    value = margins[condition.margin] = evaluate(condition.margin, numbers)
-    sign = sign_of_constant(value)
-    factors = [sign_of_constant(evaluate(factor, numbers)) for factor in condition.degenerate]
-    if 0 in factors:
-        sign = 0
-    if sign is None:
-        return None
-    if None in factors:                                # the sign is this one, or 0
-        return None if (sign > 0) == condition.strict and sign else not condition.strict
-    return sign > 0 if condition.strict else sign >= 0
-
-
-def _reason(margins: tuple[tuple[Expr, Expr], ...], conclusion: str) -> str:
-    values = ", ".join(f"{margin} = {shown(value)}" for margin, value in margins if margin.free_symbols)
+def _reason(margins: Mapping[Expr, Expr], conclusion: str) -> str:
+    values = ", ".join(f"{text} = {shown(value)}" for margin, value in margins.items() if (text := _text(margin)))
     return f"{values}: {conclusion}" if values else conclusion
+
+
+@lru_cache(maxsize=4096)
+def _text(margin: Expr) -> str:
+    """A margin in a message, nothing for a constant one."""
+    return str(margin) if margin.free_symbols else ""

@@ -1,18 +1,19 @@
 """The numbers at which a report is asked: named, exact, positive where they must be, and on the family."""
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
+from functools import lru_cache
 from typing import Any
 
-from sympy import Expr, Rational, S, Symbol
+from sympy import Add, Expr, Rational, S, Symbol
 
 from .equilibria import Equilibrium
 from .errors import ValuesError
-from .exact import ball, evaluate, sign_of_constant
+from .exact import Point, ball, compiled, evaluate, sign_of_constant
 from .expressions import exact_number, shown
 from .notation import NOTATION, jet, symbol
 
 
-def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[str], known: Sequence[str]) -> dict[Symbol, Expr]:
+def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[str], known: Sequence[str]) -> Point:
     """The values as exact numbers, every one of them checked.
 
     Raises
@@ -26,7 +27,7 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
             raise ValuesError(unknown(name, known, eq.label))
     if missing := [name for name in required if name not in given]:
         raise ValuesError(f"{eq.label} needs {', '.join(map(_described, missing))}: give a number for each")
-    numbers = {symbol(name): exact_number(value, name) for name, value in given.items()}
+    numbers = Point({symbol(name): exact_number(value, name) for name, value in given.items()})
     for name, number in numbers.items():
         if not isinstance(number, Rational) and not ball(number, 64).is_finite():
             raise ValuesError(f"{name} = {number} cannot be enclosed: write it with rationals, roots, pi, exp, log and the like")
@@ -51,8 +52,9 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
         if sign_of_constant(value) != 1:
             here = "is not defined" if value is S.NaN else f"is {shown(value)}"
             raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: choose a point inside")
-    for expression in eq.field_values():
-        if expression.free_symbols <= numbers.keys() and not _may_be_real(value := evaluate(expression, numbers)):
+    for expression in eq.field_values:
+        polynomial = (fraction := compiled(expression)) is not None and fraction[2] is None      # finite and real wherever it is
+        if not polynomial and expression.free_symbols <= numbers.keys() and not _may_be_real(value := evaluate(expression, numbers)):
             raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a finite real number: "
                               "choose another point")
 
@@ -81,12 +83,19 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
 
 def inertia_note(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
     """A sentence if the moments break the triangle inequality, as no rigid body's do; "" otherwise."""
-    moments = [m.xreplace(dict(numbers)) for m in eq.system.body.inertia]
-    if any(m.free_symbols for m in moments):
+    inertia = eq.system.body.inertia
+    if any(s not in numbers for m in inertia for s in m.free_symbols):
         return ""
-    if any(sign_of_constant(sum(moments, S.Zero) - 2 * m) == -1 for m in moments):
+    if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(inertia)):
+        moments = [evaluate(m, numbers) for m in inertia]
         return f"no rigid body has the moments {', '.join(map(str, moments))}: one exceeds the sum of the others (a body in a fluid may)"
     return ""
+
+
+@lru_cache(maxsize=256)
+def _excesses(inertia: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """By how much each moment falls short of the sum of the others."""
+    return tuple(Add(*inertia) - 2 * m for m in dict.fromkeys(inertia))
 
 
 def names_in(expressions: Iterable[Expr]) -> tuple[str, ...]:
