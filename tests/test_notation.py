@@ -5,11 +5,11 @@ from sympy import Symbol
 from gyrostat.notation import NOTATION, jet, jet_name, own, symbol, typeset
 
 
-def test_moments_are_positive_and_everything_else_is_real():
+def test_moments_masses_and_magnitudes_are_positive_and_everything_else_is_real():
     """Assumptions live in one table."""
     for name in NOTATION:
         assert symbol(name).is_real
-        assert bool(symbol(name).is_positive) == name.startswith("I")
+        assert bool(symbol(name).is_positive) == (name in ("I1", "I2", "I3", "r", "p0", "mass1", "mass3"))
     assert symbol("c").is_real and symbol("c").is_positive is None
 
 
@@ -18,6 +18,28 @@ def test_dimensions_of_the_named_fields_agree():
     d = {name: entry.dimension for name, entry in NOTATION.items()}
     assert d["m0"] == d["dU"] == (d["I1"][0] + d["m1"][0], d["m1"][1]) == (1, 2)
     assert d["l"] == d["pi3_0"] == (d["I1"][0] + d["omega"][0], d["omega"][1]) == (1, 1)
+
+
+def powers(name):
+    """Powers of mass, length and 1/time."""
+    (a, b), c = NOTATION[name].dimension, NOTATION[name].length
+    return a, 2 * a + c, b
+
+
+def test_length_is_the_third_dimension():
+    """m0 = m g z0, m1 r is an acceleration, Jₙ a mass times a length to the n, p0²/mass an energy, the rest as before."""
+    assert powers("mass1") == powers("mass3") == (1, 0, 0) and powers("r") == (0, 1, 0) and powers("p0") == (1, 1, 1)
+    assert tuple(a + b for a, b in zip(powers("m1"), powers("r"))) == (0, 1, 2)
+    assert [powers(f"J{n}") for n in (3, 4, 9)] == [(1, 3, 0), (1, 4, 0), (1, 9, 0)]
+    assert tuple(2 * a - b for a, b in zip(powers("p0"), powers("mass1"))) == powers("m0") == (1, 2, 2)
+    assert {n for n in NOTATION if NOTATION[n].length} == {"r", "p0", "mass1", "mass3", *(f"J{n}" for n in range(3, 10))}
+
+
+def test_no_two_names_are_typeset_alike():
+    """mass1 is not m1, in LaTeX or in text."""
+    for style in ("latex", "text"):
+        shown = [typeset(name, None, style) for name in NOTATION]
+        assert len(set(shown)) == len(shown)
 
 
 def test_symbols_are_matched_by_name():
@@ -54,7 +76,8 @@ def test_parameters_of_the_user_are_typeset():
 @pytest.mark.parametrize(("name", "latex", "text"), [
     ("phi_dot", r"\dot{\phi}", "φ\u0307"), ("psi_ddot", r"\ddot{\psi}", "ψ\u0308"), ("A1_dot", r"\dot{A_{1}}", "A\u0307₁"),
     ("delta_pi3", r"\delta \pi_3", "δπ₃"), ("Omega_b", r"\Omega_{b}", "Ω_b"), ("omega2", r"\omega_{2}", "ω₂"),
-    ("spring_rate", r"\mathrm{spring\_rate}", "spring_rate")])
-def test_rates_variations_and_subscripts(name, latex, text):
-    """A rate has its dots, a variation its δ, a single letter or Greek name its subscript."""
+    ("mass1", r"\bar{m}_1", "mass₁"), ("mass3", r"\bar{m}_3", "mass₃"), ("p0", "p_0", "p₀"), ("r", "r", "r"), ("J3", "J_3", "J₃"),
+    ("J9", "J_9", "J₉"), ("J10", "J_{10}", "J₁₀"), ("spring_rate", r"\mathrm{spring\_rate}", "spring_rate")])
+def test_names_are_typeset(name, latex, text):
+    """A rate has its dots, a variation its δ, a single letter or Greek name its subscript; masses keep apart from m1 = 3 g/r."""
     assert typeset(name) == latex and typeset(name, style="text") == text

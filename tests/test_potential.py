@@ -1,4 +1,4 @@
-"""Potentials: unspecified, given, matched by name; their jets; named fields."""
+"""Potentials: unspecified, given, matched by name; their jets."""
 import pytest
 import sympy
 from sympy import Function, Symbol, cos, exp
@@ -53,15 +53,6 @@ def test_jets_are_derivatives():
     general = gs.general_potential(lambda a, b, c: a**2 * b * c**3)
     assert general.value(gs.symbol("d3U_123")) == 6 * k1 * k3**2
     assert [d.name for d in general.following(gs.symbol("dU_2"))] == ["d2U_12", "d2U_22", "d2U_23"]
-
-
-def test_named_fields():
-    """U⁽¹⁾ and U⁽²⁾ of Vera & Viguera (2003), §3; m1 has the sign that VV2003 gives it."""
-    assert gs.uniform_field().expression == m0 * k3
-    assert sympy.expand(gs.newtonian_field(2).expression - m0 * k3 - m1 * (I3 - I1) * k3**2 / 2) == 0
-    for order in (0, 3, -1):
-        with pytest.raises(ScopeError, match="orders 1 and 2"):
-            gs.newtonian_field(order)
 
 
 def test_the_body_enters_its_own_potential():

@@ -4,11 +4,12 @@ from .conditions import Condition, Criterion, formal_criterion, independent, spe
 from .energy_casimir import SecondVariation, augmented_hessian, multipliers, second_variation
 from .equilibria import Equilibrium, equilibrium
 from .families import hanging, inclined, principal_rotation, static_tilt, upright
+from .fields import ideal_fluid, newtonian_field, uniform_field
 from .liepoisson import LiePoisson, lie_poisson
 from .linearization import Linearization, linearize
 from .notation import symbol
 from .orbit import orbit_tangent, symplectic_slice
-from .potential import Potential, axial_potential, general_potential, newtonian_field, uniform_field
+from .potential import Potential, axial_potential, general_potential
 from .stability import Decision, Report, Verdict, analyze
 from .system import System, assemble
 
@@ -16,7 +17,7 @@ __version__ = "0.1.0"
 __all__ = [
     "analyze", "assemble", "augmented_hessian", "axial_potential", "Condition", "Criterion",
     "Decision", "Equilibrium", "equilibrium", "formal_criterion", "general_potential", "Gyrostat",
-    "hanging", "inclined", "independent", "lie_poisson", "LiePoisson", "Linearization",
+    "hanging", "ideal_fluid", "inclined", "independent", "lie_poisson", "LiePoisson", "Linearization",
     "linearize", "multipliers", "newtonian_field", "orbit_tangent", "Potential", "principal_rotation",
     "Report", "second_variation", "SecondVariation", "spectral_criterion", "static_tilt", "symbol",
     "symmetric_gyrostat", "symplectic_slice", "System", "uniform_field", "upright", "Verdict",

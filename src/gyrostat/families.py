@@ -104,7 +104,7 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
     Examples
     --------
     >>> from gyrostat.body import symmetric_gyrostat
-    >>> from gyrostat.potential import uniform_field
+    >>> from gyrostat.fields import uniform_field
     >>> from gyrostat.system import assemble
     >>> inclined(assemble(symmetric_gyrostat(), uniform_field()), eliminate="k3").relations[-1]
     (k3, (l*omega - m0)/(omega**2*(I1 - I3)))

@@ -11,7 +11,7 @@ from sympy import Expr, Symbol
 
 @dataclass(frozen=True)
 class Entry:
-    """What one name means; dimension (a, b) stands for [M L²]ᵃ [T]⁻ᵇ."""
+    """What one name means; dimension (a, b) and length c stand for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ."""
 
     name: str
     latex: str
@@ -19,6 +19,7 @@ class Entry:
     dimension: tuple[int, int]
     meaning: str
     positive: bool = False
+    length: int = 0
 
 
 _JET = re.compile(r"d(\d*)U(?:_([123]+))?")
@@ -37,8 +38,11 @@ def jet(name: str) -> tuple[int, str] | None:
     return int(match[1] or 1), match[2] or ""
 
 
+_ORDERS = range(3, 10)                     # of the J_n of the table; those above are real parameters like any other
+
+
 def _table() -> Mapping[str, Entry]:
-    sub = "₀₁₂₃"
+    sub = "₀₁₂₃₄₅₆₇₈₉"
     rows = [Entry(f"pi{i}_0", rf"\pi_{i}^0", f"π{sub[i]}⁰", (1, 1), f"π{i} at the equilibrium") for i in (1, 2, 3)]
     rows += [Entry(f"omega{i}_0", rf"\omega_{i}^0", f"ω{sub[i]}⁰", (0, 1), f"body rate about axis {i} at the equilibrium")
              for i in (1, 2, 3)]
@@ -50,7 +54,12 @@ def _table() -> Mapping[str, Entry]:
     rows += [Entry(f"I{i}", f"I_{i}", f"I{sub[i]}", (1, 0), f"principal moment of inertia, axis {i}", True)
              for i in (1, 2, 3)]
     rows += [Entry("m0", "m_0", "m₀", (1, 2), "weight times height of the centre of mass: m g z0"),
-             Entry("m1", "m_1", "m₁", (0, 2), "3 g / r, r the distance of the centre of attraction")]
+             Entry("m1", "m_1", "m₁", (0, 2), "3 g / r, r the distance of the centre of attraction"),
+             Entry("r", "r", "r", (0, 0), "distance of the centre of attraction from the fixed point", True, 1)]
+    rows += [Entry(f"J{n}", f"J_{n}", f"J{sub[n]}", (1, 0), f"∫ |x|^{n} P_{n}(x3/|x|) dm over the body", length=n - 2) for n in _ORDERS]
+    rows += [Entry("p0", "p_0", "p₀", (1, 1), "magnitude of the impulse in an ideal fluid", True, -1)]
+    rows += [Entry(f"mass{i}", rf"\bar{{m}}_{i}", f"mass{sub[i]}", (1, 0), f"mass with added mass of the fluid, axis {i}", True, -2)
+             for i in (1, 3)]
     rows += [Entry(f"k{i}", f"k_{i}", f"k{sub[i]}", (0, 0), f"direction of the field (Poisson vector), axis {i}")
              for i in (1, 2, 3)]
     rows += [Entry(jet_name(n), "U" + "'" * n, "U" + "′″‴"[n - 1], (1, 2), f"derivative {n} of U along k3") for n in (1, 2, 3)]
@@ -62,7 +71,8 @@ def _table() -> Mapping[str, Entry]:
 
 NOTATION = _table()
 ORDER = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
-PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1"})    # the names of the table a body or a potential may use
+PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1", "r", "p0", "mass1", "mass3"}
+                       | {f"J{n}" for n in _ORDERS})    # the names of the table a body or a potential may use
 INTERNAL = frozenset({"nu1", "nu2", "nu3", "lamda"})   # names that a derivation introduces itself
 
 

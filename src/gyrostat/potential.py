@@ -1,4 +1,4 @@
-"""Potentials U(k3), unspecified or given, and U(k1, k2, k3); their jets; named fields."""
+"""Potentials U(k3), unspecified or given, and U(k1, k2, k3); their jets."""
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -7,7 +7,7 @@ import sympy
 from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, log
 from sympy.core.function import AppliedUndef
 
-from .errors import PotentialError, ScopeError
+from .errors import PotentialError
 from .expressions import exact_expression
 from .notation import Typeset, jet, jet_name, of_the_motion, symbol
 
@@ -107,35 +107,6 @@ def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -
 def general_potential(expression: Expr | Callable[..., Expr] | None = None) -> Potential:
     """Potential U(k1, k2, k3): an expression, a function of the three symbols, or None for U left unspecified."""
     return _potential(DIRECTIONS, expression)
-
-
-def uniform_field() -> Potential:
-    """Uniform field, U = m0 k3 with m0 = m g z0; z0 > 0: the centre of mass is above the support at k3 = 1."""
-    return newtonian_field(1)
-
-
-def newtonian_field(order: int) -> Potential:
-    """Attraction by a distant centre below, to the order given: 1 is uniform, 2 adds the gravity gradient.
-
-    U⁽¹⁾ = m0 k3,  U⁽²⁾ = m0 k3 + (m1/2) (I3 − I1) k3², m0 = m g z0, m1 = 3 g / r; body of revolution.
-
-    Raises
-    ------
-    ScopeError           for orders other than 1 and 2
-
-    Source
-    ------
-    Vera & Viguera (2003), §1 and §3.
-
-    Examples
-    --------
-    >>> newtonian_field(2).expression
-    k3**2*m1*(-I1 + I3)/2 + k3*m0
-    """
-    k3, m0, m1, I1, I3 = map(symbol, ("k3", "m0", "m1", "I1", "I3"))
-    if order not in (1, 2):
-        raise ScopeError(f"the Newtonian field is built to orders 1 and 2, not {order}: give higher orders as axial_potential(U)")
-    return axial_potential(m0 * k3) if order == 1 else Potential((k3,), m0 * k3 + m1 / 2 * (I3 - I1) * k3**2, revolution=True)
 
 
 def smooth_where_positive(expression: Expr) -> tuple[Expr, ...]:
