@@ -110,3 +110,144 @@ def verdict_inclined_margin(I1, I3, l, omega, z, u2):
     g = reduced(I1, l, pi3, v, e, Fraction(0), u1, u2, z)
     assert g[0] == g[1] == 0
     return -g[2]
+
+
+def polynomial(coefficients, z):
+    """a0 + a1 z + a2 z² + …"""
+    value = 0 * z
+    for a in reversed(coefficients):
+        value = value * z + a
+    return value
+
+
+def product(a, b):
+    """Coefficients of the product of two polynomials."""
+    c = [0] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            c[i + j] += x * y
+    return c
+
+
+def quotient(a, b, order):
+    """Power series a / b up to the given order; b may begin later than with its constant, a then does so too."""
+    start = next(i for i, y in enumerate(b) if y)
+    assert not any(a[:start])
+    a, b = list(a[start:]) + [0] * (order + 1), b[start:]
+    c = []
+    for n in range(order + 1):
+        c.append((a[n] - sum(b[j] * c[n - j] for j in range(1, min(n, len(b) - 1) + 1))) / b[0])
+    return c
+
+
+def expand(coefficients, z, sigma):
+    """Coefficients in y of a polynomial in z + sigma y."""
+    c = list(coefficients)
+    for i in range(len(c)):
+        for j in reversed(range(i, len(c) - 1)):
+            c[j] += z * c[j + 1]
+    return [a * sigma**i for i, a in enumerate(c)]
+
+
+def axial_integrals(x, I1, l, potential):
+    """e = h − π3²/(2 I3), v = (π + l)·k, P = π3 + l for U(k3) = a0 + a1 k3 + …"""
+    pi, k = x[:3], x[3:]
+    P = pi[2] + l
+    return (pi[0] ** 2 + pi[1] ** 2) / (2 * I1) + polynomial(potential, k[2]), pi[0] * k[0] + pi[1] * k[1] + P * k[2], P
+
+
+def reduced_motion(I1, e, v, P, potential):
+    """Coefficients of g = 2 I1 (e − U)(1 − z²) − (v − P z)², all of them; I1² ż² = g(z) along every motion, z = k3."""
+    energy = [-a for a in potential]
+    energy[0] += e
+    g = [2 * I1 * c for c in product(energy, [1, 0, -1])]
+    for i, c in enumerate(product([v, -P], [v, -P])):
+        g[i] -= c
+    return g
+
+
+def axial_field(x, I1, I3, l, slope):
+    """The field above, written out for I1 = I2, l = (0, 0, l), U = U(k3): numbers, not arrays; slope = U' as coefficients."""
+    p1, p2, p3, k1, k2, k3 = x
+    w1, w2, w3, u = p1 / I1, p2 / I1, p3 / I3, polynomial(slope, k3)
+    return [p2 * w3 - (p3 + l) * w2 + k2 * u, (p3 + l) * w1 - p1 * w3 - k1 * u, p1 * w2 - p2 * w1,
+            k2 * w3 - k3 * w2, k3 * w1 - k1 * w3, k1 * w2 - k2 * w1]
+
+
+def taylor(g, z):
+    """Coefficients in x of a polynomial in z + x, by repeated synthetic division; whole numbers stay whole."""
+    rest, found = list(reversed(g)), []
+    while rest:
+        carry, quotients = 0, []
+        for c in rest:
+            carry = carry * z + c
+            quotients.append(carry)
+        found.append(quotients.pop())
+        rest = quotients
+    return found
+
+
+def moves_away(g, z, sides):
+    """Whether x² = g(x) has motions that leave its rest point z on a side: g > 0 beside z, or g = 0 everywhere."""
+    rest = list(reversed(g))
+    for n in range(len(g)):
+        carry, quotients = 0, []
+        for c in rest:
+            carry = carry * z + c
+            quotients.append(carry)
+        first, rest = quotients.pop(), quotients
+        if first:
+            assert n >= 2                              # a rest point is a double root
+            return any(first * side**n > 0 for side in sides)
+    return True
+
+
+def whole_motion(A, W, P, B, m, q, r):
+    """g at z = y/q in powers of y, times (d r q⁴)², in whole numbers; U has six coefficients.
+
+    I1 = A/d, ω·k = W/r, π3 + l = P/(d r q), U = (B1 z + … + B6 z⁶)/d, k3 = m/q; the state is π1 = I1 ω k1, π2 = k2 = 0, with
+    k1² = 1 − k3², hence 2 I1 e = I1² ω² k1² + 2 I1 U(k3), v = I1 ω k1² + P k3.
+    """
+    across = q * q - m * m
+    V = A * W * across + P * m
+    energy = [0] * 7
+    for n, b in enumerate(B, 1):
+        energy[n] = -b * q ** (6 - n)
+    energy[0] = -polynomial(energy, m)
+    twice = 2 * A * r * r
+    whole = [twice * c for c in energy]
+    whole[0] += A * A * W * W * across * q**4
+    g = [q * q * c for c in whole] + [0, 0]
+    for n, c in enumerate(whole, 2):
+        g[n] -= c
+    scale = q**4
+    g[0] -= scale * V * V
+    g[1] += scale * 2 * V * P
+    g[2] -= scale * P * P
+    return g
+
+
+def rank(rows):
+    """Rank of a matrix of Fractions."""
+    rows, found = [list(row) for row in rows], 0
+    for column in range(len(rows[0])):
+        pivot = next((i for i in range(found, len(rows)) if rows[i][column]), None)
+        if pivot is None:
+            continue
+        rows[found], rows[pivot] = rows[pivot], rows[found]
+        for i in range(found + 1, len(rows)):
+            factor = rows[i][column] / rows[found][column]
+            rows[i] = [a - factor * b for a, b in zip(rows[i], rows[found])]
+        found += 1
+    return found
+
+
+def orbit_basis(x, rotor):
+    """Basis of the tangent space {δπ·k + M·δk = 0, k·δk = 0} of the coadjoint orbit, as columns, shape (6, 4); k1 ≠ 0."""
+    M, k, columns = x[:3] + rotor, x[3:], []
+    for free in (1, 2, 4, 5):                          # δπ2, δπ3, δk2, δk3; δk1 and δπ1 follow
+        d = exact([int(i == free) for i in range(6)])
+        d[3] = -(k[1] * d[4] + k[2] * d[5]) / k[0]
+        d[0] = -(k[1] * d[1] + k[2] * d[2] + M.dot(d[3:])) / k[0]
+        columns.append(d)
+    return np.array(columns, dtype=object).T

@@ -82,7 +82,7 @@ class Drift(Typeset):
 
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
         """Whether the point, stable modulo the spin, is Lyapunov stable: True only in the exceptional case; and why."""
-        eq, body = self.equilibrium, self.equilibrium.system.body
+        body = self.equilibrium.system.body
         linear = self._linear(numbers, margins)
         turning = "relative equilibria near it turn about the axis of the body"
         if sign_of_constant(evaluate(self.omega, numbers)) == 0:

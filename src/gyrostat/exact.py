@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 import sympy
-from flint import arb, ctx, fmpq, fmpq_mpoly
+from flint import arb, ctx, fmpq, fmpq_mpoly, fmpz_poly
 from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, Symbol
 
 from .algebra import Ring
@@ -112,8 +112,8 @@ def _conjugates(node: Expr) -> tuple[float, float] | None:
     if isinstance(node, Rational):
         return math.log2(abs(int(node.p)) or 1), math.log2(int(node.q))
     if isinstance(node, CRootOf):
-        coefficients = [abs(int(c)) for c in node.poly.clear_denoms(convert=True)[1].all_coeffs()]
-        return math.log2(coefficients[0] + max(coefficients)), math.log2(coefficients[0])
+        coefficients = [abs(int(c)) for c in _polynomial(node).coeffs()]
+        return math.log2(coefficients[-1] + max(coefficients)), math.log2(coefficients[-1])
     parts = [_conjugates(part) for part in (node.args if isinstance(node, (Add, Mul)) else node.args[:1])]
     if not parts or None in parts:
         return None
@@ -153,12 +153,17 @@ def _ball(node: Expr) -> arb:
     if node is sympy.pi or node is sympy.E:
         return arb.pi() if node is sympy.pi else arb(1).exp()
     if isinstance(node, CRootOf):
-        width = Rational(1, 2 ** (ctx.prec + 8))
-        return _ball(node.eval_rational(dx=width)) + arb(0, _ball(width))
+        real = sorted((root.real for root, _ in _polynomial(node).complex_roots() if root.imag == 0), key=arb.mid)
+        return real[node.index] if node.index < len(real) else arb("nan")      # the real ones come first, in order
     name = type(node).__name__
     if name in _FUNCTIONS and len(node.args) == 1:
         return _FUNCTIONS[name](_ball(node.args[0]))
     return arb("nan")
+
+
+@lru_cache(maxsize=256)
+def _polynomial(root: CRootOf) -> fmpz_poly:
+    return fmpz_poly([int(c) for c in reversed(root.poly.clear_denoms(convert=True)[1].all_coeffs())])
 
 
 def _root(base: arb, n: int) -> arb:

@@ -49,10 +49,15 @@ class Reduction(Typeset):
         """
         return self.axial + self._field(None) + self.twist**2 / (2 * self.system.body.inertia[0] * self.across)
 
+    @property
+    def rate(self) -> Expr:
+        """The rate about the vertical on a level, (v − P k3)/(I1 (1 − k3²)) [1/T]."""
+        return self.twist / (self.system.body.inertia[0] * self.across)
+
     def precession(self) -> Expr:
         """What vanishes for the regular precessions ω = W k + σ e3, U' − P W + I1 k3 W²; W is the symbol omega, U' is dU.
 
-        It is the slope of the effective potential, where W = (v − P k3)/(I1 (1 − k3²)) is the rate about the vertical.
+        It is the slope of the effective potential. At σ = 0, P = I3 W k3 + l, it is the relation of E3.
 
         Examples
         --------
@@ -60,10 +65,24 @@ class Reduction(Typeset):
         >>> reduce(assemble(symmetric_gyrostat(), axial_potential())).precession()
         I1*k3*omega**2 + dU - omega*p_psi
         """
-        I1 = self.system.body.inertia[0]
-        slope = (self.twist**2 / (2 * I1 * self.across)).diff(K3).xreplace({V: I1 * OMEGA * self.across + V - self.twist})
-        ring = Ring([slope])
-        return symbol("dU") + ring.quotient(*ring.fraction(slope))
+        return symbol("dU") + self._at_rate((self.twist * self.rate / 2).diff(K3))
+
+    def restoring(self) -> Expr:
+        """I1 (1 − k3²) V'' = −g''/2 on the regular precessions, with d2U for U'': positive where they are stable.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat
+        >>> reduce(assemble(symmetric_gyrostat(), axial_potential())).restoring()
+        3*I1**2*k3**2*omega**2 + I1**2*omega**2 - I1*d2U*k3**2 + I1*d2U - 4*I1*k3*omega*p_psi + p_psi**2
+        """
+        return self._at_rate(self.system.body.inertia[0] * self.across * (symbol("d2U") + (self.twist * self.rate / 2).diff(K3, 2)))
+
+    def _at_rate(self, expression: Expr) -> Expr:
+        """With the level v expressed by the rate omega, in lowest terms."""
+        level = self.system.body.inertia[0] * OMEGA * self.across + V - self.twist
+        ring = Ring([placed := expression.xreplace({V: level})])
+        return ring.quotient(*ring.fraction(placed))
 
     def _field(self, U: Expr | None) -> Expr:
         potential = self.system.potential

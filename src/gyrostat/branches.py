@@ -1,0 +1,203 @@
+"""All relative equilibria of a given scene, with their decisions: E1, E2, every E3, regular precessions."""
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from sympy import Expr, Integer, S, Symbol
+
+from .body import symmetric_gyrostat
+from .errors import ScopeError, ValuesError, require
+from .exact import Point, evaluate, sign_of_constant
+from .expressions import exact_number
+from .families import hanging, inclined, static_tilt, upright
+from .notation import Typeset, symbol
+from .potential import Potential
+from .reduction import K3, OMEGA, P, V, reduce, reducible
+from .roots import real_roots
+from .stability import Decision, Report, analyze
+from .system import System, assemble
+from .values import unknown
+
+DU = symbol("dU")
+_ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
+
+
+@dataclass(frozen=True, repr=False)
+class Branch(Typeset):
+    """One relative equilibrium: ω = omega k + sigma e3.
+
+    Parameters
+    ----------
+    label : str              "E1", "E2", "E3" (sigma = 0), or "precession": a periodic orbit of the Lie-Poisson field, E3 of the body
+                             whose rotor carries l + I3 sigma
+    k3 : Expr or None        None: every k3 between −1 and 1
+    omega : Expr or None     rate about the vertical [1/T]; None: every rate
+    sigma : Expr or None     rate about the axis of the body on top of it [1/T]; None where it varies along a continuum
+    pi3 : Expr or None       axial momentum of the locked body [M L²/T]
+    decision : Decision      E3 and precessions: modulo the spin
+    """
+
+    label: str
+    k3: Expr | None
+    omega: Expr | None
+    sigma: Expr | None
+    pi3: Expr | None
+    decision: Decision
+
+
+def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch]:
+    """Every relative equilibrium of a body of revolution in U(k3) at given numbers, each with its decision.
+
+    Numbers for the moments, l and the parameters of U, and one of
+
+    - omega: E1, E2 and every E3 of that rate about the vertical, U' = ω l − ω² k3 (I1 − I3);
+    - pi3_0, C1: what lies on that level of π3 and of C1 = (π + l)·k: E1 and E2 where C1 = ±(π3 + l), and every regular precession;
+    - k3: every E3 of that tilt, (I1 − I3) k3 ω² − l ω + U' = 0;
+    - k3, pi3_0: every regular precession of that tilt, I1 k3 ω² − (π3 + l) ω + U' = 0.
+
+    Parameters
+    ----------
+    scene : System                        U rational in k3
+    values : mapping of name to number    rational or algebraic, as in Report.verdict
+
+    Returns
+    -------
+    list of Branch                        in the order of k3 from E1 down to E2, then of omega; complete
+
+    Raises
+    ------
+    ValuesError       names are missing, unknown or too many, or a number is not admissible
+    ScopeError        the body is not of revolution, U is unspecified, or not rational in k3
+
+    Source
+    ------
+    Goldstein, Classical Mechanics, §5.7 (the heavy top); else derived.
+
+    Examples
+    --------
+    >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
+    >>> top = assemble(symmetric_gyrostat(), uniform_field())
+    >>> for b in relative_equilibria(top, {"I1": 2, "I3": 1, "l": 0, "m0": 3, "k3": "1/2", "pi3_0": 6}):
+    ...     print(b.label, b.omega, b.decision.verdict.name)
+    precession 3 - sqrt(6) STABLE
+    precession sqrt(6) + 3 STABLE
+    """
+    require(scene, System, "the scene")
+    asked, numbers = _numbers(scene, values)
+    here = _Scene(scene, numbers)
+    if asked == ("omega",):
+        return here.at_rate(numbers[OMEGA])
+    if asked == ("pi3_0", "C1"):
+        return here.on_level(numbers[symbol("pi3_0")], numbers[symbol("C1")])
+    if asked == ("k3",):
+        return here.at_tilt(numbers[K3])
+    return here.at_tilt(numbers[K3], numbers[symbol("pi3_0")])
+
+
+def _numbers(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...], Point]:
+    if not reducible(scene) or not scene.potential or not scene.potential.given:
+        raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene has inertia "
+                         f"{scene.body.inertia}, U = {scene.potential and scene.potential.expression}: use upright, hanging, inclined "
+                         "or equilibrium")
+    needed = {s.name for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2]) for s in e.free_symbols}
+    needed |= {s.name for s in scene.potential.parameters}
+    extra = {name for names in _ASKED for name in names}
+    for name in values:
+        if name not in needed | extra:
+            raise ValuesError(unknown(name, sorted(needed | extra), "the scene"))
+    asked = next((names for names in _ASKED if set(names) == values.keys() & extra), None)
+    if asked is None:
+        raise ValuesError(f"given were {', '.join(sorted(values.keys() & extra)) or 'no names of the motion'}: give "
+                          + ", or ".join(" and ".join(names) for names in _ASKED))
+    if missing := sorted(needed - values.keys()):
+        raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
+    numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
+    if K3 in numbers and sign_of_constant(1 - numbers[K3] ** 2) != 1:
+        raise ValuesError(f"k3 = {numbers[K3]} is not the tilt of a precession: give −1 < k3 < 1; E1 and E2 are found with omega")
+    return asked, numbers
+
+
+@lru_cache(maxsize=64)
+def _reports(potential: Potential) -> tuple[Report, Report, Report, Report]:
+    """E1, E2, E3 and the tilt at rest of the symbolic body in a field."""
+    scene = assemble(symmetric_gyrostat(), potential)
+    families = upright(scene), hanging(scene), inclined(scene, "l"), static_tilt(scene)
+    return analyze(families[0]), analyze(families[1]), analyze(families[2]), analyze(families[3])
+
+
+class _Scene:
+    """A scene at numbers: what is asked of it in different ways."""
+
+    def __init__(self, scene: System, numbers: Point):
+        assert scene.potential is not None
+        self.I1, _, self.I3 = (evaluate(m, numbers) for m in scene.body.inertia)
+        self.l = evaluate(scene.body.gyrostatic_momentum[2], numbers)
+        self.parameters = {s.name: numbers[s] for s in scene.potential.parameters}
+        self.potential, self.numbers = scene.potential, numbers
+        symbolic = assemble(symmetric_gyrostat(), scene.potential)
+        self.known = {symbol("I1"): self.I1, symbol("I3"): self.I3, symbol("l"): self.l}
+        self.known |= {s: numbers[s] for s in scene.potential.parameters}
+        self.motion = reduce(symbolic)
+        self.slope = self.potential.value(DU)
+
+    def at_rate(self, omega: Expr) -> list[Branch]:
+        tilts = self._solved(self._relation().xreplace({OMEGA: omega}), K3)
+        found = [self.tilted(k3, omega, S.Zero) for k3 in reversed(tilts)] if tilts is not None else [self.continuum(omega)]
+        return [self.pole(1, self.I3 * omega), *found, self.pole(-1, -self.I3 * omega)]
+
+    def on_level(self, pi3: Expr, c1: Expr) -> list[Branch]:
+        total = pi3 + self.l
+        rate = self.motion.rate.xreplace(self.known | {P: total, V: c1})
+        tilts = self._solved(self._precession().xreplace({P: total, OMEGA: rate}), K3)
+        found = [self.pole(s, pi3) for s in (1, -1) if sign_of_constant(c1 - s * total) == 0]
+        if tilts is None:
+            middle = [self.continuum(None, c1 / self.I1)]
+        else:
+            rates = [(rate.xreplace({K3: k3}), k3) for k3 in reversed(tilts)]
+            middle = [self.tilted(k3, omega, pi3 / self.I3 - omega * k3) for omega, k3 in rates]
+        return [b for b in found if b.label == "E1"] + middle + [b for b in found if b.label == "E2"]
+
+    def at_tilt(self, k3: Expr, pi3: Expr | None = None) -> list[Branch]:
+        relation = self._relation() if pi3 is None else self._precession().xreplace({P: pi3 + self.l})
+        rates = self._solved(relation.xreplace({K3: k3}), OMEGA)
+        if rates is None:                                  # l = 0 = k3 (I1 − I3) and U' = 0, or their like
+            raise ValuesError(f"at k3 = {k3} every rate about the vertical is that of a precession: give omega too, to Report.verdict")
+        sigma = [S.Zero if pi3 is None else pi3 / self.I3 - omega * k3 for omega in rates]
+        return [self.tilted(k3, omega, spin) for omega, spin in zip(rates, sigma)]
+
+    def pole(self, s: int, pi3: Expr) -> Branch:
+        """E1 or E2."""
+        report = _reports(self.potential)[0 if s == 1 else 1]
+        decision = report.verdict(self._asked(report, {"pi3_0": pi3}))
+        return Branch("E1" if s == 1 else "E2", Integer(s), s * pi3 / self.I3, S.Zero, pi3, decision)
+
+    def tilted(self, k3: Expr, omega: Expr, sigma: Expr) -> Branch:
+        """E3, or the precession that is E3 with the rotor l + I3 σ."""
+        rest = sign_of_constant(omega) == 0
+        report = _reports(self.potential)[3 if rest else 2]
+        given = {"k3": k3, "l": self.l + self.I3 * sigma} if rest else {"k3": k3, "omega": omega}
+        label = "E3" if sign_of_constant(sigma) == 0 else "precession"
+        return Branch(label, k3, omega, sigma, self.I3 * (omega * k3 + sigma), report.verdict(self._asked(report, given)))
+
+    def continuum(self, omega: Expr | None, rate: Expr = S.Zero) -> Branch:
+        """Every tilt is an equilibrium: the margin has one sign on all of them, that at k3 = 0."""
+        middle = self.tilted(S.Zero, rate if omega is None else omega, S.Zero)
+        label, sigma = ("E3", S.Zero) if omega is not None else ("precession", None)
+        return Branch(label, None, omega, sigma, None, middle.decision)
+
+    def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
+        """The numbers that a report takes, but for the name that its family expresses by the others."""
+        everything = {"I1": self.I1, "I3": self.I3, "l": self.l, **self.parameters, **given}
+        return {n: x for n, x in everything.items() if n in report.parameters and n != report.equilibrium.eliminated}
+
+    def _relation(self) -> Expr:
+        """U' − ω l + ω² k3 (I1 − I3) at the numbers: what vanishes on E3, where σ = 0."""
+        total = self.I3 * OMEGA * K3 + self.l
+        return self._precession().xreplace({P: total})
+
+    def _precession(self) -> Expr:
+        return self.motion.precession().xreplace({DU: self.slope}).xreplace(self.known)
+
+    def _solved(self, relation: Expr, x: Symbol) -> list[Expr] | None:
+        return real_roots(relation, x, S.NegativeOne, S.One) if x == K3 else real_roots(relation, x)

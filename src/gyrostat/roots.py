@@ -1,0 +1,84 @@
+"""All real roots of a polynomial in an interval, exact: rational, quadratic surds, or roots of a named polynomial."""
+from collections.abc import Sequence
+from functools import cmp_to_key
+
+from flint import fmpq, fmpq_poly
+from sympy import CRootOf, Expr, Poly, Rational, Symbol, minimal_polynomial, sqrt
+
+from .algebra import Ring, by_degree
+from .errors import ScopeError
+from .exact import sign_of_constant
+
+
+def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
+    """The distinct real roots of the numerator of a rational function of x, in increasing order, strictly between low and high.
+
+    Complete: the polynomial is factored over ℚ and the real roots of each factor are counted. Algebraic coefficients are eliminated
+    by resultants with their minimal polynomials, and of the roots of that norm those of the polynomial are kept.
+
+    Parameters
+    ----------
+    expression : Expr          rational in x, with rational or algebraic coefficients
+    x : Symbol
+    low, high : Expr or None   exact numbers; None: unbounded
+
+    Returns
+    -------
+    list of Expr               exact numbers; None if the expression vanishes identically
+
+    Raises
+    ------
+    ScopeError                 the expression is not rational in x, or has a coefficient that is not algebraic
+
+    Examples
+    --------
+    >>> from gyrostat.notation import symbol
+    >>> x = symbol("x")
+    >>> real_roots((x**2 - 2) * (3*x - 1) / (x + 5), x), real_roots(x**3 - x - 1, x), real_roots(x**2 - sqrt(2), x, low=Rational(0))
+    ([-sqrt(2), 1/3, sqrt(2)], [CRootOf(x**3 - x - 1, 0)], [CRootOf(x**4 - 2, 1)])
+    """
+    ring = Ring([expression, x])
+    if any(g != x and (g.free_symbols or g.is_algebraic is not True) for g in ring.generators):
+        raise ScopeError(f"{expression} is not a polynomial in {x} with algebraic coefficients: its roots are not found; give numbers for "
+                         "its parameters, and a field that is polynomial in k3")
+    top, bottom = ring.fraction(expression)
+    top, place = ring.reduce(top), ring.generators.index(x)
+    if not top:
+        return None
+    norm = top
+    for g in ring.generators:
+        if g != x:
+            minimal = Poly(minimal_polynomial(g, x), x)
+            relation = sum((ring.one * int(c) * ring.gens[g] ** n for n, c in enumerate(reversed(minimal.all_coeffs()))), ring.zero)
+            norm = norm.resultant(relation, str(norm.context().names()[ring.generators.index(g)]))
+    if not norm:
+        raise ScopeError(f"the algebraic numbers of {expression} depend on each other: write them in one root")
+    nothing = (0,) * len(ring.generators)
+    coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
+    found = [r for factor, _ in fmpq_poly(coefficients).factor()[1] for r in _roots_of_factor(factor, x)]
+    value, below = ring.expression(top), ring.expression(bottom)
+    found = [r for r in found if below == 1 or sign_of_constant(below.xreplace({x: r})) != 0]
+    if norm is not top:
+        found = [r for r in found if sign_of_constant(value.xreplace({x: r})) == 0]
+    found = [r for r in found if (low is None or sign_of_constant(r - low) == 1) and (high is None or sign_of_constant(high - r) == 1)]
+    return in_order(found)
+
+
+def in_order(numbers: Sequence[Expr]) -> list[Expr]:
+    """Distinct exact numbers in increasing order."""
+    def compared(a: Expr, b: Expr) -> int:
+        return sign_of_constant(a - b) or 0
+
+    return sorted(numbers, key=cmp_to_key(compared))
+
+
+def _roots_of_factor(factor: fmpq_poly, x: Symbol) -> list[Expr]:
+    """The real roots of an irreducible polynomial."""
+    c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
+    if len(c) == 2:
+        return [-c[0] / c[1]]
+    if len(c) == 3:
+        discriminant = c[1] ** 2 - 4 * c[0] * c[2]
+        return [(-c[1] + s * sqrt(discriminant)) / (2 * c[2]) for s in (-1, 1)] if discriminant > 0 else []
+    poly = Poly(c[::-1], x)
+    return [CRootOf(poly, n) for n in range(poly.count_roots())]
