@@ -153,12 +153,17 @@ def _ball(node: Expr) -> arb:
     if node is sympy.pi or node is sympy.E:
         return arb.pi() if node is sympy.pi else arb(1).exp()
     if isinstance(node, CRootOf):
-        real = sorted((root.real for root, _ in _polynomial(node).complex_roots() if root.imag == 0), key=arb.mid)
-        return real[node.index] if node.index < len(real) else arb("nan")      # the real ones come first, in order
+        return _enclosure(node, ctx.prec)
     name = type(node).__name__
     if name in _FUNCTIONS and len(node.args) == 1:
         return _FUNCTIONS[name](_ball(node.args[0]))
     return arb("nan")
+
+
+@lru_cache(maxsize=256)
+def _enclosure(root: CRootOf, precision: int) -> arb:
+    real = sorted((x.real for x, _ in _polynomial(root).complex_roots() if x.imag == 0), key=arb.mid)
+    return real[root.index] if root.index < len(real) else arb("nan")          # the real ones come first, in order
 
 
 @lru_cache(maxsize=256)

@@ -150,21 +150,21 @@ def solved_tilt(eq: Equilibrium) -> Expr | None:
     slopes = [value for name, value in eq.relations if name == DU]
     if not slopes or not potential or not potential.given or eq.eliminated == "k3":
         return None
-    solved = _affine(slopes[0] - potential.value(DU), K3)
+    solved = affine(slopes[0] - potential.value(DU), K3)
     return solved and solved[0]
 
 
 def _eliminate(relation: Expr, wanted: str | None, parameters: Sequence[Symbol], label: str) -> tuple[str | None, Expr | None, Expr]:
     """Name, value and leading coefficient of a parameter in which the relation is affine."""
     for name in [wanted] if wanted else ["dU", "l", "k3", *map(str, parameters)]:
-        if solved := _affine(relation, symbol(name)):
+        if solved := affine(relation, symbol(name)):
             return name, *solved
     if wanted:
         raise EquilibriumError(f"{label}: the relation {relation} = 0 is not affine in {wanted}: eliminate another name, or none")
     return None, None, S.One
 
 
-def _affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
+def affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
     """Solution and leading coefficient of a x + b = 0, None if the relation has no such form."""
     ring = Ring([relation])
     top, _ = ring.fraction(relation)

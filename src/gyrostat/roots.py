@@ -1,13 +1,14 @@
 """All real roots of a polynomial in an interval, exact: rational, quadratic surds, or roots of a named polynomial."""
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cmp_to_key
 
-from flint import fmpq, fmpq_poly
-from sympy import CRootOf, Expr, Poly, Rational, Symbol, minimal_polynomial, sqrt
+from flint import fmpq, fmpq_mpoly, fmpq_poly
+from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, Symbol, minimal_polynomial, sqrt
 
 from .algebra import Ring, by_degree
 from .errors import ScopeError
 from .exact import sign_of_constant
+from .expressions import BOUND
 
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
@@ -28,7 +29,7 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr 
 
     Raises
     ------
-    ScopeError                 the expression is not rational in x, or has a coefficient that is not algebraic
+    ScopeError                 the expression is not rational in x, or has a coefficient that is not algebraic and real
 
     Examples
     --------
@@ -38,7 +39,7 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr 
     ([-sqrt(2), 1/3, sqrt(2)], [CRootOf(x**3 - x - 1, 0)], [CRootOf(x**4 - 2, 1)])
     """
     ring = Ring([expression, x])
-    if any(g != x and (g.free_symbols or g.is_algebraic is not True) for g in ring.generators):
+    if any(g != x and (g.free_symbols or g.is_algebraic is not True or g.is_real is False) for g in ring.generators):
         raise ScopeError(f"{expression} is not a polynomial in {x} with algebraic coefficients: its roots are not found; give numbers for "
                          "its parameters, and a field that is polynomial in k3")
     top, bottom = ring.fraction(expression)
@@ -48,31 +49,41 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr 
     norm = top
     for g in ring.generators:
         if g != x:
-            minimal = Poly(minimal_polynomial(g, x), x)
+            minimal = Poly(minimal_polynomial(ring.expression(ring.gens[g]), x), x)
             relation = sum((ring.one * int(c) * ring.gens[g] ** n for n, c in enumerate(reversed(minimal.all_coeffs()))), ring.zero)
             norm = norm.resultant(relation, str(norm.context().names()[ring.generators.index(g)]))
     if not norm:
         raise ScopeError(f"the algebraic numbers of {expression} depend on each other: write them in one root")
     nothing = (0,) * len(ring.generators)
     coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
-    found = [r for factor, _ in fmpq_poly(coefficients).factor()[1] for r in _roots_of_factor(factor, x)]
-    value, below = ring.expression(top), ring.expression(bottom)
-    found = [r for r in found if below == 1 or sign_of_constant(below.xreplace({x: r})) != 0]
+    found = [r for factor, _ in fmpq_poly(coefficients).factor()[1] for r in _roots_of_factor(factor)]
+    found = [r for r in found if bottom.is_one() or _sign(inserted(ring, bottom, {x: r})) != 0]
     if norm is not top:
-        found = [r for r in found if sign_of_constant(value.xreplace({x: r})) == 0]
-    found = [r for r in found if (low is None or sign_of_constant(r - low) == 1) and (high is None or sign_of_constant(high - r) == 1)]
+        found = [r for r in found if _sign(inserted(ring, top, {x: r})) == 0]
+    found = [r for r in found if (low is None or _sign(r - low) == 1) and (high is None or _sign(high - r) == 1)]
     return in_order(found)
 
 
 def in_order(numbers: Sequence[Expr]) -> list[Expr]:
     """Distinct exact numbers in increasing order."""
-    def compared(a: Expr, b: Expr) -> int:
-        return sign_of_constant(a - b) or 0
-
-    return sorted(numbers, key=cmp_to_key(compared))
+    return sorted(numbers, key=cmp_to_key(lambda a, b: _sign(a - b)))
 
 
-def _roots_of_factor(factor: fmpq_poly, x: Symbol) -> list[Expr]:
+def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:
+    """The polynomial with numbers for generators; never inside a number, where a CRootOf has a variable of its own."""
+    meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
+    return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, e) for g, e in zip(meaning, exponents) if e))
+                 for exponents, c in polynomial.to_dict().items()))
+
+
+def _sign(constant: Expr) -> int:
+    """The sign, which nothing may go without here: a root that is left out would be lost."""
+    if (sign := sign_of_constant(constant)) is None:
+        raise ScopeError(f"the sign of {constant} is not proved: write its algebraic numbers in one root")
+    return sign
+
+
+def _roots_of_factor(factor: fmpq_poly) -> list[Expr]:
     """The real roots of an irreducible polynomial."""
     c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
     if len(c) == 2:
@@ -80,5 +91,5 @@ def _roots_of_factor(factor: fmpq_poly, x: Symbol) -> list[Expr]:
     if len(c) == 3:
         discriminant = c[1] ** 2 - 4 * c[0] * c[2]
         return [(-c[1] + s * sqrt(discriminant)) / (2 * c[2]) for s in (-1, 1)] if discriminant > 0 else []
-    poly = Poly(c[::-1], x)
+    poly = Poly(c[::-1], BOUND)
     return [CRootOf(poly, n) for n in range(poly.count_roots())]

@@ -1,0 +1,186 @@
+"""A condition solved for one parameter: the set contains a value exactly where the equilibrium exists and its verdict is STABLE."""
+import random
+from fractions import Fraction
+
+import pytest
+from sympy import oo
+
+import gyrostat as gs
+from gyrostat.errors import ScopeError, ValuesError
+from gyrostat.exact import Point, evaluate, sign_of_constant
+from gyrostat.expressions import exact_number
+from gyrostat.intervals import EXCLUDED, INCLUDED
+from gyrostat.solve import solve_condition
+from gyrostat.stability import Verdict
+from gyrostat.stabilizing import stabilizing_set
+
+BODY, k3 = gs.symmetric_gyrostat(), gs.symbol("k3")
+POSITIVE = ("I1", "I3", "mass1", "mass3", "p0", "r")
+FIELDS = {"U1": gs.uniform_field(), "U2": gs.newtonian_field(2), "U3": gs.newtonian_field(3), "fluid": gs.ideal_fluid(),
+          "exp": gs.axial_potential(lambda z: gs.symbol("a") * z**2 - gs.symbol("b") * z**5)}
+
+
+def reports(field):
+    scene = gs.assemble(BODY, FIELDS[field])
+    return {"E1": gs.analyze(gs.upright(scene)), "E2": gs.analyze(gs.hanging(scene, spin="omega3_0")), "E3": gs.analyze(gs.inclined(scene))}
+
+
+def tilt_solved(field):
+    return gs.analyze(gs.inclined(gs.assemble(BODY, FIELDS[field]), eliminate="k3"))
+
+
+def truth(report, values):
+    """Whether the equilibrium exists there and is stable."""
+    try:
+        verdict = report.verdict(values).verdict
+    except ValuesError:
+        return False
+    assert verdict is not Verdict.UNDECIDED
+    return verdict is Verdict.STABLE
+
+
+def ends_at(solution, values):
+    """The ends of all intervals of the cases that hold at the values of the other names."""
+    numbers = Point({gs.symbol(n): exact_number(x, n) for n, x in values.items() if n != solution.name})
+    compare = {">": (1,), "<": (-1,), "=": (0,), "!=": (1, -1)}
+    for part in solution.parts:
+        for case in part.cases:
+            if any(gs.symbol(solution.name) in e.free_symbols for e, _ in case.when):
+                continue
+            if all(sign_of_constant(evaluate(e, numbers)) in compare[relation] for e, relation in case.when):
+                for interval in case.intervals:
+                    values_of = (evaluate(end, numbers) for end in (interval.low, interval.high) if end not in (oo, -oo))
+                    yield from (end for end in values_of if end.is_finite)
+
+
+def drawn(draw, names):
+    number = lambda: Fraction(draw.randint(-12, 12), draw.choice((1, 1, 2, 3)))  # noqa: E731
+    values = {n: abs(number()) or Fraction(1) if n in POSITIVE else number() for n in names}
+    return values | {n: Fraction(draw.randint(-8, 8), 9) for n in names if n == "k3"}
+
+
+SYMBOLIC = [(field, "E1", name) for field in ("U1", "U2", "U3", "fluid", "exp") for name in ("l", "pi3_0")]
+SYMBOLIC += [(field, "E2", name) for field in ("U1", "U2", "fluid") for name in ("l", "omega3_0")]
+SYMBOLIC += [("U1", "E1", "m0"), ("U2", "E1", "m0"), ("U2", "E1", "m1"), ("U2", "E1", "I3"), ("U1", "E1", "I1"), ("U3", "E1", "J3")]
+SYMBOLIC += [("U1", "E3", "omega"), ("U2", "E3", "omega"), ("U2", "E3", "m0"), ("U2", "E3", "m1"), ("fluid", "E3", "omega")]
+SYMBOLIC += [("U1", "tilt", "l"), ("U2", "tilt", "l"), ("U1", "tilt", "m0"), ("U2", "tilt", "m0")]
+
+
+@pytest.mark.parametrize(("field", "label", "name"), SYMBOLIC)
+def test_closed_form_is_the_verdict(field, label, name):
+    """At random numbers, with I1 = I3 and P = 0 among them, and exactly at every end."""
+    report = tilt_solved(field) if label == "tilt" else reports(field)[label]
+    solution, draw, ends, inside = stabilizing_set(report, name), random.Random(name + label + field), 0, 0
+    names = [n for n in report.parameters if n in report.required or n == name]
+    names = [n for n in dict.fromkeys([*names, *_of_boundary(report)]) if n != report.equilibrium.eliminated]
+    for n in range(60):
+        values = drawn(draw, names)
+        if n % 4 == 1 and {"I1", "I3"} <= values.keys():
+            values["I3"] = values["I1"]
+        if n % 4 == 2 and {"l", "pi3_0"} <= values.keys():
+            values["l"] = -values["pi3_0"]
+        if n % 4 == 3 and "m0" in values:
+            values["m0"] = Fraction(draw.randint(-1, 1))
+        assert solution.contains(values) is truth(report, values), values
+        inside += truth(report, values)
+        for end in list(ends_at(solution, values))[:4] if n < 24 else []:
+            if sign_of_constant(end) == 1 or name not in POSITIVE:
+                ends += 1
+                assert solution.contains(values | {name: end}) is truth(report, values | {name: end}), (values, end)
+    assert inside and (ends > 5 or (field, label) == ("U1", "E3"))
+
+
+def _of_boundary(report):
+    return {s.name for power in range(3, (report.boundary.last or 3) + 1) for s in report.boundary.rung(power).condition.margin.free_symbols}
+
+
+def test_rumiantsev_solved_for_the_rotor():
+    """Which l stabilises the upright heavy gyrostat: |π3 + l| ≥ 2 √(I1 m0), the ends included; l ≠ −π3 at m0 = 0; every l below."""
+    (part,) = stabilizing_set(reports("U1")["E1"], "l").parts
+    below, at, above = part.cases
+    m0, I1, pi3 = map(gs.symbol, ("m0", "I1", "pi3_0"))
+    assert [case.when for case in part.cases] == [((m0, "<"),), ((m0, "="),), ((m0, ">"),)]
+    assert [(i.low, i.high) for i in below.intervals] == [(-oo, oo)]
+    assert [(i.high, i.high_if) for i in at.intervals[:1]] == [(-pi3, EXCLUDED)]
+    outer = [(i.low, i.low_if, i.high, i.high_if) for i in above.intervals]
+    assert outer == [(-oo, EXCLUDED, -pi3 - 2 * (I1 * m0) ** Fraction(1, 2), INCLUDED),
+                     (-pi3 + 2 * (I1 * m0) ** Fraction(1, 2), INCLUDED, oo, EXCLUDED)]
+
+
+def test_heavy_tilt_exists_for():
+    """E3 in U = m0 k3 for |ω l − m0| < ω² |I1 − I3|, always stable: the ends, E1 and E2, left out."""
+    *fixed, part = stabilizing_set(tilt_solved("U1"), "l").parts
+    assert {p.meaning for p in (*fixed, part)} == {"exists"} and len(part.cases) == 1
+    ((interval,),) = (case.intervals for case in part.cases)
+    values = {gs.symbol(n): exact_number(x) for n, x in {"I1": 2, "I3": 5, "omega": -2, "m0": 3}.items()}
+    assert (evaluate(interval.low, values), evaluate(interval.high, values)) == (Fraction(-15, 2), Fraction(9, 2))
+    assert interval.low_if == interval.high_if == EXCLUDED
+
+
+POLYNOMIAL = gs.assemble(BODY, gs.axial_potential(lambda z: z**5 - z**3 + z**2 / 7 + z / 10))
+NUMERIC = [("E1", gs.upright, "l", {"I1": 2, "pi3_0": 1}), ("E1", gs.upright, "I1", {"l": 2, "pi3_0": 1}),
+           ("E2", gs.hanging, "pi3_0", {"I1": 2, "l": 1}), ("E3", gs.inclined, "omega", {"I1": 2, "I3": 1, "k3": "1/3"}),
+           ("E3", gs.inclined, "k3", {"I1": 2, "I3": 1, "omega": "1/3"}), ("E3", gs.inclined, "I3", {"I1": 2, "omega": "1/3", "k3": "1/2"})]
+
+
+@pytest.mark.parametrize(("label", "family", "name", "values"), NUMERIC)
+def test_numbers_give_intervals_with_exact_ends(label, family, name, values):
+    """For a polynomial U of degree 5: the verdict on a fine grid, at every end, and just inside and outside."""
+    report = gs.analyze(family(POLYNOMIAL))
+    solution = stabilizing_set(report, name, values)
+    tiny = Fraction(1, 10**12)
+    ends = [e for p in solution.parts for c in p.cases for i in c.intervals for e in (i.low, i.high) if e not in (oo, -oo)]
+    for x in [Fraction(n, 16) for n in range(-64, 65)] + [e + d for e in ends for d in (-tiny, 0, tiny)]:
+        if name in POSITIVE and sign_of_constant(exact_number(x)) != 1:
+            continue
+        assert solution.contains(values | {name: x}) is truth(report, values | {name: x}), x
+
+
+def test_rotor_of_a_tilt_along_the_family():
+    """E3 solved for l with k3 free: the map k3 → l is monotone on each run, and the stable tilts are exactly those of the runs."""
+    report = gs.analyze(gs.inclined(POLYNOMIAL))
+    values = {"I1": 2, "I3": 1, "omega": "1/3"}
+    (part,) = stabilizing_set(report, "l", values).parts
+    runs = part.cases[0].intervals
+    rotor = lambda z: 3 * (5 * z**4 - 3 * z**2 + 2 * z / 7 + Fraction(1, 10)) + z / 3  # noqa: E731      U'/ω + ω k3 (I1 − I3)
+    for n in range(-40, 41):
+        z = Fraction(n, 41)
+        inside = [i for i in runs if sign_of_constant((exact_number(z) - i.tilt[0]) * (i.tilt[1] - exact_number(z))) == 1]
+        assert bool(inside) is truth(report, values | {"k3": z}) and len(inside) <= 1
+        for i in inside:
+            assert sign_of_constant(exact_number(rotor(z)) - i.low) == 1 == sign_of_constant(i.high - exact_number(rotor(z)))
+    for i in runs:
+        for k, included in ((i.tilt[0], i.low_if), (i.tilt[1], i.high_if)):
+            assert (included == INCLUDED) is (k not in (1, -1) and truth(report, values | {"k3": k}))
+    samples = sorted((float(i.tilt[0]), float(i.tilt[1]), float(i.low), float(i.high)) for i in runs)
+    for a, b, low, high in samples:
+        path = [rotor(a + (b - a) * t / 50) for t in range(51)]
+        assert path == sorted(path) and abs(path[0] - low) < 1e-9 > abs(path[-1] - high)
+
+
+@pytest.mark.parametrize(("call", "error", "why"), [
+    (lambda: stabilizing_set(reports("U1")["E1"], "mass"), ValuesError, "parameters are"),
+    (lambda: stabilizing_set(reports("U1")["E1"], "l", {"l": 1}), ValuesError, "not given"),
+    (lambda: stabilizing_set(reports("U2")["E1"], "I1"), ScopeError, "positive: give numbers"),
+    (lambda: stabilizing_set(reports("U2")["E1"], "l", {"I1": 1}), ScopeError, "or for none"),
+    (lambda: stabilizing_set(reports("U1")["E3"], "l", {"I1": 1}), ScopeError, "eliminate='k3'"),
+    (lambda: stabilizing_set(reports("U3")["E3"], "k3"), ScopeError, "degree"),
+    (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"l": 1}), ValuesError, "needs"),
+    (lambda: stabilizing_set(gs.analyze(gs.upright(gs.assemble(BODY, gs.axial_potential(gs.symbol("k3") ** 3)))), "l",
+                             {"I1": 1, "pi3_0": -2}), None, "")])
+def test_what_is_not_solved_is_said(call, error, why):
+    """Unknown names, a form beyond those solved, missing numbers."""
+    if error is None:
+        assert call().contains({"l": 100, "I1": 1, "pi3_0": -2})
+        return
+    with pytest.raises(error, match=why):
+        call()
+
+
+def test_ends_of_an_unspecified_field():
+    """The ends of E1 belong to the set where U' + U'' > 0; three rungs of the ladder are kept."""
+    report = gs.analyze(gs.upright(gs.assemble(BODY, gs.axial_potential())))
+    part = solve_condition(report.sufficient.alternatives[0][0], "l", report.boundary)
+    above = part.cases[2].intervals[0]
+    dU, d2U, d3U, d4U = map(gs.symbol, ("dU", "d2U", "d3U", "d4U"))
+    assert above.high_if == (d2U + dU, -3 * d2U - 2 * d3U, 2 * d3U + d4U)
