@@ -29,7 +29,6 @@ EQUIVALENT = (
     (r"VV2003:(E1-instability|E3-p): [ab] = ", "the name enters squared"),
     (r"VV2003:E3-polynomial: ", "q is 0 on the family"),
     (r"VV2003:E3-necessary: (p >= 0 and q >= 0 and p.*>= 0$|q = |p = I1\*\*3|.*q <= 0)", "q is 0 on the family: the sign of p is left"),
-    (r"VV2003:fluid-applies: .*>=", "at equality a body in a fluid is stable unless A = 0 (S13 of the literature)"),
     (r"N2025:semi-axis-order: ", "true wherever I1 < I2 < I3"),
     (r"N2025:(omega-x1|symmetric-second-order): \w+ = -", "the name enters squared"),
     (r"N2025:(omega-constant|amplitude): ", "Ω3 is constant, and cos² + sin² = 1, whatever ω"),
@@ -38,7 +37,6 @@ EQUIVALENT = (
     (r"literature:F2(-sphere)?: \w+ = -\(", "another sign of a root: F2 has all four, σ = sign(ac)"),
     (r"literature:F2: [xy] = sqrt\(1/I(\d) - 1/I\1\)", "μ = 0 and the motion is a rotation about an axis, a solution too"),
     (r"literature:F3-solution: [uvrs] = -\(", "two components or the time change sign: a solution too"),
-    (r"literature:S(2-stable|11-\w+): .*>=", "at equality the library decides nothing yet; the heavy top is stable there (S3)"),
     (r"literature:A1-Energy-Casimir: .*>=", "at equality the form is semidefinite: nothing is known there, and it is not confirmed"),
 )
 INDEX = re.compile(r"(?<![A-Za-z0-9_])([A-Za-z]+(?:_[a-z]+)?)([123])(?=(?:_0)?(?![A-Za-z0-9_]))")
@@ -47,8 +45,8 @@ NEXT = {"1": "2", "2": "3", "3": "1"}
 
 def mutants_of(text):
     """(kind, mutant) for every single change of a printed text."""
-    if text in ("stable", "unstable", "never"):
-        yield from [("verdict", "unstable" if text == "stable" else "stable")] if text != "never" else []
+    if text in ("stable", "orbitally stable", "unstable", "never"):
+        yield from [("verdict", "stable" if text == "unstable" else "unstable")] if text != "never" else []
         return
     for match in re.finditer(r"(?<![eE*/(,<>=])\s*([-+])\s*(?=[^\s])", text):
         place = match.start(1)

@@ -154,9 +154,18 @@ def test_all_mutants():
     assert run.returncode == 0 and "kill rate 100.0 %" in run.stdout, run.stdout
 
 
+def test_equality_is_decided():
+    """Rumiantsev's condition with ≥: true for m0 > 0, where the heavy top is stable at equality; at m0 = 0 = P it is not."""
+    claim = replace(BY_KEY["literature", "S11-uniform"], printed="(I3*omega3_0 + l)**2 >= 4*I1*m0")
+    assert outcome_of(replace(claim, given="m0 > 0")).agrees is True
+    wrong = outcome_of(claim)
+    assert wrong.agrees is False and dict(wrong.counterexample.values)["m0"] == 0
+
+
 def test_what_is_neither_confirmed_nor_refuted_is_unchecked():
-    """At equality the library decides nothing yet for the heavy top: ≥ for > is neither confirmed nor called a misprint."""
-    assert outcome_of(replace(BY_KEY["literature", "S11-uniform"], printed="(I3*omega3_0 + l)**2 >= 4*I1*m0")).agrees is None
+    """At equality the form of an asymmetric body is semidefinite: ≥ for > is neither confirmed nor called a misprint."""
+    claim = BY_KEY["literature", "A1-Energy-Casimir"]
+    assert outcome_of(replace(claim, printed=claim.printed.replace(">", ">="))).agrees is None
 
 
 def test_a_wrong_correction_is_refused():
@@ -229,7 +238,7 @@ def written(tmp_path, text):
     (GOOD + '[expected]\nmisprint = [["a"]]', "lists of keys"), (GOOD + FORMULA.format("sn(vector_pi, 1)"), "sn takes numbers"),
     (GOOD + FORMULA.format("sqrt(jacobian)"), "takes one number"), (GOOD + FORMULA.format("entry(jacobian**9, 1, 1)"), "powers 2 and 3"),
     (GOOD + FORMULA.format("(p + 1)**100"), "others to 12"),
-    (GOOD + FORMULA.format("round").replace('"p"', '"stability"').replace("identity", "statement"), "stable or unstable"),
+    (GOOD + FORMULA.format("round").replace('"p"', '"stability"').replace("identity", "statement"), "orbitally stable"),
     (GOOD.replace('"E1"', '"E4"') + FORMULA.format("p"), "equilibrium = 'E4'"), (GOOD + '[expected]\nmisprint = ["b"]\n', "no such key"),
     (GOOD.replace('"m0*k3"', '"m0*"') + FORMULA.format("p"), "a: cannot read 'm0\\*'")])
 def test_bad_files(tmp_path, text, why):

@@ -119,7 +119,8 @@ class _Context:
             value, slope = (ring.fraction(e) for e in solved)
             if known.nonzero(slope[0]) and (not s.is_positive or known.of(value[0]) == 1 == known.of(value[1])):
                 domain = tuple(e.xreplace({s: solved[0]}) for e in self.domain)
-                return replace(self, when=when, domain=tuple(e for e in domain if e.free_symbols), inserted=(*self.inserted, (s, solved[0])))
+                inserted = (*self.inserted, (s, solved[0]))
+                return replace(self, when=when, domain=tuple(e for e in domain if e.free_symbols), inserted=inserted)
         return replace(self, when=when)
 
     def ladder(self, end: Expr) -> Ladder:

@@ -3,7 +3,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from flint import arb
 from sympy import Expr, Mul, Rational, S, Symbol, oo
 
 from .algebra import Ring
@@ -54,15 +53,15 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     known = {*report.parameters, *report.required}
     if name not in known or (foreign := sorted(s.name for s in numbers if s.name not in known or s.name == name)):
         wrong = name if name not in known else ", ".join(foreign)
-        raise ValuesError(f"{report.equilibrium.label} cannot be solved with {wrong}: its parameters are {', '.join(sorted(known))}, and the "
-                          "one that is solved for is not given")
+        raise ValuesError(f"{report.equilibrium.label} cannot be solved with {wrong}: its parameters are {', '.join(sorted(known))}, and "
+                          "the one that is solved for is not given")
     eliminated = report.equilibrium.eliminated == name
     left = [n for n in report.required if symbol(n) not in numbers and n != name]
     if eliminated and left == ["k3"]:
         return Solution(name, (_along_tilts(report, name, numbers),))
     if eliminated:
-        raise ScopeError(f"on {report.equilibrium.label} {name} is a function of {', '.join(left) or 'what is given'}: give numbers for all "
-                         "of them but k3, or eliminate k3: inclined(scene, eliminate='k3')")
+        raise ScopeError(f"on {report.equilibrium.label} {name} is a function of {', '.join(left) or 'what is given'}: give numbers for "
+                         "all of them but k3, or eliminate k3: inclined(scene, eliminate='k3')")
     if not left:
         cells = _cells(report, symbol(name), numbers, S.Zero if symbol(name).is_positive else None, None)
         return Solution(name, (Part("stable", S.One, (Case((), _joined(cells)),)),))
@@ -131,21 +130,18 @@ def _between(a: Expr, b: Expr) -> Rational:
     """A rational number between two exact ones, a short one."""
     if a == -oo and b == oo:
         return S.Zero
+    if a == -oo or b == oo:
+        edge = ball(b, 64).lower().floor() - 1 if a == -oo else ball(a, 64).upper().ceil() + 1
+        return Rational(int(edge.unique_fmpz()))
     precision = 64
-    while True:
-        low = None if a == -oo else ball(a, precision).upper()
-        high = None if b == oo else ball(b, precision).lower()
-        if low is None or high is None:
-            edge = int((high.floor() if low is None else low.ceil()).unique_fmpz())
-            return Rational(edge - 1 if low is None else edge + 1)
-        if low < high:
-            bits = 1
-            while True:                                    # the first dyadic number that lies between
-                candidate = Rational(int((arb(low) * 2**bits).floor().unique_fmpz()) + 1, 2**bits)
-                if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
-                    return candidate
-                bits += 1
+    while not (low := ball(a, precision).upper()) < ball(b, precision).lower():
         precision *= 2
+    bits = 0
+    while True:                                            # the first dyadic number that lies between
+        bits += 1
+        candidate = Rational(int((low * 2**bits).floor().unique_fmpz()) + 1, 2**bits)
+        if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
+            return candidate
 
 
 def _joined(cells: Sequence[Cell]) -> tuple[Interval, ...]:

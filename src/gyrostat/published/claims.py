@@ -10,7 +10,7 @@ from ..conditions import Criterion
 from ..errors import GyrostatError, PublishedError
 from ..notation import symbol
 from . import independent
-from .criteria import K3, agree, criterion, free_symbols, holds
+from .criteria import K3, Claim, agree, criterion, free_symbols, holds
 from .language import comparisons
 from .sampling import K, on_family
 from .statements import Counterexample, Outcome, Reading, named
@@ -54,13 +54,28 @@ def _at_equality(r: Reading, claim: str, printed: Criterion, derived: Criterion)
             shown = "sufficient as printed; necessary only with equality allowed" if both else derived
             example = Counterexample(named(values), said, truth, f"{why}, though the two sides are equal")
             return Outcome(False, printed, shown, None, example)
-    return Outcome(None, printed, derived)
+    return Outcome(True if wanted == -1 and _stable_at_equality(r, derived) else None, printed, derived)
+
+
+def _stable_at_equality(r: Reading, derived: Criterion) -> bool:
+    """Whether the boundary criterion proves stability on the whole boundary of a single condition."""
+    if len(derived.alternatives) != 1 or len(derived.alternatives[0]) != 1:
+        return False
+    margin = derived.alternatives[0][0].margin
+    for s in sorted(margin.free_symbols, key=str):
+        slope = margin.diff(s)
+        if not slope.has(s) and s not in K and all(e.is_positive for e in slope.free_symbols):
+            on = {s: (s - margin / slope).expand()}
+            given = tuple(e.xreplace(on) for e in r.claim.given) + ((on[s],) if s.is_positive else ())
+            return Claim(r.scene, given, {**r.at, **on}).verdict() == "stable"
+    return False
 
 
 def _on_boundary(r: Reading, derived: Criterion) -> Iterator[dict[Symbol, Expr]]:
     """Points where a margin is 0, found along a name in which it is affine; the curvature of an unspecified U is drawn too."""
     for alternative in derived.alternatives:
         for condition in alternative:
+            yield from _at_rest(r, condition.margin)
             for values in r.points([condition.margin, *([symbol("d2U")] if condition.margin.has(symbol("dU")) else [])]):
                 for s in sorted(condition.margin.free_symbols, key=str):
                     slope = condition.margin.diff(s)
@@ -68,7 +83,30 @@ def _on_boundary(r: Reading, derived: Criterion) -> Iterator[dict[Symbol, Expr]]
                         on = values | {s: (s - condition.margin / slope).subs(values)}
                         if all(e.subs(on) > 0 for e in (*r.given, *(x for x in on if x.is_positive))):
                             yield on | _flat(r, on)
+                            yield from _next(r, on)
                             yield from _double(r, condition.margin, s, on)
+
+
+def _at_rest(r: Reading, margin: Expr) -> Iterator[dict[Symbol, Expr]]:
+    """Points of the boundary without momentum along the vertical, where both sides vanish."""
+    still = {symbol(name): Integer(0) for name in ("l", "pi3_0", "omega3_0")}
+    for values in islice(r.points([margin]), 5):
+        on = values | {s: x for s, x in still.items() if s in values}
+        for s in sorted(margin.free_symbols - still.keys(), key=str):
+            left = margin.subs({x: v for x, v in on.items() if x != s})
+            slope = left.diff(s)
+            if slope and not slope.has(s) and s not in K:
+                there = on | {s: s - left / slope}
+                there[s] = there[s].expand()
+                if all(e.subs(there) > 0 for e in (*r.given, *(x for x in there if x.is_positive))):
+                    yield there
+
+
+def _next(r: Reading, on: dict[Symbol, Expr]) -> Iterator[dict[Symbol, Expr]]:
+    """At E1 and E2 of an unspecified U, a third derivative of either sign: it decides where the first two do not."""
+    d2U, d3U = symbol("d2U"), symbol("d3U")
+    if d2U in on and r.scene.equilibrium and r.scene.equilibrium.label in ("E1", "E2"):
+        yield from (on | {d3U: s * (2 * abs(on[d2U]) + 1)} for s in (1, -1))
 
 
 def _double(r: Reading, margin: Expr, s: Symbol, on: dict[Symbol, Expr]) -> Iterator[dict[Symbol, Expr]]:
@@ -168,20 +206,21 @@ def statement(r: Reading) -> Outcome:
     if not s.quantity:
         return Outcome(None, s.printed)
     if s.quantity == "stability":
-        if s.printed not in ("stable", "unstable"):
-            raise PublishedError(f"printed = {s.printed!r}: a verdict is stable or unstable")
+        if s.printed not in ("stable", "orbitally stable", "unstable"):
+            raise PublishedError(f"printed = {s.printed!r}: a verdict is stable, orbitally stable (modulo the spin), or unstable")
         verdict = r.claim.verdict()
-        if verdict == s.printed:
+        if verdict == s.printed or s.printed == "orbitally stable" and verdict.startswith("stable"):
             return Outcome(True, s.printed, verdict)
         criteria = r.claim.report.necessary, r.claim.report.sufficient
         for values in islice(r.points({s for c in criteria for s in free_symbols(c)}), 40):
             model = independent.Model(r.scene, values)
-            growth = model.growth()
-            if growth > 1e-20 or model.level_set() == 1:
-                truth = "unstable" if growth > 1e-20 else "stable"
+            growth, level = model.growth(), model.level_set()
+            if growth > 1e-20 or level:
+                truth = "unstable" if growth > 1e-20 or level == -1 else "stable"
                 why = f"an eigenvalue of the differenced field has the real part {_short_float(growth)}" if growth > 1e-20 else \
-                    "the level set of all integrals there is the point alone"
-                if truth == verdict or verdict == "undecided" and truth != s.printed:
+                    "the level set of all integrals there is the point alone" if level == 1 else "motions with the same energy and " \
+                    "momenta, or with momenta as near as one likes, leave it"
+                if truth != s.printed.removeprefix("orbitally ") and (verdict.startswith(truth) or verdict == "undecided"):
                     return Outcome(False, s.printed, verdict, None, Counterexample(named(values), s.printed, truth, why))
         return Outcome(None, s.printed, verdict)
     if s.quantity == "second variation, Casimirs alone":

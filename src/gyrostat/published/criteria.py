@@ -2,6 +2,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import islice
 from typing import Any
 
 from sympy import Expr, S, Symbol
@@ -19,7 +20,8 @@ from .scenes import Scene
 K3 = symbol("k3")
 Margins = Sequence[tuple[Expr, bool]]
 CLAIMS = ("necessary for stability", "sufficient for stability", "sufficient for stability, Casimirs alone",
-          "necessary and sufficient for stability", "sufficient for instability", "existence", "sufficient for periodic motion")
+          "necessary and sufficient for stability", "sufficient for instability", "sufficient for stability on the boundary",
+          "sufficient for instability on the boundary", "existence", "sufficient for periodic motion")
 
 
 @dataclass(frozen=True)
@@ -77,6 +79,8 @@ class Claim:
         if claim == "sufficient for instability":
             return Criterion("instability", tuple((replace(c, margin=-c.margin, strict=True),)
                                                   for (a,) in [self.report.necessary.alternatives] for c in a))
+        if claim in ("sufficient for stability on the boundary", "sufficient for instability on the boundary"):
+            return self._first_rung(1 if claim == "sufficient for stability on the boundary" else -1)
         if claim == "existence":
             return criterion(claim, [(e, True) for e in self.scene.equilibrium.existence()] if self.scene.equilibrium else [])
         if claim == "sufficient for periodic motion":
@@ -91,11 +95,37 @@ class Claim:
         low, middle, high = (L2 - 2 * E * moment for moment in self.scene.body.inertia)
         return criterion("periodic", [(low, True), (-high, True), (middle**2, True)])
 
+    def _first_rung(self, sign: int) -> Criterion:
+        """The first coefficient beyond the boundary, of the sign that decides for stability or against it."""
+        if self.report.boundary is None:
+            raise PublishedError("a boundary is decided for a body of revolution in U(k3)")
+        rung = self.report.boundary.rung(3)
+        if rung.escapes:
+            raise PublishedError("at a tilt the first coefficient beyond the boundary decides against stability whatever its sign")
+        return criterion("boundary", [(sign * rung.condition.margin, True)], self.equilibrium.at)
+
     def verdict(self) -> str:
         """stable, stable modulo a flow, unstable or undecided, where it is the same on the whole domain."""
-        if () in normal(self.report.sufficient, self.domain()):
-            return "stable" + (f", modulo the flow of {', '.join(map(str, m))}" if (m := self.report.sufficient.modulo) else "")
-        return "unstable" if not normal(self.report.necessary, self.domain()) else "undecided"
+        sufficient, necessary = (normal(self.derived(f"{kind} for stability"), self.domain()) for kind in ("sufficient", "necessary"))
+        stable = "stable" + (f", modulo the flow of {', '.join(map(str, m))}" if (m := self.report.sufficient.modulo) else "")
+        if () in sufficient:
+            return stable
+        if not necessary:
+            return "unstable"
+        sign = self._on_boundary() if not sufficient and () in necessary else None
+        return "undecided" if sign is None else stable if sign > 0 else "unstable"
+
+    def _on_boundary(self) -> int | None:
+        """The sign of the first coefficient that is not 0, where it is the same on the whole domain; −1 where all vanish."""
+        if self.report.boundary is None:
+            return None
+        for rung in islice(self.report.boundary.rungs(), 12):
+            value = rung.condition.margin.xreplace(self.at)
+            ring = Ring([value, *self.domain()])
+            margin, even = (signs := Signs(ring, self.domain())).split(*ring.fraction(value))
+            if margin:
+                return None if even else -1 if rung.escapes and signs.nonzero(margin) else signs.of(margin)
+        return -1 if self.report.boundary.last else None
 
 
 def criterion(notion: str, margins: Margins, at: Expr = K3) -> Criterion:

@@ -112,6 +112,8 @@ class Model:
         g = 2 * self.inertia[0] * (energy - self.U.subs(K[2], z)) * (1 - z**2) - (momentum - total * z) ** 2
         pole = self.label in ("E1", "E2")
         shifted = g.subs(z, self.k3 * (1 - x) if pole else self.k3 + x).expand()
+        if shifted == 0:                                   # with a little more energy, or less momentum, k3 moves away
+            return -1
         for power in range(2, 7):                          # g and its slope vanish at an equilibrium
             coefficient = shifted.diff(x, power).subs(x, 0)
             if coefficient == 0:
