@@ -251,3 +251,59 @@ def orbit_basis(x, rotor):
         d[0] = -(k[1] * d[1] + k[2] * d[2] + M.dot(d[3:])) / k[0]
         columns.append(d)
     return np.array(columns, dtype=object).T
+
+
+def slope(f):
+    """Coefficients of the derivative of a polynomial."""
+    return [n * c for n, c in enumerate(f)][1:]
+
+
+def _trimmed(f):
+    f = list(f)
+    while f and not f[-1]:
+        f.pop()
+    return f
+
+
+def _division(a, b):
+    """Quotient and remainder of polynomials over the rationals."""
+    a, q = _trimmed(a), [Fraction(0)] * max(len(a) - len(b) + 1, 0)
+    while len(a) >= len(b):
+        shift, factor = len(a) - len(b), Fraction(a[-1]) / b[-1]
+        q[shift] = factor
+        a = _trimmed([x - factor * b[i - shift] if i >= shift else x for i, x in enumerate(a)][:-1])
+    return q, a
+
+
+def count_roots(f, low=None, high=None):
+    """Number of distinct real roots of a polynomial over the rationals in an open interval, by Sturm's theorem."""
+    f = _trimmed(f)
+    a, b = f, _trimmed(slope(f))
+    while b:
+        a, b = b, _division(a, b)[1]
+    f = _division(f, a)[0]                             # each root once
+    chain = [f, slope(f)]
+    while _trimmed(chain[-1]):
+        chain.append([-c for c in _division(chain[-2], chain[-1])[1]])
+
+    def changes(x, side):
+        values = [polynomial(g, x) if x is not None else g[-1] * side ** (len(g) - 1) for g in map(_trimmed, chain) if g]
+        signs = [v > 0 for v in values if v]
+        return sum(s != t for s, t in zip(signs, signs[1:]))
+
+    return changes(low, -1) - changes(high, 1) - (high is not None and polynomial(f, high) == 0)
+
+
+def level_slope(I1, P, v, potential):
+    """I1 (1 − z²)² V' of the effective potential V = U + (v − P z)²/(2 I1 (1 − z²)), as coefficients."""
+    across = product([1, 0, -1], [1, 0, -1])
+    first, second = [I1 * c for c in product(across, slope(potential) or [0])], product([v, -P], [-P, v])
+    return [(first[n] if n < len(first) else 0) + (second[n] if n < len(second) else 0) for n in range(max(len(first), 3))]
+
+
+def rate_slope(I1, I3, l, omega, potential):
+    """U' − ω l + ω² z (I1 − I3), what vanishes on E3, as coefficients."""
+    f = [*slope(potential), 0, 0]
+    f[0] -= omega * l
+    f[1] += omega**2 * (I1 - I3)
+    return f

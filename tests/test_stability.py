@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from sympy import CRootOf, GoldenRatio, Rational, asin, cos, exp, expand, log, sin, sqrt, symbols
 
 import gyrostat as gs
-from gyrostat.conditions import Condition, Criterion
+from gyrostat.conditions import Condition, Criterion, holds
 from gyrostat.errors import ArgumentError, EquilibriumError, GyrostatError, ValuesError
-from gyrostat.stability import Verdict, _holds
+from gyrostat.stability import Verdict
 
-SIGNS = {1: Verdict.STABLE, -1: Verdict.UNSTABLE, 0: Verdict.UNDECIDED}
+SIGNS = {1: Verdict.STABLE, -1: Verdict.UNSTABLE, 0: Verdict.UNDECIDED}    # 0: on the boundary, the next derivative of U not given
 k3 = gs.symbol("k3")
 
 
@@ -28,7 +28,7 @@ def test_readme_example(e1):
 
 @pytest.mark.parametrize("s", [1, -1])
 @given(I1=moments, l=numbers, pi3=numbers, u=numbers, boundary=st.booleans())
-@settings(max_examples=250)
+@settings(max_examples=100)
 def test_vertical_verdicts_are_exact(e1, e2, s, I1, l, pi3, u, boundary):
     """Stable, unstable or on the boundary as the reduced motion says, g''(±1) < 0, > 0, = 0; a fifth exactly on it."""
     if boundary:
@@ -38,7 +38,7 @@ def test_vertical_verdicts_are_exact(e1, e2, s, I1, l, pi3, u, boundary):
 
 
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers, boundary=st.booleans())
-@settings(max_examples=500)
+@settings(max_examples=150)
 def test_inclined_verdicts_are_exact(e3, I1, I3, l, omega, tilt, u2, boundary):
     """Orbital stability at E3 as g''(k3) < 0, > 0, = 0; modulo the spin."""
     z = tilt[1]
@@ -51,7 +51,7 @@ def test_inclined_verdicts_are_exact(e3, I1, I3, l, omega, tilt, u2, boundary):
 
 
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers)
-@settings(max_examples=60)
+@settings(max_examples=30)
 def test_unstable_means_a_growing_mode(e3, I1, I3, l, omega, tilt, u2):
     """UNSTABLE exactly where the 6×6 Euler-Poisson field has an eigenvalue with positive real part."""
     x, f = oracle.inclined(I1, I3, l, omega, (tilt[0], Fraction(0), tilt[1]), u2)
@@ -110,7 +110,7 @@ def test_conditions_are_three_valued(strict, margin, factor, expected):
     hidden = sin(third) ** 2 + cos(third) ** 2 - 1     # zero, but not provably
     number = {1: Rational(5), 0: Rational(0), -1: Rational(-2), None: hidden}
     criterion = Criterion("formal" if strict else "spectral", ((Condition(x, strict, "", (y,), Rational(1)),),))
-    assert _holds(criterion, {x: number[margin], y: number[factor]})[0] is expected
+    assert holds(criterion, {x: number[margin], y: number[factor]}, {}) is expected
 
 
 def test_nearly_equal_moments_and_nearly_upright(e3):
@@ -140,9 +140,9 @@ def test_stiff_fields():
 
 
 def test_transcendental_margins_are_proved_or_undecided():
-    """On the boundary P² = 4 e of U = exp(k3) SymPy sees the zero; at a zero it does not see, UNDECIDED with the reason."""
+    """On the boundary P² = 4 e of U = exp(k3), U' + U'' = 2 e > 0; at a zero that SymPy does not see, UNDECIDED with the reason."""
     report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(exp(k3)))))
-    assert report.verdict({"I1": 1, "l": 0, "pi3_0": 2 * sqrt(exp(1))}).verdict is Verdict.UNDECIDED
+    assert report.verdict({"I1": 1, "l": 0, "pi3_0": 2 * sqrt(exp(1))}).verdict is Verdict.STABLE
     third = Rational(1, 3)
     close = report.verdict({"I1": 1, "l": 0, "pi3_0": 2 * sqrt(exp(third)) * exp(third) + Rational(1, 10**1500)})
     assert close.verdict is Verdict.UNDECIDED and "no proved sign" in close.reason
@@ -162,7 +162,7 @@ def test_sleeping_top():
     report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0"))
     top = {"I1": 1, "I3": "1.6", "l": 0, "m0": 1}
     verdicts = [report.verdict(top | {"omega3_0": spin}).verdict.name for spin in ("1.2499999", "1.25", "1.2500001")]
-    assert verdicts == ["UNSTABLE", "UNDECIDED", "STABLE"]
+    assert verdicts == ["UNSTABLE", "STABLE", "STABLE"]  # at 1.25 U' + U'' = m0 > 0 holds it (Cushman & Bates)
     assert report.verdict(top | {"omega3_0": -1.26}).verdict is Verdict.STABLE
 
 

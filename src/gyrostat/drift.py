@@ -9,7 +9,7 @@ from .algebra import Ring
 from .equilibria import Equilibrium
 from .exact import evaluate, sign_of_constant
 from .expressions import shown
-from .linearization import linearize
+from .linearization import Linearization, linearize
 from .notation import Typeset, symbol
 from .reduction import reduce
 from .signs import Signs
@@ -69,9 +69,9 @@ class Drift(Typeset):
         >>> Drift(static_tilt(assemble(symmetric_gyrostat(), axial_potential()))).defect
         -I1*d2U*k3**2 + I1*d2U + I3*d2U*k3**2 + l**2
         """
-        eq, linear = self.equilibrium, linearize(self.equilibrium)
-        J = ImmutableMatrix(linear.matrix.applyfunc(eq.insert))
-        nilpotent = J**3 + eq.insert(linear.coefficients[0]) * J
+        eq = self.equilibrium
+        J = ImmutableMatrix(self._linearization.matrix.applyfunc(eq.insert))
+        nilpotent = J**3 + self._p * J
         ring = Ring([*nilpotent, *eq.existence()])
         common = ring.zero
         for row in ring.matrix(nilpotent.tolist())[0]:
@@ -79,6 +79,14 @@ class Drift(Typeset):
                 common = common.gcd(entry)
         margin, even = Signs(ring, eq.existence()).split(common, ring.one)
         return Mul(*map(ring.expression, (margin, *even)))
+
+    @cached_property
+    def _linearization(self) -> Linearization:
+        return linearize(self.equilibrium)
+
+    @cached_property
+    def _p(self) -> Expr:
+        return self.equilibrium.insert(self._linearization.coefficients[0])
 
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
         """Whether the point, stable modulo the spin, is Lyapunov stable: True only in the exceptional case; and why."""
@@ -91,23 +99,24 @@ class Drift(Typeset):
         if any(sign_of_constant(slope) for slope in slopes):
             along, across = map(shown, slopes)
             return False, f"{turning}, at the rate σ with ∂σ/∂k3 = {along}, ∂σ/∂ω = {across}; {linear}"
+        known = {**numbers, **{name: evaluate(value, numbers) for name, value in self.equilibrium.relations if name not in numbers}}
         special = [body.inertia[0] - body.inertia[2], body.gyrostatic_momentum[2]]
-        signs = [sign_of_constant(evaluate(e, numbers)) if e.free_symbols <= numbers.keys() else None for e in special]
+        signs = [sign_of_constant(evaluate(e, known)) if e.free_symbols <= known.keys() else None for e in special]
         if any(signs):
             return False, f"{turning}, at a rate σ of second order; {linear}"
-        constant = None if None in signs else self._constant(numbers)
+        constant = None if None in signs else self._constant(known)
         if constant is None:
             return None, f"whether {turning} depends on U near k3; {linear}"
         if constant:
             return True, "I1 = I3, l = 0 and U is constant: ω and π are fixed in space, and nothing drifts"
         return False, f"{turning}, at a rate σ of higher order; {linear}"
 
-    def _constant(self, numbers: Mapping[Symbol, Expr]) -> bool | None:
+    def _constant(self, known: Mapping[Symbol, Expr]) -> bool | None:
         """Whether U is constant at the values of its parameters, None if that is not proved."""
         potential = self.equilibrium.system.potential
-        if not potential or not potential.given or any(s not in numbers for s in potential.parameters):
+        if not potential or not potential.given or any(s not in known for s in potential.parameters):
             return None
-        slope = potential.value(DU).xreplace({s: numbers[s] for s in potential.parameters})
+        slope = potential.value(DU).xreplace({s: known[s] for s in potential.parameters})
         ring = Ring([slope])
         if not ring.reduce(ring.fraction(slope)[0]):
             return True
@@ -116,8 +125,7 @@ class Drift(Typeset):
 
     def _linear(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> str:
         margins[self.defect] = evaluate(self.defect, numbers)
-        p = self.equilibrium.insert(linearize(self.equilibrium).coefficients[0])
-        signs = [sign_of_constant(x) for x in (margins[self.defect], evaluate(p, numbers))]
+        signs = [sign_of_constant(x) for x in (margins[self.defect], evaluate(self._p, numbers))]
         if signs[1] == 0 or signs[0]:                      # p = 0: J is nilpotent and not 0
             return "linearly unstable, the zero eigenvalue has a Jordan block"
         return "whether it is linearly stable is not proved" if None in signs else "linearly stable, the zero eigenvalue is semisimple"

@@ -95,6 +95,11 @@ class Report(Typeset):
         return boundary_of(self.equilibrium)
 
     @cached_property
+    def drift(self) -> Drift:
+        """What moves near a tilted equilibrium along its orbit under the spin."""
+        return Drift(self.equilibrium)
+
+    @cached_property
     def required(self) -> tuple[str, ...]:
         """Names that a verdict needs."""
         conditions = [c for criterion in (self.necessary, self.sufficient) for a in criterion.alternatives for c in a]
@@ -161,7 +166,7 @@ class Report(Typeset):
             return replace(decision, modulo=() if decision.verdict is Verdict.UNSTABLE else decision.modulo)
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
         margins: dict[Expr, Expr] = {}
-        stable, why = Drift(self.equilibrium).decide(numbers, margins)
+        stable, why = self.drift.decide(numbers, margins)
         verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
         return Decision(verdict, "" if stable is None else "Lyapunov", (), _reason(margins, why), tuple(margins.items()), decision.note)
 
