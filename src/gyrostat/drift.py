@@ -78,6 +78,8 @@ class Drift(Typeset):
             for entry in row:
                 common = common.gcd(entry)
         margin, even = Signs(ring, eq.existence()).split(common, ring.one)
+        if sum(c for exponents, c in margin.to_dict().items() if not any(e % 2 for e in exponents)) < 0:     # squares are positive
+            margin = -margin
         return Mul(*map(ring.expression, (margin, *even)))
 
     @cached_property
@@ -126,9 +128,12 @@ class Drift(Typeset):
     def _linear(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> str:
         margins[self.defect] = evaluate(self.defect, numbers)
         signs = [sign_of_constant(x) for x in (margins[self.defect], evaluate(self._p, numbers))]
+        here = f"D = {shown(margins[self.defect])}"
         if signs[1] == 0 or signs[0]:                      # p = 0: J is nilpotent and not 0
-            return "linearly unstable, the zero eigenvalue has a Jordan block"
-        return "whether it is linearly stable is not proved" if None in signs else "linearly stable, the zero eigenvalue is semisimple"
+            return f"linearly unstable, the eigenvalue 0 has a Jordan block ({here})"
+        if None in signs:
+            return f"whether it is linearly stable is not proved ({here})"
+        return f"linearly stable, the eigenvalue 0 is semisimple ({here})"
 
     def _here(self, expression: Expr) -> Expr:
         eq = self.equilibrium

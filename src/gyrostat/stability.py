@@ -168,7 +168,7 @@ class Report(Typeset):
         margins: dict[Expr, Expr] = {}
         stable, why = self.drift.decide(numbers, margins)
         verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
-        return Decision(verdict, "" if stable is None else "Lyapunov", (), _reason(margins, why), tuple(margins.items()), decision.note)
+        return Decision(verdict, "" if stable is None else "Lyapunov", (), why, tuple(margins.items()), decision.note)
 
     def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[bool | None, str, str]:
         """Whether it is stable, the notion, and why."""
