@@ -1,8 +1,10 @@
 """The command line: output, verdicts, errors, exit status."""
+import io
 import json
 import os
 import subprocess
 import sys
+import threading
 
 import pytest
 
@@ -12,8 +14,8 @@ from gyrostat.cli import main
 TOP = ["--set", "I1=1", "--set", "I3=1.6", "--set", "l=0", "--set", "m0=1"]
 
 
-def run(capsys, *arguments):
-    status = main(["report", *arguments])
+def run(capsys, *arguments, verb="report"):
+    status = main([verb, *arguments])
     captured = capsys.readouterr()
     return status, captured.out, captured.err
 
@@ -36,7 +38,7 @@ def test_rumiantsev(capsys):
     assert "k₃ = (ω l − m₀)/((ω² − m₁) (I₁ − I₃))" in out
 
 
-@pytest.mark.parametrize(("spin", "verdict"), [("1.3", "Lyapunov stable"), ("1.25", "undecided"), ("1.2", "unstable")])
+@pytest.mark.parametrize(("spin", "verdict"), [("1.3", "Lyapunov stable"), ("1.25", "Lyapunov stable"), ("1.2", "unstable")])
 def test_an_unstable_body_is_an_answer(capsys, spin, verdict):
     """Exit status 0 whatever the verdict."""
     status, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E1", *TOP, "--set", f"omega3_0={spin}")
@@ -105,7 +107,8 @@ def test_bad_input_exits_2(capsys, arguments, why):
 
 def test_usage(capsys):
     """--help has examples, --version the version, an unknown verb exits 2."""
-    for arguments, status in ((["--help"], 0), (["report", "--help"], 0), (["--version"], 0), (["fly"], 2), ([], 2)):
+    helped = [([verb, "--help"], 0) for verb in ("report", "conditions", "decide", "verify")]
+    for arguments, status in (*helped, (["--help"], 0), (["--version"], 0), (["fly"], 2), ([], 2)):
         with pytest.raises(SystemExit) as stop:
             main(arguments)
         assert stop.value.code == status
@@ -120,9 +123,7 @@ def test_the_module_runs():
 
 
 def verify(capsys, *arguments):
-    status = main(["verify", *arguments])
-    captured = capsys.readouterr()
-    return status, captured.out, captured.err
+    return run(capsys, *arguments, verb="verify")
 
 
 OWN = """[source]
@@ -194,13 +195,250 @@ def test_progress_on_a_terminal(capsys, monkeypatch):
 
 
 def test_conditions_and_fragments(capsys):
-    """Only the conditions, as text or as a table; a fragment of the report; what does not go together is refused."""
-    _, out, _ = run(capsys, "--conditions", "--equilibrium", "E1")
-    assert "Necessary:" in out and "(π₃⁰ + l)² > 4 I₁ U′(1)" in out and "Scene" not in out
-    _, out, _ = run(capsys, "--conditions", "--format", "latex", "--fragment")
-    assert out.startswith("% needs amsmath and array\n" + r"\begin{tabular}") and "E3" in out
+    """Existence, conditions and ladder as text, table or data; a fragment of the report; what does not go together is refused."""
+    _, out, _ = run(capsys, "--equilibrium", "E1", verb="conditions")
+    assert "Necessary:" in out and "(π₃⁰ + l)² > 4 I₁ U′(1)" in out and "−c₃ ∝ U′(1) + U″(1)" in out
+    assert "Scene" not in out and "E2" not in out
+    _, out, _ = run(capsys, verb="conditions")
+    assert "|k₃| < 1" in out and "E2" in out and "E3" in out
+    _, out, _ = run(capsys, "--format", "latex", "--fragment", verb="conditions")
+    assert out.startswith("% needs amsmath and array\n" + r"\begin{tabular}") and "E3" in out and r"$-c_{3} \propto U'(1) + U''(1)$" in out
+    assert out.endswith("of an odd power at E3 both are unstable.\\par\n")
     _, out, _ = run(capsys, "--equilibrium", "E1", "--format", "latex", "--fragment")
     assert r"\documentclass" not in out and r"\begin{equation}" in out
-    for arguments, why in ((["--fragment"], "--format latex"), (["--conditions", "--format", "json"], "leave out one")):
-        status, out, err = run(capsys, *arguments)
+    for verb in ("report", "conditions"):
+        status, out, err = run(capsys, "--fragment", verb=verb)
+        assert status == 2 and out == "" and "--format latex" in err
+
+
+def test_conditions_as_data(capsys):
+    """The keys of the report that are about conditions, with the ladder, and its last power."""
+    _, out, _ = run(capsys, "--potential", "m0*k3 + m1*k3**2", "--format", "json", verb="conditions")
+    e1, _, e3, _ = json.loads(out)["equilibria"]
+    assert set(e1) == {"label", "positive", "eliminated", "parameters", "necessary", "sufficient", "boundary"}
+    assert [(r["power"], r["margin"], r["escapes"]) for r in e1["boundary"]["rungs"]] == [(3, "m0 + 4*m1", False), (4, "-m1", False)]
+    assert e1["boundary"]["last"] == 4 and e3["boundary"]["rungs"][0]["escapes"] is True
+    _, out, _ = run(capsys, "--potential", "none", "--format", "json", verb="conditions")
+    assert json.loads(out)["equilibria"][0]["boundary"] is None
+
+
+def test_conditions_at_numbers(capsys):
+    """Numbers take the place of their names; what the family expresses by the others, or where it does not exist, is refused."""
+    heavy = ["--potential", "m0*k3", "--set", "I1=1", "--set", "m0=3"]
+    _, out, _ = run(capsys, *heavy, "--equilibrium", "E1", verb="conditions")
+    assert "(π₃⁰ + l)² > 12" in out and "−c₃ ∝ 1" in out and "h − π₃²/(2 I₃) − 3 k₃" in out
+    _, out, _ = run(capsys, *heavy, "--equilibrium", "E2", verb="conditions")
+    assert "Necessary: always." in out and "−c₃" not in out
+    _, out, _ = run(capsys, *heavy, "--set", "omega3_0=1", "--set", "I3=2", "--set", "l=1", "--equilibrium", "E1", verb="conditions")
+    assert "Necessary: never." in out and "Sufficient: no information" in out
+    _, out, _ = run(capsys, "--potential", "m0*k3 + m1*k3**2", "--set", "k3=1/2", "--equilibrium", "E3", verb="conditions")
+    assert out.splitlines()[2] == "    ω ≠ 0" and "g = 2 I₁ (1 − k₃²)" in out and "−c₃ ∝ −m₀ − 2 m₁" in out
+    for arguments, why in ((["--set", "k3=2", "--equilibrium", "E3", "--potential", "m0*k3"], "exists only where 1 - k3**2 > 0"),
+                           (["--set", "dU=1"], "derivative of U"), (["--set", "mass=1"], "no parameter mass"),
+                           (["--set", "l=1", "--potential", "k3**4", "--equilibrium", "E3"], "expresses l by")):
+        status, out, err = run(capsys, *arguments, verb="conditions")
         assert status == 2 and out == "" and why in err
+
+
+def test_the_report_shows_what_decides_between_the_criteria(capsys):
+    """The reduced motion and its ladder; an end where U is rational; of an asymmetric body nothing is claimed."""
+    _, out, _ = run(capsys)
+    for line in ("I₁² k̇₃² = g", "g = 2 I₁ (1 − k₃²) (h − π₃²/(2 I₃) − U(k₃)) − (C₁ − k₃ (π₃ + l))²", "−c₅ ∝ 2 U‴(1) + U⁽⁴⁾(1)",
+                 "k₃ = x − 1", "(supercritical)", "to any order", "of an even power", "∂σ/∂ω = (2 ω k₃ (I₁ − I₃) − l)/(I₃ ω)",
+                 "(l − 2 ω k₃ (I₁ − I₃))²", "I₁ = I₃, l = 0, ω ≠ 0"):
+        assert line in out
+    assert "nothing is claimed" not in out and "c₆" not in out
+    _, out, _ = run(capsys, "--potential", "k3**2", "--equilibrium", "E1")
+    assert "−c₃ ∝ 1" in out and "c₄ x⁴ + …" in out and "−c₄" not in out and "all vanish" not in out
+    _, out, _ = run(capsys, "--potential", "a*k3 + b*k3**4", "--equilibrium", "E1")
+    assert "−c₄ ∝ −b" in out and "−c₅" not in out and "If all vanish, every k₃ nearby is a motion: unstable." in " ".join(out.split())
+    _, out, _ = run(capsys, "--potential", "exp(a*k3)", "--equilibrium", "E2")
+    assert "up to x²⁴" in out and "−c₄ ∝ −a² (3 − 2 a)" in out
+    assert "of this" not in out and "nothing is claimed" in run(capsys, "--potential", "none")[1]
+
+
+def decide(capsys, *arguments):
+    return run(capsys, *arguments, verb="decide")
+
+
+def settings(**numbers):
+    return [f"--set={name}={value}" for name, value in numbers.items()]
+
+
+HEAVY = ["--potential", "m0*k3"]
+
+
+@pytest.mark.parametrize(("potential", "spin", "verdict", "why"), [
+    ("m0*k3", "1.25", "Lyapunov stable", "supercritical"), ("m0*k3", "1.2", "unstable", "Reason (spectral): an eigenvalue"),
+    ("m0*k3", "1.3", "Lyapunov stable", "definite"), ("m0*k3 - m0*(k3 - 1)**2", "1.25", "unstable", "Reason (Lyapunov): on the boundary")])
+def test_decide_one_equilibrium(capsys, potential, spin, verdict, why):
+    """Verdict, margins, notion and reason; exit status 0 whatever it is, and unstable where the boundary says so."""
+    status, out, err = decide(capsys, "--equilibrium", "E1", "--potential", potential, *TOP, "--set", f"omega3_0={spin}")
+    assert (status, err) == (0, "") and f"Verdict: {verdict};" in out and why in out
+    assert "(I₃ ω₃⁰ + l)² − 4 I₁ m₀ = " in out or potential != "m0*k3"
+    assert "The point itself" not in out
+
+
+def test_decide_as_data(capsys):
+    """The keys of a decision, with its note."""
+    _, out, _ = decide(capsys, "--equilibrium", "E1", *HEAVY, *settings(I1=1, I3=9, l=0, m0=1, pi3_0=3), "--format", "json")
+    (e1,) = json.loads(out)["equilibria"]
+    assert set(e1) == {"label", "decision"} and set(e1["decision"]) == {"verdict", "notion", "modulo", "reason", "margins", "note"}
+    assert e1["decision"]["verdict"] == "STABLE" and "no rigid body" in e1["decision"]["note"]
+
+
+def test_decide_the_tilted_point_itself(capsys):
+    """E3 is decided modulo the spin and, besides, as a point: not Lyapunov stable."""
+    status, out, _ = decide(capsys, "--equilibrium", "E3", *settings(I1=4, I3=5, l=2, omega=1, k3=0, d2U=1))
+    assert status == 0 and "Verdict: Lyapunov stable modulo the flow of π₃;" in out and "The point itself: unstable;" in out
+    assert "Jordan block" in out and "∂σ/∂k3" in out
+    _, out, _ = decide(capsys, "--equilibrium", "E3", "--potential", "k3**2", *settings(I1=4, I3=5, l=2, omega=0, k3=0))
+    assert "E3 at rest" in out and "at any rate σ" in out
+
+
+def test_decide_every_tilt(capsys):
+    """E3 by ω and l, or by k3 and l: every one there is, exact and as a decimal."""
+    cubic = ["--equilibrium", "E3", "--potential", "m0*k3 + a*k3**3", *settings(I1=2, I3=1, l=1, m0="1/2", a="1/3")]
+    _, out, _ = decide(capsys, *cubic, "--set", "omega=1", "--format", "json")
+    (e3,) = json.loads(out)["equilibria"]
+    assert e3["k3"] == {"exact": "-1/2 + sqrt(3)/2", "decimal": 0.36602540378443865} and e3["omega"]["exact"] == "1"
+    assert e3["decision"]["modulo"] == ["pi3"] and e3["itself"]["verdict"] == "UNSTABLE"
+    _, out, _ = decide(capsys, *cubic, "--set", "k3=1/10")
+    assert out.count("Verdict") == 2 and out.count("The point itself") == 2 and "k₃ = 1/10 ≈ 0.1" in out
+    status, out, _ = decide(capsys, "--equilibrium", "E3", *HEAVY, *settings(I1=2, I3=1, l=1, m0=9, omega=1))
+    assert status == 0 and out.strip() == "No such relative equilibrium exists at these numbers."
+
+
+def test_decide_all_that_the_numbers_allow(capsys):
+    """Without --equilibrium: what a rate, or a tilt and a spin, allow; else those whose names are set."""
+    top = [*HEAVY, *settings(I1=2, I3=1, l=0, m0=3), "--format", "json"]
+
+    def labels(*more):
+        return [e["label"] for e in json.loads(decide(capsys, *top, *settings(**dict(m.split("=") for m in more)))[1])["equilibria"]]
+
+    assert labels("omega=2") == ["E1", "E3", "E2"] and labels("pi3_0=4") == labels("omega3_0=4") == ["E1", "E2"]
+    assert labels("k3=1/2", "pi3_0=6") == labels("k3=1/2", "omega3_0=6") == ["precession", "precession"]
+    _, out, _ = decide(capsys, "--potential", "none", *settings(I1=1, I2=2, I3=3, l=0, omega3_0=1))
+    assert "rotation about axis 3" in out and "Lyapunov stable" in out
+
+
+@pytest.mark.parametrize(("arguments", "why"), [
+    ([], "not enough"), (["--equilibrium", "E1", "--set", "I1=1"], "E1 needs"), (["--equilibrium", "E3", *HEAVY, *TOP], "k3 or omega"),
+    (["--equilibrium", "E1", *HEAVY, *TOP, "--set", "pi3_0=1", "--set", "k3=1"], "no parameter k3"),
+    (["--equilibrium", "E1", "--potential", "none"], "needs a field"), (["--set", "pi3_0=1", "--set", "omega3_0=1"], "both"),
+    (["--equilibrium", "E3", *HEAVY, *TOP, "--set", "k3=1/2", "--set", "omega=1"], "not on E3"),
+    (["--potential", "exp(k3)", *TOP[:6], "--set", "omega=1"], "roots are not found"), (["--set", "mass=1"], "no parameter mass"),
+    (["--batch", "/nowhere/at.all"], "cannot read"), (["--batch", "-", "--format", "text"], "writes JSON"),
+    (["--batch", "-", "--potential", "k3.real"], "grammar"), (["--batch", "-", "--set", "I1=x"], "contains the names")])
+def test_decide_bad_input_exits_2(capsys, arguments, why):
+    """A clear error on stderr, nothing on stdout."""
+    status, out, err = decide(capsys, *arguments)
+    assert status == 2 and out == "" and err.startswith("gyrostat: ") and why in err and "Traceback" not in err
+
+
+TOPS = ["--equilibrium", "E1", "--potential", "m0*k3", "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0", "--set", "m0=1"]
+LINES = [b'{"omega3_0": 1.25}', b"", b'{"omega3_0": 1.2499999999999999999}', b"nonsense", b'{"omega3_0": "5/4", "m0": 2}', b"[1]",
+         b'{"m0": 1, "m0": 1, "omega3_0": 1}', b'{"omega3_0": NaN}', b'{"mass": 1, "omega3_0": 1}', b"{}", b'{"omega3_0": [1]}',
+         b'{"I1": -1, "omega3_0": 1}', b'{"equilibrium": "E7"}', b'{"potential": 1, "omega3_0": 1}', b'{"omega3_0": 1e999999}',
+         b"[" * 100000, b'{"\xff": 1}', b'{"\\ud800": 1}', b'{"pi3_0": 1, "omega3_0": 1}', b'{"pi3_0": 2, "equilibrium": "E2"}',
+         b'{"potential": "none", "equilibrium": "E1"}', b'{"potential": "m0*k3 - m0*(k3 - 1)**2", "omega3_0": 1.25}']
+GOOD = {1: "STABLE", 3: "UNSTABLE", 5: "UNSTABLE", 20: "STABLE", 22: "UNSTABLE"}
+
+
+def batch(capsys, monkeypatch, lines, *arguments):
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"\n".join(lines))))
+    status, out, err = decide(capsys, *TOPS, "--batch", "-", *arguments)
+    return status, [json.loads(line) for line in out.splitlines()], err
+
+
+def test_a_batch(capsys, monkeypatch):
+    """A line of output for each line that is not blank, in order; a number is the decimal it is written as; a bad line stops no other."""
+    status, results, err = batch(capsys, monkeypatch, LINES)
+    assert status == 2 and [r["line"] for r in results] == [n for n, line in enumerate(LINES, 1) if line]
+    decided = {r["line"]: r["equilibria"][0]["decision"]["verdict"] for r in results if "error" not in r}
+    assert decided == GOOD and all(set(r) == {"line", "error"} for r in results if r["line"] not in GOOD)
+    for n, why in ((4, "not JSON"), (6, "not an object"), (7, "m0 is given twice"), (8, "NaN is not a number"), (9, "no parameter mass"),
+                   (10, "E1 needs"), (11, "not a real number"), (12, "must be positive"), (13, "E7"), (14, "no parameter m0"),
+                   (15, "too long"), (16, "not JSON"), (17, "not JSON"), (18, "is not a name"), (19, "both"), (21, "needs a field")):
+        assert why in next(r["error"] for r in results if r["line"] == n) and f"gyrostat: line {n}: " in err
+    assert len(err.splitlines()) == len(results) - len(GOOD)
+
+
+def test_a_batch_of_good_lines(capsys, monkeypatch):
+    """Exit status 0, nothing on standard error; without lines nothing comes."""
+    assert batch(capsys, monkeypatch, LINES[:3])[::2] == (0, "") and batch(capsys, monkeypatch, []) == (0, [], "")
+
+
+def test_a_batch_overrides_what_is_set(capsys, monkeypatch):
+    """--set is the default of every line, whichever name of the spin the line has."""
+    status, results, _ = batch(capsys, monkeypatch, [b"{}", b'{"omega3_0": 1.2}', b'{"pi3_0": 1.2}'], "--set", "omega3_0=1.3")
+    assert status == 0 and [r["equilibria"][0]["decision"]["verdict"] for r in results] == ["STABLE", "UNSTABLE", "UNSTABLE"]
+
+
+def test_reports_are_derived_once(capsys, monkeypatch):
+    """One derivation for each potential, equilibrium and name of the spin."""
+    from gyrostat.cli import scenes
+    scenes.report_of.cache_clear()
+    made, analyze = [], scenes.analyze
+    monkeypatch.setattr(scenes, "analyze", lambda eq: made.append(eq) or analyze(eq))
+    assert batch(capsys, monkeypatch, [b'{"omega3_0": 1}', b'{"pi3_0": 1}', b'{"pi3_0": 1, "equilibrium": "E2"}'] * 20)[0] == 0
+    assert [eq.label for eq in made] == ["E1", "E1", "E2"]
+
+
+def test_a_batch_of_files(capsys, tmp_path):
+    """From a file to a file; not to itself; an empty one gives an empty one."""
+    given, verdicts = tmp_path / "tops.jsonl", tmp_path / "verdicts.jsonl"
+    given.write_bytes(b"\n".join(LINES))
+    status, out, _ = decide(capsys, *TOPS, "--batch", str(given), "--output", str(verdicts))
+    assert status == 2 and out == "" and len(verdicts.read_text().splitlines()) == len(LINES) - 1
+    status, _, err = decide(capsys, *TOPS, "--batch", str(given), "--output", str(given))
+    assert status == 2 and "the same file" in err and given.read_bytes() == b"\n".join(LINES)
+    given.write_bytes(b"")
+    assert decide(capsys, *TOPS, "--batch", str(given), "--output", str(verdicts))[0] == 0 and verdicts.read_text() == ""
+    status, _, err = decide(capsys, *TOPS, "--batch", str(given), "--output", str(tmp_path / "missing" / "x"))
+    assert status == 2 and "cannot write" in err
+
+
+def test_progress_of_a_batch(capsys, monkeypatch, tmp_path):
+    """On a terminal a bar by bytes of a file, a counter of standard input, wiped at the end and before a message."""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.cli.output.PAUSE", 0.0)
+    given = tmp_path / "tops.jsonl"
+    given.write_bytes(b"\n".join(LINES[:4]))
+    _, out, err = decide(capsys, *TOPS, "--batch", str(given))
+    size = given.stat().st_size
+    assert f"] {size}/{size}" in err and "#" in err and "\rgyrostat: line 4" in err and err.endswith(" \r") and "#" not in out
+    _, _, err = batch(capsys, monkeypatch, LINES[:3])
+    assert "decide       3" in err and "#" not in err and err.endswith(" \r")
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)             # the lines themselves are the progress
+    assert batch(capsys, monkeypatch, LINES[:3])[2] == ""
+
+
+def test_a_batch_streams():
+    """A line is answered before the next one comes; a reader that stops early is no error."""
+    command = [sys.executable, "-m", "gyrostat", "decide", *TOPS, "--batch", "-"]
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    with subprocess.Popen(command, **pipes, env={**os.environ, "PYTHONUNBUFFERED": ""}) as running:
+        (limit := threading.Timer(60, running.kill)).start()
+        for n in (1, 2):
+            running.stdin.write(b'{"omega3_0": 1.25}\n')
+            running.stdin.flush()
+            assert json.loads(running.stdout.readline())["line"] == n
+        running.stdout.close()
+        running.stdin.write(b'{"omega3_0": 1.25}\n')
+        running.stdin.close()
+        assert running.stderr.read() == b"" and running.wait() == 0
+        limit.cancel()
+
+
+def test_a_batch_flushes_to_its_file(tmp_path):
+    """--output is written as the lines come."""
+    path = tmp_path / "verdicts.jsonl"
+    command = [sys.executable, "-m", "gyrostat", "decide", *TOPS, "--batch", "-", "--output", str(path)]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+        running.stdin.write(b'{"omega3_0": 1.25}\nnonsense\n')
+        running.stdin.flush()
+        assert running.stderr.readline().startswith(b"gyrostat: line 2: ")
+        assert json.loads(path.read_text().splitlines()[0])["line"] == 1
+        running.stdin.close()
+        assert running.wait() == 2

@@ -3,12 +3,17 @@ from collections.abc import Iterable
 
 from sympy import MatrixBase
 
-from .document import Block, Display, Heading, Sentence, Word, decision_blocks, existence, report_blocks, scene_blocks
+from .blocks import Block, Display, Heading, Sentence, Word, decision_blocks, existence, ladder, rung_display, undecided
+from .document import report_blocks, scene_blocks
 from .latex import RELATIONS, display, formula, tex
 from .linebreaks import broken, width
 from .references import cited
 from .stability import Decision, Report
 
+_BETWEEN = r"""\par\smallskip\noindent Between the two, $I_1^2 \dot{k}_3^2 = c_3 x^3 + c_4 x^4 + \dots$, where $x \geq 0$ is the distance of
+$k_3$ from $\pm 1$, at E3 its deviation, and $\propto$ means up to a positive factor. The first coefficient that is not 0 decides. At E1
+and E2, and of an even power at E3: $-c_n > 0$ is stable, $-c_n < 0$ unstable; of an odd power at E3 both are unstable.\par
+"""
 LINE, NARROW = 440.0, 315.0                                # points: a line of a document, of a fragment
 
 
@@ -36,14 +41,25 @@ def conditions_table(reports: Iterable[Report], fragment: bool = False) -> str:
     for report in reports:
         eq = report.equilibrium
         exists = [("exists where", display(existence(d, eq.at))) for d in eq.existence()]
-        lines = [*exists, ("necessary (spectral)", formula(report.necessary)), ("sufficient (formal)", formula(report.sufficient))]
+        lines = [*exists, ("necessary (spectral)", formula(report.necessary)), ("sufficient (formal)", formula(report.sufficient)),
+                 *_between(report)]
         rows += [rf"{eq.label if n == 0 else ''} & {name} & ${_inline(line)}$ \\" for n, (name, line) in enumerate(lines)] + [r"\hline"]
     column = r">{\raggedright\arraybackslash}p"
     table = "\n".join((rf"\begin{{tabular}}{{@{{}}{column}{{0.13\linewidth}}{column}{{0.2\linewidth}}{column}{{0.56\linewidth}}@{{}}}}",
                        r"\hline", *rows, r"\end{tabular}", ""))
+    if "between the two" in table:
+        table += _BETWEEN
     if fragment:
         return "% needs amsmath and array\n" + table
     return preamble("Conditions for stability", ("array",)) + table + "\\end{document}\n"
+
+
+def _between(report: Report) -> list[tuple[str, str]]:
+    """The ladder between the two conditions, as rows."""
+    if not undecided(report) or report.boundary is None:
+        return []
+    rungs, _ = ladder(report.boundary)
+    return [("" if n else "between the two", display(rung_display(rung))) for n, rung in enumerate(rungs)]
 
 
 def preamble(title: str, packages: Iterable[str] = ()) -> str:

@@ -67,7 +67,7 @@ class Boundary(Typeset):
         if any(k3 in g.free_symbols for g in ring.generators if g != k3):
             return None
         place = ring.generators.index(k3)
-        return 2 + max(part.degrees()[place] for part in ring.fraction(potential.expression))
+        return 2 + max(int(part.degrees()[place]) for part in ring.fraction(potential.expression))
 
     def rungs(self) -> Iterator[Rung]:
         """The ladder from below, each rung derived when it is reached.

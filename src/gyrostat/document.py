@@ -1,59 +1,17 @@
 """A report as a sequence of headings, sentences and displayed formulas, before any typesetting."""
-from dataclasses import dataclass
 from typing import Any
 
-from sympy import Abs, Expr, ImmutableMatrix, Pow, S, Symbol
+from sympy import Expr, ImmutableMatrix, Pow, S, Symbol
 
-from .conditions import Condition, Criterion
+from .blocks import DOT, VECTOR_FORM, Block, Display, Heading, Sentence, Word, boundary_blocks, criterion_blocks, drift_blocks, existence
 from .equilibria import Equilibrium
-from .expressions import shown
 from .families import solved_tilt
-from .linearization import Linearization, square_root
+from .linearization import Linearization
 from .notation import jet, symbol
-from .presentation import entries, inequality, readable, split
-from .stability import Decision, Report
+from .presentation import entries, readable, split
+from .stability import Report
 from .system import System
 
-
-@dataclass(frozen=True)
-class Word:
-    """A name in both typesettings, such as π̇₁ and \\dot\\pi_1."""
-
-    text: str
-    latex: str
-
-
-@dataclass(frozen=True)
-class Heading:
-    """The title of a part."""
-
-    title: str
-    level: int = 1
-
-
-@dataclass(frozen=True)
-class Sentence:
-    """Prose with {} where formulas stand."""
-
-    template: str
-    parts: tuple[Any, ...] = ()
-    at: Any = None
-
-
-@dataclass(frozen=True)
-class Display:
-    """name = value: an expression, a matrix, or the two sides of a comparison."""
-
-    name: Any
-    value: Any
-    at: Any = None
-    relation: str = "="
-
-
-Block = Heading | Sentence | Display
-DOT = {f"{x}{i}": Word(f"{g}̇{'₀₁₂₃'[i]}", rf"\dot{{{t}}}_{i}") for x, g, t in (("pi", "π", r"\pi"), ("k", "k", "k")) for i in (1, 2, 3)}
-VECTOR_FORM = {False: Word("π̇ = M × ω", r"\dot{\pi} = M\times\omega"), True: Word(
-    "π̇ = M × ω + k × ∇U,  k̇ = k × ω", r"\dot{\pi} = M\times\omega + k\times\nabla U,\quad \dot{k} = k\times\omega")}
 IMAGINARY = Word("±i", r"\pm i")
 _ABOUT = {"E1": "spinning about the upward vertical", "E2": "spinning about the downward vertical",
           "E3": "precessing about the vertical, inclined", "E3 at rest": "tilted, without rotation"}
@@ -97,8 +55,7 @@ def report_blocks(report: Report) -> list[Block]:
                *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at)]
     if report.casimirs_only != report.sufficient:
         blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at)
-    if () not in report.sufficient.alternatives:
-        blocks.append(Sentence("Where the necessary condition holds and the sufficient one does not, nothing is claimed."))
+    blocks += [*boundary_blocks(report), *drift_blocks(report)]
     return blocks
 
 
@@ -126,16 +83,6 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
         blocks += [Sentence("Solved for the tilt:"), Display(symbol("k3"), readable(tilt)),
                    Sentence("which exists where:"), existence(1 - tilt**2, eq.at)]
     return blocks
-
-
-def existence(domain: Expr, at: Any) -> Display:
-    """Where a family exists: |x| < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
-    if isinstance(domain, Pow) and domain.exp == 2:
-        return Display(readable(domain.base), S.Zero, at, "≠")
-    root = readable(square_root(1 - domain))
-    if any(x.exp == S.Half for x in root.atoms(Pow)):
-        return Display(readable(domain), S.Zero, at, ">")
-    return Display(Abs(-root if root.could_extract_minus_sign() else root, evaluate=False), S.One, at, "<")
 
 
 def _named_roots(eq: Equilibrium, matrix: ImmutableMatrix) -> tuple[ImmutableMatrix, list[tuple[Symbol, Expr]]]:
@@ -201,41 +148,3 @@ def _second_variation(report: Report) -> list[Block]:
     blocks.append(Display(Word("H", "H"), matrix, eq.at))
     blocks += [Display(Word(f"Δ{'₀₁₂₃₄'[n]}", rf"\Delta_{n}"), readable(minor), eq.at) for n, minor in enumerate(variation.minors, 1)]
     return blocks
-
-
-def criterion_blocks(title: str, criterion: Criterion, at: Any) -> list[Block]:
-    """Each alternative as its comparisons."""
-    modulo = (", modulo the flow of " + ", ".join(["{}"] * len(criterion.modulo))) if criterion.modulo else ""
-    if criterion.alternatives == ():
-        return [Sentence(f"{title}: no information, the form is not definite.")]
-    if () in criterion.alternatives:
-        return [Sentence(f"{title}{modulo}: always.", criterion.modulo)]
-    blocks: list[Block] = []
-    for n, alternative in enumerate(criterion.alternatives):
-        blocks.append(Sentence(f"{title}{modulo}:" if n == 0 else "or", criterion.modulo if n == 0 else ()))
-        blocks += [comparison(condition) for condition in alternative]
-        blocks += [Sentence("(also where {} = 0)" if not c.strict else "and {} ≠ 0", (readable(e),), at)
-                   for c in alternative for e in c.degenerate]
-    for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
-        name, by = Word(proof.source, proof.source.replace("²", "^2").replace("−", "-")), readable(proof.by)
-        blocks.append(Sentence("Here {} is, up to a positive factor, {} + {} ({}): it adds nothing.",
-                               (name, readable(proof.square), readable(proof.factor), by), at))
-    return blocks
-
-
-def comparison(condition: Condition) -> Display:
-    """The condition as left > right; a negative product alone as product < 0."""
-    left, right = inequality(condition)
-    if left == 0:
-        return Display(right, left, condition.at, "<" if condition.strict else "≤")
-    return Display(left, right, condition.at, ">" if condition.strict else "≥")
-
-
-def decision_blocks(decision: Decision, at: Any) -> list[Block]:
-    """The verdict at the numbers given."""
-    title = {"Lyapunov": "Lyapunov stable", "spectral": "unstable", "": "undecided"}[decision.notion]
-    modulo = (" modulo the flow of " + ", ".join(["{}"] * len(decision.modulo))) if decision.modulo and decision.notion else ""
-    values = [Display(readable(margin), Word(shown(value), shown(value)), at) for margin, value in decision.margins
-              if margin.free_symbols]
-    notes: list[Block] = [Sentence(f"Note: {decision.note}.")] if decision.note else []
-    return [Sentence(f"Verdict: {title}{modulo}; {decision.verdict.value}.", decision.modulo if modulo else ()), *values, *notes]

@@ -2,14 +2,16 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 
-from sympy import Add, Expr, ImmutableMatrix, Mul, Rational, S, Symbol
+from sympy import Add, Expr, Mul, Rational, S, Symbol
 
-from .algebra import Ring
+from .algebra import Ring, cancel, derivatives
 from .equilibria import Equilibrium
 from .exact import evaluate, sign_of_constant
 from .expressions import shown
 from .linearization import Linearization, linearize
+from .matrices import multiply
 from .notation import Typeset, symbol
 from .reduction import reduce
 from .signs import Signs
@@ -54,10 +56,11 @@ class Drift(Typeset):
         (I1*omega**2 - I3*omega**2 + d2U)/(I3*omega)
         """
         scene = self.equilibrium.system
-        relation = reduce(scene).precession()              # affine in P = π3 + l
-        total = -relation.xreplace({P: S.Zero}) / relation.diff(P)
-        sigma = (total - scene.body.gyrostatic_momentum[2]) / scene.body.inertia[2] - OMEGA * K3
-        return self._here(sigma.diff(K3) + sigma.diff(DU) * symbol("d2U")), self._here(sigma.diff(OMEGA))
+        relation, moment = reduce(scene).precession(), scene.body.inertia[2]              # affine in P = π3 + l, here I3 ω k3 + l
+        along, curved, across, slope = derivatives(relation, (K3, DU, OMEGA, P))
+        here = {P: moment * OMEGA * K3 + scene.body.gyrostatic_momentum[2]}
+        rates = (-(along + curved * symbol("d2U")) / (slope * moment) - OMEGA, -across / (slope * moment) - K3)
+        return self._here(rates[0].xreplace(here)), self._here(rates[1].xreplace(here))
 
     @cached_property
     def defect(self) -> Expr:
@@ -70,13 +73,14 @@ class Drift(Typeset):
         -I1*d2U*k3**2 + I1*d2U + I3*d2U*k3**2 + l**2
         """
         eq = self.equilibrium
-        J = ImmutableMatrix(self._linearization.matrix.applyfunc(eq.insert))
-        nilpotent = J**3 + self._p * J
-        ring = Ring([*nilpotent, *eq.existence()])
+        matrix = [[eq.insert(entry) for entry in row] for row in self._linearization.matrix.tolist()]
+        ring = Ring([*(entry for row in matrix for entry in row), self._p, *eq.existence()])
+        (J, below), (p, under) = ring.matrix(matrix), ring.fraction(self._p)
+        cube = multiply(ring, multiply(ring, J, J), J)         # J³ + p J = (under J³ + p below² J)/(under below³)
         common = ring.zero
-        for row in ring.matrix(nilpotent.tolist())[0]:
-            for entry in row:
-                common = common.gcd(entry)
+        for x, y in zip(chain(*cube), chain(*J)):
+            common = common.gcd(ring.reduce(under * x + p * below**2 * y))
+        common, _ = cancel(common, under * below**3)
         margin, even = Signs(ring, eq.existence()).split(common, ring.one)
         if sum(c for exponents, c in margin.to_dict().items() if not any(e % 2 for e in exponents)) < 0:     # squares are positive
             margin = -margin

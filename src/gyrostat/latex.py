@@ -5,9 +5,9 @@ from typing import Any
 from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Symbol
 from sympy.printing.latex import LatexPrinter
 
+from .blocks import DOT, VECTOR_FORM, Display, Word, comparison
 from .body import Gyrostat
 from .conditions import Condition, Criterion
-from .document import DOT, VECTOR_FORM, Display, Word, comparison
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
 from .liepoisson import LiePoisson
@@ -20,7 +20,7 @@ from .stability import Decision, Report
 from .system import System
 
 FRACTION = 200.0                                           # points: the widest numerator
-RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq"}
+RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto"}
 
 
 class Printer(LatexPrinter):

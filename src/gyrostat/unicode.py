@@ -6,9 +6,10 @@ from typing import Any
 from sympy import Add, Expr, MatrixBase, Mul, Pow, Symbol
 from sympy.printing.str import StrPrinter
 
+from .blocks import Block, Display, Heading, Sentence, Word, comparison
 from .body import Gyrostat
 from .conditions import Condition, Criterion
-from .document import Block, Display, Heading, Sentence, Word, comparison, point_blocks, report_blocks, scene_blocks
+from .document import point_blocks, report_blocks, scene_blocks
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
 from .liepoisson import LiePoisson

@@ -3,15 +3,32 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 
 from .. import __version__
 from ..errors import GyrostatError, ValuesError
+from .output import Output
 
-_EXAMPLES = """examples:
+_REPORT = """examples:
   gyrostat report                                            any field U(k3): E1, E2 and E3
   gyrostat report --potential "m0*k3"                        a heavy gyrostat
   gyrostat report --potential "m0*k3 + m1/2*(I3 - I1)*k3**2" --equilibrium E1 --format latex --output e1.tex
   gyrostat report --potential "m0*k3" --equilibrium E1 --set I1=1 --set I3=1.6 --set l=0 --set m0=1 --set omega3_0=1.3
+"""
+_CONDITIONS = """examples:
+  gyrostat conditions                                        any field U(k3): E1, E2 and E3
+  gyrostat conditions --potential "m0*k3" --equilibrium E1 --set I1=1 --set m0=1
+  gyrostat conditions --format latex --fragment              a table for \\input
+"""
+_DECIDE = """examples:
+  gyrostat decide --equilibrium E1 --potential "m0*k3" --set I1=1 --set I3=1.6 --set l=0 --set m0=1 --set omega3_0=1.25
+  gyrostat decide --potential "m0*k3" --set I1=2 --set I3=1 --set l=1 --set m0=1/2 --set omega=1    E1, E2 and every E3
+  gyrostat decide --equilibrium E1 --potential "m0*k3" --set I1=1 --set I3=1.6 --set l=0 --batch spins.jsonl --output verdicts.jsonl
+
+A line of a batch is an object of numbers, {"m0": 1, "omega3_0": 1.25, "l": "1/3"}, each the exact decimal that it is written as;
+"equilibrium" and "potential" in it go before the options. A line of the output is an object with "line" and "equilibria" or "error".
+
+The exit status is 0 whatever the verdict, 2 for bad input, and after a batch with a bad line.
 """
 _VERIFY = """examples:
   gyrostat verify                              every source: confirmed, misprint (with a counterexample) or unchecked
@@ -26,25 +43,35 @@ def parser() -> argparse.ArgumentParser:
     """The command line's grammar."""
     top = argparse.ArgumentParser(prog="gyrostat", description=(
         "Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the inequalities."),
-        epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+        epilog=_REPORT, formatter_class=argparse.RawDescriptionHelpFormatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
-    report = verbs.add_parser("report", help="the whole derivation, and verdicts where numbers are set", epilog=_EXAMPLES,
-                              formatter_class=argparse.RawDescriptionHelpFormatter)
-    report.add_argument("--potential", metavar="EXPR", help="U in k3 and parameters: names, numbers, + - * / **, parentheses, sqrt, "
-                        "exp, log, sin, …; none for a free body; left out: U unspecified")
-    report.add_argument("--equilibrium", action="append", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; "
-                        "may be repeated; left out: all three")
-    report.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", dest="values",
-                        help="a number, exact: I1=1.6, l=1/2, k3='sqrt(3)/2'; with enough of them a verdict is added")
-    report.add_argument("--conditions", action="store_true", help="only a table of the conditions")
-    verify = verbs.add_parser("verify", help="check published formulas against what is derived", epilog=_VERIFY,
-                              formatter_class=argparse.RawDescriptionHelpFormatter)
+    report, conditions, decide, verify = (
+        verbs.add_parser(name, help=text, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter) for name, text, epilog in (
+            ("report", "the whole derivation, and verdicts where numbers are set", _REPORT),
+            ("conditions", "where each equilibrium exists, its conditions, and what decides between them", _CONDITIONS),
+            ("decide", "verdicts at numbers, of one body or of many", _DECIDE),
+            ("verify", "check published formulas against what is derived", _VERIFY)))
+    for verb, meaning in ((report, "with enough of them a verdict is added"), (conditions, "put in the place of the name"),
+                          (decide, "names of the moments, l, U and the motion")):
+        verb.add_argument("--potential", metavar="EXPR", help="U in k3 and parameters: names, numbers, + - * / **, parentheses, sqrt, "
+                          "exp, log, sin, …; none for a free body; left out: U unspecified")
+        verb.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", dest="values",
+                          help=f"a number, exact: I1=1.6, l=1/2, k3='sqrt(3)/2'; {meaning}")
+    for verb in (report, conditions):
+        verb.add_argument("--equilibrium", action="append", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; "
+                          "may be repeated; left out: all three")
+    decide.add_argument("--equilibrium", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; left out: every relative "
+                        "equilibrium that the numbers allow")
+    decide.add_argument("--batch", metavar="FILE", help="an object of numbers in each line, - for standard input; --set gives numbers for "
+                        "all lines")
     verify.add_argument("sources", nargs="*", metavar="SOURCE", help="VV2003, N2025, EA, AR, literature, or a .toml file of your own; "
                         "left out: the first five")
-    for verb in (report, verify):
+    decide.add_argument("--format", choices=("text", "json"), help="left out: text, of a batch JSON")
+    for verb in (report, conditions, verify):
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")
         verb.add_argument("--fragment", action="store_true", help="with --format latex: without preamble, for \\input")
+    for verb in (report, conditions, decide, verify):
         verb.add_argument("--output", metavar="FILE", help="write to a file instead of the terminal")
     return top
 
@@ -52,36 +79,19 @@ def parser() -> argparse.ArgumentParser:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; 0: done, 1: a published formula is not as expected, 2: bad input, with the reason on stderr."""
     given = parser().parse_args(arguments)
-    agreed = True
+    out = Output(given.output)
     try:
-        if given.fragment and given.format != "latex":
+        if given.verb != "decide" and given.fragment and given.format != "latex":
             raise ValuesError(f"--fragment is for LaTeX, --format is {given.format}: add --format latex")
-        if given.verb == "report":                     # SymPy is loaded after the arguments are understood
-            from .report import run
-            output = run(given)
-        else:
-            from .verify import run as verified
-            output, agreed = verified(given)
-        if given.output is None:
-            _print(output)
-        else:
-            with open(given.output, "w", encoding="utf-8") as file:
-                file.write(output)
+        return int(import_module(f".{given.verb}", __package__).run(given, out))     # SymPy is loaded after the arguments are understood
     except GyrostatError as error:
         print(f"gyrostat: {error}", file=sys.stderr)
         return 2
     except BrokenPipeError:                            # the reader has seen enough, as in gyrostat report | head
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
     except OSError as error:
-        print(f"gyrostat: cannot write {given.output}: {error.strerror}", file=sys.stderr)
+        print(f"gyrostat: cannot write {given.output or 'to standard output'}: {error.strerror}", file=sys.stderr)
         return 2
-    return 0 if agreed else 1
-
-
-def _print(output: str) -> None:
-    """To standard output, in UTF-8 where its own encoding has no λ."""
-    try:
-        output.encode(sys.stdout.encoding)
-    except UnicodeEncodeError:
-        sys.stdout.reconfigure(encoding="utf-8")  # type: ignore[union-attr]
-    print(output, end="", flush=True)
+    finally:
+        out.close()

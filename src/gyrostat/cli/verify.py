@@ -1,20 +1,28 @@
 """gyrostat verify: published formulas checked against what the library derives."""
 import argparse
 import json
-import sys
 
 from ..published import SOURCES, Finding, check, errata, listing
+from .output import Output, Progress
 
 
-def run(given: argparse.Namespace) -> tuple[str, bool]:
-    """What the command prints, and whether every status is the expected one."""
-    findings = check(given.sources or SOURCES, _progress if sys.stderr.isatty() else None)
-    agreed = all(f.status == f.expected for f in findings)
+def run(given: argparse.Namespace, out: Output) -> int:
+    """Write the findings; 0, or 1 if a status is not the expected one."""
+    progress = Progress()
+
+    def shown(source: str, done: int, total: int) -> None:
+        progress.show(source, done, total)
+        if done == total:
+            progress.wipe()
+
+    findings = check(given.sources or SOURCES, shown)
     if given.format == "json":
-        return json.dumps(listing.to_json(findings), indent=2, ensure_ascii=False) + "\n", agreed
-    if given.format == "latex":
-        return errata.latex(findings, given.fragment), agreed
-    return listing.text(findings) + _summary(findings) + "\n", agreed
+        out(json.dumps(listing.to_json(findings), indent=2, ensure_ascii=False) + "\n")
+    elif given.format == "latex":
+        out(errata.latex(findings, given.fragment))
+    else:
+        out(listing.text(findings) + _summary(findings) + "\n")
+    return int(any(f.status != f.expected for f in findings))
 
 
 def _summary(findings: list[Finding]) -> str:
@@ -22,10 +30,3 @@ def _summary(findings: list[Finding]) -> str:
     if unexpected:
         return f"{len(unexpected)} of {len(findings)} are not as expected: {', '.join(unexpected)}"
     return f"{len(findings)} statements, all as expected"
-
-
-def _progress(source: str, done: int, total: int) -> None:
-    """A bar on standard error, wiped when the source is done."""
-    filled = 30 * done // total
-    bar = f"\r{source:<12} [{'#' * filled}{'.' * (30 - filled)}] {done}/{total}"
-    print(bar if done < total else "\r" + " " * len(bar) + "\r", end="", file=sys.stderr, flush=True)

@@ -1,0 +1,126 @@
+"""gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
+import argparse
+import contextlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from sympy import Expr, Integer
+
+from ..blocks import Block, Display, Heading, Sentence, Word, decision_blocks
+from ..branches import Branch, relative_equilibria
+from ..errors import ValuesError
+from ..exact import sign_of_constant
+from ..expressions import shown
+from ..notation import symbol
+from ..stability import Decision, Report
+from .data import decision_data, number_data
+from .output import Output
+from .scenes import AT_REST, AXIS, LABELS, enough, its_own, known_names, labels_of, numbers_of, report_of, scene_of, spin_of
+
+MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})     # with these numbers of the motion all are found
+_NOWHERE = "No such relative equilibrium exists at these numbers."
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One equilibrium, where it lies if it was found, and what is decided: of it, and of the point itself where that differs."""
+
+    label: str
+    at: Expr
+    decision: Decision
+    itself: Decision | None
+    place: dict[str, Expr | None] = field(default_factory=dict)
+
+
+def run(given: argparse.Namespace, out: Output) -> int:
+    """Write the decisions; 0, whatever they are, and 2 if a line of a batch was bad."""
+    if given.batch is not None:
+        from .batch import run as each
+        return each(given, out)
+    answers = answers_at(given.potential, given.equilibrium, numbers_of(given.values))
+    if given.format == "json":
+        out(json.dumps(answers_data(answers), indent=2, ensure_ascii=False) + "\n")
+    else:
+        from ..unicode import text
+        out(text([block for answer in answers for block in _blocks(answer)] or [Sentence(_NOWHERE)]))
+    return 0
+
+
+def answers_at(potential: str | None, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer]:
+    """The equilibrium of that label, or all that the numbers allow."""
+    scene = scene_of(potential)
+    (axis, *_) = labels_of(scene, label and [label])
+    given = scene.potential is not None and scene.potential.given
+    if axis == AXIS or label in ("E1", "E2"):
+        return [_answer(report_of(potential, axis, spin_of(numbers)), numbers)]
+    if label is None and not (given and _level(numbers).keys() & set().union(*MOTION) in MOTION):
+        reports = [report_of(potential, name, spin_of(numbers)) for name in LABELS]
+        known_names(reports, numbers)
+        return [_answer(report, its_own(report, numbers)) for report, decided in zip(reports, enough(reports, numbers)) if decided]
+    if label is None or given and len({"k3", "omega"} & numbers.keys()) == 1:
+        found = relative_equilibria(scene, _level(numbers))
+        return [_found(potential, branch, numbers) for branch in found if label in (None, branch.label)]
+    if given and not {"k3", "omega"} & numbers.keys():
+        raise ValuesError("E3 needs k3 or omega: give one of them with l, or both")
+    if "omega" in numbers and sign_of_constant(numbers["omega"]) == 0:
+        return [_answer(report_of(potential, AT_REST), {name: x for name, x in numbers.items() if name != "omega"})]
+    return [_answer(report_of(potential, "E3"), numbers)]
+
+
+def _level(numbers: Mapping[str, Expr]) -> dict[str, Expr]:
+    """The numbers with pi3_0 = I3 omega3_0 in place of omega3_0."""
+    level = dict(numbers)
+    if {"omega3_0", "I3"} <= level.keys():
+        level["pi3_0"] = level.pop("omega3_0") * level["I3"]
+    return level
+
+
+def _answer(report: Report, numbers: Mapping[str, Expr]) -> Answer:
+    decision = report.verdict(numbers)
+    return Answer(report.equilibrium.label, report.equilibrium.at, decision, report.itself(numbers) if decision.modulo else None)
+
+
+def _found(potential: str | None, branch: Branch, numbers: Mapping[str, Expr]) -> Answer:
+    """A relative equilibrium that was found; what is no equilibrium as a point, or a continuum, has no decision of its own."""
+    place = {"k3": branch.k3, "omega": branch.omega, "sigma": branch.sigma, "pi3": branch.pi3}
+    at, itself = symbol("k3"), None
+    if branch.label in ("E1", "E2"):
+        at = Integer(1 if branch.label == "E1" else -1)
+    elif branch.label == "E3" and branch.k3 is not None and branch.omega is not None:
+        report = report_of(potential, AT_REST if sign_of_constant(branch.omega) == 0 else "E3")
+        exact = dict(numbers) | {"k3": branch.k3, "omega": branch.omega}
+        with contextlib.suppress(ValuesError):         # at rest, where a coefficient of the relation vanishes
+            itself = report.itself({n: x for n, x in its_own(report, exact).items() if n != report.equilibrium.eliminated})
+    return Answer(branch.label, at, branch.decision, itself, place)
+
+
+def answers_data(answers: list[Answer]) -> dict[str, Any]:
+    """The answers as data for JSON."""
+    return {"equilibria": [
+        {"label": a.label} | {name: number_data(x) for name, x in a.place.items()} | {"decision": decision_data(a.decision)}
+        | ({"itself": decision_data(a.itself)} if a.itself else {}) for a in answers]}
+
+
+def _blocks(answer: Answer) -> list[Block]:
+    blocks: list[Block] = [Heading(answer.label)]
+    if answer.place:
+        blocks += [Display(symbol(name), _value(number)) for name, number in answer.place.items()]
+    blocks += [*decision_blocks(answer.decision, answer.at), _reason(answer.decision)]
+    if answer.itself:
+        blocks += [*decision_blocks(answer.itself, answer.at, "The point itself"), _reason(answer.itself)]
+    return blocks
+
+
+def _value(number: Expr | None) -> Word:
+    """A number exactly, and as a decimal where that says more."""
+    text = "any" if number is None else str(number) if number.is_Integer else f"{number} ≈ {float(number.evalf(17)):.10g}"
+    return Word(text, text)
+
+
+def _reason(decision: Decision) -> Sentence:
+    """The notion and the reason, without the values of the margins, which are displayed."""
+    values = [shown(value) for margin, value in decision.margins if margin.free_symbols]
+    why = decision.reason.split(f"= {values[-1]}: ", 1)[-1] if values else decision.reason
+    return Sentence(f"Reason{f' ({decision.notion})' if decision.notion else ''}: {why}.")

@@ -1,0 +1,119 @@
+"""What the options name: exact numbers, a scene, its equilibria and their reports."""
+import contextlib
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+
+from sympy import Expr
+
+from ..body import Gyrostat, symmetric_gyrostat
+from ..errors import EquilibriumError, ValuesError
+from ..expressions import exact_number, parse
+from ..families import hanging, inclined, principal_rotation, static_tilt, upright
+from ..notation import jet, symbol
+from ..potential import axial_potential
+from ..stability import Report, analyze
+from ..system import System, assemble
+from ..values import unknown
+
+LABELS = ("E1", "E2", "E3")
+AXIS = "rotation about axis 3"
+AT_REST = "E3 at rest"
+_FAMILIES = {"E1": upright, "E2": hanging}
+
+
+def numbers_of(settings: Sequence[str]) -> dict[str, Expr]:
+    """The numbers of --set NAME=VALUE."""
+    numbers: dict[str, Expr] = {}
+    for setting in settings:
+        name, equals, value = setting.partition("=")
+        name = name.strip()
+        if not equals or not name.isidentifier():
+            raise ValuesError(f"--set {setting} is not NAME=VALUE: write, for example, --set I1=1.6")
+        if name in numbers:
+            raise ValuesError(f"--set gives {name} twice: give it once")
+        numbers[name] = exact_number(value, name)
+    one_spin(numbers)
+    return numbers
+
+
+def one_spin(numbers: Mapping[str, Expr]) -> None:
+    """Refuse both names of the spin."""
+    if {"pi3_0", "omega3_0"} <= numbers.keys():
+        raise ValuesError("both pi3_0 and omega3_0 = pi3_0/I3 are given: give one of them")
+
+
+@lru_cache(maxsize=64)
+def scene_of(potential: str | None) -> System:
+    """The scene of --potential EXPR."""
+    if potential is not None and potential.strip() == "none":
+        return assemble(Gyrostat(gyrostatic_momentum=(0, 0, symbol("l"))))
+    return assemble(symmetric_gyrostat(), axial_potential(None if potential is None else parse(potential)))
+
+
+def labels_of(scene: System, given: Sequence[str] | None) -> Sequence[str]:
+    """The equilibria of --equilibrium, in the order given; all of them where it is left out."""
+    if scene.potential is None and given:
+        raise ValuesError(f"--equilibrium {given[0]} needs a field, --potential none has none: leave out one of the two")
+    return (AXIS,) if scene.potential is None else tuple(dict.fromkeys(given)) if given else LABELS
+
+
+def spin_of(numbers: Mapping[str, Expr]) -> str:
+    """The name of the spin of E1 and E2."""
+    return "omega3_0" if "omega3_0" in numbers else "pi3_0"
+
+
+@lru_cache(maxsize=256)
+def report_of(potential: str | None, label: str, spin: str = "pi3_0") -> Report:
+    """The report of one equilibrium, derived once."""
+    scene = scene_of(potential)
+    if label == AXIS:
+        return analyze(principal_rotation(scene, 3))
+    if label in _FAMILIES:
+        return analyze(_FAMILIES[label](scene, spin))
+    return analyze(static_tilt(scene) if label == AT_REST else inclined(scene))
+
+
+def reports_of(potential: str | None, labels: Sequence[str], numbers: Mapping[str, Expr]) -> list[Report]:
+    """The reports of several equilibria, as the numbers ask for them."""
+    found = []
+    for label in labels:
+        found += _tilted(potential, numbers) if label == "E3" else [report_of(potential, label, spin_of(numbers))]
+    return found
+
+
+def _tilted(potential: str | None, numbers: Mapping[str, Expr]) -> list[Report]:
+    """E3; its tilt eliminated where l is set and k3 is not; without numbers the tilt at rest of a given U too, if there is one."""
+    scene = scene_of(potential)
+    if scene.potential and scene.potential.given:
+        with contextlib.suppress(EquilibriumError):
+            if "l" in numbers and "k3" not in numbers:
+                return [analyze(inclined(scene, eliminate="k3"))]
+            if not numbers and report_of(potential, AT_REST).equilibrium.eliminated in ("k3", None):
+                return [report_of(potential, "E3"), report_of(potential, AT_REST)]
+    return [report_of(potential, "E3")]
+
+
+def known_names(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> None:
+    """Refuse a name that none of the reports has."""
+    known = {name for report in reports for name in report.parameters}
+    free_jet = any(r.equilibrium.system.potential and not r.equilibrium.system.potential.given for r in reports)
+    for name in numbers:
+        if name not in known and not (free_jet and jet(name)):
+            raise ValuesError(unknown(name, sorted(known), "the scene"))
+
+
+def enough(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> list[bool]:
+    """Whether all names that a verdict needs are set, for each report; for one at least they must be."""
+    missing = [[name for name in report.required if name not in numbers] for report in reports]
+    if all(missing):
+        wanted = "; ".join(f"{r.equilibrium.label}: {', '.join(names)}" for r, names in zip(reports, missing))
+        raise ValuesError(f"these numbers are not enough for a verdict, set also, for {wanted}" + (
+            " (or omega3_0 in place of pi3_0)" if "pi3_0" in wanted else ""))
+    return [not names for names in missing]
+
+
+def its_own(report: Report, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
+    """Those of the numbers that the report takes; of an unspecified U, every derivative."""
+    potential = report.equilibrium.system.potential
+    jets = potential is not None and not potential.given
+    return {n: x for n, x in numbers.items() if n in report.parameters or (jets and jet(n))}
