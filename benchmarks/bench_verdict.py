@@ -45,7 +45,8 @@ def vertical(s, coefficients):
 def inclined(coefficients):
     """A point of E3 and (P − 2 I1 ω k3)² + I1 (1 − k3²) (I1 ω² + U'')."""
     def point(draw, on):
-        values = {"I1": number(draw, 1), "I3": number(draw, 1), "omega": number(draw) or Fraction(1), "k3": Fraction(draw.randint(-49, 49), 50)}
+        values = {"I1": number(draw, 1), "I3": number(draw, 1), "omega": number(draw) or Fraction(1)}
+        values |= {"k3": Fraction(draw.randint(-49, 49), 50)}
         I1, I3, w, z = values.values()
         a = [number(draw) for _ in range(DEGREE)]
         slope = sum(n * c * z ** (n - 1) for n, c in enumerate(a, 1))
@@ -102,9 +103,10 @@ def main():
     parser.add_argument("--quick", action="store_true")
     blocks = 1 if parser.parse_args().quick else 9
     draw, failed = random.Random(20261121), 0
-    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {sympy.__version__}; µs, medians (min–max) "
+    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {sympy.__version__}; medians (min–max) "
           f"of {blocks} blocks of {BLOCK} points, in turn")
-    print("| one verdict | `Report.verdict`, µs | `margin.subs`, µs | ratio | wrong, of verdicts | wrong, of subs |\n|---|---|---|---|---|---|")
+    print("| one verdict | `Report.verdict`, µs | `margin.subs`, µs | ratio | wrong verdicts | wrong signs of subs |")
+    print("|---|---|---|---|---|---|")
     for name, report, point in cases():
         ours, theirs, wrong, wrong_subs = timed(report, point, blocks, draw)
         failed += wrong

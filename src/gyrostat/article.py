@@ -1,5 +1,5 @@
 """Reports as LaTeX articles and fragments: sentences, numbered equations that fit the line, references; tables of conditions."""
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from sympy import MatrixBase
 
@@ -26,13 +26,18 @@ def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (
     blocks = scene_blocks(given[0].equilibrium.system)
     for report, decision in zip(given, list(decisions) or [None] * len(given)):
         blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
+    return article("Stability of the relative equilibria of a gyrostat", blocks, fragment)
+
+
+def article(title: str, blocks: Sequence[Block], fragment: bool = False) -> str:
+    """Blocks as an article or a fragment, with the works they cite."""
     body = "\n".join(_block(block, NARROW if fragment else LINE) for block in blocks)
     works = cited([block.template for block in blocks if isinstance(block, Sentence)])
     if fragment:
-        return "% needs amsmath; it cites\n" + "".join(f"% {_words(work)}\n" for work in works) + body + "\n"
+        return "\n".join(["% needs amsmath" + ("; it cites" if works else ""), *(f"% {_words(work)}" for work in works), body, ""])
     listed = "\n".join(rf"\item {_words(work)}" for work in works)
-    return preamble("Stability of the relative equilibria of a gyrostat") + body + (
-        "\n\\section*{References}\n\\begin{itemize}\n" + listed + "\n\\end{itemize}\n\\end{document}\n")
+    references = "\\section*{References}\n\\begin{itemize}\n" + listed + "\n\\end{itemize}\n" if works else ""
+    return preamble(title) + body + "\n" + references + "\\end{document}\n"
 
 
 def conditions_table(reports: Iterable[Report], fragment: bool = False) -> str:
@@ -104,4 +109,6 @@ def _inline(formula: str) -> str:
 
 def _words(text: str) -> str:
     """Prose in LaTeX, in ASCII."""
+    for sign in ("<", ">", *RELATIONS):
+        text = text.replace(f" {sign} ", f" ${RELATIONS.get(sign, sign)}$ ")
     return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}")

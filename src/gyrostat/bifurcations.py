@@ -7,26 +7,27 @@ from flint import fmpq_mpoly
 from sympy import Expr, S, Symbol, expand
 
 from .algebra import Ring, by_degree
+from .branches import exact_point, names_of
 from .errors import ValuesError
-from .exact import Point, sign_of_constant
-from .expressions import exact_number
+from .exact import Point, evaluate, sign_of_constant
 from .families import hanging, upright
 from .notation import Typeset, jet, symbol
 from .reduction import K3, OMEGA, P, V, expansion, reduce
-from .roots import in_order, real_roots
+from .roots import in_order, inserted, real_roots
 from .system import System
+from .values import unknown
 
 KINDS = {
-    "E3 leaves E1": "at fixed l and ω; stability does not change, E1 is on neither side of its boundary",
-    "E3 leaves E2": "at fixed l and ω; stability does not change, E2 is on neither side of its boundary",
-    "fold at fixed rate": "two E3 meet at fixed l and ω; stability does not change there",
-    "precessions leave E1": "the boundary of E1, C1 = π3 + l; its type is that of Report.boundary",
-    "precessions leave E2": "the boundary of E2, C1 = −(π3 + l); its type is that of Report.boundary",
-    "fold on a level": "two precessions meet at fixed π3 and C1, p = 0: one is stable, the other is not",
+    "E3 leaves E1": "at a fixed rotor and rate about the vertical; E1 is stable on both sides",
+    "E3 leaves E2": "at a fixed rotor and rate about the vertical; E2 is stable on both sides",
+    "fold at fixed rate": "two E3 meet at a fixed rotor and rate about the vertical; stability does not change there",
+    "precessions leave E1": "the boundary of E1, on the levels of E1; Report.boundary decides whether they are stable",
+    "precessions leave E2": "the boundary of E2, on the levels of E2; Report.boundary decides whether they are stable",
+    "fold on a level": "two precessions meet on a level of both momenta; one is stable, the other is not",
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Bifurcation(Typeset):
     """Equations of one kind of bifurcation.
 
@@ -42,7 +43,7 @@ class Bifurcation(Typeset):
     at: Expr
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class BifurcationPoint(Typeset):
     """The value of the free name at which a bifurcation takes place, and the k3 where."""
 
@@ -88,11 +89,16 @@ def bifurcation_points(scene: System, values: Mapping[str, Any], name: str) -> l
     scene : System                         a body of revolution in a U rational in k3
     values : mapping of name to number     everything but the name: moments, l, the parameters of U, and omega (fixed rate), pi3_0
                                            (the levels C1 = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level)
-    name : str
+    name : str                             what is left free; a moment is positive
 
     Returns
     -------
     list of BifurcationPoint               by value
+
+    Raises
+    ------
+    ValuesError       names are missing or unknown, or a number is not admissible
+    ScopeError        the body is not of revolution, U is unspecified, or not rational in k3
 
     Examples
     --------
@@ -103,7 +109,10 @@ def bifurcation_points(scene: System, values: Mapping[str, Any], name: str) -> l
     >>> [(b.kind, b.value) for b in bifurcation_points(top, {"I1": 1, "l": 0, "m0": 1}, "pi3_0")]
     [('precessions leave E1', -2), ('precessions leave E1', 2)]
     """
-    free, numbers = symbol(name), Point({symbol(n): exact_number(x, n) for n, x in values.items()})
+    known = names_of(scene) | {"omega", "pi3_0", "C1"}
+    if name not in known:
+        raise ValuesError(unknown(name, sorted(known), "the scene"))
+    free, numbers = symbol(name), exact_point(scene, values, known)
     given = {OMEGA, symbol("pi3_0"), symbol("C1")} & {free, *numbers}
     kinds = {frozenset({OMEGA}): ("E3 leaves E1", "E3 leaves E2", "fold at fixed rate"),
              frozenset({symbol("pi3_0")}): ("precessions leave E1", "precessions leave E2"),
@@ -128,11 +137,13 @@ def _points(b: Bifurcation, scene: System, numbers: Point, free: Symbol) -> list
     allowed = {free, K3} if len(b.equations) == 2 else {free}
     if missing := sorted(s.name for s in placed.free_symbols - allowed):
         raise ValuesError(f"{b.kind} needs {', '.join(missing)}: give a number for each")
-    low = S.Zero if free.is_positive else None
-    if len(b.equations) == 1:
-        return [BifurcationPoint(b.kind, free.name, value, b.at) for value in real_roots(placed, free, low) or ()]
-    found = {(value, k3) for value, k3 in _folds(placed, free) if low is None or sign_of_constant(value) == 1}
-    return [BifurcationPoint(b.kind, free.name, value, k3) for value, k3 in found]
+    if placed.has(S.ComplexInfinity, S.NaN):               # U is infinite at the pole: there is no E1 or E2
+        return []
+    positive = [m for m in body.inertia[1:] if free in m.free_symbols] + [free] * bool(free.is_positive)
+    folds = len(b.equations) == 2
+    found = dict.fromkeys(_folds(placed, free) if folds else ((value, b.at) for value in real_roots(placed, free) or ()))
+    return [BifurcationPoint(b.kind, free.name, value, k3) for value, k3 in found
+            if all(sign_of_constant(evaluate(m, {**numbers, free: value})) == 1 for m in positive)]
 
 
 def _folds(expression: Expr, free: Symbol) -> Iterator[tuple[Expr, Expr]]:
@@ -141,8 +152,8 @@ def _folds(expression: Expr, free: Symbol) -> Iterator[tuple[Expr, Expr]]:
     k, t = ring.generators.index(K3), ring.generators.index(free)
     F = ring.one
     for factor, _ in ring.reduce(ring.fraction(expression)[0]).factor()[1]:
-        if factor not in (ring.gens[K3] - 1, ring.gens[K3] + 1):
-            F *= factor                                    # each once: a factor that vanishes at a pole only is no tilt
+        if factor.degrees()[k] and factor not in (ring.gens[K3] - 1, ring.gens[K3] + 1):
+            F *= factor                                    # each once; one that vanishes at a pole only, or at every tilt, is no fold
     slope = F.derivative(k)
     if not slope:
         return
@@ -150,12 +161,12 @@ def _folds(expression: Expr, free: Symbol) -> Iterator[tuple[Expr, Expr]]:
     bottom, top = _linear(F, slope, t)
     lead = by_degree(F, t, F.degrees()[t])[-1]
     for k3 in real_roots(ring.expression(common), K3, S.NegativeOne, S.One) or ():
-        below, leading = (ring.expression(f).xreplace({K3: k3}) for f in (bottom, lead))
+        below, leading = (inserted(ring, f, {K3: k3}) for f in (bottom, lead))
         if sign_of_constant(below) and sign_of_constant(leading):          # the common root of F and the slope is that of a t + b
-            yield -ring.expression(top).xreplace({K3: k3}) / below, k3
+            yield -inserted(ring, top, {K3: k3}) / below, k3
             continue
-        for value in real_roots(ring.expression(F).xreplace({K3: k3}), free) or []:
-            if sign_of_constant(ring.expression(slope).xreplace({K3: k3, free: value})) == 0:
+        for value in real_roots(inserted(ring, F, {K3: k3}), free) or []:
+            if sign_of_constant(inserted(ring, slope, {K3: k3, free: value})) == 0:
                 yield value, k3
 
 

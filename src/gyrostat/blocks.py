@@ -63,7 +63,8 @@ _TITLES = {Verdict.STABLE: "Lyapunov stable", Verdict.UNSTABLE: "unstable", Verd
 def existence(domain: Expr, at: Any) -> Display:
     """Where a family exists: |x| < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
     if isinstance(domain, Pow) and domain.exp == 2:
-        return Display(readable(domain.base), S.Zero, at, "≠")
+        base = readable(domain.base)
+        return Display(-base if base.could_extract_minus_sign() else base, S.Zero, at, "≠")
     root = readable(square_root(1 - domain))
     if any(x.exp == S.Half for x in root.atoms(Pow)):
         return Display(readable(domain), S.Zero, at, ">")
@@ -166,16 +167,24 @@ def drift_blocks(report: Report) -> list[Block]:
     """Why a tilted equilibrium is not Lyapunov stable as a point."""
     if report.boundary is None or report.boundary.pole:
         return []
-    drift, at = Drift(report.equilibrium), report.equilibrium.at
+    drift = report.drift
     spin, exception = Word("ω k + σ e₃", r"\omega k + \sigma e_3"), Word("I₁ = I₃, l = 0, ω ≠ 0", r"I_1 = I_3,\ l = 0,\ \omega \neq 0")
     turning = Sentence("The point itself is not Lyapunov stable: near it are relative equilibria {} that turn about the axis of the body "
                        "and leave it, at a rate {}" + (" with" if drift.omega else " that is free."), (spin, SIGMA))
-    rates = [Display(Word(f"∂σ/∂{t}", rf"\partial\sigma/\partial {x}"), readable(rate), at)
-             for (t, x), rate in zip((("k₃", "k_3"), ("ω", r"\omega")), drift.rates if drift.omega else ())]
     growing = Sentence("Where {} and {} are not 0, the linearised flow grows besides, by a Jordan block of the eigenvalue 0:",
                        (symbol("p"), symbol("D")))
-    return [turning, *rates, growing, Display(symbol("D"), readable(drift.defect), at),
+    *rates, defect = drift_displays(drift)
+    return [turning, *rates, growing, defect,
             *([Sentence("The only exception: {} and a constant {}.", (exception, Word("U", "U")))] if drift.omega else [])]
+
+
+def drift_displays(drift: Drift) -> list[Block]:
+    """The rates of the relative equilibria nearby, unless any goes, and D."""
+    at = drift.equilibrium.at
+    names = ("k₃", "k_3"), ("ω", r"\omega")
+    rates = zip(names, drift.rates) if drift.omega else ()
+    return [*(Display(Word(f"∂σ/∂{t}", rf"\partial\sigma/\partial {x}"), readable(rate), at) for (t, x), rate in rates),
+            Display(symbol("D"), readable(drift.defect), at)]
 
 
 def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Block]:

@@ -1,25 +1,27 @@
 """All relative equilibria of a given scene, with their decisions: E1, E2, every E3, regular precessions."""
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
-from sympy import Expr, Integer, S, Symbol
+from sympy import Expr, Integer, S, Symbol, sqrt
 
 from .body import symmetric_gyrostat
+from .equilibria import equilibrium
 from .errors import ScopeError, ValuesError, require
 from .exact import Point, evaluate, sign_of_constant
 from .expressions import exact_number
-from .families import hanging, inclined, static_tilt, upright
+from .families import hanging, inclined, upright
 from .notation import Typeset, symbol
 from .potential import Potential
-from .reduction import K3, OMEGA, P, V, reduce, reducible
+from .reduction import DEVIATION, ENERGY, K3, OMEGA, P, V, reduce, reducible
 from .roots import real_roots
 from .stability import Decision, Report, analyze
 from .system import System, assemble
 from .values import unknown
 
-DU = symbol("dU")
+DU, PI3, C1 = symbol("dU"), symbol("pi3_0"), symbol("C1")
+_BODY = frozenset(map(symbol, ("I1", "I2", "I3", "l", "l1", "l2", "l3")))
 _ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
 
 
@@ -63,7 +65,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
 
     Returns
     -------
-    list of Branch                        in the order of k3 from E1 down to E2, then of omega; complete
+    list of Branch                        in the order of k3 from E1 down to E2, then of omega; complete. A pole where U is infinite
+                                          is left out
 
     Raises
     ------
@@ -84,46 +87,63 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
     precession sqrt(6) + 3 STABLE
     """
     require(scene, System, "the scene")
-    asked, numbers = _numbers(scene, values)
+    asked, numbers = _asked_for(scene, values)
     here = _Scene(scene, numbers)
     if asked == ("omega",):
         return here.at_rate(numbers[OMEGA])
     if asked == ("pi3_0", "C1"):
-        return here.on_level(numbers[symbol("pi3_0")], numbers[symbol("C1")])
+        return here.on_level(numbers[PI3], numbers[C1])
     if asked == ("k3",):
         return here.at_tilt(numbers[K3])
-    return here.at_tilt(numbers[K3], numbers[symbol("pi3_0")])
+    return here.at_tilt(numbers[K3], numbers[PI3])
 
 
-def _numbers(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...], Point]:
+def names_of(scene: System) -> set[str]:
+    """Names of the moments, of l and of the parameters of U, of a scene whose relative equilibria can be found."""
     if not reducible(scene) or not scene.potential or not scene.potential.given:
         raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene has inertia "
                          f"{scene.body.inertia}, U = {scene.potential and scene.potential.expression}: use upright, hanging, inclined "
                          "or equilibrium")
-    needed = {s.name for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2]) for s in e.free_symbols}
-    needed |= {s.name for s in scene.potential.parameters}
-    extra = {name for names in _ASKED for name in names}
+    needed = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2], scene.potential.expression) for s in e.free_symbols}
+    if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY, DEVIATION}):
+        raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: rename it")
+    return {s.name for s in needed - {K3}}
+
+
+def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:
+    """The values as exact numbers: no unknown names, and moments that are positive as far as they are given."""
     for name in values:
-        if name not in needed | extra:
-            raise ValuesError(unknown(name, sorted(needed | extra), "the scene"))
+        if name not in known:
+            raise ValuesError(unknown(name, sorted(known), "the scene"))
+    numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
+    for moment in scene.body.inertia[1:]:
+        if moment.free_symbols <= numbers.keys() and sign_of_constant(value := evaluate(moment, numbers)) != 1:
+            raise ValuesError(f"{moment} = {value}, but a moment of inertia must be positive: give a positive number")
+    return numbers
+
+
+def _asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...], Point]:
+    needed, extra = names_of(scene), {name for names in _ASKED for name in names}
+    numbers = exact_point(scene, values, needed | extra)
     asked = next((names for names in _ASKED if set(names) == values.keys() & extra), None)
     if asked is None:
         raise ValuesError(f"given were {', '.join(sorted(values.keys() & extra)) or 'no names of the motion'}: give "
                           + ", or ".join(" and ".join(names) for names in _ASKED))
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
-    numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
     if K3 in numbers and sign_of_constant(1 - numbers[K3] ** 2) != 1:
         raise ValuesError(f"k3 = {numbers[K3]} is not the tilt of a precession: give −1 < k3 < 1; E1 and E2 are found with omega")
     return asked, numbers
 
 
-@lru_cache(maxsize=64)
-def _reports(potential: Potential) -> tuple[Report, Report, Report, Report]:
-    """E1, E2, E3 and the tilt at rest of the symbolic body in a field."""
+@lru_cache(maxsize=256)
+def _report(potential: Potential, label: str) -> Report:
+    """E1, E2, E3 or the tilt at rest of the symbolic body in a field."""
     scene = assemble(symmetric_gyrostat(), potential)
-    families = upright(scene), hanging(scene), inclined(scene, "l"), static_tilt(scene)
-    return analyze(families[0]), analyze(families[1]), analyze(families[2]), analyze(families[3])
+    if label == "E3 at rest":                              # no name eliminated: that would ask its coefficient not to vanish
+        point = (0, 0, 0, sqrt(1 - K3**2), 0, K3)
+        return analyze(equilibrium(scene, point, relations=((DU, 0),), domain=(1 - K3**2,), label=label))
+    return analyze(inclined(scene, "l") if label == "E3" else (upright if label == "E1" else hanging)(scene))
 
 
 class _Scene:
@@ -133,71 +153,69 @@ class _Scene:
         assert scene.potential is not None
         self.I1, _, self.I3 = (evaluate(m, numbers) for m in scene.body.inertia)
         self.l = evaluate(scene.body.gyrostatic_momentum[2], numbers)
-        self.parameters = {s.name: numbers[s] for s in scene.potential.parameters}
-        self.potential, self.numbers = scene.potential, numbers
-        symbolic = assemble(symmetric_gyrostat(), scene.potential)
-        self.known = {symbol("I1"): self.I1, symbol("I3"): self.I3, symbol("l"): self.l}
-        self.known |= {s: numbers[s] for s in scene.potential.parameters}
-        self.motion = reduce(symbolic)
-        self.slope = self.potential.value(DU)
+        body = {symbol("I1"): self.I1, symbol("I3"): self.I3, symbol("l"): self.l}
+        parameters = {s: numbers[s] for s in scene.potential.parameters}
+        own = {s: x for s, x in parameters.items() if s in _BODY and (s == symbol("l") or body.get(s) != x)}
+        potential = scene.potential
+        self.potential = replace(potential, expression=potential.expression.xreplace(own)) if own else potential
+        self.known = body | {s: x for s, x in parameters.items() if s not in own}
+        self.motion = reduce(assemble(symmetric_gyrostat(), self.potential))
+        self.slope = self.motion.precession().xreplace({DU: self.potential.value(DU)})
 
     def at_rate(self, omega: Expr) -> list[Branch]:
-        tilts = self._solved(self._relation().xreplace({OMEGA: omega}), K3)
-        found = [self.tilted(k3, omega, S.Zero) for k3 in reversed(tilts)] if tilts is not None else [self.continuum(omega)]
-        return [self.pole(1, self.I3 * omega), *found, self.pole(-1, -self.I3 * omega)]
+        tilts = self._solved(self.slope.xreplace({P: symbol("I3") * OMEGA * K3 + symbol("l")}), {OMEGA: omega}, K3)
+        found = [self.tilted(k3, omega, S.Zero) for k3 in reversed(tilts)] if tilts is not None else [self.continuum(omega, omega, S.Zero)]
+        return [*self.pole(1, self.I3 * omega), *found, *self.pole(-1, -self.I3 * omega)]
 
     def on_level(self, pi3: Expr, c1: Expr) -> list[Branch]:
-        total = pi3 + self.l
-        rate = self.motion.rate.xreplace(self.known | {P: total, V: c1})
-        tilts = self._solved(self._precession().xreplace({P: total, OMEGA: rate}), K3)
-        found = [self.pole(s, pi3) for s in (1, -1) if sign_of_constant(c1 - s * total) == 0]
+        level = {P: pi3 + self.l, V: c1}
+        tilts = self._solved(self.slope.xreplace({OMEGA: self.motion.rate}), level, K3)
+        first, last = ([b for b in self.pole(s, pi3) if sign_of_constant(c1 - s * level[P]) == 0] for s in (1, -1))
         if tilts is None:
-            middle = [self.continuum(None, c1 / self.I1)]
-        else:
-            rates = [(rate.xreplace({K3: k3}), k3) for k3 in reversed(tilts)]
-            middle = [self.tilted(k3, omega, pi3 / self.I3 - omega * k3) for omega, k3 in rates]
-        return [b for b in found if b.label == "E1"] + middle + [b for b in found if b.label == "E2"]
+            return [*first, self.continuum(None, c1 / self.I1, pi3 / self.I3), *last]
+        rates = [(self.motion.rate.xreplace({**self.known, **level, K3: k3}), k3) for k3 in reversed(tilts)]
+        return [*first, *(self.tilted(k3, omega, pi3 / self.I3 - omega * k3) for omega, k3 in rates), *last]
 
     def at_tilt(self, k3: Expr, pi3: Expr | None = None) -> list[Branch]:
-        relation = self._relation() if pi3 is None else self._precession().xreplace({P: pi3 + self.l})
-        rates = self._solved(relation.xreplace({K3: k3}), OMEGA)
+        if not self._defined(k3):
+            raise ValuesError(f"U = {self.potential.expression} is not defined at k3 = {k3}: choose another tilt")
+        total = symbol("I3") * OMEGA * K3 + symbol("l") if pi3 is None else P
+        rates = self._solved(self.slope.xreplace({P: total}), {K3: k3} if pi3 is None else {K3: k3, P: pi3 + self.l}, OMEGA)
         if rates is None:                                  # l = 0 = k3 (I1 − I3) and U' = 0, or their like
             raise ValuesError(f"at k3 = {k3} every rate about the vertical is that of a precession: give omega too, to Report.verdict")
         sigma = [S.Zero if pi3 is None else pi3 / self.I3 - omega * k3 for omega in rates]
         return [self.tilted(k3, omega, spin) for omega, spin in zip(rates, sigma)]
 
-    def pole(self, s: int, pi3: Expr) -> Branch:
-        """E1 or E2."""
-        report = _reports(self.potential)[0 if s == 1 else 1]
+    def pole(self, s: int, pi3: Expr) -> list[Branch]:
+        """E1 or E2, none where U is infinite."""
+        if not self._defined(Integer(s)):
+            return []
+        report = _report(self.potential, label := "E1" if s == 1 else "E2")
         decision = report.verdict(self._asked(report, {"pi3_0": pi3}))
-        return Branch("E1" if s == 1 else "E2", Integer(s), s * pi3 / self.I3, S.Zero, pi3, decision)
+        return [Branch(label, Integer(s), s * pi3 / self.I3, S.Zero, pi3, decision)]
 
     def tilted(self, k3: Expr, omega: Expr, sigma: Expr) -> Branch:
         """E3, or the precession that is E3 with the rotor l + I3 σ."""
         rest = sign_of_constant(omega) == 0
-        report = _reports(self.potential)[3 if rest else 2]
+        report = _report(self.potential, "E3 at rest" if rest else "E3")
         given = {"k3": k3, "l": self.l + self.I3 * sigma} if rest else {"k3": k3, "omega": omega}
         label = "E3" if sign_of_constant(sigma) == 0 else "precession"
         return Branch(label, k3, omega, sigma, self.I3 * (omega * k3 + sigma), report.verdict(self._asked(report, given)))
 
-    def continuum(self, omega: Expr | None, rate: Expr = S.Zero) -> Branch:
+    def continuum(self, omega: Expr | None, rate: Expr, sigma: Expr) -> Branch:
         """Every tilt is an equilibrium: the margin has one sign on all of them, that at k3 = 0."""
-        middle = self.tilted(S.Zero, rate if omega is None else omega, S.Zero)
-        label, sigma = ("E3", S.Zero) if omega is not None else ("precession", None)
-        return Branch(label, None, omega, sigma, None, middle.decision)
+        decision = self.tilted(S.Zero, rate, sigma).decision
+        return Branch("precession" if omega is None else "E3", None, omega, None if omega is None else sigma, None, decision)
 
     def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
         """The numbers that a report takes, but for the name that its family expresses by the others."""
-        everything = {"I1": self.I1, "I3": self.I3, "l": self.l, **self.parameters, **given}
+        everything = {**{s.name: x for s, x in self.known.items()}, **given}
         return {n: x for n, x in everything.items() if n in report.parameters and n != report.equilibrium.eliminated}
 
-    def _relation(self) -> Expr:
-        """U' − ω l + ω² k3 (I1 − I3) at the numbers: what vanishes on E3, where σ = 0."""
-        total = self.I3 * OMEGA * K3 + self.l
-        return self._precession().xreplace({P: total})
+    def _defined(self, k3: Expr) -> bool:
+        return sign_of_constant(evaluate(self.potential.expression, {**self.known, K3: k3})) is not None
 
-    def _precession(self) -> Expr:
-        return self.motion.precession().xreplace({DU: self.slope}).xreplace(self.known)
-
-    def _solved(self, relation: Expr, x: Symbol) -> list[Expr] | None:
+    def _solved(self, relation: Expr, given: dict[Symbol, Expr], x: Symbol) -> list[Expr] | None:
+        """Where a relation vanishes; all numbers are inserted at once, so that none is inserted into another."""
+        relation = relation.xreplace({**self.known, **given})
         return real_roots(relation, x, S.NegativeOne, S.One) if x == K3 else real_roots(relation, x)

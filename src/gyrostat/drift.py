@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 
-from sympy import Add, Expr, Mul, Rational, S, Symbol
+from sympy import Add, Expr, Mul, Rational, Symbol
 
 from .algebra import Ring, cancel, derivatives
 from .equilibria import Equilibrium

@@ -17,7 +17,7 @@ INCLUDED: Ladder = (S.One,)
 
 
 @dataclass(frozen=True)
-class Interval(Typeset):
+class Interval:
     """What lies between two ends.
 
     Parameters
@@ -35,7 +35,7 @@ class Interval(Typeset):
 
 
 @dataclass(frozen=True)
-class Case(Typeset):
+class Case:
     """A case of the other parameters, and the set there.
 
     Parameters
@@ -49,7 +49,7 @@ class Case(Typeset):
 
 
 @dataclass(frozen=True)
-class Part(Typeset):
+class Part:
     """One inequality solved for the name: its cases exclude each other and cover everything.
 
     Parameters
@@ -57,14 +57,16 @@ class Part(Typeset):
     meaning : str          "exists" or "stable"
     margin : Expr          what was solved; it is positive inside
     cases : tuple of Case
+    at : Expr              the k3 at which derivatives of U are taken
     """
 
     meaning: str
     margin: Expr
     cases: tuple[Case, ...]
+    at: Expr
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Solution(Typeset):
     """The set of one parameter where all parts hold.
 

@@ -5,7 +5,7 @@ from typing import Any
 from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Symbol
 from sympy.printing.latex import LatexPrinter
 
-from .blocks import DOT, VECTOR_FORM, Display, Word, comparison
+from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word, comparison
 from .body import Gyrostat
 from .conditions import Condition, Criterion
 from .energy_casimir import SecondVariation
@@ -16,6 +16,7 @@ from .linebreaks import width
 from .notation import jet_name, typeset
 from .potential import Potential
 from .presentation import entries, ordered_factors, ordered_terms, over, readable
+from .results import RESULTS, result_blocks
 from .stability import Decision, Report
 from .system import System
 
@@ -149,7 +150,20 @@ def formula(obj: Any) -> str:
     if isinstance(obj, Report):
         return _aligned(((Word("necessary", r"\text{necessary: }"), obj.necessary),
                          (Word("sufficient", r"\text{sufficient: }"), obj.sufficient)))
+    if isinstance(obj, RESULTS):
+        return r"\begin{aligned} & " + r" \\ & ".join(map(_line, result_blocks(obj))) + r" \end{aligned}"
     raise TypeError(f"to_latex takes expressions, matrices and the library's own objects, not {type(obj).__name__}")
+
+
+def _line(block: Block) -> str:
+    """A sentence or a display as one line of a formula."""
+    if not isinstance(block, Sentence):
+        return display(block) if isinstance(block, Display) else rf"\text{{{block.title}}}"
+    words = block.template.split("{}")
+    for sign in ("<", ">", "=", *RELATIONS):
+        words = [word.replace(sign, f"${RELATIONS.get(sign, sign)}$") for word in words]
+    formulas = [*(tex(part, block.at) for part in block.parts), ""]
+    return "".join((rf"\text{{{word}}}" if word else "") + found for word, found in zip(words, formulas))
 
 
 def _modulo(integrals: tuple[Expr, ...]) -> str:

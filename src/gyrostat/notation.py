@@ -144,7 +144,8 @@ def _typeset_parameter(name: str, style: str) -> str:
     if name.startswith("delta_"):                      # a variation
         return (r"\delta " if style == "latex" else "δ") + typeset(name[6:], style=style)
     if (subscript := re.fullmatch(r"([A-Za-z]+)_([A-Za-z]+)", name)) and (subscript[1] in _GREEK or len(subscript[1]) == 1):
-        return _typeset_parameter(subscript[1], style) + (rf"_{{{subscript[2]}}}" if style == "latex" else f"_{subscript[2]}")
+        below = _typeset_parameter(subscript[2], style) if subscript[2] in _GREEK else subscript[2]
+        return _typeset_parameter(subscript[1], style) + (rf"_{{{below}}}" if style == "latex" else f"_{below}")
     match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
     if match is None:
         return r"\mathrm{" + name.replace("_", r"\_") + "}" if style == "latex" else name

@@ -145,7 +145,11 @@ def ordered_factors(product: Expr) -> list[Expr]:
         size = len(base.free_symbols) if base.is_Add else not inertia
         return not factor.is_number, base.is_Add, not (base.is_Add or base.is_Symbol), size, term_order(factor)
 
-    return sorted((f for f in Mul.make_args(product) if f != 1), key=key)
+    factors = [f for f in Mul.make_args(product) if f != 1]
+    roots = [f for f in factors if isinstance(f, Pow) and f.exp == S.Half]
+    if len(roots) > 1:                                     # √a √b reads better as √(a b)
+        factors = [f for f in factors if f not in roots] + [Pow(Mul(*(r.base for r in roots)), S.Half, evaluate=False)]
+    return sorted(factors, key=key)
 
 
 def over(product: Expr) -> tuple[Expr, Expr]:

@@ -1,7 +1,7 @@
 """A body of revolution in U(k3) in one degree of freedom: the motion of k3 by itself, I1² k̇3² = g(k3)."""
 from dataclasses import dataclass
 
-from sympy import Add, Expr, S, expand, factorial
+from sympy import Add, Expr, S, factorial
 
 from .algebra import Ring, by_degree
 from .equilibria import Equilibrium
@@ -121,7 +121,8 @@ def reduce(scene: System) -> Reduction:
     axial, aligned = kinetic.xreplace(plane), c1.xreplace(plane)       # π3²/(2 I3) and (π3 + l) k3
     I1, across = scene.body.inertia[0], c2 - K3**2
     rate = I1 * scene.space.bracket(K3, kinetic)
-    if expand(rate**2 - across * 2 * I1 * (kinetic - axial) + (c1 - aligned) ** 2) != 0:
+    ring = Ring([residual := rate**2 - across * 2 * I1 * (kinetic - axial) + (c1 - aligned) ** 2])
+    if ring.fraction(residual)[0]:
         raise StructureError(f"I1 dk3/dt = {rate} is not a function of k3 and the integrals")
     spin = {pi3: P - scene.body.gyrostatic_momentum[2]}
     return Reduction(scene, axial.xreplace(spin), across - c2 + 1, V - aligned.xreplace(spin))

@@ -66,7 +66,10 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr 
 
 def in_order(numbers: Sequence[Expr]) -> list[Expr]:
     """Distinct exact numbers in increasing order."""
-    return sorted(numbers, key=cmp_to_key(lambda a, b: _sign(a - b)))
+    def compared(a: Expr, b: Expr) -> int:
+        return _sign(a - b)
+
+    return sorted(numbers, key=cmp_to_key(compared))
 
 
 def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:

@@ -58,7 +58,7 @@ def solve_condition(condition: Condition, name: str, boundary: Boundary | None =
     else:
         raise ScopeError(f"{condition.margin} has degree {len(coefficients) - 1} in {name}: give numbers for the other names, then its "
                          "roots are those of a polynomial")
-    return Part("stable", condition.margin, tuple(cases))
+    return Part("stable", condition.margin, tuple(cases), condition.at)
 
 
 def _coefficients(margin: Expr, x: Symbol) -> list[Expr]:

@@ -2,7 +2,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 from sympy import Expr
@@ -14,7 +14,6 @@ from .energy_casimir import SecondVariation, second_variation
 from .equilibria import Equilibrium
 from .errors import require
 from .exact import Point
-from .expressions import shown
 from .linearization import Linearization, linearize
 from .notation import Typeset, jet
 from .values import exact_values, inertia_note, names_in
@@ -144,7 +143,7 @@ class Report(Typeset):
         margins: dict[Expr, Expr] = {}
         stable, notion, why = self._decided(numbers, margins)
         verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
-        return Decision(verdict, notion, self.sufficient.modulo, _reason(margins, why), tuple(margins.items()),
+        return Decision(verdict, notion, self.sufficient.modulo, why, tuple(margins.items()),
                         inertia_note(self.equilibrium, numbers))
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
@@ -197,14 +196,3 @@ def analyze(eq: Equilibrium) -> Report:
     True
     """
     return Report(eq)
-
-
-def _reason(margins: Mapping[Expr, Expr], conclusion: str) -> str:
-    values = ", ".join(f"{text} = {shown(value)}" for margin, value in margins.items() if (text := _text(margin)))
-    return f"{values}: {conclusion}" if values else conclusion
-
-
-@lru_cache(maxsize=4096)
-def _text(margin: Expr) -> str:
-    """A margin in a message, nothing for a constant one."""
-    return str(margin) if margin.free_symbols else ""

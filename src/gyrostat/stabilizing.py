@@ -10,10 +10,10 @@ from .conditions import Condition
 from .equilibria import Equilibrium
 from .errors import ScopeError, ValuesError
 from .exact import Point, ball, evaluate, sign_of_constant
-from .expressions import exact_number
+from .expressions import exact_number, shown
 from .families import inclined
 from .intervals import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
-from .notation import symbol
+from .notation import jet, symbol
 from .roots import real_roots
 from .solve import solve_condition
 from .stability import Report, Verdict, analyze
@@ -62,26 +62,45 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     if eliminated:
         raise ScopeError(f"on {report.equilibrium.label} {name} is a function of {', '.join(left) or 'what is given'}: give numbers for "
                          "all of them but k3, or eliminate k3: inclined(scene, eliminate='k3')")
-    if not left:
+    if not left and (report.boundary is None or report.boundary.last):     # a transcendental U is solved in closed form, or not at all
         cells = _cells(report, symbol(name), numbers, S.Zero if symbol(name).is_positive else None, None)
-        return Solution(name, (Part("stable", S.One, (Case((), _joined(cells)),)),))
+        return Solution(name, (Part("stable", S.One, (Case((), _joined(cells)),), report.equilibrium.at),))
     return Solution(name, _in_symbols(report, name, numbers))
 
 
 def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
     """Existence and stability, each solved in closed form."""
+    if numbers:
+        report = inserted(report, {s.name: number for s, number in numbers.items()})
     eq = report.equilibrium
     tilted = eq.eliminated == "k3" and "omega" in report.parameters and analyze(inclined(eq.system))
     sufficient = tilted.sufficient if tilted and () in tilted.sufficient.alternatives else report.sufficient     # always, in terms of k3
     if len(sufficient.alternatives) != 1:
         raise ScopeError(f"{report.equilibrium.label} has {len(report.sufficient.alternatives)} alternatives for stability: give numbers")
-    if numbers:
-        raise ScopeError(f"give numbers for all names but {name}, or for none: {', '.join(n for n in report.required if n != name)}")
     x, existence = symbol(name), eq.existence()
     fixed = [e for e in existence if x not in e.free_symbols]
-    parts = [Part("exists", e, (Case(((e, ">"),), (Interval(-oo, oo),)),)) for e in fixed]
+    parts = [Part("exists", e, (Case(((e, ">"),), (Interval(-oo, oo),)),), eq.at) for e in fixed]
     parts += [replace(solve_condition(_plain(e, eq), name, None, fixed), meaning="exists") for e in existence if x in e.free_symbols]
     return *parts, *(solve_condition(c, name, report.boundary, fixed) for c in sufficient.alternatives[0])
+
+
+def inserted(report: Report, numbers: Mapping[str, Expr]) -> Report:
+    """The report with numbers in place of some of its names."""
+    eq = report.equilibrium
+    if jets := [name for name in numbers if jet(name)]:
+        raise ValuesError(f"{jets[0]} is a derivative of U: give U itself, or ask for a verdict")
+    if eq.eliminated in numbers:
+        raise ValuesError(f"{eq.label} expresses {eq.eliminated} by the other names, {dict(eq.relations)[symbol(eq.eliminated)]}: "
+                          f"leave out {eq.eliminated}")
+    pairs = tuple((symbol(name), number) for name, number in numbers.items() if name in report.parameters)
+    return analyze(_existing(replace(eq, relations=(*eq.relations, *pairs))))
+
+
+def _existing(eq: Equilibrium) -> Equilibrium:
+    for domain, value in zip(eq.domain, eq.existence()):
+        if not value.free_symbols and sign_of_constant(value) != 1:
+            raise ValuesError(f"{eq.label} exists only where {domain} > 0, here it is {shown(value)}: choose other numbers")
+    return eq
 
 
 def _plain(expression: Expr, eq: Equilibrium) -> Condition:
@@ -174,7 +193,7 @@ def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
             ends.reverse()
         (a, a_if, ka), (b, b_if, kb) = ends
         intervals.append(Interval(a, b, a_if, b_if, (ka, kb)))
-    return Part("stable", S.One, (Case((), tuple(intervals)),))
+    return Part("stable", S.One, (Case((), tuple(intervals)),), report.equilibrium.at)
 
 
 def _vanishes(expression: Expr, x: Symbol, value: Expr) -> bool:

@@ -12,11 +12,13 @@ from .conditions import Condition, Criterion
 from .document import point_blocks, report_blocks, scene_blocks
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
+from .expressions import shown
 from .liepoisson import LiePoisson
 from .linearization import Linearization
 from .notation import SUBSCRIPTS, SUPERSCRIPTS, jet_name, typeset
 from .potential import Potential
 from .presentation import entries, ordered_factors, ordered_terms, over, readable
+from .results import RESULTS, result_blocks
 from .stability import Decision, Report
 from .system import System
 
@@ -101,6 +103,8 @@ def plain(obj: Any) -> str:
         return text(scene_blocks(obj)).rstrip("\n")
     if isinstance(obj, Equilibrium):
         return f"{obj.label}: " + text(point_blocks(obj)).strip()
+    if isinstance(obj, RESULTS):
+        return "\n".join(line.strip() for line in text(result_blocks(obj)).splitlines())
     if isinstance(obj, LiePoisson):
         return "\n".join(matrix_lines(obj.tensor.tolist()))
     if isinstance(obj, (Linearization, SecondVariation)):
@@ -112,20 +116,21 @@ def plain(obj: Any) -> str:
     if isinstance(obj, Decision):
         modulo = f" modulo the flow of {_row(obj.modulo)}" if obj.modulo and obj.notion else ""
         notion = f", {obj.notion}{modulo}" if obj.notion else ""
-        return f"{obj.verdict.name}{notion}: {obj.reason}" + (f" (note: {obj.note})" if obj.note else "")
+        values = ", ".join(f"{margin} = {shown(value)}" for margin, value in obj.margins if margin.free_symbols)
+        return f"{obj.verdict.name}{notion}: {values}{': ' if values else ''}{obj.reason}" + (f" (note: {obj.note})" if obj.note else "")
     if isinstance(obj, Condition):
-        shown = comparison(obj)
+        sides = comparison(obj)
         joint, relation = ("and", "≠") if obj.strict else ("or", "=")
         factors = [f" {joint} {unicode(readable(e), obj.at)} {relation} 0" for e in obj.degenerate]
-        return f"{unicode(shown.name, obj.at)} {shown.relation} {unicode(shown.value, obj.at)}" + "".join(factors)
+        return f"{unicode(sides.name, obj.at)} {sides.relation} {unicode(sides.value, obj.at)}" + "".join(factors)
     return _criterion(obj)
 
 
 def _criterion(criterion: Criterion) -> str:
     if not criterion.alternatives:
         return "never" if criterion.notion == "spectral" else "no information"
-    shown = " or ".join(" and ".join(map(plain, alternative)) or "always" for alternative in criterion.alternatives)
-    return shown + (f", modulo the flow of {_row(criterion.modulo)}" if criterion.modulo else "")
+    text = " or ".join(" and ".join(map(plain, alternative)) or "always" for alternative in criterion.alternatives)
+    return text + (f", modulo the flow of {_row(criterion.modulo)}" if criterion.modulo else "")
 
 
 def _row(values: Iterable[Expr]) -> str:

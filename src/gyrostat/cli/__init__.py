@@ -18,6 +18,7 @@ _REPORT = """examples:
 _CONDITIONS = """examples:
   gyrostat conditions                                        any field U(k3): E1, E2 and E3
   gyrostat conditions --potential "m0*k3" --equilibrium E1 --set I1=1 --set m0=1
+  gyrostat conditions --potential "m0*k3" --equilibrium E1 --solve-for l
   gyrostat conditions --format latex --fragment              a table for \\input
 """
 _DECIDE = """examples:
@@ -58,6 +59,8 @@ def parser() -> argparse.ArgumentParser:
                           "exp, log, sin, …; none for a free body; left out: U unspecified")
         verb.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", dest="values",
                           help=f"a number, exact: I1=1.6, l=1/2, k3='sqrt(3)/2'; {meaning}")
+    conditions.add_argument("--solve-for", metavar="NAME", help="the values of one name, l, pi3_0, omega3_0, omega, m0, …, for which each "
+                            "equilibrium exists and is stable; in closed form, or exact where --set gives all other names")
     for verb in (report, conditions):
         verb.add_argument("--equilibrium", action="append", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; "
                           "may be repeated; left out: all three")

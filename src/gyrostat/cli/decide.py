@@ -12,7 +12,6 @@ from ..blocks import Block, Display, Heading, Sentence, Word, decision_blocks
 from ..branches import Branch, relative_equilibria
 from ..errors import ValuesError
 from ..exact import sign_of_constant
-from ..expressions import shown
 from ..notation import symbol
 from ..stability import Decision, Report
 from .data import decision_data, number_data
@@ -120,7 +119,5 @@ def _value(number: Expr | None) -> Word:
 
 
 def _reason(decision: Decision) -> Sentence:
-    """The notion and the reason, without the values of the margins, which are displayed."""
-    values = [shown(value) for margin, value in decision.margins if margin.free_symbols]
-    why = decision.reason.split(f"= {values[-1]}: ", 1)[-1] if values else decision.reason
-    return Sentence(f"Reason{f' ({decision.notion})' if decision.notion else ''}: {why}.")
+    """The notion and the reason."""
+    return Sentence(f"Reason{f' ({decision.notion})' if decision.notion else ''}: {decision.reason}.")

@@ -1,0 +1,150 @@
+"""What is found beyond a report, as sentences and displays: sets of a parameter, branches, bifurcations, the reduced motion."""
+from functools import singledispatch
+from typing import Any
+
+from sympy import Abs, CRootOf, Expr, Pow, S, oo
+
+from .bifurcations import KINDS, Bifurcation, BifurcationPoint
+from .blocks import Block, Display, Sentence, Word, drift_displays, existence, ladder, rung_display
+from .boundary import Boundary
+from .branches import Branch
+from .drift import Drift
+from .intervals import EXCLUDED, INCLUDED, Interval, Ladder, Part, Solution
+from .notation import symbol
+from .presentation import readable
+from .reduction import Reduction
+
+_RELATION = {"<": "<", ">": ">", "=": "=", "!=": "≠"}
+
+
+@singledispatch
+def result_blocks(obj: Any) -> list[Block]:
+    """The blocks of one result."""
+    raise TypeError(f"{type(obj).__name__} is no result")
+
+
+@result_blocks.register
+def _solution(solution: Solution) -> list[Block]:
+    return [block for part in solution.parts for block in _part(part, solution.name)]
+
+
+def _part(part: Part, name: str) -> list[Block]:
+    """One line for each case; a premise that does not contain the name as it stands."""
+    x = symbol(name)
+    if part.meaning == "exists" and x not in part.margin.free_symbols:
+        return [Sentence("Where it exists:"), existence(part.margin, part.at)]
+    title = {"exists": "It exists", "stable": "Stable"}[part.meaning]
+    blocks: list[Block] = []
+    for case in part.cases:
+        when = "for " * bool(case.when) + " and ".join(f"{{}} {_RELATION[relation]} 0" for _, relation in case.when)
+        template, parts = _set(case.intervals, x)
+        conditions = (readable(e) for e, _ in case.when)
+        blocks.append(Sentence(f"{title}{f' {when}' if when else ''}: {template}.", (*conditions, *parts), part.at))
+    return blocks
+
+
+def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[str, tuple[Any, ...]]:
+    """A union of intervals in words, and what stands in its places."""
+    if not intervals:
+        return "no {}", (x,)
+    lowest = S.Zero if x.is_positive else -oo
+    ends = [(end, rungs) for i in intervals for end, rungs in ((i.low, i.low_if), (i.high, i.high_if)) if end not in (lowest, oo)]
+    shared = ends[0][1] if ends and all(rungs == ends[0][1] for _, rungs in ends) else None
+    if not ends:
+        return "every {}", (x,)
+    first, second = intervals[0], intervals[-1]
+    parts: tuple[Any, ...]
+    if len(intervals) == 2 and first.high == second.low and shared is not None and not any(i.tilt for i in intervals):
+        text, parts = "{} ≠ {}", (x, number(first.high))
+    else:
+        pieces = [_interval(i, x, lowest, shared) for i in intervals]
+        text, parts = " or ".join(t for t, _ in pieces), tuple(p for _, ps in pieces for p in ps)
+    if shared in (EXCLUDED, INCLUDED):
+        return text, parts
+    several = len({end for end, _ in ends}) > 1
+    for end, rungs in [(None, shared)] if shared is not None and several else dict(ends).items():
+        if rungs is not None and rungs != INCLUDED and any(not (-rung).is_nonnegative for rung in rungs):
+            condition, more = _included(rungs)
+            text += f"; {'{} = {}' if end is not None else 'the ends'} too where {condition}"
+            parts += (*((x, number(end)) if end is not None else ()), *more)
+    return text, parts
+
+
+def _interval(i: Interval, x: Expr, lowest: Expr, shared: Ladder | None) -> tuple[str, tuple[Any, ...]]:
+    text: str = "{}"
+    parts: tuple[Any, ...] = (x,)
+    if i.low == i.high:
+        text, parts = "{} = {}", (x, number(i.low))
+    else:
+        if i.low != lowest:
+            text, parts = f"{{}} {'≤' if i.low_if == INCLUDED else '<'} " + text, (number(i.low), *parts)
+        if i.high != oo:
+            text, parts = text + f" {'≤' if i.high_if == INCLUDED else '<'} {{}}", (*parts, number(i.high))
+        if i.high == oo:
+            text, parts = f"{{}} {'≥' if i.low_if == INCLUDED else '>'} {{}}", (x, number(i.low))
+    if i.tilt:
+        text, parts = text + " ({} from {} to {})", (*parts, symbol("k3"), *map(number, i.tilt))
+    return text, parts
+
+
+def _included(rungs: Ladder) -> tuple[str, tuple[Any, ...]]:
+    """When an end belongs to the set: the first that is not 0 is positive."""
+    clauses: list[str] = []
+    parts: tuple[Any, ...] = ()
+    for n, rung in enumerate(rungs):
+        if (-rung).is_nonnegative:                         # it cannot be positive
+            continue
+        zeros = " and ".join(["{} = 0"] * n)
+        positive = "" if rung == 1 else "{} > 0"
+        clauses.append(" and ".join(filter(None, (zeros, positive))))
+        parts += (*map(readable, rungs[:n]), *(() if rung == 1 else (readable(rung),)))
+    return ", or ".join(clauses), parts
+
+
+def number(value: Expr) -> Any:
+    """An end as it reads best: the root of a polynomial as a decimal, a fraction factored."""
+    if value.has(CRootOf):
+        digits = str(value.evalf(12))
+        return Word(f"{digits.replace('-', '−')}…", rf"{digits}\dots")
+    rational = all(p.exp.is_Integer for p in value.atoms(Pow)) and not value.atoms(Abs)
+    return readable(value) if value.free_symbols and rational else value
+
+
+@result_blocks.register
+def _branch(branch: Branch) -> list[Block]:
+    place = [("k3", branch.k3), ("omega", branch.omega), ("sigma", branch.sigma)]
+    given = [(symbol(name), number(value)) for name, value in place if value is not None]
+    text = ", ".join("{} = {}" for _ in given)
+    every = "" if branch.k3 is not None else ", every {}" if given else "every {}"
+    parts = (*(part for pair in given for part in pair), *((symbol("k3"),) if every else ()))
+    return [Sentence(f"{branch.label} at {text}{every}: {branch.decision.verdict.name.lower()}", parts)]
+
+
+@result_blocks.register
+def _bifurcation(b: Bifurcation) -> list[Block]:
+    return [Sentence(f"{b.kind} ({KINDS[b.kind]}):"), *(Display(readable(e), S.Zero, b.at) for e in b.equations)]
+
+
+@result_blocks.register
+def _point(point: BifurcationPoint) -> list[Block]:
+    places = (symbol(point.name), point.value), (symbol("k3"), point.k3)
+    return [Sentence(f"{point.kind} at {{}} = {{}}, {{}} = {{}}", tuple(part for name, x in places for part in (name, number(x))))]
+
+
+@result_blocks.register
+def _boundary(boundary: Boundary) -> list[Block]:
+    return [*map(rung_display, ladder(boundary)[0])]
+
+
+@result_blocks.register
+def _drift(drift: Drift) -> list[Block]:
+    return drift_displays(drift)
+
+
+@result_blocks.register
+def _reduction(motion: Reduction) -> list[Block]:
+    return [Display(Word("I₁² k̇₃²", r"I_1^2 \dot{k}_3^2"), motion.square())]
+
+
+RESULTS = (Solution, Branch, Bifurcation, BifurcationPoint, Boundary, Drift, Reduction)
+
