@@ -90,7 +90,7 @@ class Boundary(Typeset):
         """The rung of one power of x, from 3 on."""
         known: dict[int, Rung] = self.equilibrium.memory.setdefault("rungs", {})
         if power not in known:
-            eq, order = self.equilibrium, 4
+            eq, order = self.equilibrium, 5
             while order < power:
                 order *= 2
             for n, coefficient in enumerate(expansion(eq, order)[3:], 3):

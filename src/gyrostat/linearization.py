@@ -5,7 +5,7 @@ from functools import cached_property
 from sympy import Expr, I, ImmutableMatrix, Mul, Pow, S, sqrt
 
 from .algebra import Ring
-from .equilibria import Equilibrium
+from .equilibria import Equilibrium, once
 from .matrices import characteristic_coefficients, multiply
 from .notation import Typeset, symbol
 from .orbit import orbit_tangent
@@ -84,6 +84,7 @@ class Linearization(Typeset):
         return None if r is None else (square_root(p + 2 * r) / 2, square_root(p - 2 * r) / 2)
 
 
+@once
 def linearize(eq: Equilibrium) -> Linearization:
     """The field linearised at an equilibrium, on the tangent space of its coadjoint orbit.
 

@@ -1,5 +1,6 @@
 """A body of revolution in U(k3) in one degree of freedom: the motion of k3 by itself, I1² k̇3² = g(k3)."""
 from dataclasses import dataclass
+from functools import lru_cache
 
 from sympy import Add, Expr, S, factorial
 
@@ -89,6 +90,7 @@ class Reduction(Typeset):
         return potential.expression if U is None and potential else U or S.Zero
 
 
+@lru_cache(maxsize=64)
 def reduce(scene: System) -> Reduction:
     """The reduced motion, from the bracket and the integrals: I1² {k3, h}² = (k1² + k2²)(π1² + π2²) − (π1 k1 + π2 k2)².
 
