@@ -1,4 +1,5 @@
 """to_latex(obj): conditions, matrices, polynomials, every public object, and whole reports, in the notation of the sources."""
+import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -159,11 +160,11 @@ def _line(block: Block) -> str:
     """A sentence or a display as one line of a formula."""
     if not isinstance(block, Sentence):
         return display(block) if isinstance(block, Display) else rf"\text{{{block.title}}}"
-    words = block.template.split("{}")
-    for sign in ("<", ">", "=", *RELATIONS):
-        words = [word.replace(sign, f"${RELATIONS.get(sign, sign)}$") for word in words]
-    formulas = [*(tex(part, block.at) for part in block.parts), ""]
-    return "".join((rf"\text{{{word}}}" if word else "") + found for word, found in zip(words, formulas))
+    parts, line = iter(block.parts), ""
+    for words, mark in zip(*[iter([*re.split(r"(\{\}| [<>=≥≤≠] )", block.template), ""])] * 2):      # a place for a formula, or a relation
+        formula = tex(next(parts), block.at) if mark == "{}" else RELATIONS.get(mark.strip(), mark.strip())
+        line += (rf"\text{{{words}}}" if words else "") + (formula if mark == "{}" else f" {formula} " if mark else "")
+    return line
 
 
 def _modulo(integrals: tuple[Expr, ...]) -> str:
