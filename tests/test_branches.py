@@ -406,7 +406,7 @@ def test_scenes_of_which_not_all_is_known(scene, asymmetric, free):
     for refused in (scene, asymmetric, free, general):
         with pytest.raises(ScopeError, match="for a body of revolution in a given U.k3.; this scene has"):
             relative_equilibria(refused, {"I1": 2, "I3": 1, "l": 1, "omega": 1})
-    for name in ("C1", "p_psi", "p_phi", "deviation", "energy"):
+    for name in ("C1", "p_psi", "p_phi", "energy"):
         with pytest.raises(ScopeError, match=f"depends on {name}, a name of the motion or of its levels: rename it"):
             relative_equilibria(in_field(gs.symbol(name) * k3), {"I1": 2, "I3": 1, "l": 1, name: 1, "omega": 1})
     for U, omega in ((exp(k3), 1), (cos(k3), 1), (k3**2, pi), (sqrt(2 + k3), 1)):
@@ -414,3 +414,16 @@ def test_scenes_of_which_not_all_is_known(scene, asymmetric, free):
             relative_equilibria(in_field(U), {"I1": 2, "I3": 1, "l": 1, "omega": omega})
     with pytest.raises(ArgumentError, match="the scene is a"):
         relative_equilibria(gs.upright(scene), {})
+
+
+def test_each_inclined_equilibrium_is_decided_as_a_point_too():
+    """E3 is stable modulo the spin, never as a point; at rest too, where a coefficient of U' vanishes."""
+    top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    (e1, e3, e2) = relative_equilibria(top, {"I1": 2, "I3": 1, "l": 1, "m0": 1, "omega": 2})
+    assert e3.decision.verdict.name == "STABLE" and e3.itself.verdict.name == "UNSTABLE" and e1.itself is e2.itself is None
+    a, b, k3 = map(gs.symbol, ("a", "b", "k3"))
+    flat = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(a * k3**2 + b * k3**4))
+    found = [x for x in relative_equilibria(flat, {"I1": 2, "I3": 1, "l": 1, "a": 1, "b": 1, "omega": 0}) if x.label == "E3"]
+    assert [(x.k3, x.decision.verdict.name, x.itself.verdict.name) for x in found] == [(0, "STABLE", "UNSTABLE")]
+    (sphere,) = (x for x in relative_equilibria(top, {"I1": 1, "I3": 1, "l": 0, "m0": 0, "omega": 1}) if x.label == "E3")
+    assert sphere.k3 is None and sphere.itself is None     # every tilt

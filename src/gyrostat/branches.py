@@ -14,7 +14,7 @@ from .expressions import exact_number
 from .families import hanging, inclined, upright
 from .notation import Typeset, symbol
 from .potential import Potential
-from .reduction import DEVIATION, ENERGY, K3, OMEGA, P, V, reduce, reducible
+from .reduction import ENERGY, K3, OMEGA, P, V, reduce, reducible
 from .roots import real_roots
 from .stability import Decision, Report, analyze
 from .system import System, assemble
@@ -38,6 +38,7 @@ class Branch(Typeset):
     sigma : Expr or None     rate about the axis of the body on top of it [1/T]; None where it varies along a continuum
     pi3 : Expr or None       axial momentum of the locked body [M L²/T]
     decision : Decision      E3 and precessions: modulo the spin
+    itself : Decision or None     of an E3, what holds for the point itself
     """
 
     label: str
@@ -46,6 +47,7 @@ class Branch(Typeset):
     sigma: Expr | None
     pi3: Expr | None
     decision: Decision
+    itself: Decision | None = None
 
 
 def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch]:
@@ -105,7 +107,7 @@ def names_of(scene: System) -> set[str]:
                          f"{scene.body.inertia}, U = {scene.potential and scene.potential.expression}: use upright, hanging, inclined "
                          "or equilibrium")
     needed = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2], scene.potential.expression) for s in e.free_symbols}
-    if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY, DEVIATION}):
+    if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY}):
         raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: rename it")
     return {s.name for s in needed - {K3}}
 
@@ -199,8 +201,10 @@ class _Scene:
         rest = sign_of_constant(omega) == 0
         report = _report(self.potential, "E3 at rest" if rest else "E3")
         given = {"k3": k3, "l": self.l + self.I3 * sigma} if rest else {"k3": k3, "omega": omega}
-        label = "E3" if sign_of_constant(sigma) == 0 else "precession"
-        return Branch(label, k3, omega, sigma, self.I3 * (omega * k3 + sigma), report.verdict(self._asked(report, given)))
+        asked, pi3 = self._asked(report, given), self.I3 * (omega * k3 + sigma)
+        if sign_of_constant(sigma) == 0:
+            return Branch("E3", k3, omega, sigma, pi3, report.verdict(asked), report.itself(asked))
+        return Branch("precession", k3, omega, sigma, pi3, report.verdict(asked))
 
     def continuum(self, omega: Expr | None, rate: Expr, sigma: Expr) -> Branch:
         """Every tilt is an equilibrium: the margin has one sign on all of them, that at k3 = 0."""

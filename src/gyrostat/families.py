@@ -156,7 +156,8 @@ def solved_tilt(eq: Equilibrium) -> Expr | None:
 
 def _eliminate(relation: Expr, wanted: str | None, parameters: Sequence[Symbol], label: str) -> tuple[str | None, Expr | None, Expr]:
     """Name, value and leading coefficient of a parameter in which the relation is affine."""
-    for name in [wanted] if wanted else ["dU", "l", "k3", *map(str, parameters)]:
+    ordered = sorted(parameters, key=lambda s: (bool(s.is_positive), s.name))
+    for name in [wanted] if wanted else ["dU", "l", "k3", *map(str, ordered)]:
         if solved := affine(relation, symbol(name)):
             return name, *solved
     if wanted:

@@ -1,12 +1,11 @@
 """gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
 import argparse
-import contextlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from sympy import Expr, Integer
+from sympy import Expr
 
 from ..blocks import Block, Display, Heading, Sentence, Word, decision_blocks
 from ..branches import Branch, relative_equilibria
@@ -60,7 +59,7 @@ def answers_at(potential: str | None, label: str | None, numbers: Mapping[str, E
         return [_answer(report, its_own(report, numbers)) for report, decided in zip(reports, enough(reports, numbers)) if decided]
     if label is None or given and len({"k3", "omega"} & numbers.keys()) == 1:
         found = relative_equilibria(scene, _level(numbers))
-        return [_found(potential, branch, numbers) for branch in found if label in (None, branch.label)]
+        return [_found(branch) for branch in found if label in (None, branch.label)]
     if given and not {"k3", "omega"} & numbers.keys():
         raise ValuesError("E3 needs k3 or omega: give one of them with l, or both")
     if "omega" in numbers and sign_of_constant(numbers["omega"]) == 0:
@@ -81,18 +80,11 @@ def _answer(report: Report, numbers: Mapping[str, Expr]) -> Answer:
     return Answer(report.equilibrium.label, report.equilibrium.at, decision, report.itself(numbers) if decision.modulo else None)
 
 
-def _found(potential: str | None, branch: Branch, numbers: Mapping[str, Expr]) -> Answer:
-    """A relative equilibrium that was found; what is no equilibrium as a point, or a continuum, has no decision of its own."""
+def _found(branch: Branch) -> Answer:
+    """A relative equilibrium that was found."""
     place = {"k3": branch.k3, "omega": branch.omega, "sigma": branch.sigma, "pi3": branch.pi3}
-    at, itself = symbol("k3"), None
-    if branch.label in ("E1", "E2"):
-        at = Integer(1 if branch.label == "E1" else -1)
-    elif branch.label == "E3" and branch.k3 is not None and branch.omega is not None:
-        report = report_of(potential, AT_REST if sign_of_constant(branch.omega) == 0 else "E3")
-        exact = dict(numbers) | {"k3": branch.k3, "omega": branch.omega}
-        with contextlib.suppress(ValuesError):         # at rest, where a coefficient of the relation vanishes
-            itself = report.itself({n: x for n, x in its_own(report, exact).items() if n != report.equilibrium.eliminated})
-    return Answer(branch.label, at, branch.decision, itself, place)
+    at = branch.k3 if branch.k3 is not None and branch.label in ("E1", "E2") else symbol("k3")
+    return Answer(branch.label, at, branch.decision, branch.itself, place)
 
 
 def answers_data(answers: list[Answer]) -> dict[str, Any]:
