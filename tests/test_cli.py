@@ -254,7 +254,10 @@ def test_the_report_shows_what_decides_between_the_criteria(capsys):
     assert "−c₄ ∝ −b" in out and "−c₅" not in out and "If all vanish, every k₃ nearby is a motion: unstable." in " ".join(out.split())
     _, out, _ = run(capsys, "--potential", "exp(a*k3)", "--equilibrium", "E2")
     assert "up to x²⁴" in out and "−c₄ ∝ −a² (3 − 2 a)" in out
-    assert "of this" not in out and "nothing is claimed" in run(capsys, "--potential", "none")[1]
+    assert "nothing is claimed" not in out and "momentum\n  sphere decides to fourth order" in run(capsys, "--potential", "none")[1]
+    from gyrostat import Gyrostat, analyze, assemble, general_potential, upright
+    asymmetric = assemble(Gyrostat(gyrostatic_momentum=(0, 0, 0)), general_potential(lambda x, y, z: z + x**2))
+    assert "nothing is claimed" in str(analyze(upright(asymmetric)))
 
 
 def decide(capsys, *arguments):

@@ -13,6 +13,7 @@ from .linearization import square_root
 from .notation import SUBSCRIPTS, SUPERSCRIPTS, symbol
 from .presentation import inequality, readable
 from .reduction import ENERGY, K3, P, V, reduce
+from .sphere import sphere_of
 from .stability import Decision, Report, Verdict
 
 
@@ -104,6 +105,8 @@ def boundary_blocks(report: Report) -> list[Block]:
     if not undecided(report):
         return []
     between, boundary, eq = "Where the necessary condition holds and the sufficient one does not, ", report.boundary, report.equilibrium
+    if boundary is None and sphere_of(eq):
+        return [Sentence(between + "the energy on the momentum sphere decides to fourth order, at numbers.")]
     if boundary is None:
         return [Sentence(between + "nothing is claimed.")]
     rungs, more = ladder(boundary)

@@ -99,13 +99,18 @@ def _completed(ring: Ring, factor: fmpq_mpoly) -> Expr | None:
         if not isinstance(g, Symbol) or factor.degrees()[index] != 2:
             continue
         slope = factor.derivative(index)
-        if slope.derivative(index) != 2 * ring.one or len(slope) == 1:
+        lead = slope.derivative(index)                     # twice the coefficient of g²
+        root, left = divmod(slope, lead)
+        if left or len(root) == 1 or len(lead) > 1:
             continue
-        rest = factor - slope**2 / 4
-        size = len(slope) - 1 + sum(len(f) for f, _ in rest.factor()[1] if len(f) > 1)
+        rest = factor - lead * root**2 / 2
+        size = len(root) + sum(len(f) for f, _ in rest.factor()[1] if len(f) > 1) - 1
         if size < best:
-            best, found = size, (slope / 2, rest)
-    return found and Add(Pow(_collected(ring, found[0]), 2), _quotient(ring, found[1], ring.one))
+            best, found = size, (lead / 2, root, rest)
+    if found is None:
+        return None
+    square = Mul(ring.expression(found[0]), Pow(_collected(ring, found[1]), 2))
+    return Add(square, _quotient(ring, found[2], ring.one))
 
 
 def _collected(ring: Ring, polynomial: fmpq_mpoly) -> Expr:

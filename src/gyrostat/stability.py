@@ -16,6 +16,7 @@ from .errors import require
 from .exact import Point
 from .linearization import Linearization, linearize
 from .notation import Typeset, jet
+from .sphere import sphere_of
 from .values import exact_values, inertia_note, names_in
 
 
@@ -90,7 +91,7 @@ class Report(Typeset):
 
     @cached_property
     def boundary(self) -> Boundary | None:
-        """What decides where necessary holds and sufficient does not; None where nothing does: not a body of revolution in U(k3)."""
+        """What decides where necessary holds and sufficient does not, for a body of revolution in U(k3); None for other scenes."""
         return boundary_of(self.equilibrium)
 
     @cached_property
@@ -179,9 +180,10 @@ class Report(Typeset):
             return False, "spectral", "an eigenvalue has a positive real part"
         if None in (sufficient, necessary):
             return None, "", "a margin has no proved sign"
-        if self.boundary is None:
+        between = self.boundary or sphere_of(self.equilibrium)
+        if between is None:
             return None, "", "the point lies between the two criteria"
-        stable, why = self.boundary.decide(numbers, margins)
+        stable, why = between.decide(numbers, margins)
         return stable, "" if stable is None else "Lyapunov", why
 
 
