@@ -12,9 +12,9 @@ from .exact import evaluate, sign_of_constant
 class Sphere:
     """The energy of a free body on |M| = R near its rotation about a principal axis a that carries l.
 
-    With M = (x, y, √(R² − x² − y²)), y along b and x along c, h = h₀ + f_c x²/(2 I_c R) + f_b y²/(2 I_b R) + l (x² + y²)²/(8 I_a R³) + …,
-    f = R − I ω. Where one f is 0, the fourth order decides along its axis: an extremum, hence stable, where l and the other f have one sign; l = 0:
-    a circle of equilibria, which drift: unstable. Where both are 0, h is a function of x² + y² alone, or constant: stable.
+    With M = (x, y, √(R² − x² − y²)) along the axes b, c, a, h = h₀ + f_b x²/(2 I_b R) + f_c y²/(2 I_c R) + l (x² + y²)²/(8 I_a R³) + …,
+    f = R − I ω. Where one f is 0, the fourth order decides along its axis: an extremum, hence stable, where l and the other f have one
+    sign; l = 0: a circle of equilibria, which drift: unstable. Where both are 0, h depends on x² + y² alone, or is constant: stable.
 
     Parameters
     ----------
