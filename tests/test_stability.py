@@ -288,7 +288,7 @@ def test_eliminated_moments_are_positive_too():
                          ("I3", {"I1": 1, "l": 10, "m0": 1, "k3": "1/2", "omega": 1})):
         with pytest.raises(ValuesError, match="exists only where"):
             gs.analyze(gs.inclined(scene, eliminate=name)).verdict(values)
-    with pytest.raises(EquilibriumError, match="moments are positive"):
+    with pytest.raises(EquilibriumError, match="moments of inertia are positive"):
         gs.equilibrium(scene, (0, 0, 1, 0, 0, 1), relations=(("I1", -1),))
 
 

@@ -47,8 +47,8 @@ class Equilibrium(Typeset):
         require(self.system, System, "the scene")
         moments = [*self.system.body.inertia, *(value for name, value in self.relations if name.is_positive)]
         if impossible := [m for m in moments if not m.free_symbols and not m.is_positive]:
-            raise EquilibriumError(f"{self.label} has a relation that makes a moment of inertia, or another positive name, {impossible[0]}: "
-                                   "moments are positive")
+            raise EquilibriumError(f"{self.label} has a relation that makes a moment, or another positive name, {impossible[0]}: "
+                                   "moments of inertia are positive")
         unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive and m not in self.domain]
         object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
         if clash := [s for x in self.point for s in x.free_symbols if s.name in INTERNAL]:
