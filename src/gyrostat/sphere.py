@@ -35,15 +35,15 @@ class Sphere:
         pi, l, own = eq.point[self.axis], body.gyrostatic_momentum[self.axis], body.inertia[self.axis]
         falls = [eq.insert(pi + l - moment * pi / own) for n, moment in enumerate(body.inertia) if n != self.axis]
         values = {e: evaluate(e, numbers) for e in (*falls, eq.insert(l))}
-        *signs, rotor = (sign_of_constant(values[e]) for e in (*falls, eq.insert(l)))
+        first, second, rotor = (sign_of_constant(values[e]) for e in (*falls, eq.insert(l)))
         margins.update(values)
-        if None in (*signs, rotor):
+        if first is None or second is None or rotor is None:
             return None, "a margin has no proved sign"
-        if signs == [0, 0]:
+        if first == second == 0:
             return True, "the energy on the momentum sphere depends on the distance from the axis alone: it is an extremum, or constant"
         if rotor == 0:
             return False, "the rotation lies on a circle of rotations, and those beside the circle drift along it"
-        if rotor * (signs[0] or signs[1]) > 0:
+        if rotor * (first or second) > 0:
             return True, "to fourth order the energy is an extremum on the momentum sphere"
         return False, "to fourth order the energy is no extremum on the momentum sphere: motions of the same energy leave"
 
