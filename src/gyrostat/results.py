@@ -2,7 +2,7 @@
 from functools import singledispatch
 from typing import Any
 
-from sympy import Abs, CRootOf, Expr, Pow, S, oo
+from sympy import Abs, CRootOf, Expr, Pow, S, oo, sqrt
 
 from .bifurcations import KINDS, Bifurcation, BifurcationPoint
 from .blocks import Block, Display, Sentence, Word, drift_displays, existence, ladder, rung_display
@@ -10,10 +10,12 @@ from .boundary import Boundary
 from .branches import Branch
 from .drift import Drift
 from .intervals import EXCLUDED, INCLUDED, Interval, Ladder, Part, Solution
+from .linearization import rational_root
 from .notation import symbol
 from .presentation import readable
 from .reduction import Reduction
 
+LONG = 8                                                   # operations under a root, more of which are given a name
 _RELATION = {"<": "<", ">": ">", "=": "=", "!=": "≠"}
 
 
@@ -35,12 +37,24 @@ def _part(part: Part, name: str) -> list[Block]:
         return [Sentence("Where it exists:"), existence(part.margin, part.at)]
     title = {"exists": "It exists", "stable": "Stable"}[part.meaning]
     blocks: list[Block] = []
+    names: dict[Expr, Expr] = {}
     for case in part.cases:
         when = "for " * bool(case.when) + " and ".join(f"{{}} {_RELATION[relation]} 0" for _, relation in case.when)
         template, parts = _set(case.intervals, x)
-        conditions = (readable(e) for e, _ in case.when)
-        blocks.append(Sentence(f"{title}{f' {when}' if when else ''}: {template}.", (*conditions, *parts), part.at))
-    return blocks
+        shown = [_abbreviated(p, names) for p in (*(readable(e) for e, _ in case.when), *parts)]
+        blocks.append(Sentence(f"{title}{f' {when}' if when else ''}: {template}.", tuple(shown), part.at))
+    return blocks + ([Sentence("There:"), *(Display(name, _tidy(e), part.at) for e, name in names.items())] if names else [])
+
+
+def _abbreviated(value: Any, names: dict[Expr, Expr]) -> Any:
+    """A part of a sentence, with names R1, R2, … for what is long under its roots, inner roots first."""
+    if not isinstance(value, Expr):
+        return value
+    done: dict[Expr, Expr] = {}
+    for root in sorted((p for p in value.atoms(Pow) if p.exp == S.Half), key=lambda p: p.count_ops()):
+        if root.base.count_ops() > LONG:
+            done[root] = sqrt(names.setdefault(root.base.xreplace(done), symbol(f"R{len(names) + 1}")))
+    return value.xreplace(done)
 
 
 def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[str, tuple[Any, ...]]:
@@ -97,8 +111,13 @@ def _included(rungs: Ladder) -> tuple[str, tuple[Any, ...]]:
         zeros = " and ".join(["{} = 0"] * n)
         positive = "" if rung == 1 else "{} > 0"
         clauses.append(" and ".join(filter(None, (zeros, positive))))
-        parts += (*map(readable, rungs[:n]), *(() if rung == 1 else (readable(rung),)))
+        parts += (*map(_vanishing, rungs[:n]), *(() if rung == 1 else (readable(rung),)))
     return ", or ".join(clauses), parts
+
+
+def _vanishing(rung: Expr) -> Expr:
+    """What is 0 where the rung is: of a negative square its root."""
+    return readable(rational_root(-rung) or rung if (-rung).is_nonnegative else rung)
 
 
 def number(value: Expr) -> Any:
@@ -106,6 +125,11 @@ def number(value: Expr) -> Any:
     if value.has(CRootOf):
         digits = str(value.evalf(12))
         return Word(f"{digits.replace('-', '−')}…", rf"{digits}\dots")
+    return _tidy(value)
+
+
+def _tidy(value: Expr) -> Expr:
+    """A fraction of polynomials factored, anything else as it is."""
     rational = all(p.exp.is_Integer for p in value.atoms(Pow)) and not value.atoms(Abs)
     return readable(value) if value.free_symbols and rational else value
 
