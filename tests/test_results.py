@@ -30,7 +30,7 @@ def test_rumiantsev_solved_reads_as_three_cases():
     ((Interval(m0, oo, (k3,)),), "l > m₀; l = m₀ too where k₃ > 0"),
     ((Interval(m0, oo, (k3, l)),), "l > m₀; l = m₀ too where k₃ > 0, or k₃ = 0 and l > 0"),
     ((Interval(m0, oo, (k3, m0 / m0)),), "l > m₀; l = m₀ too where k₃ > 0, or k₃ = 0"),
-    ((Interval(m0, oo, (-k3**2,)),), "l > m₀"),
+    ((Interval(m0, oo, (-k3**2,)),), "l > m₀"), ((Interval(m0, oo, (-k3**2, l)),), "l > m₀; l = m₀ too where k₃ = 0 and l > 0"),
     ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(2 * m0, oo, (k3,))), "l < m₀ or l > 2 m₀; the ends too where k₃ > 0"),
     ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(m0, oo, (k3,))), "l ≠ m₀; l = m₀ too where k₃ > 0"),
     ((Interval(m0, 2 * m0, INCLUDED, EXCLUDED, (Rational(1, 2), Rational(1))),), "m₀ ≤ l < 2 m₀ (k₃ from 1/2 to 1)")])
@@ -73,3 +73,10 @@ def test_roots_of_polynomials_are_shown_as_decimals():
     report = gs.analyze(gs.inclined(gs.assemble(BODY, gs.axial_potential(lambda z: z**5 - z**2 + z))))
     text = str(stabilizing_set(report, "l", {"I1": 2, "I3": 1, "omega": 1}))
     assert "0.723697637602… ≤ l < 7 (k₃ from 0.368403149864… to −1)" in text
+
+
+def test_what_is_long_under_a_root_has_a_name():
+    """E3 in the Newtonian field solved for ω: R1, R2, … and what they stand for."""
+    report = gs.analyze(gs.inclined(gs.assemble(BODY, gs.newtonian_field(2))))
+    text = " ".join(str(stabilizing_set(report, "omega")).split())
+    assert "ω < −√R₄ or −√R₅ < ω < √R₅ or ω > √R₄" in text and "There: R₁ = " in text and "√R₃/(2 I₁)" in text

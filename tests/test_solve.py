@@ -3,7 +3,7 @@ import random
 from fractions import Fraction
 
 import pytest
-from sympy import oo
+from sympy import CRootOf, oo
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
@@ -17,6 +17,11 @@ from gyrostat.stabilizing import stabilizing_set
 BODY, k3 = gs.symmetric_gyrostat(), gs.symbol("k3")
 POSITIVE = ("I1", "I3", "mass1", "mass3", "p0", "r")
 FIELDS = {"U1": gs.uniform_field(), "U2": gs.newtonian_field(2), "U3": gs.newtonian_field(3), "fluid": gs.ideal_fluid(),
+          "square": gs.axial_potential(lambda z: gs.symbol("a") ** 2 * z),
+          "bowl": gs.axial_potential(lambda z: gs.symbol("a") ** 2 * z - (z - 1) ** 2),
+          "quartic": gs.axial_potential(lambda z: (gs.symbol("b") * gs.symbol("a") ** 2 - gs.symbol("a") ** 4) * z
+                                        + gs.symbol("c") * (z - 1) ** 2),
+          "product": gs.axial_potential(lambda z: gs.symbol("a") * gs.symbol("b") ** 2 * gs.symbol("c") * z),
           "exp": gs.axial_potential(lambda z: gs.symbol("a") * z**2 - gs.symbol("b") * z**5)}
 
 
@@ -63,6 +68,7 @@ SYMBOLIC = [(field, "E1", name) for field in ("U1", "U2", "U3", "fluid", "exp") 
 SYMBOLIC += [(field, "E2", name) for field in ("U1", "U2", "fluid") for name in ("l", "omega3_0")]
 SYMBOLIC += [("U1", "E1", "m0"), ("U2", "E1", "m0"), ("U2", "E1", "m1"), ("U2", "E1", "I3"), ("U1", "E1", "I1"), ("U3", "E1", "J3")]
 SYMBOLIC += [("U1", "E3", "omega"), ("U2", "E3", "omega"), ("U2", "E3", "m0"), ("U2", "E3", "m1"), ("fluid", "E3", "omega")]
+SYMBOLIC += [("square", "E1", "a"), ("bowl", "E1", "a"), ("quartic", "E1", "a"), ("product", "E1", "c"), ("product", "E1", "a")]
 SYMBOLIC += [("U1", "tilt", "l"), ("U2", "tilt", "l"), ("U1", "tilt", "m0"), ("U2", "tilt", "m0")]
 
 
@@ -79,6 +85,8 @@ def test_closed_form_is_the_verdict(field, label, name):
             values["I3"] = values["I1"]
         if n % 4 == 2 and {"l", "pi3_0"} <= values.keys():
             values["l"] = -values["pi3_0"]
+        if n % 5 == 0:
+            values |= {s: Fraction(draw.randint(-1, 1)) for s in ("a", "b") if s in values}
         if n % 4 == 3 and "m0" in values:
             values["m0"] = Fraction(draw.randint(-1, 1))
         assert solution.contains(values) is truth(report, values), values
@@ -93,6 +101,22 @@ def test_closed_form_is_the_verdict(field, label, name):
 def _of_boundary(report):
     margins = (report.boundary.rung(power).condition.margin for power in range(3, (report.boundary.last or 3) + 1))
     return {s.name for margin in margins for s in margin.free_symbols}
+
+
+def test_an_end_that_is_not_stable_is_no_point():
+    """U = a² k3 − (k3 − 1)²: at P = 0 only a = 0 is on the boundary, and there it is unstable."""
+    (part,) = stabilizing_set(reports("bowl")["E1"], "a").parts
+    assert [case.intervals for case in part.cases if len(case.when) == 1 and case.when[0][1] == "="] == [()]
+
+
+def test_a_root_in_a_symbol_of_ours():
+    """A tilt given as a root of a polynomial in k3: the variable inside is not the k3 outside."""
+    root = CRootOf(9 * k3**3 - 3 * k3 + 1, 0)
+    report = reports("U2")["E3"]
+    values = {"I1": 2, "I3": 1, "m0": 1, "m1": "1/3", "k3": root}
+    solution = stabilizing_set(report, "omega", values)
+    for omega in (Fraction(1, 3), 1, 2):
+        assert solution.contains(values | {"omega": omega}) is truth(report, values | {"omega": omega})
 
 
 def test_rumiantsev_solved_for_the_rotor():

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import sympy
 from flint import arb, ctx, fmpq, fmpq_mpoly, fmpz_poly
-from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, Symbol
+from sympy import Add, CRootOf, Dummy, Expr, Mul, Pow, Rational, Symbol
 
 from .algebra import Ring
 
@@ -52,7 +52,7 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
     given = values if isinstance(values, Point) else Point(values)
     fraction = compiled(expression)
     if fraction is None or not all(s in given.rational for s in fraction[0]):
-        return expression.xreplace(dict(values)).doit()
+        return _inserted(expression, values).doit()
     symbols, top, bottom = fraction
     point = [given.rational[s] for s in symbols]
     value = top(*point)
@@ -62,6 +62,13 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
             return sympy.nan
         value /= below
     return Rational(int(value.p), int(value.q))
+
+
+def _inserted(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
+    """Numbers in the place of symbols, but not of the variable inside the root of a polynomial, which may be one of ours."""
+    roots = {root: Dummy() for root in expression.atoms(CRootOf)}
+    placed = expression.xreplace(roots).xreplace(dict(values))
+    return placed.xreplace({dummy: root for root, dummy in roots.items()})
 
 
 @lru_cache(maxsize=4096)

@@ -16,14 +16,13 @@ from fractions import Fraction
 from typing import Any, NoReturn
 
 import sympy
-from sympy import CRootOf, Expr, Float, Poly, Rational, Symbol
+from sympy import Expr, Float, Rational
 
 from .errors import ExpressionError, ValuesError
 from .notation import own, symbol
 
 FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {name: getattr(sympy, name) for name in (
     "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
-BOUND = Symbol("x")                                    # of polynomials whose roots are numbers; ours are real: another symbol
 LENGTH, DEPTH, CALLS, NESTING, TERMS, DEGREE, BITS = 5000, 40, 30, 4, 1000, 100, 4000
 _TOKEN = re.compile(r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z][A-Za-z0-9_]*)"
                     r"|(?P<sign>\*\*|[-+*/()]))", re.ASCII)
@@ -214,11 +213,6 @@ def exact_expression(value: Any, name: str = "value") -> Expr:
     return exact_number(value, name)
 
 
-def _unbound(root: CRootOf) -> CRootOf:
-    """The same root of a polynomial in a symbol that is none of ours: values are inserted everywhere, bound symbols included."""
-    return CRootOf(Poly(root.poly.all_coeffs(), BOUND), root.index)
-
-
 def exact_number(value: Any, name: str = "value") -> Expr:
     """The exact real number a user means: a Rational, or a SymPy constant where it is irrational.
 
@@ -240,7 +234,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
             raise ValuesError(f"{name} = {value} contains the names {', '.join(sorted(map(str, value.free_symbols)))}: give a number")
         if value.has(Float) or not (value.is_finite and value.is_real):
             raise ValuesError(f"{name} = {value} is not an exact finite real number: give an integer, fraction or closed form")
-        return value.xreplace({root: _unbound(root) for root in value.atoms(CRootOf)})
+        return value
     if isinstance(value, bool) or not (isinstance(value, numbers.Real) or hasattr(value, "as_integer_ratio")):
         raise ValuesError(f"{name} = {value!r} is a {type(value).__name__}, not a real number: give an int, Fraction, "
                           "float, SymPy number or a string like '1/2'")

@@ -8,7 +8,6 @@ from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, Symbol, minimal_
 from .algebra import Ring, by_degree
 from .errors import ScopeError
 from .exact import sign_of_constant
-from .expressions import BOUND
 
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
@@ -94,5 +93,5 @@ def _roots_of_factor(factor: fmpq_poly) -> list[Expr]:
     if len(c) == 3:
         discriminant = c[1] ** 2 - 4 * c[0] * c[2]
         return [(-c[1] + s * sqrt(discriminant)) / (2 * c[2]) for s in (-1, 1)] if discriminant > 0 else []
-    poly = Poly(c[::-1], BOUND)
+    poly = Poly(c[::-1], Symbol("x"))
     return [CRootOf(poly, n) for n in range(poly.count_roots())]

@@ -9,7 +9,7 @@ from .algebra import Ring
 from .conditions import Condition
 from .equilibria import Equilibrium
 from .errors import ScopeError, ValuesError
-from .exact import Point, ball, evaluate, sign_of_constant
+from .exact import Point, ball, evaluate, sign, sign_of_constant
 from .expressions import exact_number, shown
 from .families import inclined
 from .intervals import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
@@ -188,7 +188,7 @@ def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
         raise ScopeError(f"{name} is the same for every tilt: {value}; ask at that value for all equilibria (relative_equilibria)")
     intervals = []
     for run in _joined_between(cells, [low for low, high, _ in cells if low == high and _vanishes(turning, k3, low)]):
-        ends = [(value.xreplace({k3: k}), included, k) for k, included in ((run.low, run.low_if), (run.high, run.high_if))]
+        ends = [(evaluate(value, {k3: k}), included, k) for k, included in ((run.low, run.low_if), (run.high, run.high_if))]
         if sign_of_constant(ends[1][0] - ends[0][0]) == -1:
             ends.reverse()
         (a, a_if, ka), (b, b_if, kb) = ends
@@ -197,7 +197,7 @@ def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
 
 
 def _vanishes(expression: Expr, x: Symbol, value: Expr) -> bool:
-    return sign_of_constant(expression.xreplace({x: value})) == 0
+    return sign(expression, {x: value}) == 0
 
 
 def _joined_between(cells: Sequence[Cell], turns: Sequence[Expr]) -> list[Interval]:
