@@ -487,10 +487,30 @@ def test_solve_for_with_numbers(capsys):
 
 
 @pytest.mark.parametrize(("arguments", "why"), [
-    (["--solve-for", "mass"], "cannot be solved with mass"), (["--potential", "m0*k3", "--solve-for", "l", "--set", "l=1"], "not given"),
+    (["--solve-for", "mass"], "no parameter mass"),
+    (["--potential", "m0*k3", "--solve-for", "l", "--set", "l=1"], "leave out one of the two"),
     (["--potential", "m0*k3 + m1/2*(I3 - I1)*k3**2", "--equilibrium", "E1", "--solve-for", "I1"], "give numbers"),
-    (["--potential", "k3**3", "--equilibrium", "E3", "--solve-for", "k3"], "give numbers")])
+    (["--potential", "k3**3", "--equilibrium", "E3", "--solve-for", "k3"], "give numbers"),
+    (["--potential", "exp(k3)", "--equilibrium", "E3", "--solve-for", "l"], "ties l to the other names")])
 def test_what_cannot_be_solved_is_said(capsys, arguments, why):
     """A name that is unknown or given, a form that is not solved: exit status 2 and what to do."""
     status, out, err = conditions(capsys, *arguments)
     assert status == 2 and out == "" and why in err
+
+
+def test_what_is_solved_is_shown_beside_what_is_not(capsys):
+    """E1 and E2 in pi3_0, which E3 does not have: a line says so; JSON has it under error."""
+    status, out, _ = conditions(capsys, "--potential", "m0*k3", "--solve-for", "pi3_0")
+    assert status == 0 and out.count("Stable for m₀ = 0: π₃⁰ ≠ −l.") == 2 and "It is not solved for: E3 has no parameter pi3_0" in out
+    _, out, _ = conditions(capsys, "--potential", "m0*k3", "--solve-for", "pi3_0", "--format", "json")
+    assert [("error" in e, e["label"]) for e in json.loads(out)["equilibria"]] == [(False, "E1"), (False, "E2"), (True, "E3")]
+    _, out, _ = conditions(capsys, "--potential", "m0*k3", "--equilibrium", "E3", "--solve-for", "k3", "--set", "I1=2", "--set", "I3=1",
+                           "--set", "m0=3", "--set", "l=1", "--set", "omega=1")
+    assert "Stable: no k₃." in out and "l = (ω² k₃ (I₁ − I₃) + m₀)/ω" in out
+
+
+def test_numbers_that_contradict_each_other(capsys):
+    """omega and a momentum name different points: refused unless an equilibrium is named."""
+    status = main(["decide", "--potential", "m0*k3", *(f"--set={s}" for s in ("I1=2", "I3=1", "m0=3", "l=1", "pi3_0=1", "omega=2"))])
+    captured = capsys.readouterr()
+    assert status == 2 and captured.out == "" and "omega and a momentum are both given" in captured.err

@@ -134,8 +134,9 @@ def test_rumiantsev_solved_for_the_rotor():
 
 def test_heavy_tilt_exists_for():
     """E3 in U = m0 k3 for |ω l − m0| < ω² |I1 − I3|, always stable: the ends, E1 and E2, left out."""
-    *fixed, part = stabilizing_set(tilt_solved("U1"), "l").parts
+    *fixed, part, always = stabilizing_set(tilt_solved("U1"), "l").parts
     assert {p.meaning for p in (*fixed, part)} == {"exists"} and len(part.cases) == 1
+    assert always.meaning == "stable" and [(i.low, i.high) for c in always.cases for i in c.intervals] == [(-oo, oo)]
     ((interval,),) = (case.intervals for case in part.cases)
     values = {gs.symbol(n): exact_number(x) for n, x in {"I1": 2, "I3": 5, "omega": -2, "m0": 3}.items()}
     assert (evaluate(interval.low, values), evaluate(interval.high, values)) == (Fraction(-15, 2), Fraction(9, 2))
@@ -194,10 +195,13 @@ def test_some_numbers_are_put_in_their_places():
 
 
 @pytest.mark.parametrize(("call", "error", "why"), [
-    (lambda: stabilizing_set(reports("U1")["E1"], "mass"), ValuesError, "parameters are"),
-    (lambda: stabilizing_set(reports("U1")["E1"], "l", {"l": 1}), ValuesError, "not given"),
+    (lambda: stabilizing_set(reports("U1")["E1"], "mass"), ValuesError, "no parameter mass"),
+    (lambda: stabilizing_set(reports("U1")["E1"], "l", {"l": 1}), ValuesError, "leave out one"),
     (lambda: stabilizing_set(reports("U2")["E1"], "I1"), ScopeError, "positive: give numbers"),
-    (lambda: stabilizing_set(reports("U1")["E3"], "l", {"I1": 1}), ScopeError, "eliminate='k3'"),
+    (lambda: stabilizing_set(reports("U1")["E3"], "l", {"I1": 1}), ScopeError, "ties l .* while k3, omega are open"),
+    (lambda: stabilizing_set(reports("U1")["E3"], "m0", {"l": 1, "I1": 1}), ScopeError, "or leave out l"),
+    (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"I1": 1, "m0": 1, "pi3_0": 2}), ValuesError, "a set of l"),
+    (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"I1": -1, "m0": 1, "pi3_0": 2, "l": 1}), ValuesError, "positive"),
     (lambda: stabilizing_set(reports("U3")["E3"], "k3"), ScopeError, "degree"),
     (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"l": 1}), ValuesError, "needs"),
     (lambda: stabilizing_set(gs.analyze(gs.upright(gs.assemble(BODY, gs.axial_potential(gs.symbol("k3") ** 3)))), "l",
@@ -209,6 +213,53 @@ def test_what_is_not_solved_is_said(call, error, why):
         return
     with pytest.raises(error, match=why):
         call()
+
+
+TIED = [("U1", "k3", {"l": 1, "omega": 1}, []), ("U1", "omega", {"l": 1, "k3": 0}, [3]), ("U1", "l", {"k3": 0, "omega": 1}, [3]),
+        ("quartic", "k3", {"l": 0, "omega": "1/2"}, ["-sqrt(3)/4", "sqrt(3)/4"]),
+        ("quartic", "I1", {"l": 0, "omega": "1/2", "k3": "1/2"}, [1]), ("quartic", "l", {"k3": "1/2", "omega": "1/2"}, ["1/4"]),
+        ("quartic", "omega", {"l": 0, "k3": "1/4"}, ["-sqrt(3)/2", "sqrt(3)/2"])]
+
+
+@pytest.mark.parametrize(("field", "name", "values", "expected"), TIED)
+def test_a_relation_leaves_points(field, name, values, expected):
+    """E3 with its relation fully given: the points of the family that are stable, nothing where there is none."""
+    U = gs.uniform_field() if field == "U1" else gs.axial_potential(lambda z: z**4 - z**2 / 2)
+    report = gs.analyze(gs.inclined(gs.assemble(BODY, U)))
+    values = {"I1": 2, "I3": 1, **({"m0": 3} if field == "U1" else {}), **values}
+    values = {n: x for n, x in values.items() if n != name}
+    solution = stabilizing_set(report, name, values)
+    ends = [i.low for p in solution.parts for c in p.cases for i in c.intervals]
+    assert ends == [exact_number(x) for x in expected] and all(truth(report, values | {name: x}) for x in expected)
+    assert all(i.low == i.high and i.low_if == INCLUDED for p in solution.parts for c in p.cases for i in c.intervals)
+
+
+def test_a_pole_of_the_family_is_an_infinite_end():
+    """a = (ω l − …)/(3 k3²) grows without bound towards k3 = 0."""
+    a, b = map(gs.symbol, "ab")
+    report = gs.analyze(gs.inclined(gs.assemble(BODY, gs.axial_potential(lambda z: a * z**3 + b * z)), eliminate="a"))
+    (part,) = stabilizing_set(report, "a", {"I1": 2, "I3": 1, "b": 1, "omega": 1, "l": 5}).parts
+    (_, run) = part.cases[0].intervals
+    assert (run.low, run.high, run.tilt) == (1, oo, (1, 0))
+
+
+@pytest.mark.parametrize("name", ["l", "I2", "omega3_0"])
+def test_a_free_body_in_closed_form(name):
+    """Rotation about axis 3 with l along it: the set is that of the verdicts, ends included as the fourth order says."""
+    report = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l")))), 3))
+    solution, draw = stabilizing_set(report, name), random.Random(name)
+    for n in range(60):
+        values = {s: Fraction(draw.randint(1, 4)) for s in ("I1", "I2", "I3")}
+        values |= {s: Fraction(draw.randint(-3, 3)) for s in ("l", "omega3_0")}
+        if n % 2:
+            values["l"] = (values[("I1", "I2")[n % 4 // 2]] - values["I3"]) * values["omega3_0"]
+        assert solution.contains(values) is truth(report, values), values
+
+
+def test_transcendental_numbers_are_solved_in_closed_form():
+    """I1 = π: l ≤ −2 √π or l ≥ 2 √π."""
+    solution = stabilizing_set(reports("U1")["E1"], "l", {"I1": "pi", "m0": 1, "pi3_0": 0})
+    assert [solution.contains({"l": l}) for l in (3, "2*sqrt(pi)", "3.6", -4)] == [False, True, True, True]
 
 
 def test_ends_of_an_unspecified_field():

@@ -2,8 +2,9 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import islice
 
-from sympy import Expr, S, Symbol
+from sympy import Expr, Mul, S, Symbol
 
 from .algebra import Ring
 from .conditions import Condition, sign_at
@@ -100,6 +101,12 @@ class Boundary(Typeset):
                 known[n] = Rung(n, Condition(ring.expression(margin), True, f"coefficient of x^{n}", tuple(map(ring.expression, even)),
                                              eq.at), not self.pole and n % 2 == 1)
         return known[power]
+
+    def ladder(self, limit: int | None = None) -> Iterator[Expr]:
+        """What decides, rung by rung: stable where the first that is not 0 is positive."""
+        for rung in islice(self.rungs(), limit if self.last is None else None):
+            value = Mul(rung.condition.margin, *(e**2 for e in rung.condition.degenerate))
+            yield -(value**2) if rung.escapes else value
 
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
         """Whether the equilibrium is stable at numbers on the boundary, None if that is not proved; and why.

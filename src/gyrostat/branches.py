@@ -208,8 +208,10 @@ class _Scene:
 
     def continuum(self, omega: Expr | None, rate: Expr, sigma: Expr) -> Branch:
         """Every tilt is an equilibrium: the margin has one sign on all of them, that at k3 = 0."""
-        decision = self.tilted(S.Zero, rate, sigma).decision
-        return Branch("precession" if omega is None else "E3", None, omega, None if omega is None else sigma, None, decision)
+        middle = self.tilted(S.Zero, rate, sigma)
+        if omega is None:
+            return Branch("precession", None, None, None, None, middle.decision)
+        return Branch("E3", None, omega, sigma, None, middle.decision, middle.itself)
 
     def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
         """The numbers that a report takes, but for the name that its family expresses by the others."""

@@ -1,7 +1,6 @@
 """Cases of the other parameters while a condition is solved for one: what is known in each, and which ends belong to the set."""
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import islice
 
 from sympy import Expr, Mul, Pow, S, Symbol, oo, sqrt
 
@@ -10,6 +9,7 @@ from .boundary import Boundary
 from .families import affine
 from .intervals import EXCLUDED, Case, Interval, Ladder
 from .signs import Signs
+from .sphere import Sphere
 
 RUNGS = 3                                              # of the ladder of an unspecified U
 Relations = tuple[tuple[Expr, str], ...]
@@ -20,7 +20,7 @@ class Context:
     """What is known where a case is worked out."""
 
     x: Symbol
-    boundary: Boundary | None
+    boundary: Boundary | Sphere | None
     domain: tuple[Expr, ...]
     when: Relations = ()
     inserted: tuple[tuple[Symbol, Expr], ...] = ()
@@ -76,10 +76,8 @@ class Context:
         if self.boundary is None:
             return EXCLUDED
         rungs: list[Expr] = []
-        highest = RUNGS if self.boundary.last is None else None
-        for rung in islice(self.boundary.rungs(), highest):
-            value = Mul(rung.condition.margin, *(e**2 for e in rung.condition.degenerate))
-            value = self.insert((-(value**2) if rung.escapes else value).xreplace({self.x: end}))
+        for rung in self.boundary.ladder(RUNGS):
+            value = self.insert(rung.xreplace({self.x: end}))
             ring = Ring([value, *self.domain])
             known = Signs(ring, self.domain)
             margin, even = known.split(*ring.fraction(value))
@@ -111,7 +109,9 @@ class Context:
         outside, inside = S.One, S.One
         for polynomial, side in zip(ring.fraction(value), (1, -1)):
             content, factors = polynomial.factor()
-            inside *= ring.expression(ring.one * content) ** side
+            size = ring.expression(ring.one * abs(content))
+            outside *= sqrt(size) ** side                  # inside, SymPy would distribute it over a sum
+            inside *= 1 if content > 0 else -1
             for factor, n in factors:
                 out = int(n) // 2 if known.of(factor) == 1 else 0
                 outside *= Pow(ring.expression(factor), side * out)

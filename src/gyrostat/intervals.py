@@ -84,9 +84,13 @@ class Solution(Typeset):
 
         Raises
         ------
-        ValuesError      a name is missing
+        ValuesError      a name is missing, or a positive one is given another number
         """
+        if self.name not in values:
+            raise ValuesError(f"the solution is a set of {self.name}: give a number for it")
         numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
+        if wrong := [s for s, x in numbers.items() if s.is_positive and sign_of_constant(x) != 1]:
+            raise ValuesError(f"{wrong[0]} = {numbers[wrong[0]]}, but it must be positive: give a positive number")
         answers = [_in_part(part, symbol(self.name), numbers) for part in self.parts]
         return False if False in answers else None if None in answers else True
 

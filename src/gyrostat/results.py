@@ -27,14 +27,14 @@ def result_blocks(obj: Any) -> list[Block]:
 
 @result_blocks.register
 def _solution(solution: Solution) -> list[Block]:
-    return [block for part in solution.parts for block in _part(part, solution.name)]
+    premises = [p for p in solution.parts if p.meaning == "exists" and symbol(solution.name) not in p.margin.free_symbols]
+    blocks: list[Block] = [Sentence("Where it exists:"), *(existence(p.margin, p.at) for p in premises)] if premises else []
+    return blocks + [block for p in solution.parts if p not in premises for block in _part(p, solution.name)]
 
 
 def _part(part: Part, name: str) -> list[Block]:
-    """One line for each case; a premise that does not contain the name as it stands."""
+    """One line for each case."""
     x = symbol(name)
-    if part.meaning == "exists" and x not in part.margin.free_symbols:
-        return [Sentence("Where it exists:"), existence(part.margin, part.at)]
     title = {"exists": "It exists", "stable": "Stable"}[part.meaning]
     blocks: list[Block] = []
     names: dict[Expr, Expr] = {}
@@ -68,7 +68,10 @@ def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[str, tuple[Any, ...]
         return "every {}", (x,)
     first, second = intervals[0], intervals[-1]
     parts: tuple[Any, ...]
-    if len(intervals) == 2 and first.high == second.low and shared is not None and not any(i.tilt for i in intervals):
+    touching = len(intervals) == 2 and first.high == second.low and shared is not None and not any(i.tilt for i in intervals)
+    if touching and shared == INCLUDED:
+        return "every {}", (x,)
+    if touching:
         text, parts = "{} ≠ {}", (x, number(first.high))
     else:
         pieces = [_interval(i, x, lowest, shared) for i in intervals]
@@ -94,7 +97,7 @@ def _interval(i: Interval, x: Expr, lowest: Expr, shared: Ladder | None) -> tupl
             text, parts = f"{{}} {'≤' if i.low_if == INCLUDED else '<'} " + text, (number(i.low), *parts)
         if i.high != oo:
             text, parts = text + f" {'≤' if i.high_if == INCLUDED else '<'} {{}}", (*parts, number(i.high))
-        if i.high == oo:
+        elif i.low != lowest and not i.tilt:
             text, parts = f"{{}} {'≥' if i.low_if == INCLUDED else '>'} {{}}", (x, number(i.low))
     if i.tilt:
         text, parts = text + " ({} from {} to {})", (*parts, symbol("k3"), *map(number, i.tilt))

@@ -10,16 +10,17 @@ from .conditions import Condition
 from .errors import ScopeError
 from .intervals import EXCLUDED, INCLUDED, Case, Interval, Ladder, Part
 from .notation import symbol
+from .sphere import Sphere
 
 
-def solve_condition(condition: Condition, name: str, boundary: Boundary | None = None, domain: Sequence[Expr] = ()) -> Part:
+def solve_condition(condition: Condition, name: str, boundary: Boundary | Sphere | None = None, domain: Sequence[Expr] = ()) -> Part:
     """The exact set of one parameter where a strict condition holds, and of its ends those that the boundary criterion calls stable.
 
     Parameters
     ----------
     condition : Condition
     name : str                     it enters the margin by degree at most 2, or quadratically by its square
-    boundary : Boundary or None    decides the ends, where the margin vanishes; None: they are left out
+    boundary : Boundary, Sphere or None     decides the ends, where the margin vanishes; None: they are left out
     domain : sequence of Expr      positive, without the name
 
     Returns

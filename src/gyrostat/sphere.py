@@ -1,8 +1,9 @@
 """What decides between the two criteria for a free body about a principal axis: the energy on the momentum sphere, to fourth order."""
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
-from sympy import Expr, Symbol
+from sympy import Expr, S, Symbol
 
 from .equilibria import Equilibrium
 from .exact import evaluate, sign_of_constant
@@ -29,13 +30,29 @@ class Sphere:
     equilibrium: Equilibrium
     axis: int
 
+    @cached_property
+    def falls(self) -> tuple[Expr, Expr]:
+        """f_b and f_c [M L²/T]."""
+        eq, body = self.equilibrium, self.equilibrium.system.body
+        total = eq.point[self.axis] + body.gyrostatic_momentum[self.axis]
+        b, c = (eq.insert(total - moment * eq.point[self.axis] / body.inertia[self.axis])
+                for n, moment in enumerate(body.inertia) if n != self.axis)
+        return b, c
+
+    @cached_property
+    def rotor(self) -> Expr:
+        """l along the axis."""
+        return self.equilibrium.insert(self.equilibrium.system.body.gyrostatic_momentum[self.axis])
+
+    def ladder(self, limit: int | None = None) -> Iterator[Expr]:
+        """What decides where f_b f_c = 0: stable where the first that is not 0 is positive."""
+        either = sum(self.falls)                           # the one that is not 0
+        yield from (self.rotor * either, -(either**2), S.One)
+
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
         """Whether the rotation is stable at numbers where f_b f_c = 0, None if a sign is not proved; and why."""
-        eq, body = self.equilibrium, self.equilibrium.system.body
-        pi, l, own = eq.point[self.axis], body.gyrostatic_momentum[self.axis], body.inertia[self.axis]
-        falls = [eq.insert(pi + l - moment * pi / own) for n, moment in enumerate(body.inertia) if n != self.axis]
-        values = {e: evaluate(e, numbers) for e in (*falls, eq.insert(l))}
-        first, second, rotor = (sign_of_constant(values[e]) for e in (*falls, eq.insert(l)))
+        values = {e: evaluate(e, numbers) for e in (*self.falls, self.rotor)}
+        first, second, rotor = (sign_of_constant(values[e]) for e in (*self.falls, self.rotor))
         margins.update(values)
         if first is None or second is None or rotor is None:
             return None, "a margin has no proved sign"

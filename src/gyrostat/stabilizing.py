@@ -1,4 +1,5 @@
 """Which values of one parameter stabilise an equilibrium: in closed form, or exactly at numbers for all the others."""
+import contextlib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -16,7 +17,9 @@ from .intervals import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
 from .notation import jet, symbol
 from .roots import real_roots
 from .solve import solve_condition
+from .sphere import sphere_of
 from .stability import Report, Verdict, analyze
+from .values import unknown
 
 
 def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None = None) -> Solution:
@@ -50,22 +53,42 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     (-7, (1,), -3)
     """
     numbers = Point({symbol(n): exact_number(x, n) for n, x in (values or {}).items()})
-    known = {*report.parameters, *report.required}
-    if name not in known or (foreign := sorted(s.name for s in numbers if s.name not in known or s.name == name)):
-        wrong = name if name not in known else ", ".join(foreign)
-        raise ValuesError(f"{report.equilibrium.label} cannot be solved with {wrong}: its parameters are {', '.join(sorted(known))}, and "
-                          "the one that is solved for is not given")
-    eliminated = report.equilibrium.eliminated == name
+    eq, known = report.equilibrium, {*report.parameters, *report.required}
+    if foreign := sorted({name, *(s.name for s in numbers)} - known):
+        raise ValuesError(unknown(foreign[0], sorted(known), eq.label))
+    if symbol(name) in numbers:
+        raise ValuesError(f"{name} is solved for and given: leave out one of the two")
     left = [n for n in report.required if symbol(n) not in numbers and n != name]
-    if eliminated and left == ["k3"]:
+    if eq.eliminated == name and left == ["k3"]:
         return Solution(name, (_along_tilts(report, name, numbers),))
-    if eliminated:
-        raise ScopeError(f"on {report.equilibrium.label} {name} is a function of {', '.join(left) or 'what is given'}: give numbers for "
-                         "all of them but k3, or eliminate k3: inclined(scene, eliminate='k3')")
+    if eq.eliminated and (eq.eliminated == name or symbol(eq.eliminated) in numbers):
+        if left:
+            leave = f", or leave out {eq.eliminated}" if eq.eliminated != name else ""
+            raise ScopeError(f"{eq.label} ties {eq.eliminated} to the other names: {name} is not solved for while {', '.join(left)} are "
+                             f"open; give numbers for them{leave}")
+        if (part := _where_tied(report, name, numbers)) is not None:
+            return Solution(name, (part,))
     if not left and (report.boundary is None or report.boundary.last):     # a transcendental U is solved in closed form, or not at all
-        cells = _cells(report, symbol(name), numbers, S.Zero if symbol(name).is_positive else None, None)
-        return Solution(name, (Part("stable", S.One, (Case((), _joined(cells)),), report.equilibrium.at),))
+        with contextlib.suppress(ScopeError):              # a transcendental number, too
+            cells = _cells(report, symbol(name), numbers, S.Zero if symbol(name).is_positive else None, None)
+            return Solution(name, (Part("stable", S.One, (Case((), _joined(cells)),), eq.at),))
     return Solution(name, _in_symbols(report, name, numbers))
+
+
+def _where_tied(report: Report, name: str, numbers: Point) -> Part | None:
+    """The values that the relation of a family leaves, the eliminated name being given or solved for; None where it leaves all."""
+    eq, x = report.equilibrium, symbol(name)
+    relation = dict(eq.relations)[symbol(str(eq.eliminated))]
+    if eq.eliminated == name:
+        values = [evaluate(relation, numbers)]
+    else:
+        given = relation.xreplace(numbers) - numbers[symbol(str(eq.eliminated))]
+        found = real_roots(given, x, S.Zero if x.is_positive else None)
+        if found is None:
+            return None
+        values = found
+    stable = [value for value in values if value.is_finite and _stable(report, x, value, numbers)]
+    return Part("stable", S.One, (Case((), tuple(Interval(v, v, INCLUDED, INCLUDED) for v in stable)),), eq.at)
 
 
 def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
@@ -78,10 +101,13 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
     if len(sufficient.alternatives) != 1:
         raise ScopeError(f"{report.equilibrium.label} has {len(report.sufficient.alternatives)} alternatives for stability: give numbers")
     x, existence = symbol(name), eq.existence()
-    fixed = [e for e in existence if x not in e.free_symbols]
+    fixed = [e for e in existence if x not in e.free_symbols and e.free_symbols]
     parts = [Part("exists", e, (Case(((e, ">"),), (Interval(-oo, oo),)),), eq.at) for e in fixed]
     parts += [replace(solve_condition(_plain(e, eq), name, None, fixed), meaning="exists") for e in existence if x in e.free_symbols]
-    return *parts, *(solve_condition(c, name, report.boundary, fixed) for c in sufficient.alternatives[0])
+    if not sufficient.alternatives[0]:
+        parts.append(Part("stable", S.One, (Case((), (Interval(S.Zero if x.is_positive else -oo, oo),)),), eq.at))
+    ends = report.boundary or sphere_of(eq)
+    return *parts, *(solve_condition(c, name, ends, fixed) for c in sufficient.alternatives[0])
 
 
 def inserted(report: Report, numbers: Mapping[str, Expr]) -> Report:
@@ -188,12 +214,20 @@ def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
         raise ScopeError(f"{name} is the same for every tilt: {value}; ask at that value for all equilibria (relative_equilibria)")
     intervals = []
     for run in _joined_between(cells, [low for low, high, _ in cells if low == high and _vanishes(turning, k3, low)]):
-        ends = [(evaluate(value, {k3: k}), included, k) for k, included in ((run.low, run.low_if), (run.high, run.high_if))]
-        if sign_of_constant(ends[1][0] - ends[0][0]) == -1:
+        grows = sign(turning, {k3: _between(run.low, run.high)}) == 1 if run.low != run.high else True
+        ends = [(_limit(value, k3, k, side if grows else -side), included, k)
+                for k, included, side in ((run.low, run.low_if, -1), (run.high, run.high_if, 1))]
+        if not grows:
             ends.reverse()
         (a, a_if, ka), (b, b_if, kb) = ends
         intervals.append(Interval(a, b, a_if, b_if, (ka, kb)))
     return Part("stable", S.One, (Case((), tuple(intervals)),), report.equilibrium.at)
+
+
+def _limit(value: Expr, x: Symbol, end: Expr, side: int) -> Expr:
+    """The value at an end of a run, infinite where it has a pole."""
+    there = evaluate(value, {x: end})
+    return there if there.is_finite else side * oo
 
 
 def _vanishes(expression: Expr, x: Symbol, value: Expr) -> bool:

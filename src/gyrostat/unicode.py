@@ -65,6 +65,9 @@ class _Unicode(StrPrinter):
     def _print_Abs(self, expr: Expr) -> str:
         return f"|{self._print(expr.args[0])}|"
 
+    def _print_Pi(self, expr: Expr) -> str:
+        return "π"
+
     def _print_Integer(self, expr: Expr) -> str:
         return str(expr).replace("-", "−")
 

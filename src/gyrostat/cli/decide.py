@@ -49,6 +49,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
 def answers_at(potential: str | None, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer]:
     """The equilibrium of that label, or all that the numbers allow."""
     scene = scene_of(potential)
+    if label is None and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys():
+        raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and pi3_0; or name the --equilibrium")
     (axis, *_) = labels_of(scene, label and [label])
     given = scene.potential is not None and scene.potential.given
     if axis == AXIS or label in ("E1", "E2"):

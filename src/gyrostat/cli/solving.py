@@ -1,16 +1,17 @@
 """gyrostat conditions --solve-for NAME: the values of one parameter for which an equilibrium exists and is stable."""
 import argparse
+import contextlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sympy import Expr
 
-from ..blocks import Heading
+from ..blocks import Block, Display, Heading, Sentence, Word
 from ..errors import EquilibriumError, GyrostatError, ScopeError
 from ..families import inclined
 from ..intervals import Interval, Solution
-from ..notation import jet
+from ..presentation import readable
 from ..results import result_blocks
 from ..stability import Report, analyze
 from ..stabilizing import stabilizing_set
@@ -22,42 +23,56 @@ from .scenes import report_of, scene_of, spin_of
 def run(given: argparse.Namespace, labels: Sequence[str], numbers: Mapping[str, Expr], out: Output) -> int:
     """Write the sets; 0."""
     spin = "omega3_0" if given.solve_for == "omega3_0" else spin_of(numbers)
-    found = [(label, _solved(given.potential, label, spin, given.solve_for, numbers)) for label in labels]
+    found, failed = [], []
+    for label in labels:
+        try:
+            found.append((label, *_solved(given.potential, label, spin, given.solve_for, numbers)))
+        except GyrostatError as reason:
+            failed.append((label, reason))
+    if not found:
+        raise failed[0][1]
     if given.format == "json":
-        data = [{"label": label} | solution_data(solution) for label, solution in found]
+        data = [{"label": label} | solution_data(solution) for label, _, solution in found]
+        data += [{"label": label, "error": str(error)} for label, error in failed]
         out(json.dumps({"equilibria": data}, indent=2, ensure_ascii=False) + "\n")
-    elif given.format == "latex":
+        return 0
+    blocks: list[Block] = []
+    for label, report, solution in found:
+        blocks += [Heading(label), *_family(report), *result_blocks(solution)]
+    for label, error in failed:
+        blocks += [Heading(label), Sentence("It is not solved for: {}.", (Word(str(error), rf"\text{{{type(error).__name__}}}"),))]
+    if given.format == "latex":
         from ..article import article
-        title = f"Values of {given.solve_for} that stabilise".replace("_", r"\_")
-        out(article(title, [b for label, s in found for b in (Heading(label), *result_blocks(s))], given.fragment))
+        out(article(f"Values of {given.solve_for} that stabilise".replace("_", r"\_"), blocks, given.fragment))
     else:
         from ..unicode import text
-        out(text([block for label, solution in found for block in (Heading(label), *result_blocks(solution))]))
+        out(text(blocks))
     return 0
 
 
-def _solved(potential: str | None, label: str, spin: str, name: str, numbers: Mapping[str, Expr]) -> Solution:
-    """The first form of the family in which the name can be solved for: E3 in l along its tilts, or with k3 expressed by l."""
+def _family(report: Report) -> list[Block]:
+    """What the family expresses by the other names."""
+    eq = report.equilibrium
+    return [block for name, value in eq.relations[-1:] for block in (Sentence("On the family:"), Display(name, readable(value), eq.at))]
+
+
+def _solved(potential: str | None, label: str, spin: str, name: str, numbers: Mapping[str, Expr]) -> tuple[Report, Solution]:
+    """The first form of the family in which the name can be solved for: E3 as it is, along its tilts, or with k3 expressed."""
     failed: list[GyrostatError] = []
     for report in _forms(potential, label, spin, name):
         try:
-            return stabilizing_set(report, name, {n: x for n, x in numbers.items() if n != report.equilibrium.eliminated or jet(n)})
+            return report, stabilizing_set(report, name, numbers)
         except (ScopeError, EquilibriumError) as error:
             failed.append(error)
-    raise failed[-1]
+    raise failed[0]
 
 
-def _forms(potential: str | None, label: str, spin: str, name: str) -> list[Report]:
-    scene = scene_of(potential)
-    if label != "E3" or not scene.potential or not scene.potential.given:
-        return [report_of(potential, label, spin)]
-    reports = []
-    for eliminated in (name, "k3", None) if name in report_of(potential, "E3").equilibrium.relations[-1][0].name else ("k3", None):
-        try:
-            reports.append(analyze(inclined(scene, eliminated)))
-        except EquilibriumError:
-            continue
-    return reports
+def _forms(potential: str | None, label: str, spin: str, name: str) -> Iterator[Report]:
+    yield report_of(potential, label, spin)
+    potential_given = (field := scene_of(potential).potential) is not None and field.given
+    for eliminated in (name, "k3") if label == "E3" and potential_given else ():
+        with contextlib.suppress(EquilibriumError):        # the relation is not affine in it
+            yield analyze(inclined(scene_of(potential), eliminated))
 
 
 def solution_data(solution: Solution) -> dict[str, Any]:
