@@ -84,8 +84,9 @@ class Context:
             if margin and not even and (sign := known.of(margin)):
                 rungs.append(S.One * sign)
                 break
-            if margin:
-                rungs.append(Mul(ring.expression(margin), *(ring.expression(e) ** 2 for e in even)))
+            plain = ring.expression(margin)
+            if margin and not any(plain in (r, -r) for r in rungs):        # else it is 0 where the one before is
+                rungs.append(Mul(plain, *(ring.expression(e) ** 2 for e in even)))
         while rungs and rungs[-1] == -1:
             rungs.pop()
         return tuple(rungs)

@@ -107,7 +107,21 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
     if not sufficient.alternatives[0]:
         parts.append(Part("stable", S.One, (Case((), (Interval(S.Zero if x.is_positive else -oo, oo),)),), eq.at))
     ends = report.boundary or sphere_of(eq)
-    return *parts, *(solve_condition(c, name, ends, fixed) for c in sufficient.alternatives[0])
+    solved = (solve_condition(c, name, ends, fixed) for c in sufficient.alternatives[0])
+    return *parts, *(_where_existing(part, x, existence) for part in solved)
+
+
+def _where_existing(part: Part, x: Symbol, existence: Sequence[Expr]) -> Part:
+    """Without the ends at which the equilibrium does not exist."""
+    def outside(end: Expr) -> bool:
+        return any(e.xreplace({x: end}) == 0 for e in existence if x in e.free_symbols)
+
+    cases = []
+    for case in part.cases:
+        ends = (replace(i, low_if=EXCLUDED if outside(i.low) else i.low_if, high_if=EXCLUDED if outside(i.high) else i.high_if)
+                for i in case.intervals)
+        cases.append(replace(case, intervals=tuple(i for i in ends if i.low != i.high or i.low_if)))
+    return replace(part, cases=tuple(cases))
 
 
 def inserted(report: Report, numbers: Mapping[str, Expr]) -> Report:
