@@ -68,6 +68,11 @@ class Case:
         return {name: Fraction(int(a.p), int(a.q)) for name, a in named.items()}
 
 
+def plain(x):
+    """A rational as a float."""
+    return int(x.p) / int(x.q) if isinstance(x, fmpq) else float(x)
+
+
 def vector(numbers):
     return np.array([fmpq(a) for a in numbers], dtype=object)
 
@@ -216,7 +221,7 @@ def test_excursion_from_a_stable_point_has_the_exponent(kind, level):
     for case, far in zip(cases(*kind)[::3 if level else 1], excursions(kind, level)):
         same = level or (family != "inclined" and case.integrals(case.state)[2] == 0)
         alpha = exponent(family, n, same)
-        slopes = [np.log(a / b) / np.log(float(p / q)) for a, b, p, q in zip(far, far[1:], NAMED + SMALL, (NAMED + SMALL)[1:])]
+        slopes = [np.log(a / b) / np.log(plain(p / q)) for a, b, p, q in zip(far, far[1:], NAMED + SMALL, (NAMED + SMALL)[1:])]
         # next terms are smaller by ε^(1/5) or more: a few hundredths in the slope at 10⁻⁴, below 10⁻³ at 10⁻¹⁴
         assert abs(slopes[1] - alpha) < 0.05 and abs(slopes[-1] - alpha) < 1e-3
         assert min(range(1, 9), key=lambda j: abs(slopes[1] - exponent(family, j, same))) == n           # noqa: B023
@@ -230,7 +235,7 @@ def test_excursion_from_an_unstable_point_is_of_order_one(kind):
         sides = [min(r for r in real if r > 0)] if case.first > 0 else []
         if case.family == "inclined" and case.first * (-1) ** kind[2] > 0:
             sides.append(min(-r for r in real if r < 0))
-        assert min(far + sides) > float(REACH)
+        assert min(far + sides) > plain(REACH)
         assert min(abs(far[-1] / y - 1) for y in sides) < 1e-9                           # ε = 10⁻¹² over the slope of g there
 
 
@@ -245,16 +250,16 @@ def test_integrated_motion_turns_where_g_says(kind):
         theta = (np.arange(4000) + 0.5) * np.pi / 4000
         y = (low + high) / 2 - (high - low) / 2 * np.cos(theta)
         lead = next(c for c in reversed(g) if c)
-        q = -float(lead) * np.prod([y - r for r in others], axis=0).real                 # g = (y − low)(high − y) q
-        period = 2 * float(case.I1) * np.pi * np.mean(1 / np.sqrt(q))
-        slope = [float(i * a) for i, a in enumerate(case.potential)][1:]
-        I1, I3, l = map(float, (case.I1, case.I3, case.l))
-        motion = solve_ivp(lambda t, x: oracle.axial_field(x, I1, I3, l, slope), (0, 1.01 * period), x.astype(float),         # noqa: B023
+        q = -plain(lead) * np.prod([y - r for r in others], axis=0).real                 # g = (y − low)(high − y) q
+        period = 2 * plain(case.I1) * np.pi * np.mean(1 / np.sqrt(q))
+        slope = [plain(i * a) for i, a in enumerate(case.potential)][1:]
+        I1, I3, l = map(plain, (case.I1, case.I3, case.l))
+        motion = solve_ivp(lambda t, x: oracle.axial_field(x, I1, I3, l, slope), (0, 1.01 * period), list(map(plain, x)),   # noqa: B023
                            method="DOP853", rtol=1e-11, atol=1e-13, events=lambda t, x: x[3] * x[1] - x[4] * x[0])
-        extremes = case.sigma * (motion.y_events[0][:, 5] - float(case.state[5]))
+        extremes = case.sigma * (motion.y_events[0][:, 5] - plain(case.state[5]))
         # invariants are kept to 10⁻¹⁰; a turning point is as sensitive to e as 1/ε² = 10⁴ times: 10⁻⁶
         assert abs(min(extremes) - low) < 1e-6 * far and abs(max(extremes) - high) < 1e-6 * far
-        assert max(abs(motion.y[5] - float(case.state[5]))) < (1 + 1e-6) * far
+        assert max(abs(motion.y[5] - plain(case.state[5]))) < (1 + 1e-6) * far
         end = vector(fmpq(*a.as_integer_ratio()) for a in motion.y[:, -1])
         for before, after in zip((*case.integrals(x), fmpq(1)), (*case.integrals(end), end[3:].dot(end[3:]))):
-            assert abs(float(after - before)) < 1e-10
+            assert abs(plain(after - before)) < 1e-10

@@ -98,6 +98,11 @@ def sign_of_constant(constant: Expr) -> int | None:
     return None
 
 
+def is_algebraic(constant: Expr) -> bool:
+    """Whether a constant is written with rationals, + − × ÷, roots and roots of polynomials; SymPy does not know it of all of them."""
+    return _conjugates(constant) is not None
+
+
 def _separation(constant: Expr) -> int | None:
     """n such that the constant, if it is not 0, is at least 2⁻ⁿ in size; None for a transcendental one.
 

@@ -7,7 +7,7 @@ from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, Symbol, minimal_
 
 from .algebra import Ring, by_degree
 from .errors import ScopeError
-from .exact import sign_of_constant
+from .exact import is_algebraic, sign_of_constant
 
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
@@ -38,7 +38,7 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr 
     ([-sqrt(2), 1/3, sqrt(2)], [CRootOf(x**3 - x - 1, 0)], [CRootOf(x**4 - 2, 1)])
     """
     ring = Ring([expression, x])
-    if any(g != x and (g.free_symbols or g.is_algebraic is not True or g.is_real is False) for g in ring.generators):
+    if any(g != x and (g.free_symbols or not is_algebraic(g) or g.is_real is False) for g in ring.generators):
         raise ScopeError(f"{expression} is not a polynomial in {x} with algebraic coefficients: its roots are not found; give numbers for "
                          "its parameters, and a field that is polynomial in k3")
     top, bottom = ring.fraction(expression)
