@@ -5,7 +5,7 @@ from math import factorial
 
 import oracle
 import pytest
-from sympy import CRootOf, Poly, Rational, S, cancel, cos, exp, expand, integrate, invert, log, radsimp, rem, sin, sqrt
+from sympy import CRootOf, Poly, Rational, S, Symbol, cancel, cos, exp, expand, integrate, invert, log, radsimp, rem, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ValuesError
@@ -317,3 +317,15 @@ def test_a_tilt_of_a_symbol_has_no_boundary():
     assert gs.analyze(gs.equilibrium(scene, point)).boundary is None
     inside = gs.analyze(gs.equilibrium(scene, point, domain=(1 - b**2,)))
     assert inside.boundary is not None and not inside.boundary.pole and name(inside, {"b": "1/2"}) == "UNSTABLE"
+
+
+def test_a_claimed_point_at_the_root_of_a_polynomial():
+    """k3 = CRootOf in the point itself, exactly on p = 0 and beside it: never undecided."""
+    k3, root = gs.symbol("k3"), CRootOf(9 * Symbol("x") ** 3 - 4 * Symbol("x") + 1, 0)
+    I1, I3, l = 2, 1, 1
+    slope = l - root * (I1 - I3)                           # ω = 1
+    flat = -((I3 * root + l - 2 * I1 * root) ** 2) / (I1 * (1 - root**2)) - I1
+    for bend, expected in ((flat, "UNSTABLE"), (flat + 1, "STABLE"), (flat - 1, "UNSTABLE")):
+        scene = gs.assemble(gs.Gyrostat((I1, I1, I3), (0, 0, l)), gs.axial_potential(slope * k3 + bend / 2 * (k3 - root) ** 2))
+        point = (I1 * sqrt(1 - root**2), 0, I3 * root, sqrt(1 - root**2), 0, root)
+        assert gs.analyze(gs.equilibrium(scene, point)).verdict({}).verdict.name == expected

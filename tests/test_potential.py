@@ -1,10 +1,10 @@
 """Potentials: unspecified, given, matched by name; their jets."""
 import pytest
 import sympy
-from sympy import Function, Symbol, cos, exp
+from sympy import CRootOf, Function, Symbol, cos, exp
 
 import gyrostat as gs
-from gyrostat.errors import PotentialError, ScopeError
+from gyrostat.errors import ExpressionError, PotentialError, ScopeError
 
 k1, k3, m0, m1, I1, I3 = map(gs.symbol, ("k1", "k3", "m0", "m1", "I1", "I3"))
 
@@ -68,3 +68,10 @@ def test_the_body_enters_its_own_potential():
 def test_errors_are_builtins():
     """PotentialError is a ValueError, ScopeError a NotImplementedError."""
     assert issubclass(PotentialError, ValueError) and issubclass(ScopeError, NotImplementedError)
+
+
+def test_roots_in_a_name_of_ours_are_refused():
+    """A root of a polynomial in k3 inside U(k3) would be mistaken for a function of k3."""
+    k3 = gs.symbol("k3")
+    with pytest.raises(ExpressionError, match="write it in another symbol"):
+        gs.axial_potential(CRootOf(k3**3 + 7 * k3 - 5, 0) * k3)

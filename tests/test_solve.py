@@ -256,6 +256,29 @@ def test_a_free_body_in_closed_form(name):
         assert solution.contains(values) is truth(report, values), values
 
 
+def test_where_the_margin_is_zero_all_along():
+    """U = k3 + a (k3 − 1)², P² = 4 I1: on the boundary for every a, stable for a ≥ −1/2; I2 of a free body with f1 = 0 likewise."""
+    report = gs.analyze(gs.upright(gs.assemble(BODY, gs.axial_potential(lambda z: z + gs.symbol("a") * (z - 1) ** 2))))
+    free = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l")))), 3))
+    for r, name, values, expected in ((report, "a", {"I1": 1, "l": 0, "pi3_0": 2}, Fraction(-1, 2)),
+                                      (free, "I2", {"I1": 1, "I3": 3, "l": -2, "omega3_0": 1}, 1)):
+        numeric, symbolic = stabilizing_set(r, name, values), stabilizing_set(r, name)
+        (interval,) = numeric.parts[0].cases[0].intervals
+        assert (interval.low, interval.low_if, interval.high) == (expected, INCLUDED, oo)
+        for x in (Fraction(1, 3), Fraction(-3, 5), Fraction(2), Fraction(expected)):
+            if x > 0 or name == "a":
+                assert numeric.contains({name: x}) is symbolic.contains(values | {name: x}) is truth(r, values | {name: x})
+
+
+def test_a_claimed_point_that_is_on_the_boundary_for_every_value():
+    """E1 of numbers, P² = 4 I1 U' exactly: no margin is left, and the ladder decides: a ≥ −1/2."""
+    scene = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, 2)), gs.axial_potential(lambda z: z + gs.symbol("a") * (z - 1) ** 2))
+    report = gs.analyze(gs.equilibrium(scene, (0, 0, 0, 0, 0, 1)))
+    (interval,) = stabilizing_set(report, "a").parts[0].cases[0].intervals
+    assert (interval.low, interval.low_if, interval.high) == (Fraction(-1, 2), INCLUDED, oo)
+    assert [report.verdict({"a": a}).verdict.name for a in (-1, "-1/2", 0)] == ["UNSTABLE", "STABLE", "STABLE"]
+
+
 def test_transcendental_numbers_are_solved_in_closed_form():
     """I1 = π: l ≤ −2 √π or l ≥ 2 √π."""
     solution = stabilizing_set(reports("U1")["E1"], "l", {"I1": "pi", "m0": 1, "pi3_0": 0})

@@ -9,6 +9,7 @@ from sympy import Expr, Mul, S, Symbol
 from .algebra import Ring
 from .conditions import Condition, sign_at
 from .equilibria import Equilibrium
+from .exact import sign
 from .notation import Typeset, jet, symbol
 from .reduction import expansion, reducible
 from .signs import Signs
@@ -122,11 +123,11 @@ class Boundary(Typeset):
                 missing = ", ".join(sorted(s.name for s in wanted))
                 what = f"give {missing} to decide" if all(jet(s.name) for s in wanted) else f"{missing} would decide"
                 return None, f"on the boundary, {what}"
-            sign = sign_at(condition, numbers, margins)
-            if sign is None:
+            here = sign_at(condition, numbers, margins)
+            if here is None:
                 return None, f"on the boundary, the coefficient of x^{rung.power} in g has no proved sign"
-            if sign:
-                return self._decided(rung, sign)
+            if here:
+                return self._decided(rung, here)
         if self.last is None:
             return None, f"on the boundary, all coefficients of g up to x^{HIGHEST} vanish"
         return False, "on the boundary g vanishes identically: motions leave the point"
@@ -142,6 +143,9 @@ def boundary_of(eq: Equilibrium) -> Boundary | None:
     """The ladder of an equilibrium with a definite tilt, None where k3 does not move by itself."""
     if not reducible(eq.system):
         return None
-    ring = Ring([tilt := S.One - eq.at**2, *eq.domain])
+    tilt = S.One - eq.at**2
+    if not tilt.free_symbols:
+        return None if sign(tilt, {}) is None else Boundary(eq)
+    ring = Ring([tilt, *eq.domain])
     inside = Signs(ring, eq.domain).of(ring.reduce(ring.fraction(tilt)[0]))
     return None if inside is None else Boundary(eq)

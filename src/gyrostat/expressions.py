@@ -16,7 +16,7 @@ from fractions import Fraction
 from typing import Any, NoReturn
 
 import sympy
-from sympy import Expr, Float, Rational
+from sympy import CRootOf, Expr, Float, Rational
 
 from .errors import ExpressionError, ValuesError
 from .notation import own, symbol
@@ -209,6 +209,8 @@ def shown(number: Any, digits: int = 40) -> str:
 def exact_expression(value: Any, name: str = "value") -> Expr:
     """An expression in our symbols, matched by name, its floats the dyadic rationals they are; or an exact number."""
     if isinstance(value, Expr) and value.free_symbols:
+        if taken := [root for root in value.atoms(CRootOf) if root.poly.gen == symbol(root.poly.gen.name)]:
+            raise ExpressionError(f"{name} contains {taken[0]}, the root of a polynomial in a name of its own: write it in another symbol")
         return own(value.xreplace({f: Rational(f) for f in value.atoms(Float)}))
     return exact_number(value, name)
 

@@ -29,7 +29,7 @@ def solve_condition(condition: Condition, name: str, boundary: Boundary | Sphere
 
     Raises
     ------
-    ScopeError                     the margin is of another form: give numbers (stabilising_set)
+    ScopeError                     the margin is of another form: give numbers (stabilizing_set)
 
     Source
     ------

@@ -4,13 +4,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from sympy import Expr, Mul, Rational, S, Symbol, oo
+from sympy import Expr, S, Symbol, oo
 
 from .algebra import Ring
+from .cells import between, cut, joined, joined_apart, stable_at
 from .conditions import Condition
 from .equilibria import Equilibrium
 from .errors import ScopeError, ValuesError
-from .exact import Point, ball, evaluate, sign, sign_of_constant
+from .exact import Point, evaluate, sign, sign_of_constant
 from .expressions import exact_number, shown
 from .families import inclined
 from .intervals import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
@@ -18,7 +19,7 @@ from .notation import jet, symbol
 from .roots import real_roots
 from .solve import solve_condition
 from .sphere import sphere_of
-from .stability import Report, Verdict, analyze
+from .stability import Report, analyze
 from .values import unknown
 
 
@@ -27,7 +28,8 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
 
     Without numbers, or with some: in closed form, with the cases of the other names. With a number for every other name: a union of
     intervals, whose ends are exact numbers. On E3 with the name eliminated (inclined(scene, eliminate=name)) and k3 left free: one
-    interval for each family of tilts on which the name is monotone, k3 at its ends in Interval.tilt.
+    interval for each family of tilts on which the name is monotone, k3 at its ends in Interval.tilt; with the eliminated name given
+    too: the points that the relation leaves.
 
     Parameters
     ----------
@@ -70,8 +72,8 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
             return Solution(name, (part,))
     if not left and (report.boundary is None or report.boundary.last):     # a transcendental U is solved in closed form, or not at all
         with contextlib.suppress(ScopeError):              # a transcendental number, too
-            cells = _cells(report, symbol(name), numbers, S.Zero if symbol(name).is_positive else None, None)
-            return Solution(name, (Part("stable", S.One, (Case((), _joined(cells)),), eq.at),))
+            cells = cut(report, symbol(name), numbers, S.Zero if symbol(name).is_positive else None, None)
+            return Solution(name, (Part("stable", S.One, (Case((), joined(cells)),), eq.at),))
     return Solution(name, _in_symbols(report, name, numbers))
 
 
@@ -87,7 +89,7 @@ def _where_tied(report: Report, name: str, numbers: Point) -> Part | None:
         if found is None:
             return None
         values = found
-    stable = [value for value in values if value.is_finite and _stable(report, x, value, numbers)]
+    stable = [value for value in values if value.is_finite and stable_at(report, x, value, numbers)]
     return Part("stable", S.One, (Case((), tuple(Interval(v, v, INCLUDED, INCLUDED) for v in stable)),), eq.at)
 
 
@@ -149,86 +151,17 @@ def _plain(expression: Expr, eq: Equilibrium) -> Condition:
     return Condition(ring.expression(top * bottom), True, "existence", (), eq.at)
 
 
-Cell = tuple[Expr, Expr, bool]                             # an open interval or a point, and whether it is stable there
-
-
-def _cells(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None, also: Sequence[Expr] = ()) -> list[Cell]:
-    """Between and at the roots of everything whose sign matters."""
-    conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives for c in a]
-    expressions = [*(e for c in conditions for e in (c.margin, *c.degenerate)), *report.equilibrium.existence(), *also]
-    placed = [e.xreplace(numbers) for e in expressions]
-    polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]
-    ends = real_roots(Mul(*polynomials), x, low, high) or []
-    bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]
-    cells: list[Cell] = []
-    for n, (a, b) in enumerate(zip(bounds, bounds[1:])):
-        if n:
-            cells.append((a, a, _stable(report, x, a, numbers)))
-        cells.append((a, b, _stable(report, x, _between(a, b), numbers)))
-    return cells
-
-
-def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
-    """Numerator and denominator, as far as they contain x."""
-    ring = Ring([expression])
-    parts = [ring.expression(ring.reduce(part)) for part in ring.fraction(expression)]
-    return [part for part in parts if x in part.free_symbols]
-
-
-def _stable(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool:
-    at = Point({**numbers, x: value})
-    if any(sign_of_constant(evaluate(e, at)) != 1 for e in report.equilibrium.existence()):
-        return False
-    decision = report.verdict({s.name: number for s, number in at.items()})
-    if decision.verdict is Verdict.UNDECIDED:
-        raise ScopeError(f"at {x} = {value} nothing is proved: {decision.reason}")
-    return decision.verdict is Verdict.STABLE
-
-
-def _between(a: Expr, b: Expr) -> Rational:
-    """A rational number between two exact ones, a short one."""
-    if a == -oo and b == oo:
-        return S.Zero
-    if a == -oo or b == oo:
-        edge = ball(b, 64).lower().floor() - 1 if a == -oo else ball(a, 64).upper().ceil() + 1
-        return Rational(int(edge.unique_fmpz()))
-    precision = 64
-    while not (low := ball(a, precision).upper()) < ball(b, precision).lower():
-        precision *= 2
-    bits = 0
-    while True:                                            # the first dyadic number that lies between
-        bits += 1
-        candidate = Rational(int((low * 2**bits).floor().unique_fmpz()) + 1, 2**bits)
-        if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
-            return candidate
-
-
-def _joined(cells: Sequence[Cell]) -> tuple[Interval, ...]:
-    """Stable cells that touch, as one interval."""
-    found: list[Interval] = []
-    for low, high, stable in cells:
-        if not stable:
-            continue
-        point = low == high
-        last = found[-1] if found else None
-        if last and last.high == low and (point or last.high_if):
-            found[-1] = replace(last, high=high, high_if=INCLUDED if point else EXCLUDED)
-        else:
-            found.append(Interval(low, high, *([INCLUDED] * 2 if point else [EXCLUDED] * 2)))
-    return tuple(found)
-
-
 def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
     """The stable tilts, and the name along each run of them on which it is monotone."""
     k3 = symbol("k3")
     value = dict(report.equilibrium.relations)[symbol(name)].xreplace(numbers)
     turning = value.diff(k3)
-    cells = _cells(report, k3, numbers, S.NegativeOne, S.One, [turning] if turning.free_symbols else [])
+    cells = cut(report, k3, numbers, S.NegativeOne, S.One, [turning] if turning.free_symbols else [])
     if turning == 0:
         raise ScopeError(f"{name} is the same for every tilt: {value}; ask at that value for all equilibria (relative_equilibria)")
     intervals = []
-    for run in _joined_between(cells, [low for low, high, _ in cells if low == high and _vanishes(turning, k3, low)]):
-        grows = sign(turning, {k3: _between(run.low, run.high)}) == 1 if run.low != run.high else True
+    for run in joined_apart(cells, [low for low, high, _ in cells if low == high and _vanishes(turning, k3, low)]):
+        grows = sign(turning, {k3: between(run.low, run.high)}) == 1 if run.low != run.high else True
         ends = [(_limit(value, k3, k, side if grows else -side), included, k)
                 for k, included, side in ((run.low, run.low_if, -1), (run.high, run.high_if, 1))]
         if not grows:
@@ -246,13 +179,3 @@ def _limit(value: Expr, x: Symbol, end: Expr, side: int) -> Expr:
 
 def _vanishes(expression: Expr, x: Symbol, value: Expr) -> bool:
     return sign(expression, {x: value}) == 0
-
-
-def _joined_between(cells: Sequence[Cell], turns: Sequence[Expr]) -> list[Interval]:
-    """As _joined, but separated where the name turns; a turn belongs to both sides if it is stable."""
-    runs: list[list[Cell]] = [[]]
-    for cell in cells:
-        runs[-1].append(cell)
-        if cell[0] == cell[1] and cell[0] in turns:
-            runs.append([cell])
-    return [interval for run in runs for interval in _joined(run)]

@@ -1,0 +1,96 @@
+"""The line of one parameter at numbers for all others, cut wherever a verdict may change: proved between the cuts and at them."""
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sympy import Expr, Mul, Rational, S, Symbol, oo
+
+from .algebra import Ring
+from .errors import ScopeError
+from .exact import Point, ball, evaluate, sign_of_constant
+from .intervals import EXCLUDED, INCLUDED, Interval
+from .roots import real_roots
+from .sphere import sphere_of
+from .stability import Report, Verdict
+
+Cell = tuple[Expr, Expr, bool]                             # an open interval or a point, and whether it is stable there
+
+
+def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None, also: Sequence[Expr] = ()) -> list[Cell]:
+    """Between and at the roots of everything whose sign matters."""
+    conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives for c in a]
+    expressions = [*(e for c in conditions for e in (c.margin, *c.degenerate)), *report.equilibrium.existence(), *also]
+    placed = [e.xreplace(numbers) for e in expressions]
+    ring = Ring(placed)
+    everywhere = not report.sufficient.alternatives or not all(ring.reduce(ring.fraction(e)[0]) for e in placed)
+    if everywhere and (decider := report.boundary or sphere_of(report.equilibrium)):        # on the boundary whatever x is
+        placed += [e.xreplace(numbers) for e in decider.ladder()]
+    polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]
+    ends = real_roots(Mul(*polynomials), x, low, high) or []
+    bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]
+    cells: list[Cell] = []
+    for n, (a, b) in enumerate(zip(bounds, bounds[1:])):
+        if n:
+            cells.append((a, a, stable_at(report, x, a, numbers)))
+        cells.append((a, b, stable_at(report, x, between(a, b), numbers)))
+    return cells
+
+
+def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
+    """Numerator and denominator, as far as they contain x."""
+    ring = Ring([expression])
+    parts = [ring.expression(ring.reduce(part)) for part in ring.fraction(expression)]
+    return [part for part in parts if x in part.free_symbols]
+
+
+def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool:
+    """Whether the equilibrium exists at a value and is stable there."""
+    at = Point({**numbers, x: value})
+    if any(sign_of_constant(evaluate(e, at)) != 1 for e in report.equilibrium.existence()):
+        return False
+    decision = report.verdict({s.name: number for s, number in at.items()})
+    if decision.verdict is Verdict.UNDECIDED:
+        raise ScopeError(f"at {x} = {value} nothing is proved: {decision.reason}")
+    return decision.verdict is Verdict.STABLE
+
+
+def between(a: Expr, b: Expr) -> Rational:
+    """A rational number between two exact ones, a short one."""
+    if a == -oo and b == oo:
+        return S.Zero
+    if a == -oo or b == oo:
+        edge = ball(b, 64).lower().floor() - 1 if a == -oo else ball(a, 64).upper().ceil() + 1
+        return Rational(int(edge.unique_fmpz()))
+    precision = 64
+    while not (low := ball(a, precision).upper()) < ball(b, precision).lower():
+        precision *= 2
+    bits = 0
+    while True:                                            # the first dyadic number that lies between
+        bits += 1
+        candidate = Rational(int((low * 2**bits).floor().unique_fmpz()) + 1, 2**bits)
+        if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
+            return candidate
+
+
+def joined(cells: Sequence[Cell]) -> tuple[Interval, ...]:
+    """Stable cells that touch, as one interval."""
+    found: list[Interval] = []
+    for low, high, stable in cells:
+        if not stable:
+            continue
+        point = low == high
+        last = found[-1] if found else None
+        if last and last.high == low and (point or last.high_if):
+            found[-1] = replace(last, high=high, high_if=INCLUDED if point else EXCLUDED)
+        else:
+            found.append(Interval(low, high, *([INCLUDED] * 2 if point else [EXCLUDED] * 2)))
+    return tuple(found)
+
+
+def joined_apart(cells: Sequence[Cell], turns: Sequence[Expr]) -> list[Interval]:
+    """As joined, but separated where the name turns; a turn belongs to both sides if it is stable."""
+    runs: list[list[Cell]] = [[]]
+    for cell in cells:
+        runs[-1].append(cell)
+        if cell[0] == cell[1] and cell[0] in turns:
+            runs.append([cell])
+    return [interval for run in runs for interval in joined(run)]
