@@ -1,4 +1,6 @@
 """Every exception that gyrostat raises on purpose; each is also a builtin."""
+from importlib import import_module
+from types import ModuleType
 
 
 class GyrostatError(Exception):
@@ -49,3 +51,20 @@ class ValuesError(GyrostatError, ValueError):
 
 class PublishedError(GyrostatError, ValueError):
     """A file of published formulas, or one of its formulas, cannot be read; the message names the file and the key."""
+
+
+class StoreError(GyrostatError, ValueError):
+    """A path holds something else than the chart that is to be written to it, or resumed there."""
+
+
+class MissingExtraError(GyrostatError, ImportError):
+    """A package that only an extra of gyrostat brings is not installed; the message has the pip command."""
+
+
+def optional(module: str, extra: str) -> ModuleType:
+    """A module that the extra brings, imported when it is first used."""
+    try:
+        return import_module(module)
+    except ImportError as error:
+        raise MissingExtraError(f"{module} cannot be imported ({error}): it is an optional package; "
+                                f'install it with pip install "gyrostat[{extra}]"') from error

@@ -2,6 +2,7 @@
 import math
 from collections.abc import Mapping
 from functools import lru_cache
+from types import MappingProxyType
 
 import sympy
 from flint import arb, ctx, fmpq, fmpq_mpoly, fmpz_poly
@@ -10,6 +11,7 @@ from sympy import Add, CRootOf, Dummy, Expr, Mul, Pow, Rational, Symbol
 from .algebra import Ring
 
 LIMIT, ALGEBRAIC_LIMIT = 4096, 2**20                   # bits; a sign that is not proved by then is not known
+NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 _FUNCTIONS = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
 
@@ -144,31 +146,40 @@ def _conjugates(node: Expr) -> tuple[float, float] | None:
     return (n * u, n * low) if node.exp > 0 else (n * low, n * u)
 
 
-def ball(constant: Expr, precision: int) -> arb:
-    """Enclosure of a real constant in ball arithmetic of the precision given (not finite where it is undefined)."""
+def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:
+    """Enclosure of a real expression in ball arithmetic of the precision given (not finite where it is undefined).
+
+    Parameters
+    ----------
+    expression : Expr
+    precision : int                       bits
+    values : mapping of Symbol to arb     enclosures of its symbols
+    """
     with ctx.workprec(precision):
-        return +_ball(constant)
+        return +_ball(expression, values)
 
 
-def _ball(node: Expr) -> arb:
+def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
+    if isinstance(node, Symbol):
+        return values[node]
     if isinstance(node, Rational):
         return arb(fmpq(int(node.p), int(node.q)))
     if isinstance(node, Add):
-        return sum((_ball(part) for part in node.args), arb(0))
+        return sum((_ball(part, values) for part in node.args), arb(0))
     if isinstance(node, Mul):
         result = arb(1)
         for part in node.args:
-            result *= _ball(part)
+            result *= _ball(part, values)
         return result
     if isinstance(node, Pow) and isinstance(node.exp, Rational):
-        return _root(_ball(node.base), int(node.exp.q)) ** int(node.exp.p)
+        return _root(_ball(node.base, values), int(node.exp.q)) ** int(node.exp.p)
     if node is sympy.pi or node is sympy.E:
         return arb.pi() if node is sympy.pi else arb(1).exp()
     if isinstance(node, CRootOf):
         return _enclosure(node, ctx.prec)
     name = type(node).__name__
     if name in _FUNCTIONS and len(node.args) == 1:
-        return _FUNCTIONS[name](_ball(node.args[0]))
+        return _FUNCTIONS[name](_ball(node.args[0], values))
     return arb("nan")
 
 

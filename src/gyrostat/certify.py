@@ -1,0 +1,192 @@
+"""Proved verdicts on arrays and on boxes of parameters."""
+from collections.abc import Iterable, Mapping, Sequence
+from functools import reduce
+from itertools import chain
+from typing import Any
+
+import numpy as np
+from sympy import Expr
+
+from .algebra import Ring
+from .arraysigns import UNKNOWN, ArraySigns, exact_number
+from .conditions import Condition, Criterion
+from .errors import ArgumentError, ValuesError, optional, require
+from .grids import Array, Block, Grid, cut, grid_of, last
+from .notation import jet
+from .numeric import NUMBA_BLOCK, NUMPY_BLOCK, check_names, in_threads, prepared
+from .stability import Report, Verdict
+
+STABLE, UNDECIDED, UNSTABLE, INVALID = 1, 0, -1, -2
+CODES = {Verdict.STABLE: STABLE, Verdict.UNDECIDED: UNDECIDED, Verdict.UNSTABLE: UNSTABLE}
+
+
+def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, invalid: str = "raise", backend: str = "numpy",
+             threads: int = 1, out: Array | None = None, **arrays: Any) -> Array:
+    """The exact verdict at every point of a grid.
+
+    What Report.verdict says of each point, near the speed of the margin in doubles: those decide where they are further from 0 than a
+    proved bound of their error, balls and rationals decide the rest, and on the boundary the ladder does. A float is the dyadic
+    rational that it is.
+
+    Parameters
+    ----------
+    report : Report
+    values, arrays : name to number or array    float64, float32, integers, or objects: Fraction, SymPy numbers; they broadcast. Arrays of
+                                                shapes (n, 1) and (m,) make a grid, which is fastest. The eliminated name is omitted
+    invalid : str                               "raise", or "mark": where the equilibrium does not exist, or a number is not finite
+    backend : str                               "numpy", or "numba" (extra fast)
+    threads : int
+    out : array or None                         of int8, to write to
+
+    Returns
+    -------
+    array of int8      STABLE = 1, UNSTABLE = −1, UNDECIDED = 0, INVALID = −2
+
+    Raises
+    ------
+    ValuesError        names are missing or unknown, shapes disagree, a number is not finite, or the equilibrium does not exist at a
+                       point: the first such index is named
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> verdicts(top, I1=1, m0=1, l=np.array([[0.0], [0.5]]), pi3_0=np.array([-2.0, 1.0, 1.5, 2.0]))
+    array([[ 1, -1, -1,  1],
+           [-1, -1,  1,  1]], dtype=int8)
+    """
+    require(report, Report, "the report")
+    if invalid not in ("raise", "mark"):
+        raise ArgumentError(f"invalid = {invalid!r} is neither 'raise' nor 'mark': choose one")
+    if backend not in ("numpy", "numba"):
+        raise ArgumentError(f"backend = {backend!r} is neither 'numpy' nor 'numba': choose one")
+    if backend == "numba":
+        optional("numba", "fast")
+    given = {**(values or {}), **arrays}
+    grid = grid_for(report, given, finite=invalid == "raise")
+    result = prepared(out, grid.shape, np.int8)
+    merged = result.reshape(grid.merged)
+    blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
+    firsts = in_threads(lambda some: _Worker(report, grid, backend).fill(some, merged), blocks, threads)
+    if invalid == "raise" and (bad := [first for first in firsts if first is not None]):
+        place = min(bad)
+        try:
+            report.verdict(_numbers(grid, place))
+        except ValuesError as error:
+            raise ValuesError(f"at index {grid.index(place)}: {error}; or ask for such points to be marked, invalid=\"mark\"") from None
+    return result
+
+
+def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True) -> Grid:
+    """The grid of the names given, all that a verdict needs and no other."""
+    eq = report.equilibrium
+    if eq.eliminated is not None and eq.eliminated in given and eq.eliminated not in report.required:
+        raise ValuesError(f"{eq.eliminated} follows from the other names on {eq.label}: omit it")
+    unspecified = eq.system.potential is not None and not eq.system.potential.given
+    own = {name: value for name, value in given.items() if not (unspecified and jet(name) and name not in report.required)}
+    check_names(own, report.required, [n for n in report.parameters if n != eq.eliminated or n in report.required], eq.label)
+    return grid_of(given, finite=finite)
+
+
+class _Worker:
+    """Fills blocks with verdicts, on one thread."""
+
+    def __init__(self, report: Report, grid: Grid, backend: str):
+        self.report, self.grid, self.backend = report, grid, backend
+        self.known: dict[Expr, ArraySigns] = {}
+        eq = report.equilibrium
+        self.positive = [self._signs(e) for e in (*eq.existence(), *(s for s in grid.values if s.is_positive))]
+        self.nonzero = [self._signs(e) for e in _denominators(eq.field_values)]
+        self.zero = [self._signs(e) for e in eq.constraints]
+        self.unsafe = [a for s, a in grid.values.items() if s not in grid.exact and not np.isfinite(a).all()]
+        sufficient, necessary = report.sufficient.alternatives, report.necessary.alternatives
+        self.alone = _single(sufficient) if _single(sufficient) == _single(necessary) else None
+
+    def _signs(self, expression: Expr) -> ArraySigns:
+        if expression not in self.known:
+            self.known[expression] = ArraySigns(expression, self.grid, self.backend, [])
+        return self.known[expression]
+
+    def fill(self, tiles: Iterable[Sequence[Block]], result: Array) -> int | None:
+        """Write the verdicts; the number of the first point where the equilibrium does not exist."""
+        first: int | None = None
+        for block in chain.from_iterable(tiles):
+            out = result[block][(0,) * (result.ndim - 2)]
+            nowhere = self._nowhere(block)
+            self._decide(block, out, nowhere)
+            if nowhere is not None:
+                out[np.broadcast_to(nowhere, out.shape)] = INVALID
+                row, column = np.argwhere(out == INVALID)[0]
+                place = (*(s.start for s in block[:-2]), block[-2].start + row, block[-1].start + column)
+                here = int(np.ravel_multi_index(place, self.grid.merged))
+                first = here if first is None else min(first, here)
+        return first
+
+    def _nowhere(self, block: Block) -> Array | None:
+        """Where the equilibrium does not exist, or a number is not finite; None: nowhere in the block."""
+        wrong = [~np.isfinite(last(cut(a, block))) for a in self.unsafe]
+        wrong += [signs(block) <= 0 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
+        wrong += [signs(block) != 0 for signs in self.zero]
+        found = [w for w in wrong if w.any()]
+        return reduce(np.logical_or, found) if found else None
+
+    def _decide(self, block: Block, out: Array, nowhere: Array | None) -> None:
+        """Write the verdicts in a block."""
+        if self.alone is not None:
+            signs = self._signs(self.alone)
+            if (found := signs(block, out)) is not out:
+                out[...] = found
+            if signs.sufficed:
+                return
+            between = out == 0
+            out[out == UNKNOWN] = UNDECIDED
+        else:
+            sufficient, necessary = (self._holds(c, block) for c in (self.report.sufficient, self.report.necessary))
+            out[...] = np.where(sufficient > 0, STABLE, np.where(necessary < 0, UNSTABLE, UNDECIDED))
+            between = np.broadcast_to((sufficient < 0) & (necessary > 0), out.shape)
+        if nowhere is not None:
+            between = between & ~nowhere
+        for row, column in np.argwhere(between):
+            place = (*(s.start for s in block[:-2]), block[-2].start + row, block[-1].start + column)
+            flat = int(np.ravel_multi_index(place, self.grid.merged))
+            out[row, column] = CODES[self.report.verdict(_numbers(self.grid, flat)).verdict]
+
+    def _holds(self, criterion: Criterion, block: Block) -> Array:
+        """1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
+        groups = [reduce(np.minimum, [self._condition(c, block) for c in group], np.ones((1, 1), np.int8))
+                  for group in criterion.alternatives]
+        return reduce(np.maximum, groups, -np.ones((1, 1), np.int8))
+
+    def _condition(self, condition: Condition, block: Block) -> Array:
+        margin = self._signs(condition.margin)(block)
+        factors = [self._signs(factor)(block) for factor in condition.degenerate]
+        vanishes = reduce(np.logical_or, [f == 0 for f in factors], np.zeros((1, 1), bool))
+        unsure = reduce(np.logical_or, [f == UNKNOWN for f in factors], margin == UNKNOWN)
+        if condition.strict:
+            holds = np.where((margin <= 0) | vanishes, -1, 1)
+            return np.where(unsure & (holds > 0), 0, holds)
+        holds = np.where((margin >= 0) & (margin != UNKNOWN) | vanishes, 1, -1)
+        return np.where(unsure & (holds < 0), 0, holds)
+
+
+def _numbers(grid: Grid, flat: int) -> dict[str, Any]:
+    """The exact numbers of a point by name."""
+    return {s.name: exact_number(x) for s, x in grid.point(flat).items()}
+
+
+def _single(alternatives: Sequence[Sequence[Condition]]) -> Expr | None:
+    """The margin that decides alone, None if there is no such."""
+    conditions = list(chain.from_iterable(alternatives))
+    return conditions[0].margin if len(alternatives) == len(conditions) == 1 and not conditions[0].degenerate else None
+
+
+def _denominators(values: Sequence[Expr]) -> list[Expr]:
+    """What must not vanish for U and its derivatives to be finite."""
+    found = []
+    for value in values:
+        ring = Ring([value])
+        bottom = ring.fraction(value)[1]
+        if not bottom.is_constant():
+            found.append(ring.expression(bottom))
+    return list(dict.fromkeys(found))
+

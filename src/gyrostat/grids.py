@@ -1,0 +1,165 @@
+"""Named arrays on a common grid: broadcast, with the axes along which each varies, in blocks that fit a cache."""
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
+from functools import cached_property
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from sympy import Expr, Rational, Symbol
+
+from .errors import ValuesError
+from .exact import ball
+from .expressions import exact_number
+from .notation import symbol
+from .straightline import Axes
+
+Array = NDArray[Any]
+Block = tuple[slice, ...]
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Arrays by symbol over the points of a grid, all of the same number of dimensions, of length 1 where they do not vary.
+
+    Parameters
+    ----------
+    shape : tuple of int          what the arrays broadcast to
+    merged : tuple of int         the same points, neighbouring axes joined where every array allows it; two axes at least
+    values : dict                 floats
+    exact : dict                  the numbers themselves, as objects, where a float is only near
+    """
+
+    shape: tuple[int, ...]
+    merged: tuple[int, ...]
+    values: dict[Symbol, Array]
+    exact: dict[Symbol, Array]
+
+    @cached_property
+    def axes(self) -> dict[Symbol, Axes]:
+        """Axes of the merged grid along which each symbol varies."""
+        return {s: frozenset(i for i, n in enumerate(a.shape) if n > 1) for s, a in self.values.items()}
+
+    def index(self, flat: int) -> tuple[int, ...]:
+        """Where in the result the point of that number, in C order, lies."""
+        return tuple(int(i) for i in np.unravel_index(flat, self.shape)) if self.shape else ()
+
+    def blocks(self, points: int) -> list[list[Block]]:
+        """Tiles of the last two axes, each with its blocks along the others: about so many points a block."""
+        *outer, rows, columns = self.merged
+        width = min(columns, max(points // 8, 1))
+        height = min(rows, max(points // width, 1))
+        places = list(product(*(range(n) for n in outer)))
+        return [[(*(slice(i, i + 1) for i in place), slice(row, min(row + height, rows)), slice(column, min(column + width, columns)))
+                 for place in places] for column in range(0, columns, width) for row in range(0, rows, height)]
+
+    def at(self, places: tuple[Array, ...]) -> "Grid":
+        """The points at these places of the merged grid, in a row."""
+        def gathered(arrays: dict[Symbol, Array]) -> dict[Symbol, Array]:
+            return {s: a[tuple(np.where(n > 1, i, 0) for i, n in zip(places, a.shape))].reshape(1, -1) if a.size > 1
+                    else a.reshape(1, 1) for s, a in arrays.items()}
+
+        count = len(places[0])
+        return Grid((count,), (1, count), gathered(self.values), gathered(self.exact))
+
+
+    def point(self, flat: int) -> dict[Symbol, Any]:
+        """The numbers at the point of that number, in C order: doubles, or exact numbers where those are only near."""
+        place = np.unravel_index(flat, self.merged)
+        found: dict[Symbol, Any] = {}
+        for s, array in self.values.items():
+            here = tuple(i if n > 1 else 0 for i, n in zip(place, array.shape))
+            found[s] = self.exact[s][here] if s in self.exact else float(array[here])
+        return found
+
+
+def cut(array: Array, block: Block) -> Array:
+    """The part of an array in a block."""
+    return array[tuple(s if n > 1 else slice(None) for s, n in zip(block, array.shape))]
+
+
+def last(array: Array) -> Array:
+    """An array of a block as rows and columns, the axes before being of length 1."""
+    return array.reshape(array.shape[-2:] if array.ndim > 1 else (1, 1))
+
+
+def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = True) -> Grid:
+    """The grid of named numbers and arrays.
+
+    Parameters
+    ----------
+    values : mapping of name to array or number      floats, integers, or objects: Fraction, SymPy numbers
+    kind : NumPy type                                of the floats
+    finite : bool                                    whether NaN and infinities are refused
+
+    Raises
+    ------
+    ValuesError      an array is not of real finite numbers, or the shapes do not broadcast
+    """
+    read = {symbol(str(name)): _read(str(name), value, kind, finite) for name, value in values.items()}
+    try:
+        shape = np.broadcast_shapes(*(floats.shape for floats, _ in read.values()))
+    except ValueError:
+        shapes = ", ".join(f"{s} {floats.shape}" for s, (floats, _) in read.items() if floats.shape)
+        raise ValuesError(f"the arrays do not broadcast: {shapes}; give shapes that agree, such as (n, 1) and (m,) for a grid") from None
+    groups = _groups(shape, [floats.shape for floats, _ in read.values()])
+
+    def merge(array: Array) -> Array:
+        full = (1,) * (len(shape) - array.ndim) + array.shape
+        return array.reshape([int(np.prod([full[i] for i in group], dtype=int)) for group in groups])
+
+    merged = tuple(int(np.prod([shape[i] for i in group], dtype=int)) for group in groups)
+    return Grid(shape, merged, {s: merge(floats) for s, (floats, _) in read.items()},
+                {s: merge(exact) for s, (_, exact) in read.items() if exact is not None})
+
+
+def _groups(shape: tuple[int, ...], shapes: list[tuple[int, ...]]) -> list[list[int]]:
+    """Neighbouring axes on which each array varies along all or along none, joined; empty groups in front, so that there are two."""
+    varies = [(1,) * (len(shape) - len(s)) + s for s in shapes]
+    groups: list[list[int]] = []
+    for axis, n in enumerate(shape):
+        same = groups and n > 1 and all((s[axis] > 1) == (s[groups[-1][-1]] > 1) for s in varies)
+        if same or (groups and n == 1):
+            groups[-1].append(axis)
+        else:
+            groups.append([axis])
+    return [[] for _ in range(2 - len(groups))] + groups
+
+
+def _read(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array | None]:
+    """Floats, and the exact numbers where a float is not one."""
+    if isinstance(value, (str, Decimal, Fraction, Expr)) or isinstance(value, int) and not isinstance(value, bool):
+        value = np.array(exact_number(value, name), dtype=object)
+    array = np.asarray(value)
+    if array.dtype.kind in "iu":
+        array = array.astype(object) if array.size and max(abs(int(array.min())), abs(int(array.max()))) > 2**53 else array.astype(kind)
+    if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
+        if finite and not np.isfinite(array).all():
+            where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
+            raise ValuesError(f"{name}{list(where) if where else ''} = {array[where]} is not a finite number: remove it")
+        return array.astype(kind, copy=False), None
+    if array.dtype.kind != "O":
+        raise ValuesError(f"{name} is an array of {array.dtype}, not of real numbers: give floats of at most 64 bits, integers, "
+                          "or exact numbers such as Fraction")
+    numbers = np.empty(array.shape, dtype=object)
+    for where in np.ndindex(array.shape):
+        numbers[where] = exact_number(array[where], f"{name}{list(where) if where else ''}")
+    floats = np.array([_near(x) for x in numbers.flat], dtype=float).reshape(array.shape)
+    if all(Rational(*x.as_integer_ratio()) == n if np.isfinite(x) else False for x, n in zip(floats.ravel().tolist(), numbers.flat)):
+        return floats.astype(kind), None
+    return floats.astype(kind), numbers
+
+
+def _near(number: Expr) -> float:
+    """A double within one rounding of an exact number; NaN where there is none, or it is too small to be rounded well."""
+    if isinstance(number, Rational):
+        try:
+            near = int(number.p) / int(number.q)       # correctly rounded
+        except OverflowError:
+            return float("nan")
+    else:
+        near = float(ball(number, 128).mid())
+    return near if abs(near) >= 2.0**-1022 or number == 0 else float("nan")
