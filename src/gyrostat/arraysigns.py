@@ -1,5 +1,6 @@
 """Exact signs of an expression on a grid: floats with a proved bound, then balls, then rationals."""
 import operator
+import threading
 from functools import lru_cache
 from math import isfinite
 from types import SimpleNamespace
@@ -12,12 +13,13 @@ from sympy import Expr, Rational, Symbol
 from .exact import ball, compiled, sign
 from .grids import Array, Block, Grid, cut
 from .kernels import Kernel
-from .rounding import error_bound
+from .rounding import error_bound, rounded
 from .straightline import Program, program_of
 from .tiles import Tiles
 
 UNKNOWN = 2                                            # no sign is proved
 PRECISION = 128                                        # bits of the first balls
+ONE_AT_A_TIME = threading.RLock()                      # the precision of python-flint is one for the whole process
 _BALLS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul, negative=operator.neg)
 _ROUNDINGS = 2                                         # of a function computed in balls and rounded to a double
 
@@ -46,7 +48,8 @@ class ArraySigns:
         self.shape = tuple(n if i in program.steps[-1].axes else 1 for i, n in enumerate(grid.merged))
 
     def _read(self, leaf: Expr, block: Block) -> Array:
-        return _floats(leaf, {s: cut(array, block) for s, array in _arrays(leaf, self.grid).items()})
+        with ONE_AT_A_TIME:
+            return _floats(leaf, {s: cut(array, block) for s, array in _arrays(leaf, self.grid).items()})
 
     def _largest(self, leaf: Expr) -> float:
         """At least the size of a leaf wherever it is known; of a function that varies along all axes nothing is known beforehand."""
@@ -63,10 +66,11 @@ class ArraySigns:
             return self.kept[1]
         signs = self.empty(block) if out is None or key is not None else out
         self.filtered(block, signs)
-        self.sufficed = np.count_nonzero(signs) == signs.size
-        if not self.sufficed:
-            places = np.nonzero(signs == 0)
-            signs[places] = self._decided(block, places)
+        unsure = signs.size - int(np.count_nonzero(signs))
+        self.sufficed = unsure == 0
+        if unsure:
+            with ONE_AT_A_TIME:
+                self._decide(block, signs, unsure)
         self.kept = (key, signs) if key is not None else None
         return signs
 
@@ -83,25 +87,27 @@ class ArraySigns:
         above, below = value > self.bound, value < -self.bound
         np.subtract(above.view(np.int8), below.view(np.int8), out=out)
 
-    def _decided(self, block: Block, places: tuple[Array, ...]) -> Array:
-        """Signs at places of a block: with a bound for each point, and exactly where that is too wide."""
+    def _decide(self, block: Block, signs: Array, unsure: int) -> None:
+        """Decide what is 0 in a block: with a bound for each point, and exactly where that is too wide."""
+        leaves = {step.value: self.tiles.small(i, block) for i, step in enumerate(self.tiles.program.steps) if step.operation == "leaf"}
+        if 8 * unsure > signs.size:                    # as rows and columns
+            signs[...] = self._bounded(leaves)
+        else:
+            rows, columns = np.nonzero(signs == 0)
+            signs[rows, columns] = self._bounded({leaf: a[rows if a.shape[0] > 1 else 0, columns if a.shape[1] > 1 else 0]
+                                                  for leaf, a in leaves.items()})
         start = [s.start if n > 1 else 0 for s, n in zip(block, self.shape)]
-        here = self.grid.at((*(np.full_like(places[0], i) for i in start[:-2]), places[0] + start[-2], places[1] + start[-1]))
-        signs = pointwise(self.expression, here)
-        for i in np.flatnonzero(signs == 0):
-            signs[i] = exact_sign(self.expression, here.point(int(i)))
-        return signs
+        for row, column in np.argwhere(signs == 0):
+            place = (*start[:-2], start[-2] + row, start[-1] + column)
+            signs[row, column] = exact_sign(self.expression, self.grid.point(place))
 
-
-def pointwise(expression: Expr, grid: Grid) -> Array:
-    """Signs at points in a row that doubles prove, with a bound for each point; 0 elsewhere."""
-    program = program_of(expression, grid.axes)
-    values = {leaf: _floats(leaf, _arrays(leaf, grid)) for leaf in program.leaves}
-    with np.errstate(all="ignore"):
-        computed = program.run(values.__getitem__, lambda c: np.float64(int(c.p)) / np.float64(int(c.q)), np)
-        bound = error_bound(program, {leaf: np.abs(x) for leaf, x in values.items()}, _roundings(program, grid), computed)
-        signs = (computed[-1] > bound).astype(np.int8) - (computed[-1] < -bound)
-    return np.broadcast_to(signs, (1, *grid.shape))[0].copy()
+    def _bounded(self, leaves: dict[Any, Array]) -> Array:
+        """Signs that doubles prove with a bound for each point, 0 elsewhere."""
+        program = self.tiles.program
+        with np.errstate(all="ignore"):
+            computed: list[Any] = program.run(leaves.__getitem__, lambda c: np.float64(rounded(c)[0]), np)
+            bound = error_bound(program, {leaf: np.abs(x) for leaf, x in leaves.items()}, _roundings(program, self.grid), computed)
+            return np.greater(computed[-1], bound).astype(np.int8) - np.less(computed[-1], -bound)
 
 
 def exact_sign(expression: Expr, point: dict[Symbol, Any]) -> int:

@@ -8,7 +8,7 @@ import numpy as np
 from sympy import Expr
 
 from .algebra import Ring
-from .arraysigns import UNKNOWN, ArraySigns, exact_number
+from .arraysigns import ONE_AT_A_TIME, UNKNOWN, ArraySigns, exact_number
 from .conditions import Condition, Criterion
 from .errors import ArgumentError, ValuesError, optional, require
 from .grids import Array, Block, Grid, cut, grid_of, last
@@ -107,18 +107,16 @@ class _Worker:
             self.known[expression] = ArraySigns(expression, self.grid, self.backend, [])
         return self.known[expression]
 
-    def fill(self, tiles: Iterable[Sequence[Block]], result: Array) -> int | None:
-        """Write the verdicts; the number of the first point where the equilibrium does not exist."""
-        first: int | None = None
+    def fill(self, tiles: Iterable[Sequence[Block]], result: Array) -> tuple[int, ...] | None:
+        """Write the verdicts; the first place where the equilibrium does not exist."""
+        first: tuple[int, ...] | None = None
         for block in chain.from_iterable(tiles):
             out = result[block][(0,) * (result.ndim - 2)]
             nowhere = self._nowhere(block)
             self._decide(block, out, nowhere)
             if nowhere is not None:
                 out[np.broadcast_to(nowhere, out.shape)] = INVALID
-                row, column = np.argwhere(out == INVALID)[0]
-                place = (*(s.start for s in block[:-2]), block[-2].start + row, block[-1].start + column)
-                here = int(np.ravel_multi_index(place, self.grid.merged))
+                here = _place(block, *np.argwhere(out == INVALID)[0])
                 first = here if first is None else min(first, here)
         return first
 
@@ -147,9 +145,8 @@ class _Worker:
         if nowhere is not None:
             between = between & ~nowhere
         for row, column in np.argwhere(between):
-            place = (*(s.start for s in block[:-2]), block[-2].start + row, block[-1].start + column)
-            flat = int(np.ravel_multi_index(place, self.grid.merged))
-            out[row, column] = CODES[self.report.verdict(_numbers(self.grid, flat)).verdict]
+            with ONE_AT_A_TIME:
+                out[row, column] = CODES[self.report.verdict(_numbers(self.grid, _place(block, row, column))).verdict]
 
     def _holds(self, criterion: Criterion, block: Block) -> Array:
         """1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
@@ -169,9 +166,14 @@ class _Worker:
         return np.where(unsure & (holds < 0), 0, holds)
 
 
-def _numbers(grid: Grid, flat: int) -> dict[str, Any]:
+def _place(block: Block, row: int, column: int) -> tuple[int, ...]:
+    """The place in the merged grid of a row and column of a block."""
+    return (*(s.start for s in block[:-2]), block[-2].start + int(row), block[-1].start + int(column))
+
+
+def _numbers(grid: Grid, place: Sequence[int]) -> dict[str, Any]:
     """The exact numbers of a point by name."""
-    return {s.name: exact_number(x) for s, x in grid.point(flat).items()}
+    return {s.name: exact_number(x) for s, x in grid.point(place).items()}
 
 
 def _single(alternatives: Sequence[Sequence[Condition]]) -> Expr | None:

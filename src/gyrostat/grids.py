@@ -1,5 +1,5 @@
 """Named arrays on a common grid: broadcast, with the axes along which each varies, in blocks that fit a cache."""
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
@@ -43,8 +43,9 @@ class Grid:
         """Axes of the merged grid along which each symbol varies."""
         return {s: frozenset(i for i, n in enumerate(a.shape) if n > 1) for s, a in self.values.items()}
 
-    def index(self, flat: int) -> tuple[int, ...]:
-        """Where in the result the point of that number, in C order, lies."""
+    def index(self, place: Sequence[int]) -> tuple[int, ...]:
+        """Where in the result a place of the merged grid lies."""
+        flat = np.ravel_multi_index(tuple(place), self.merged)
         return tuple(int(i) for i in np.unravel_index(flat, self.shape)) if self.shape else ()
 
     def blocks(self, points: int) -> list[list[Block]]:
@@ -56,19 +57,8 @@ class Grid:
         return [[(*(slice(i, i + 1) for i in place), slice(row, min(row + height, rows)), slice(column, min(column + width, columns)))
                  for place in places] for column in range(0, columns, width) for row in range(0, rows, height)]
 
-    def at(self, places: tuple[Array, ...]) -> "Grid":
-        """The points at these places of the merged grid, in a row."""
-        def gathered(arrays: dict[Symbol, Array]) -> dict[Symbol, Array]:
-            return {s: a[tuple(np.where(n > 1, i, 0) for i, n in zip(places, a.shape))].reshape(1, -1) if a.size > 1
-                    else a.reshape(1, 1) for s, a in arrays.items()}
-
-        count = len(places[0])
-        return Grid((count,), (1, count), gathered(self.values), gathered(self.exact))
-
-
-    def point(self, flat: int) -> dict[Symbol, Any]:
-        """The numbers at the point of that number, in C order: doubles, or exact numbers where those are only near."""
-        place = np.unravel_index(flat, self.merged)
+    def point(self, place: Sequence[int]) -> dict[Symbol, Any]:
+        """The numbers at a place of the merged grid: doubles, or exact numbers where those are only near."""
         found: dict[Symbol, Any] = {}
         for s, array in self.values.items():
             here = tuple(i if n > 1 else 0 for i, n in zip(place, array.shape))
