@@ -20,7 +20,7 @@ from .straightline import program_of
 from .tiles import Tiles
 from .values import names_in, unknown
 
-NUMPY_BLOCK, NUMBA_BLOCK = 2**15, 2**20                # points: a few buffers fit a core's cache; a call is short beside the loop
+NUMPY_BLOCK, NUMBA_BLOCK = 2**17, 2**20                # points: a few buffers fit a core's cache; a call is short beside the loop
 
 
 class CompiledMargin:
