@@ -96,10 +96,10 @@ class ArraySigns:
             rows, columns = np.nonzero(signs == 0)
             signs[rows, columns] = self._bounded({leaf: a[rows if a.shape[0] > 1 else 0, columns if a.shape[1] > 1 else 0]
                                                   for leaf, a in leaves.items()})
-        start = [s.start if n > 1 else 0 for s, n in zip(block, self.shape)]
-        for row, column in np.argwhere(signs == 0):
-            place = (*start[:-2], start[-2] + row, start[-1] + column)
-            signs[row, column] = exact_sign(self.expression, self.grid.point(place))
+        rows, columns = np.nonzero(signs == 0)
+        if len(rows):
+            exact = ExactSign(self.expression)
+            signs[rows, columns] = [exact(numbers) for numbers in self.grid.at(block, rows, columns).numbers(exact.symbols)]
 
     def _bounded(self, leaves: dict[Any, Array]) -> Array:
         """Signs that doubles prove with a bound for each point, 0 elsewhere."""
@@ -110,23 +110,34 @@ class ArraySigns:
             return np.greater(computed[-1], bound).astype(np.int8) - np.less(computed[-1], -bound)
 
 
-def exact_sign(expression: Expr, point: dict[Symbol, Any]) -> int:
-    """Sign at one point: by balls of 128 bits; if they contain 0, by rationals, or by balls of more bits; UNKNOWN if not proved."""
-    if not all(isfinite(x) for x in point.values() if isinstance(x, float)):
-        return UNKNOWN
-    with ctx.workprec(PRECISION):
-        values = {s: _ball_of(x) for s, x in point.items()}
-        enclosure = program_of(expression, {}).run(lambda leaf: ball(leaf, PRECISION, values),
-                                                   lambda c: arb(fmpq(int(c.p), int(c.q))), _BALLS)[-1]
-    if enclosure > 0 or enclosure < 0:
-        return 1 if enclosure > 0 else -1
-    fraction = compiled(expression)
-    if fraction is None or not all(isinstance(x, (float, Rational)) for x in point.values()):
-        found = sign(expression, {s: exact_number(x) for s, x in point.items()})
-        return UNKNOWN if found is None else found
-    symbols, top, _ = fraction                         # a margin is a polynomial
-    value = top(*(_rational(point[s]) for s in symbols))
-    return 1 if value > 0 else -1 if value < 0 else 0
+class ExactSign:
+    """The sign of one expression at one point after another: −1, 0, 1, or UNKNOWN.
+
+    By balls of 128 bits; where they contain 0 by rationals, or, with functions and algebraic numbers, by balls of more bits.
+    """
+
+    def __init__(self, expression: Expr):
+        self.expression = expression
+        self.symbols = sorted(expression.free_symbols, key=str)
+        self.program = program_of(expression, {})
+        self.polynomial = compiled(expression)         # a margin has no denominator
+
+    def __call__(self, numbers: tuple[float | Expr, ...]) -> int:
+        """The sign at the numbers of the symbols, in their order."""
+        if not all(isfinite(x) for x in numbers if isinstance(x, float)):
+            return UNKNOWN
+        with ctx.workprec(PRECISION):
+            values = dict(zip(self.symbols, map(_ball_of, numbers)))
+            enclosure = self.program.run(lambda leaf: values[leaf] if leaf in values else ball(leaf, PRECISION, values),
+                                         lambda c: arb(fmpq(int(c.p), int(c.q))), _BALLS)[-1]
+        if enclosure > 0 or enclosure < 0:
+            return 1 if enclosure > 0 else -1
+        if self.polynomial is None or not all(isinstance(x, (float, Rational)) for x in numbers):
+            found = sign(self.expression, dict(zip(self.symbols, map(exact_number, numbers))))
+            return UNKNOWN if found is None else found
+        given = dict(zip(self.symbols, map(_rational, numbers)))
+        value = self.polynomial[1](*(given[s] for s in self.polynomial[0]))
+        return 1 if value > 0 else -1 if value < 0 else 0
 
 
 def exact_number(x: float | Expr) -> Expr:

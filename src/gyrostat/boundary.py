@@ -119,7 +119,7 @@ class Boundary(Typeset):
         """
         for rung in self.rungs():
             condition = rung.condition
-            if wanted := {s for e in (condition.margin, *condition.degenerate) for s in e.free_symbols} - numbers.keys():
+            if wanted := condition.symbols - numbers.keys():
                 missing = ", ".join(sorted(s.name for s in wanted))
                 what = f"give {missing} to decide" if all(jet(s.name) for s in wanted) else f"{missing} would decide"
                 return None, f"on the boundary, {what}"

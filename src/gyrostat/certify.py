@@ -11,7 +11,7 @@ from .algebra import Ring
 from .arraysigns import ONE_AT_A_TIME, UNKNOWN, ArraySigns, exact_number
 from .conditions import Condition, Criterion
 from .errors import ArgumentError, ValuesError, optional, require
-from .grids import Array, Block, Grid, cut, grid_of, last
+from .grids import Array, Block, Grid, all_finite, cut, grid_of, last
 from .notation import jet
 from .numeric import NUMBA_BLOCK, NUMPY_BLOCK, check_names, in_threads, prepared
 from .stability import Report, Verdict
@@ -70,8 +70,10 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     firsts = in_threads(lambda some: _Worker(report, grid, backend).fill(some, merged), blocks, threads)
     if invalid == "raise" and (bad := [first for first in firsts if first is not None]):
         place = min(bad)
+        block = tuple(slice(i, i + 1) for i in place)
+        (numbers,) = grid.at(block, np.zeros(1, int), np.zeros(1, int)).numbers(grid.values)
         try:
-            report.verdict(_numbers(grid, place))
+            report.verdict(dict(zip((s.name for s in grid.values), map(exact_number, numbers))))
         except ValuesError as error:
             raise ValuesError(f"at index {grid.index(place)}: {error}; or ask for such points to be marked, invalid=\"mark\"") from None
     return result
@@ -98,7 +100,7 @@ class _Worker:
         self.positive = [self._signs(e) for e in (*eq.existence(), *(s for s in grid.values if s.is_positive))]
         self.nonzero = [self._signs(e) for e in _denominators(eq.field_values)]
         self.zero = [self._signs(e) for e in eq.constraints]
-        self.unsafe = [a for s, a in grid.values.items() if s not in grid.exact and not np.isfinite(a).all()]
+        self.unsafe = [a for s, a in grid.values.items() if s not in grid.exact and not all_finite(a)]
         sufficient, necessary = report.sufficient.alternatives, report.necessary.alternatives
         self.alone = _single(sufficient) if _single(sufficient) == _single(necessary) else None
 
@@ -144,9 +146,30 @@ class _Worker:
             between = np.broadcast_to((sufficient < 0) & (necessary > 0), out.shape)
         if nowhere is not None:
             between = between & ~nowhere
-        for row, column in np.argwhere(between):
+        if between.any():
+            rows, columns = np.nonzero(between)
             with ONE_AT_A_TIME:
-                out[row, column] = CODES[self.report.verdict(_numbers(self.grid, _place(block, row, column))).verdict]
+                out[rows, columns] = self._between(self.grid.at(block, rows, columns))
+
+    def _between(self, grid: Grid) -> Array | list[int]:
+        """Verdicts at points between the two criteria: by the ladder of the boundary, or one by one where there is none."""
+        boundary = self.report.boundary
+        if boundary is None:
+            names = [s.name for s in grid.values]
+            return [CODES[self.report.verdict(dict(zip(names, map(exact_number, numbers)))).verdict]
+                    for numbers in grid.numbers(grid.values)]
+        found = np.full(grid.shape, UNDECIDED, dtype=np.int8)
+        left = np.arange(len(found))
+        for rung in boundary.rungs():
+            if not rung.condition.symbols <= grid.values.keys():
+                return found
+            signs = _signs_of(rung.condition, grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))
+            found[left] = np.where(signs == UNKNOWN, UNDECIDED, np.where((signs > 0) & (not rung.escapes), STABLE, UNSTABLE))
+            left = left[signs == 0]
+            if not len(left):
+                return found
+        found[left] = UNDECIDED if boundary.last is None else UNSTABLE
+        return found
 
     def _holds(self, criterion: Criterion, block: Block) -> Array:
         """1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
@@ -166,14 +189,19 @@ class _Worker:
         return np.where(unsure & (holds < 0), 0, holds)
 
 
+def _signs_of(condition: Condition, grid: Grid) -> Array:
+    """The sign of a condition at points in a row, 0 where an even factor vanishes."""
+    whole = (slice(0, 1), slice(0, grid.shape[0]))
+    signs, *factors = (np.broadcast_to(ArraySigns(e, grid, "numpy", [])(whole)[0], grid.shape)
+                       for e in (condition.margin, *condition.degenerate))
+    for factor in factors:
+        signs = np.where(factor == 0, 0, np.where((factor == UNKNOWN) & (signs != 0), UNKNOWN, signs))
+    return signs
+
+
 def _place(block: Block, row: int, column: int) -> tuple[int, ...]:
     """The place in the merged grid of a row and column of a block."""
     return (*(s.start for s in block[:-2]), block[-2].start + int(row), block[-1].start + int(column))
-
-
-def _numbers(grid: Grid, place: Sequence[int]) -> dict[str, Any]:
-    """The exact numbers of a point by name."""
-    return {s.name: exact_number(x) for s, x in grid.point(place).items()}
 
 
 def _single(alternatives: Sequence[Sequence[Condition]]) -> Expr | None:

@@ -35,6 +35,11 @@ class Condition(Typeset):
     at: Expr
     implies: tuple[Implied, ...] = field(default=(), compare=False)
 
+    @property
+    def symbols(self) -> set[Symbol]:
+        """What the sign depends on."""
+        return {s for e in (self.margin, *self.degenerate) for s in e.free_symbols}
+
 
 @dataclass(frozen=True)
 class Criterion(Typeset):

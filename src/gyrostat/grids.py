@@ -1,10 +1,11 @@
 """Named arrays on a common grid: broadcast, with the axes along which each varies, in blocks that fit a cache."""
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
-from itertools import product
+from itertools import product, repeat
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -12,13 +13,14 @@ from numpy.typing import NDArray
 from sympy import Expr, Rational, Symbol
 
 from .errors import ValuesError
-from .exact import ball
+from .exact import LIMIT, ball
 from .expressions import exact_number
 from .notation import symbol
 from .straightline import Axes
 
 Array = NDArray[Any]
 Block = tuple[slice, ...]
+COLUMNS, ROWS = 4096, 256                              # up to which short neighbouring axes are joined
 
 
 @dataclass(frozen=True)
@@ -51,19 +53,29 @@ class Grid:
     def blocks(self, points: int) -> list[list[Block]]:
         """Tiles of the last two axes, each with its blocks along the others: about so many points a block."""
         *outer, rows, columns = self.merged
+        if 0 in self.merged:
+            return []
         width = min(columns, max(points // 8, 1))
         height = min(rows, max(points // width, 1))
         places = list(product(*(range(n) for n in outer)))
         return [[(*(slice(i, i + 1) for i in place), slice(row, min(row + height, rows)), slice(column, min(column + width, columns)))
                  for place in places] for column in range(0, columns, width) for row in range(0, rows, height)]
 
-    def point(self, place: Sequence[int]) -> dict[Symbol, Any]:
-        """The numbers at a place of the merged grid: doubles, or exact numbers where those are only near."""
-        found: dict[Symbol, Any] = {}
-        for s, array in self.values.items():
-            here = tuple(i if n > 1 else 0 for i, n in zip(place, array.shape))
-            found[s] = self.exact[s][here] if s in self.exact else float(array[here])
-        return found
+    def at(self, block: Block, rows: Array, columns: Array) -> "Grid":
+        """The points at these rows and columns of a block, in a row."""
+        def gathered(array: Array) -> Array:
+            here = last(cut(array, block))
+            found = here[rows if here.shape[0] > 1 else 0, columns if here.shape[1] > 1 else 0] if here.size > 1 else here
+            return found.reshape(1, -1)
+
+        count = len(rows)
+        return Grid((count,), (1, count), *({s: gathered(a) for s, a in arrays.items()} for arrays in (self.values, self.exact)))
+
+    def numbers(self, symbols: Collection[Symbol]) -> Iterable[tuple[Any, ...]]:
+        """The numbers of some symbols, point after point: doubles, or exact numbers where those are only near."""
+        if not symbols:
+            return repeat((), prod(self.merged))
+        return zip(*(np.broadcast_to(self.exact.get(s, self.values[s]), self.merged).ravel().tolist() for s in symbols))
 
 
 def cut(array: Array, block: Block) -> Array:
@@ -102,8 +114,35 @@ def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = Tr
         return array.reshape([int(np.prod([full[i] for i in group], dtype=int)) for group in groups])
 
     merged = tuple(int(np.prod([shape[i] for i in group], dtype=int)) for group in groups)
-    return Grid(shape, merged, {s: merge(floats) for s, (floats, _) in read.items()},
-                {s: merge(exact) for s, (_, exact) in read.items() if exact is not None})
+    return _widened(Grid(shape, merged, {s: merge(floats) for s, (floats, _) in read.items()},
+                         {s: merge(exact) for s, (_, exact) in read.items() if exact is not None}))
+
+
+def _widened(grid: Grid) -> Grid:
+    """The grid with short last axes joined, so that columns, and then rows, are worth a loop; few numbers are repeated."""
+    for last_of_pair, most in ((1, COLUMNS), (2, ROWS)):
+        while (place := len(grid.merged) - last_of_pair - 1) >= 0 and len(grid.merged) > 2:
+            pair = grid.merged[place:place + 2]
+            if prod(pair) > most or not _apart(grid, place):
+                break
+            shape = (*grid.merged[:place], prod(pair), *grid.merged[place + 2:])
+            both = ({s: _joined(a, place, pair) for s, a in arrays.items()} for arrays in (grid.values, grid.exact))
+            grid = Grid(grid.shape, shape, *both)
+    return grid
+
+
+def _joined(array: Array, place: int, pair: tuple[int, ...]) -> Array:
+    """An array with two axes joined, along which it is repeated if it varies along one of them."""
+    before, here, after = array.shape[:place], array.shape[place:place + 2], array.shape[place + 2:]
+    if here == (1, 1):
+        return array.reshape(*before, 1, *after)
+    return np.broadcast_to(array, (*before, *pair, *after)).reshape(*before, prod(pair), *after)
+
+
+def _apart(grid: Grid, place: int) -> bool:
+    """Whether each array that varies along one of two neighbouring axes varies along the other too, or along nothing else."""
+    pair = {place, place + 1}
+    return all(along >= pair or along <= pair or not along & pair for along in grid.axes.values())
 
 
 def _groups(shape: tuple[int, ...], shapes: list[tuple[int, ...]]) -> list[list[int]]:
@@ -123,11 +162,14 @@ def _read(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array 
     """Floats, and the exact numbers where a float is not one."""
     if isinstance(value, (str, Decimal, Fraction, Expr)) or isinstance(value, int) and not isinstance(value, bool):
         value = np.array(exact_number(value, name), dtype=object)
-    array = np.asarray(value)
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise ValuesError(f"{name} is a sequence of sequences that differ in length: give rows of one length") from None
     if array.dtype.kind in "iu":
         array = array.astype(object) if array.size and max(abs(int(array.min())), abs(int(array.max()))) > 2**53 else array.astype(kind)
     if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
-        if finite and not np.isfinite(array).all():
+        if finite and not all_finite(array):
             where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
             raise ValuesError(f"{name}{list(where) if where else ''} = {array[where]} is not a finite number: remove it")
         return array.astype(kind, copy=False), None
@@ -143,6 +185,11 @@ def _read(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array 
     return floats.astype(kind), numbers
 
 
+def all_finite(array: Array) -> bool:
+    """Whether an array of floats has no NaN and no infinity, found without another array."""
+    return not array.size or bool(np.isfinite(array.min()) and np.isfinite(array.max()))
+
+
 def _near(number: Expr) -> float:
     """A double within one rounding of an exact number; NaN where there is none, or it is too small to be rounded well."""
     if isinstance(number, Rational):
@@ -151,5 +198,8 @@ def _near(number: Expr) -> float:
         except OverflowError:
             return float("nan")
     else:
-        near = float(ball(number, 128).mid())
+        enclosure = ball(number, precision := 128)
+        while enclosure.rel_accuracy_bits() < 60 and precision < LIMIT:
+            enclosure = ball(number, precision := 2 * precision)
+        near = float(enclosure.mid()) if enclosure.rel_accuracy_bits() >= 60 else float("nan")
     return near if abs(near) >= 2.0**-1022 or number == 0 else float("nan")

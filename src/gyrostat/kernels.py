@@ -94,10 +94,10 @@ def _module(source: str) -> ModuleType:
 @lru_cache(maxsize=1)
 def _folder() -> Path:
     """Where kernels are kept: the user's cache, or a folder of this process where that cannot be written."""
-    folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "gyrostat"
     try:
+        folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "gyrostat"
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):
             return folder
-    except OSError:
+    except (OSError, RuntimeError):                    # no home, or none that can be written
         return Path(tempfile.mkdtemp(prefix="gyrostat-"))

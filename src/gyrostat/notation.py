@@ -1,7 +1,7 @@
 """Every symbol once: assumptions, LaTeX, Unicode, dimension, meaning."""
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache
 from types import MappingProxyType
 from typing import Any
@@ -93,7 +93,11 @@ def own(expression: Expr) -> Expr:
 
 
 class Typeset:
-    """Objects that Jupyter shows typeset, and that print as a person reads them."""
+    """Dataclasses that Jupyter shows typeset, that print as a person reads them, and that are pickled without what was derived."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields: what is remembered beside them is derived again where it is asked for."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
 
     def _repr_latex_(self) -> str:
         from .latex import formula  # a view: loaded only when something is shown

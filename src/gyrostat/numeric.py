@@ -3,6 +3,7 @@ import operator
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import reduce
+from itertools import chain
 from math import e, pi
 from types import ModuleType
 from typing import Any
@@ -12,9 +13,10 @@ import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol
 
 from .conditions import Condition, Criterion
-from .errors import ArgumentError, ValuesError, optional
+from .errors import ArgumentError, ValuesError, optional, require
 from .grids import Array, Block, Grid, cut, grid_of
 from .kernels import Finish, Kernel
+from .notation import own
 from .rounding import rounded
 from .straightline import program_of
 from .tiles import Tiles
@@ -59,15 +61,16 @@ class CompiledMargin:
         used = {name: arrays[name] for name in self.names}
         single = bool(used) and all(getattr(a, "dtype", None) == np.float32 for a in used.values() if np.ndim(a))
         kind = np.float32 if single and any(np.ndim(a) for a in used.values()) else np.float64
-        grid = grid_of(used, kind)
+        with np.errstate(all="ignore"):
+            grid = grid_of(used, kind)
         result = prepared(out, grid.shape, kind if self._margin is not None else np.bool_)
         merged = result.reshape(grid.merged)
         blocks = grid.blocks(NUMBA_BLOCK if self.backend == "numba" else NUMPY_BLOCK)
 
         def work(some: Iterable[list[Block]]) -> None:
             write = self._writer(grid, kind)
-            for tile in some:
-                for block in tile:
+            with np.errstate(all="ignore"):            # overflow is a value here
+                for block in chain.from_iterable(some):
                     write(block, merged[block][(0,) * (merged.ndim - 2)])
 
         in_threads(work, blocks, threads)
@@ -113,7 +116,9 @@ class CompiledMargin:
 
     def _everywhere(self, xp: ModuleType, arrays: Mapping[str, Any]) -> Any:
         """The whole result at once, in another namespace."""
-        given = {name: xp.asarray(arrays[name]) for name in self.names}
+        kinds = [a.dtype for a in (arrays[name] for name in self.names) if hasattr(a, "dtype") and xp.isdtype(a.dtype, "real floating")]
+        kind = xp.result_type(*kinds) if kinds else xp.asarray(1.0).dtype
+        given = {name: xp.asarray(arrays[name], dtype=kind) for name in self.names}
         if self._margin is not None:
             return _in_namespace(self._margin, xp, given)
         groups = []
@@ -165,7 +170,7 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
     if isinstance(what, Criterion):
         return CompiledMargin(what.alternatives, None, backend)
     if isinstance(what, Expr):
-        return CompiledMargin((), what, backend)
+        return CompiledMargin((), own(what), backend)
     raise ArgumentError(f"what to compile is a {type(what).__name__}, not a Condition or a Criterion: pass report.sufficient, say")
 
 
@@ -198,9 +203,10 @@ def tiles_of(margin: Expr, grid: Grid, kind: Any = np.float64) -> Tiles:
 
 def _in_namespace(margin: Expr, xp: ModuleType, given: Mapping[str, Any]) -> Any:
     arrays = {s: given[s.name] for s in margin.free_symbols}
+    kind = next(iter(given.values())).dtype if given else None
     dimensions = max((a.ndim for a in arrays.values()), default=0)
     axes = {s: frozenset(i + dimensions - a.ndim for i, n in enumerate(a.shape) if n != 1) for s, a in arrays.items()}
-    return program_of(margin, axes).run(lambda leaf: in_floats(leaf, xp, arrays), lambda c: xp.asarray(rounded(c)[0]), xp)[-1]
+    return program_of(margin, axes).run(lambda leaf: in_floats(leaf, xp, arrays), lambda c: xp.asarray(rounded(c)[0], dtype=kind), xp)[-1]
 
 
 def in_floats(node: Expr, xp: Any, arrays: Mapping[Symbol, Any]) -> Any:
@@ -225,9 +231,11 @@ def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
     """The array to write to: the one given, if it fits, or a new one."""
     if out is None:
         return np.empty(shape, dtype=kind)
-    if out.shape != shape or out.dtype != kind or not out.flags.c_contiguous:
-        raise ValuesError(f"out has shape {out.shape}, type {out.dtype}{'' if out.flags.c_contiguous else ', and is not C-contiguous'}; "
-                          f"the result has shape {shape}, type {np.dtype(kind)}: pass an array made by np.empty")
+    require(out, np.ndarray, "out")
+    if out.shape != shape or out.dtype != kind or not out.flags.carray:
+        kept = "" if out.flags.carray else ", and is read-only or not C-contiguous"
+        raise ValuesError(f"out has shape {out.shape}, type {out.dtype}{kept}; the result has shape {shape}, type {np.dtype(kind)}: "
+                          "pass an array made by np.empty")
     return out
 
 

@@ -14,6 +14,8 @@ from .notation import Typeset, jet, jet_name, of_the_motion, symbol
 _NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.Piecewise, sympy.Max, sympy.Min, sympy.floor,
                sympy.ceiling, sympy.frac, sympy.Mod, sympy.re, sympy.im, sympy.arg, sympy.conjugate)
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
+U = Function("U", real=True)
+U.__module__ = __name__                                # pickle finds it by this name
 
 
 @dataclass(frozen=True)
@@ -119,7 +121,7 @@ def smooth_where_positive(expression: Expr) -> tuple[Expr, ...]:
 
 def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
     if given is None:
-        return Potential(variables, Function("U", real=True)(*variables))
+        return Potential(variables, U(*variables))
     if callable(given) and not isinstance(given, Expr):
         given = given(*variables)
     if isinstance(given, (str, bool)):

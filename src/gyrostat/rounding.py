@@ -58,7 +58,8 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
                 assert step.value is not None
                 size, count, lost, own = magnitudes[step.value], roundings.get(step.value, 0), 0.0, True
             elif step.operation == "constant":
-                size, count, lost, own = *rounded(step.value), 0.0, True
+                size, count = rounded(step.value)
+                lost, own = float(count), True         # what rounding adds to a number below 2⁻¹⁰²²
             elif step.operation == "multiply":
                 a, b = step.arguments
                 size, count, own = sizes[a] * sizes[b], counts[a] + counts[b] + 2, relative[a] and relative[b]
@@ -88,4 +89,4 @@ def rounded(value: Any) -> tuple[float, int]:
         near = p / q
     except OverflowError:
         return np.inf, 1
-    return near, int(near * UNIT == 0 or near.as_integer_ratio() != (p, q))
+    return near, int(near.as_integer_ratio() != (p, q))

@@ -119,7 +119,9 @@ class _Writer:
         if isinstance(node, Add):
             return self.fold([self.write(part) for part in node.args], self.sum)
         if isinstance(node, Mul):
-            return self.fold([self.write(part) for part in node.args], self.product)
+            turned = node.args[0] == -1
+            last, negative = self.fold([self.write(part) for part in node.args[turned:]], self.product)
+            return last, negative != turned
         if isinstance(node, Pow) and isinstance(node.exp, Integer) and node.exp > 1:
             base, negative = self.write(node.base)
             return self.power(base, int(node.exp)), negative and bool(node.exp % 2)

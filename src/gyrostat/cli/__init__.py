@@ -31,6 +31,15 @@ A line of a batch is an object of numbers, {"m0": 1, "omega3_0": 1.25, "l": "1/3
 
 The exit status is 0 whatever the verdict, 2 for bad input, and after a batch with a bad line.
 """
+_CHART = """examples:
+  gyrostat chart --potential "m0*k3" --equilibrium E1 --x pi3_0=-4:4:400 --y l=-2:2:300 --set I1=1 --set m0=1 --output chart.png
+  gyrostat chart --equilibrium E3 --x k3=-1:1:500 --y d2U=-6:2:500 --set I1=1 --set I3=1/2 --set l=0.3 --set omega=1 --output chart.pdf
+  gyrostat chart --potential "m0*k3" --equilibrium E1 --x pi3_0=-4:4:9000 --y l=-2:2:9000 --axis m0=-1:1:20 --set I1=1 --output chart.zarr
+
+The kind of the file is that of its name: .png, .pdf, .svg, a picture of two axes; .nc, netCDF; .zarr, a store of any size, written block by
+block, which the same command continues after an interruption. Every verdict is proved; the line between them runs
+through zeros of the margins.
+"""
 _VERIFY = """examples:
   gyrostat verify                              every source: confirmed, misprint (with a counterexample) or unchecked
   gyrostat verify VV2003 --format latex        its misprints as a table of errata
@@ -47,14 +56,15 @@ def parser() -> argparse.ArgumentParser:
         epilog=_REPORT, formatter_class=argparse.RawDescriptionHelpFormatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
-    report, conditions, decide, verify = (
+    report, conditions, decide, chart, verify = (
         verbs.add_parser(name, help=text, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter) for name, text, epilog in (
             ("report", "the whole derivation, and verdicts where numbers are set", _REPORT),
             ("conditions", "where each equilibrium exists, its conditions, and what decides between them", _CONDITIONS),
             ("decide", "verdicts at numbers, of one body or of many", _DECIDE),
+            ("chart", "verdicts over a grid of parameters, as a picture or as data", _CHART),
             ("verify", "check published formulas against what is derived", _VERIFY)))
     for verb, meaning in ((report, "with enough of them a verdict is added"), (conditions, "put in the place of the name"),
-                          (decide, "names of the moments, l, U and the motion")):
+                          (decide, "names of the moments, l, U and the motion"), (chart, "all names but the axes")):
         verb.add_argument("--potential", metavar="EXPR", help="U in k3 and parameters: names, numbers, + - * / **, parentheses, sqrt, "
                           "exp, log, sin, …; none for a free body; left out: U unspecified")
         verb.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", dest="values",
@@ -68,6 +78,13 @@ def parser() -> argparse.ArgumentParser:
                         "equilibrium that the numbers allow")
     decide.add_argument("--batch", metavar="FILE", help="an object of numbers in each line, - for standard input; --set gives numbers for "
                         "all lines")
+    chart.add_argument("--equilibrium", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; left out for a free body")
+    for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"), ("--y", "the vertical axis")):
+        chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
+    chart.add_argument("--axis", metavar="NAME=LOW:HIGH:COUNT", action="append", help="a further axis of the data; may be repeated")
+    chart.add_argument("--threads", type=int, default=1, metavar="N", help="left out: 1")
+    chart.add_argument("--backend", choices=("numpy", "numba"), default="numpy", help="numba: faster, gyrostat[fast]")
+    chart.add_argument("--output", metavar="FILE", help="chart.png, .pdf, .svg, .nc or .zarr")
     verify.add_argument("sources", nargs="*", metavar="SOURCE", help="VV2003, N2025, EA, AR, literature, or a .toml file of your own; "
                         "left out: the first five")
     decide.add_argument("--format", choices=("text", "json"), help="left out: text, of a batch JSON")
@@ -84,7 +101,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = parser().parse_args(arguments)
     out = Output(given.output)
     try:
-        if given.verb != "decide" and given.fragment and given.format != "latex":
+        if getattr(given, "fragment", False) and given.format != "latex":
             raise ValuesError(f"--fragment is for LaTeX, --format is {given.format}: add --format latex")
         return int(import_module(f".{given.verb}", __package__).run(given, out))     # SymPy is loaded after the arguments are understood
     except GyrostatError as error:

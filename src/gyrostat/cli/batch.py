@@ -12,8 +12,9 @@ from sympy import Expr
 
 from ..errors import GyrostatError, ValuesError
 from ..expressions import exact_number
+from ..progress import Progress
 from .decide import answers_at, answers_data
-from .output import Output, Progress
+from .output import Output
 from .scenes import LABELS, numbers_of, one_spin, scene_of
 
 SPINS = {"pi3_0", "omega3_0"}

@@ -2,8 +2,9 @@
 import argparse
 import json
 
+from ..progress import Progress
 from ..published import SOURCES, Finding, check, errata, listing
-from .output import Output, Progress
+from .output import Output
 
 
 def run(given: argparse.Namespace, out: Output) -> int:

@@ -1,0 +1,140 @@
+"""Pictures of charts: stable light, unstable dark, undecided hatched, the boundary a black line."""
+from typing import Any
+
+import numpy as np
+
+from .errors import ValuesError, optional
+from .grids import Array
+from .notation import ORDER
+
+SHOWN = 2000                                               # values of an axis that are drawn; of more, every second, third, …
+LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""), "no_equilibrium": ("#ffffff", "....")}
+INK = {"undecided": "#8a6d2f", "no_equilibrium": "#a0a0a0"}            # of the hatches
+
+
+def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: Any) -> Any:
+    """Draw a stability chart of two axes.
+
+    Parameters
+    ----------
+    ds : xarray.Dataset         of stability_chart, from memory or opened from a store or a file; of a large one at most 2000 values of
+                                each axis are read
+    ax : matplotlib Axes        a new one where it is left out
+    title : str or None         caption(ds), say
+    kwargs                      of the image of the verdicts: of Axes.imshow, or of Axes.pcolormesh where the values of an axis are not
+                                evenly spaced
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    ValuesError            the verdict has another number of axes than two
+    MissingExtraError      pip install "gyrostat[plot]"
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> from gyrostat.charts import stability_chart
+    >>> from matplotlib.figure import Figure
+    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> chart = stability_chart(top, x=("pi3_0", np.linspace(-4, 4, 80)), y=("l", np.linspace(-2, 2, 60)), fixed={"I1": 1, "m0": 1})
+    >>> draw_chart(chart, Figure().subplots()).get_xlabel()
+    '$\\\\pi_3^0$'
+    """
+    optional("matplotlib", "plot")
+    if ds.verdict.ndim != 2:
+        raise ValuesError(f"the verdict has the axes {', '.join(ds.verdict.dims) or '(none)'}, two are drawn: choose values of the others "
+                          f"with ds.sel({ds.verdict.dims[0] if ds.verdict.dims else 'l'}=…) or ds.isel")
+    if ax is None:
+        import matplotlib.pyplot as plt
+        _, ax = plt.subplots()
+    dims = ds.verdict.dims
+    seen = ds.verdict.isel({name: slice(None, None, -(-n // SHOWN)) for name, n in ds.verdict.sizes.items()})
+    seen = seen.isel({name: slice(None, None, -1) for name in dims if seen.sizes[name] > 1 and seen[name][0] > seen[name][-1]})
+    y, x = (seen[name].values for name in dims)
+    codes = {name: int(code) for name, code in zip(ds.verdict.attrs["flag_meanings"].split(), ds.verdict.attrs["flag_values"])}
+    verdict = np.asarray(seen.values)
+    edges = _edges(x), _edges(y)
+    _image(ax, x, y, verdict, edges, codes, kwargs)
+    occurring = {name: verdict == codes[name] for name in LOOKS if (verdict == codes[name]).any()}
+    for name, where in occurring.items():
+        if LOOKS[name][1]:
+            _hatched(ax, x, y, edges, where, name)
+    lined = _line(ax, ds, dims)
+    ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]))
+    ax.set_xlabel(_label(seen[dims[1]]))
+    ax.set_ylabel(_label(seen[dims[0]]))
+    _legend(ax, list(occurring), lined)
+    if title is not None:
+        ax.set_title(title, pad=24, fontsize="medium")  # above the legend
+    return ax
+
+
+def caption(ds: Any) -> str:
+    """The equilibrium and what is fixed, as a title."""
+    names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=lambda name: (ORDER.get(name, len(ORDER)), name))
+    fixed = [f"${ds[name].attrs.get('latex', name)} = {_number(ds[name])}$" for name in names]
+    rows = [", ".join(fixed[i:i + 6]) for i in range(0, len(fixed), 6)]
+    return ": ".join([ds.attrs["equilibrium"], *([",\n".join(rows)] if rows else [])])
+
+
+def _number(coordinate: Any) -> str:
+    """A number as it was given, where that is short and Matplotlib can set it."""
+    exact = str(coordinate.attrs.get("exact", ""))
+    return exact if exact and len(exact) <= 8 and set(exact) <= set("0123456789./-") else f"{float(coordinate):.4g}"
+
+
+def _edges(values: Array) -> Array:
+    """Ends of the cells around increasing values."""
+    if len(values) == 1:
+        return np.array([values[0] - 0.5, values[0] + 0.5])
+    inner = values[:-1] + np.diff(values) / 2
+    return np.array([2 * values[0] - inner[0], *inner, 2 * values[-1] - inner[-1]])
+
+
+def _image(ax: Any, x: Array, y: Array, verdict: Array, edges: tuple[Array, Array], codes: dict[str, int], kwargs: dict[str, Any]) -> None:
+    from matplotlib.colors import BoundaryNorm, ListedColormap
+    order = sorted(LOOKS, key=lambda name: codes[name])
+    bounds = [codes[name] - 0.5 for name in order] + [codes[order[-1]] + 0.5]
+    given = {"cmap": ListedColormap([LOOKS[name][0] for name in order]), "norm": BoundaryNorm(bounds, len(order)), **kwargs}
+    if all(len(values) < 3 or np.allclose(np.diff(values), values[1] - values[0], rtol=1e-3) for values in (x, y)):
+        ax.imshow(verdict, **{"origin": "lower", "aspect": "auto", "interpolation": "nearest", "extent": (
+            edges[0][0], edges[0][-1], edges[1][0], edges[1][-1]), **given})
+    else:
+        ax.pcolormesh(*edges, verdict, **{"rasterized": True, **given})
+
+
+def _hatched(ax: Any, x: Array, y: Array, edges: tuple[Array, Array], where: Array, name: str) -> None:
+    """Hatches over the cells of one verdict, out to the ends of the axes."""
+    x, y = (np.concatenate([ends[:1], values, ends[-1:]]) for ends, values in zip(edges, (x, y)))
+    hatches = ax.contourf(x, y, np.pad(where, 1, mode="edge").astype(float), levels=[0.5, 1.5], colors="none", hatches=[LOOKS[name][1]])
+    hatches.set_edgecolor(INK[name])
+    hatches.set_linewidth(0)
+
+
+def _line(ax: Any, ds: Any, dims: tuple[str, ...]) -> bool:
+    """The boundary, if the dataset has one of these two axes."""
+    if "boundary_x" not in ds:
+        return False
+    points = {ds[name].attrs["parameter"]: ds[name].values for name in ("boundary_x", "boundary_y")}
+    if set(points) != set(dims) or not np.isfinite(points[dims[0]]).any():
+        return False
+    ax.plot(points[dims[1]], points[dims[0]], color="black", linewidth=1.2)
+    return True
+
+
+def _label(coordinate: Any) -> str:
+    return f"${coordinate.attrs['latex']}$" if "latex" in coordinate.attrs else str(coordinate.name)
+
+
+def _legend(ax: Any, names: list[str], lined: bool) -> None:
+    """What occurs, in a row above the axes, where no data are."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+    handles: list[Any] = [Patch(facecolor=LOOKS[name][0], hatch=LOOKS[name][1], edgecolor=INK.get(name, "black"), linewidth=0.6,
+                                label=name.replace("_", " ")) for name in names]
+    handles += [Line2D([], [], color="black", linewidth=1.2, label="boundary")] if lined else []
+    ax.legend(handles=handles, loc="lower left", bbox_to_anchor=(0, 1), ncols=len(handles), fontsize="small", frameon=False,
+              borderaxespad=0.2, columnspacing=1.2, handlelength=1.6)
