@@ -187,7 +187,8 @@ def _attributes(eq: Equilibrium) -> dict[str, str]:
     potential = eq.system.potential
     relations = {"relations": "; ".join(f"{name} = {value}" for name, value in eq.relations)} if eq.relations else {}
     return {"Conventions": "CF-1.11", "title": f"Stability of {eq.label}", "equilibrium": eq.label,
-            "potential": str(potential.expression) if potential else "none", **relations,
+            "potential": str(potential.expression) if potential else "none",
+            **({"potential_latex": tex(potential.expression)} if potential and potential.given else {}), **relations,
             **({"eliminated": eq.eliminated} if eq.eliminated else {}), "gyrostat_version": __version__}
 
 

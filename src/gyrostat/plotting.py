@@ -73,11 +73,13 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
 
 
 def caption(ds: Any) -> str:
-    """The equilibrium and what is fixed, as a title."""
+    """The equilibrium, U where it is short, and what is fixed, as a title."""
+    field = ds.attrs.get("potential_latex", "")
+    name = ds.attrs["equilibrium"] + (f", $U = {field}$" if 0 < len(field) <= 60 and "dfrac" not in field else "")
     names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=lambda name: (ORDER.get(name, len(ORDER)), name))
     fixed = [f"${ds[name].attrs.get('latex', name)} = {_number(ds[name])}$" for name in names]
     rows = [", ".join(fixed[i:i + 6]) for i in range(0, len(fixed), 6)]
-    return ": ".join([ds.attrs["equilibrium"], *([",\n".join(rows)] if rows else [])])
+    return ": ".join([name, *([",\n".join(rows)] if rows else [])])
 
 
 def _number(coordinate: Any) -> str:
