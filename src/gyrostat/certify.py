@@ -9,14 +9,19 @@ from sympy import Expr
 
 from .algebra import Ring
 from .arraysigns import ONE_AT_A_TIME, UNKNOWN, ArraySigns, exact_number
+from .boxes import BoxDecision, certified_chart, certify_box
 from .conditions import Condition, Criterion
+from .coverings import CertifiedChart
 from .errors import ArgumentError, ValuesError, optional, require
 from .grids import Array, Block, Grid, all_finite, cut, grid_of, last
 from .notation import jet
 from .numeric import NUMBA_BLOCK, NUMPY_BLOCK, check_names, in_threads, prepared
+from .proofs import ABSENT as INVALID
+from .proofs import STABLE, UNDECIDED, UNSTABLE
 from .stability import Report, Verdict
 
-STABLE, UNDECIDED, UNSTABLE, INVALID = 1, 0, -1, -2
+__all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "CODES", "INVALID", "STABLE", "UNDECIDED", "UNSTABLE",
+           "verdicts"]
 CODES = {Verdict.STABLE: STABLE, Verdict.UNDECIDED: UNDECIDED, Verdict.UNSTABLE: UNSTABLE}
 
 
