@@ -11,9 +11,9 @@ import gyrostat
 SRC = Path(gyrostat.__file__).parent
 CHAIN = ("errors notation expressions algebra matrices exact signs body potential fields liepoisson system equilibria families orbit "
          "linearization energy_casimir implication conditions reduction boundary sphere drift values stability roots branches "
-         "bifurcations intervals cases solve cells stabilizing attitude freebody presentation straightline rounding grids tiles kernels "
-         "numeric arraysigns enclosures regions proofs coverings boxes certify blocks results document unicode references "
-         "linebreaks latex article progress contours charts stores plotting published cli").split()
+         "bifurcations intervals cases solve cells stabilizing attitude freebody presentation progress straightline rounding grids tiles "
+         "kernels numeric arraysigns enclosures regions proofs coverings boxes certify blocks results document unicode references "
+         "linebreaks latex article contours charts stores plotting published cli").split()
 VIEWS = CHAIN[CHAIN.index("roots"):]
 PUBLISHED = ("jacobi language scenes kinematics names criteria sampling independent independent_kinematics independent_names statements "
              "formulas claims __init__ listing typesetting errata").split()

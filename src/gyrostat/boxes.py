@@ -1,6 +1,6 @@
 """Certified verdicts on boxes of parameters: each claim is proved for every point of a closed box where the equilibrium exists."""
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -12,6 +12,7 @@ from .enclosures import Array
 from .errors import ValuesError
 from .exact import sign_of_constant
 from .expressions import exact_number, shown
+from .progress import Told, telling
 from .proofs import ABSENT, STABLE, UNDECIDED, UNSTABLE, Proof
 from .regions import region_of
 from .stability import Report, Verdict
@@ -112,7 +113,7 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24, limi
 
 
 def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: Any = Fraction(1, 8192), limit: int = 1_000_000,
-                    progress: Callable[[int, int], object] | None = None) -> CertifiedChart:
+                    progress: Told | bool | None = None) -> CertifiedChart:
     """A region covered by boxes, each with a proved verdict; the undecided ones lie along the boundary.
 
     Parameters
@@ -121,7 +122,8 @@ def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: An
     region : mapping of name to number or (low, high)      one pair at least
     resolution : number                                    a side is halved until it is at most this share of the region's
     limit : int                                            boxes, at most
-    progress : callable (done, total) or None              called after each level of bisection
+    progress : callable, False or None                     called with the levels of bisection done and all of them; None: a bar on a
+                                                           terminal
 
     Returns
     -------
@@ -146,4 +148,5 @@ def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: An
     if not read.axes:
         raise ValuesError("no name varies: give a pair (low, high) for one name at least, or ask report.verdict for the point")
     levels = max(0, math.ceil(-math.log2(max(float(share), 2.0**-DEEPEST))))
-    return covered(Proof(report, read, separate=True), read, levels, levels * len(read.axes), limit, progress)
+    with telling(progress, "boxes") as tell:
+        return covered(Proof(report, read, separate=True), read, levels, levels * len(read.axes), limit, tell)

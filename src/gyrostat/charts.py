@@ -1,5 +1,5 @@
 """Stability charts: the exact verdict at every point of a grid of parameters, labelled, with the exact boundary between the verdicts."""
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,12 +19,12 @@ from .latex import tex
 from .notation import NOTATION, jet, symbol, typeset
 from .numeric import compile_margin
 from .presentation import readable
+from .progress import Told
 from .stability import Report
 from .values import unknown
 
 CODES = {"unstable": UNSTABLE, "undecided": UNDECIDED, "stable": STABLE, "no_equilibrium": INVALID}
 OWN = ("verdict", "margin", "boundary_x", "boundary_y", "vertex", "complete")    # names of the dataset itself
-Progress = Callable[[int, int], None]
 Axis = tuple[str, Any]
 
 
@@ -84,7 +84,7 @@ class Chart:
 
 def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any] | None = None, axes: Mapping[str, Any] | None = None,
                     margins: bool = False, store: str | Path | None = None, backend: str = "numpy", threads: int = 1,
-                    progress: Progress | bool | None = None) -> Any:
+                    progress: Told | bool | None = None) -> Any:
     """The verdict at every point of a grid of parameters, as a labelled dataset.
 
     Each is what Report.verdict says of that point, proved; between them, of two axes, the curves on which they change.

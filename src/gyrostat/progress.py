@@ -1,6 +1,11 @@
 """A bar on standard error while something long is under way."""
 import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
 from time import monotonic
+
+Told = Callable[[int, int], object]                        # is called with what is done, and with all there is
 
 WIDTH, PAUSE = 30, 0.1                                     # characters of a bar; seconds from one to the next
 
@@ -26,3 +31,13 @@ class Progress:
         if self.length:
             print("\r" + " " * self.length + "\r", end="", file=sys.stderr, flush=True)
         self.length, self.next = 0, 0.0
+
+
+@contextmanager
+def telling(progress: Told | bool | None, name: str) -> Iterator[Told]:
+    """What to call as work goes on: the function given, nothing for False, else a bar on a terminal, wiped at the end."""
+    bar = Progress(progress is not False)
+    try:
+        yield progress if callable(progress) else partial(bar.show, name)
+    finally:
+        bar.wipe()

@@ -15,17 +15,17 @@ from uuid import uuid4
 
 import numpy as np
 
-from .charts import Chart, Progress, described, variable_attributes
+from .charts import Chart, described, variable_attributes
 from .errors import StoreError, ValuesError, optional
 from .grids import Array
-from .progress import Progress as Bar
+from .progress import Told, telling
 
 FORMAT = 1                                                 # of what a store holds; another one is not continued
 BLOCK = 2**22                                              # points of a block, an eighth of it with margins
 WAVE = 1024                                                # blocks that are handed out at a time
 
 
-def filled(path: Path, chart: Chart, arrays: Sequence[Array], threads: int, progress: Progress | bool | None) -> Any:
+def filled(path: Path, chart: Chart, arrays: Sequence[Array], threads: int, progress: Told | bool | None) -> Any:
     """The dataset of a store after its missing blocks are computed, opened lazily.
 
     Each block is one chunk of every variable. Its mark in the variable complete, one byte, is written after the chunks, and each is
@@ -50,11 +50,9 @@ def filled(path: Path, chart: Chart, arrays: Sequence[Array], threads: int, prog
         _create(path, chart, arrays, block, counts, identity)
     _check(path, identity)
     done = np.asarray(zarr.open_array(str(path / "complete"), mode="r")[:])
-    tick, wipe = _counted(progress, int(np.count_nonzero(done)), done.size)
-    try:
-        _run(str(path), chart, np.nonzero(done == 0)[0].tolist(), threads, tick)
-    finally:
-        wipe()
+    numbers = count(int(np.count_nonzero(done)) + 1)
+    with telling(progress, "chart") as tell:
+        _run(str(path), chart, np.nonzero(done == 0)[0].tolist(), threads, lambda: tell(next(numbers), done.size))
     return xarray.open_zarr(str(path), chunks={}, consolidated=False, mask_and_scale=False).drop_vars("complete")
 
 
@@ -119,7 +117,7 @@ def _check(path: Path, identity: dict[str, Any]) -> None:
         raise StoreError(f"{path} is the store of another chart, they differ in {', '.join(other)}: give another path, or remove it")
 
 
-def _run(path: str, chart: Chart, missing: Sequence[int], threads: int, tick: Callable[[], None]) -> None:
+def _run(path: str, chart: Chart, missing: Sequence[int], threads: int, tick: Callable[[], object]) -> None:
     """Write every missing block, on the workers of a cluster if there is a client of one, else on threads."""
     distributed = sys.modules.get("distributed")       # where it is not loaded there is no client
     try:
@@ -132,7 +130,7 @@ def _run(path: str, chart: Chart, missing: Sequence[int], threads: int, tick: Ca
         _on_threads(path, chart, iter(missing), threads, tick)
 
 
-def _on_threads(path: str, chart: Chart, missing: Iterator[int], threads: int, tick: Callable[[], None]) -> None:
+def _on_threads(path: str, chart: Chart, missing: Iterator[int], threads: int, tick: Callable[[], object]) -> None:
     import dask
     from dask.callbacks import Callback
     task = dask.delayed(partial(write_block, path, chart), pure=False)
@@ -141,7 +139,7 @@ def _on_threads(path: str, chart: Chart, missing: Iterator[int], threads: int, t
             dask.compute(*wave, scheduler="threads", num_workers=max(threads, 1))
 
 
-def _on_cluster(client: Any, path: str, problem: bytes, missing: Iterator[int], tick: Callable[[], None]) -> None:
+def _on_cluster(client: Any, path: str, problem: bytes, missing: Iterator[int], tick: Callable[[], object]) -> None:
     from distributed import as_completed
 
     def submitted(count: int) -> list[Any]:
@@ -178,10 +176,3 @@ def write_block(path: str, chart: Chart, number: int) -> None:
     for name, values in chart.variables(arrays).items():
         group[name][part] = values
     group["complete"][number] = 1
-
-
-def _counted(progress: Progress | bool | None, done: int, total: int) -> tuple[Callable[[], None], Callable[[], None]]:
-    """What is called after each block, and what at the end."""
-    bar, numbers = Bar(progress is not False and not callable(progress)), count(done + 1)
-    shown: Progress = progress if callable(progress) else partial(bar.show, "chart")
-    return lambda: shown(next(numbers), total), bar.wipe
