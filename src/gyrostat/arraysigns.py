@@ -41,7 +41,9 @@ class ArraySigns:
         program = program_of(expression, grid.axes)
         self.tiles = Tiles(program, full, self._read)
         self.kernel = Kernel(self.tiles, "sign", spent) if backend == "numba" and self.tiles.inner else None
-        self.bound = float(error_bound(program, {leaf: self._largest(leaf) for leaf in program.leaves}, _roundings(program, grid)))
+        with ONE_AT_A_TIME:
+            largest = {leaf: self._largest(leaf) for leaf in program.leaves}
+        self.bound = float(error_bound(program, largest, _roundings(program, grid)))
         self.kept: tuple[Any, Array] | None = None
         self.sufficed = False                          # whether the one bound was enough in the last block
         self.whole = program.steps[-1].axes == full
@@ -80,11 +82,12 @@ class ArraySigns:
 
     def filtered(self, block: Block, out: Array) -> None:
         """Write the signs that floats prove with one bound for the whole grid, and 0 elsewhere."""
-        if self.kernel is not None:
-            self.kernel(block, out, self.bound)
-            return
-        value = self.tiles.value(block)
-        above, below = value > self.bound, value < -self.bound
+        with np.errstate(all="ignore"):
+            if self.kernel is not None:
+                self.kernel(block, out, self.bound)
+                return
+            value = self.tiles.value(block)
+            above, below = value > self.bound, value < -self.bound
         np.subtract(above.view(np.int8), below.view(np.int8), out=out)
 
     def _decide(self, block: Block, signs: Array, unsure: int) -> None:

@@ -13,12 +13,13 @@ from .boxes import BoxDecision, certified_chart, certify_box
 from .conditions import Condition, Criterion
 from .coverings import CertifiedChart
 from .errors import ArgumentError, ValuesError, optional, require
-from .grids import Array, Block, Grid, all_finite, cut, grid_of, last
+from .grids import Array, Block, Grid, cut, grid_of, last
 from .notation import jet
-from .numeric import NUMBA_BLOCK, NUMPY_BLOCK, check_names, in_threads, prepared
+from .numeric import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 from .proofs import ABSENT as INVALID
 from .proofs import STABLE, UNDECIDED, UNSTABLE
 from .stability import Report, Verdict
+from .values import check_names
 
 __all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "CODES", "INVALID", "STABLE", "UNDECIDED", "UNSTABLE",
            "verdicts"]
@@ -67,7 +68,8 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
         raise ArgumentError(f"backend = {backend!r} is neither 'numpy' nor 'numba': choose one")
     if backend == "numba":
         optional("numba", "fast")
-    given = {**(values or {}), **arrays}
+    require(values or {}, Mapping, "what is given by name")
+    given = {str(name): value for name, value in {**(values or {}), **arrays}.items()}
     grid = grid_for(report, given, finite=invalid == "raise")
     result = prepared(out, grid.shape, np.int8)
     merged = result.reshape(grid.merged)
@@ -103,9 +105,9 @@ class _Worker:
         self.known: dict[Expr, ArraySigns] = {}
         eq = report.equilibrium
         self.positive = [self._signs(e) for e in (*eq.existence(), *(s for s in grid.values if s.is_positive))]
-        self.nonzero = [self._signs(e) for e in _denominators(eq.field_values)]
+        self.nonzero = [self._signs(e) for e in _denominators(eq.field_values) if e.free_symbols <= grid.values.keys()]
         self.zero = [self._signs(e) for e in eq.constraints]
-        self.unsafe = [a for s, a in grid.values.items() if s not in grid.exact and not all_finite(a)]
+        self.unsafe = [a for a in map(grid.strange, grid.values) if a is not None]
         sufficient, necessary = report.sufficient.alternatives, report.necessary.alternatives
         self.alone = _single(sufficient) if _single(sufficient) == _single(necessary) else None
 
@@ -119,8 +121,9 @@ class _Worker:
         first: tuple[int, ...] | None = None
         for block in chain.from_iterable(tiles):
             out = result[block][(0,) * (result.ndim - 2)]
-            nowhere = self._nowhere(block)
-            self._decide(block, out, nowhere)
+            with np.errstate(all="ignore"):            # overflow is a value here
+                nowhere = self._nowhere(block)
+                self._decide(block, out, nowhere)
             if nowhere is not None:
                 out[np.broadcast_to(nowhere, out.shape)] = INVALID
                 here = _place(block, *np.argwhere(out == INVALID)[0])
@@ -129,8 +132,8 @@ class _Worker:
 
     def _nowhere(self, block: Block) -> Array | None:
         """Where the equilibrium does not exist, or a number is not finite; None: nowhere in the block."""
-        wrong = [~np.isfinite(last(cut(a, block))) for a in self.unsafe]
-        wrong += [signs(block) <= 0 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
+        wrong = [last(cut(a, block)) for a in self.unsafe]
+        wrong += [signs(block) != 1 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
         wrong += [signs(block) != 0 for signs in self.zero]
         found = [w for w in wrong if w.any()]
         return reduce(np.logical_or, found) if found else None
@@ -169,11 +172,13 @@ class _Worker:
             if not rung.condition.symbols <= grid.values.keys():
                 return found
             signs = _signs_of(rung.condition, grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))
-            found[left] = np.where(signs == UNKNOWN, UNDECIDED, np.where((signs > 0) & (not rung.escapes), STABLE, UNSTABLE))
+            unknown = (signs == UNKNOWN) | (signs == 0)
+            found[left] = np.where(unknown, UNDECIDED, np.where((signs > 0) & (not rung.escapes), STABLE, UNSTABLE))
             left = left[signs == 0]
             if not len(left):
                 return found
-        found[left] = UNDECIDED if boundary.last is None else UNSTABLE
+        if boundary.last is not None:
+            found[left] = UNSTABLE
         return found
 
     def _holds(self, criterion: Criterion, block: Block) -> Array:

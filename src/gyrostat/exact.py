@@ -172,7 +172,8 @@ def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
             result *= _ball(part, values)
         return result
     if isinstance(node, Pow) and isinstance(node.exp, Rational):
-        return _root(_ball(node.base, values), int(node.exp.q)) ** int(node.exp.p)
+        base, n = _root(_ball(node.base, values), int(node.exp.q)), int(node.exp.p)
+        return math.prod([base] * n, start=arb(1)) if 0 < n <= 64 else base**n     # ** has no power of a ball that contains 0
     if node is sympy.pi or node is sympy.E:
         return arb.pi() if node is sympy.pi else arb(1).exp()
     if isinstance(node, CRootOf):

@@ -5,7 +5,7 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
 from itertools import product, repeat
-from math import prod
+from math import isfinite, prod
 from typing import Any
 
 import numpy as np
@@ -44,6 +44,13 @@ class Grid:
     def axes(self) -> dict[Symbol, Axes]:
         """Axes of the merged grid along which each symbol varies."""
         return {s: frozenset(i for i, n in enumerate(a.shape) if n > 1) for s, a in self.values.items()}
+
+    def strange(self, name: Symbol) -> Array | None:
+        """Where the numbers of a name are NaN or infinite, None: nowhere."""
+        if name in self.exact:
+            where = np.frompyfunc(lambda x: isinstance(x, float), 1, 1)(self.exact[name]).astype(bool)
+            return where if where.any() else None
+        return None if all_finite(self.values[name]) else ~np.isfinite(self.values[name])
 
     def index(self, place: Sequence[int]) -> tuple[int, ...]:
         """Where in the result a place of the merged grid lies."""
@@ -107,6 +114,7 @@ def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = Tr
     except ValueError:
         shapes = ", ".join(f"{s} {floats.shape}" for s, (floats, _) in read.items() if floats.shape)
         raise ValuesError(f"the arrays do not broadcast: {shapes}; give shapes that agree, such as (n, 1) and (m,) for a grid") from None
+    read = {s: (_base(floats), None if exact is None else _base(exact)) for s, (floats, exact) in read.items()}
     groups = _groups(shape, [floats.shape for floats, _ in read.values()])
 
     def merge(array: Array) -> Array:
@@ -145,6 +153,12 @@ def _apart(grid: Grid, place: int) -> bool:
     return all(along >= pair or along <= pair or not along & pair for along in grid.axes.values())
 
 
+def _base(array: Array) -> Array:
+    """An array without the axes along which it was broadcast before."""
+    repeated = [step == 0 and n > 1 for step, n in zip(array.strides, array.shape)]
+    return array[tuple(slice(0, 1) if again else slice(None) for again in repeated)] if any(repeated) else array
+
+
 def _groups(shape: tuple[int, ...], shapes: list[tuple[int, ...]]) -> list[list[int]]:
     """Neighbouring axes on which each array varies along all or along none, joined; empty groups in front, so that there are two."""
     varies = [(1,) * (len(shape) - len(s)) + s for s in shapes]
@@ -178,7 +192,10 @@ def _read(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array 
                           "or exact numbers such as Fraction")
     numbers = np.empty(array.shape, dtype=object)
     for where in np.ndindex(array.shape):
-        numbers[where] = exact_number(array[where], f"{name}{list(where) if where else ''}")
+        if finite or not isinstance(x := array[where], float) or isfinite(x):
+            numbers[where] = exact_number(array[where], f"{name}{list(where) if where else ''}")
+        else:
+            numbers[where] = float("nan")              # the only floats among the exact numbers
     floats = np.array([_near(x) for x in numbers.flat], dtype=float).reshape(array.shape)
     if all(Rational(*x.as_integer_ratio()) == n if np.isfinite(x) else False for x, n in zip(floats.ravel().tolist(), numbers.flat)):
         return floats.astype(kind), None
@@ -190,8 +207,10 @@ def all_finite(array: Array) -> bool:
     return not array.size or bool(np.isfinite(array.min()) and np.isfinite(array.max()))
 
 
-def _near(number: Expr) -> float:
+def _near(number: Expr | float) -> float:
     """A double within one rounding of an exact number; NaN where there is none, or it is too small to be rounded well."""
+    if isinstance(number, float):
+        return number
     if isinstance(number, Rational):
         try:
             near = int(number.p) / int(number.q)       # correctly rounded

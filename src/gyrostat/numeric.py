@@ -20,7 +20,7 @@ from .notation import own
 from .rounding import rounded
 from .straightline import program_of
 from .tiles import Tiles
-from .values import names_in, unknown
+from .values import check_names, names_in
 
 NUMPY_BLOCK, NUMBA_BLOCK = 2**17, 2**20                # points: a few buffers fit a core's cache; a call is short beside the loop
 
@@ -241,16 +241,8 @@ def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
 
 def in_threads(work: Callable[[Iterable[Any]], Any], tasks: Sequence[Any], threads: int) -> list[Any]:
     """The results of the work on equal shares of the tasks."""
+    require(threads, int, "threads")
     if threads <= 1 or len(tasks) <= 1:
         return [work(tasks)]
     with ThreadPoolExecutor(threads) as pool:
         return list(pool.map(work, [tasks[i::threads] for i in range(threads)]))
-
-
-def check_names(given: Iterable[str], required: Sequence[str], known: Sequence[str], where: str) -> None:
-    """Raise ValuesError if a name is unknown or missing."""
-    for name in given:
-        if name not in known:
-            raise ValuesError(unknown(name, known, where))
-    if missing := [name for name in required if name not in given]:
-        raise ValuesError(f"{where} needs {', '.join(missing)}: give a number or an array for each")

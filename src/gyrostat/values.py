@@ -38,6 +38,15 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
     return numbers
 
 
+def check_names(given: Iterable[str], required: Sequence[str], known: Sequence[str], where: str) -> None:
+    """Raise ValuesError if a name is unknown or missing."""
+    for name in given:
+        if name not in known:
+            raise ValuesError(unknown(name, known, where))
+    if missing := [name for name in required if name not in given]:
+        raise ValuesError(f"{where} needs {', '.join(missing)}: give a number or an array for each")
+
+
 def unknown(name: str, known: Sequence[str], where: str) -> str:
     """What to say of a name that is not a parameter."""
     close = get_close_matches(name, [*known, *(["omega3_0"] if "pi3_0" in known else ["pi3_0"] if "omega3_0" in known else [])], 1)
