@@ -215,6 +215,22 @@ def targets(rates, arrangements):
             print(f"| {name}, {kind}, two threads × one, on {arrangements['certified numba, 2 of 2']} | 1.7 | {two:.2f} |")
 
 
+def short_table(by_family, rates):
+    """The rows of the README."""
+    chosen = ("eigvals 4×4, Re ≤ 1e-12‖A‖", "eigvals 4×4, Re ≤ 1e-08‖A‖", "mpmath eig, 50 digits, 1e-20‖A‖", "flint acb_mat eig, 256 bits",
+              "p, q, p² − 4q from traces", "compiled margin, float64, numba", "certified arrays, numpy", "certified arrays, numba")
+    print("\n| route to a verdict | points/s E1 / E3 | × eigvals E1 / E3 | wrong E1, E2 / E3 | undecided |\n|---|---|---|---|---|")
+    for route in (r for r in routes.ROUTES if r.name in chosen):
+        counts = [sum((by_family[route.name, group, column] for column in COLUMNS), np.zeros(4, int)) for group in ("E1, E2", "E3")]
+        wrong, undecided = ([100 * part / c[0] for part, c in zip(parts, counts)] for parts in (
+            [c[1] + c[2] for c in counts], [c[3] for c in counts]))
+        rate = [rates[kind][route.timed] for kind in ("E1", "E3")]
+        print(line([route.name, " / ".join(f"{statistics.median(r):.1e}" for r in rate),
+                    " / ".join(f"{ratio(r, rates[kind]['eigvals 4×4']):.2g}" if ratio(r, rates[kind]["eigvals 4×4"]) < 100 else
+                               f"{ratio(r, rates[kind]['eigvals 4×4']):.0f}" for r, kind in zip(rate, ("E1", "E3"))),
+                    " / ".join(f"{w:.2g} %" if w else "0" for w in wrong), " / ".join(f"{u:.2g} %" if u else "0" for u in undecided)]))
+
+
 def failures(by_family):
     """Wrong and undecided points of the routes that claim to have none."""
     certain = {route.name for route in routes.ROUTES if route.certain}
@@ -239,6 +255,7 @@ def main():
     distance_table(by_distance, medians)
     first_calls(firsts)
     targets(rates, arrangements)
+    short_table(by_family, rates)
     if not quick:
         from speed_figure import draw
         draw(routes.ROUTES, by_family, by_distance, medians, rates, Path(__file__).with_suffix(".png"))

@@ -111,6 +111,13 @@ def test_numbers_are_exact():
     assert exact_number("sqrt(3)/2") == sympy.sqrt(3) / 2 and exact_number(sympy.Float("0.1")) == exact_number(0.1)
 
 
+def test_decimals_are_no_longer_than_texts():
+    """10^999999999 is refused at once, as the text is."""
+    assert exact_number(Decimal("-1.5E-7")) == Rational(-3, 20000000)
+    with pytest.raises(ExpressionError, match="too long"):
+        exact_number(Decimal("1e999999999"))
+
+
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, np.nan, True, None, 1j, [1], "x + 1", Symbol("x"), sympy.oo, sympy.nan,
                                    sympy.I, Decimal("NaN"), Decimal("Infinity"), {}])
 def test_what_is_no_exact_real_number_is_refused(value):

@@ -11,7 +11,7 @@ from flint import arb, ctx, fmpq
 from sympy import Expr, Rational, Symbol
 
 from .exact import ball, compiled, sign
-from .grids import Array, Block, Grid, cut
+from .grids import Array, Block, Grid, cut, places
 from .kernels import Kernel
 from .rounding import error_bound, rounded
 from .straightline import Program, program_of
@@ -96,10 +96,10 @@ class ArraySigns:
         if 8 * unsure > signs.size:                    # as rows and columns
             signs[...] = self._bounded(leaves)
         else:
-            rows, columns = np.nonzero(signs == 0)
+            rows, columns = places(signs == 0)
             signs[rows, columns] = self._bounded({leaf: a[rows if a.shape[0] > 1 else 0, columns if a.shape[1] > 1 else 0]
                                                   for leaf, a in leaves.items()})
-        rows, columns = np.nonzero(signs == 0)
+        rows, columns = places(signs == 0)
         if len(rows):
             exact = ExactSign(self.expression)
             signs[rows, columns] = [exact(numbers) for numbers in self.grid.at(block, rows, columns).numbers(exact.symbols)]

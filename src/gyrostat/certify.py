@@ -13,7 +13,7 @@ from .boxes import BoxDecision, certified_chart, certify_box
 from .conditions import Condition, Criterion
 from .coverings import CertifiedChart
 from .errors import ArgumentError, ValuesError, optional, require
-from .grids import Array, Block, Grid, cut, grid_of, last
+from .grids import Array, Block, Grid, cut, grid_of, last, places
 from .notation import jet
 from .numeric import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 from .proofs import ABSENT as INVALID
@@ -79,10 +79,12 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
         place = min(bad)
         block = tuple(slice(i, i + 1) for i in place)
         (numbers,) = grid.at(block, np.zeros(1, int), np.zeros(1, int)).numbers(grid.values)
+        why = f"{report.equilibrium.label} does not exist there"
         try:
             report.verdict(dict(zip((s.name for s in grid.values), map(exact_number, numbers))))
         except ValuesError as error:
-            raise ValuesError(f"at index {grid.index(place)}: {error}; or ask for such points to be marked, invalid=\"mark\"") from None
+            why = str(error)
+        raise ValuesError(f"at index {grid.index(place)}: {why}; or ask for such points to be marked, invalid=\"mark\"")
     return result
 
 
@@ -155,7 +157,7 @@ class _Worker:
         if nowhere is not None:
             between = between & ~nowhere
         if between.any():
-            rows, columns = np.nonzero(between)
+            rows, columns = places(between)
             with ONE_AT_A_TIME:
                 out[rows, columns] = self._between(self.grid.at(block, rows, columns))
 

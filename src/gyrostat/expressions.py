@@ -12,6 +12,7 @@ import numbers
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NoReturn
 
@@ -227,8 +228,8 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     """
     if type(value) in (int, Fraction):                     # by far the most
         return Rational(value.numerator, value.denominator)
-    if isinstance(value, str):
-        value = parse(value)
+    if isinstance(value, str) or isinstance(value, Decimal) and value.is_finite():
+        value = parse(str(value))
     if isinstance(value, Float):
         value = Rational(value)
     if isinstance(value, Expr):

@@ -90,6 +90,12 @@ def cut(array: Array, block: Block) -> Array:
     return array[tuple(s if n > 1 else slice(None) for s, n in zip(block, array.shape))]
 
 
+def places(where: Array) -> tuple[Array, Array]:
+    """Rows and columns where an array is true; numpy.nonzero takes several times as long for two axes as for one."""
+    rows, columns = np.divmod(np.flatnonzero(where), where.shape[1])
+    return rows, columns
+
+
 def last(array: Array) -> Array:
     """An array of a block as rows and columns, the axes before being of length 1."""
     return array.reshape(array.shape[-2:] if array.ndim > 1 else (1, 1))
