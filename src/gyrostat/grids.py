@@ -20,7 +20,7 @@ from .straightline import Axes
 
 Array = NDArray[Any]
 Block = tuple[slice, ...]
-COLUMNS, ROWS = 4096, 256                              # up to which short neighbouring axes are joined
+COLUMNS, ROWS = 16384, 256                              # up to which short neighbouring axes are joined
 
 
 @dataclass(frozen=True)
