@@ -228,7 +228,7 @@ def short_table(by_family, rates):
         print(line([route.name, " / ".join(f"{statistics.median(r):.1e}" for r in rate),
                     " / ".join(f"{ratio(r, rates[kind]['eigvals 4×4']):.2g}" if ratio(r, rates[kind]["eigvals 4×4"]) < 100 else
                                f"{ratio(r, rates[kind]['eigvals 4×4']):.0f}" for r, kind in zip(rate, ("E1", "E3"))),
-                    " / ".join(f"{w:.2g} %" if w else "0" for w in wrong), " / ".join(f"{u:.2g} %" if u else "0" for u in undecided)]))
+                    *(" / ".join(f"{x:.3g} %" if x >= 99.5 else f"{x:.2g} %" if x else "0" for x in part) for part in (wrong, undecided))]))
 
 
 def failures(by_family):
