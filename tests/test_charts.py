@@ -147,7 +147,7 @@ GOOD = {"x": ("pi3_0", [0, 1]), "y": ("l", [0, 1]), "fixed": {"I1": 1, "dU": 1}}
     ({"x": ("pi3_0", ["0", "1"])}, "not real numbers"), ({"x": ("pi3_0", [0, 1j])}, "not real numbers"),
     ({"x": ("pi3_0", [0, object()])}, "not real numbers"), ({"x": ("pi3_0", [True, False])}, "not real numbers"),
     ({"x": ("pi3", [0, 1])}, "no parameter pi3: did you mean pi3_0"), ({"x": ("l", [0, 1])}, "l is given twice"),
-    ({"fixed": {"I1": 1, "dU": 1, "l": 1}}, "l is given twice"), ({"fixed": {"I1": 1}}, "E1 needs dU too"),
+    ({"fixed": {"I1": 1, "dU": 1, "l": 1}}, "l is given twice"), ({"fixed": {"I1": 1}}, "E1 needs dU"),
     ({"axes": {"I1": [1, 2]}}, "I1 is given twice"), ({"fixed": {"I1": 0, "dU": 1}}, "I1 = 0, but it must be positive"),
     ({"fixed": {"I1": "x", "dU": 1}}, "I1"), ({"store": "chart.nc"}, "call it chart.zarr")])
 def test_what_is_refused(e1, changed, why):

@@ -14,12 +14,11 @@ from .conditions import Condition, Criterion
 from .coverings import CertifiedChart
 from .errors import ArgumentError, ValuesError, optional, require
 from .grids import Array, Block, Grid, cut, grid_of, last, places
-from .notation import jet
 from .numeric import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 from .proofs import ABSENT as INVALID
 from .proofs import STABLE, UNDECIDED, UNSTABLE
 from .stability import Report, Verdict
-from .values import check_names
+from .values import check_family
 
 __all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "CODES", "INVALID", "STABLE", "UNDECIDED", "UNSTABLE",
            "verdicts"]
@@ -90,12 +89,7 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
 
 def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True) -> Grid:
     """The grid of the names given, all that a verdict needs and no other."""
-    eq = report.equilibrium
-    if eq.eliminated is not None and eq.eliminated in given and eq.eliminated not in report.required:
-        raise ValuesError(f"{eq.eliminated} follows from the other names on {eq.label}: omit it")
-    unspecified = eq.system.potential is not None and not eq.system.potential.given
-    own = {name: value for name, value in given.items() if not (unspecified and jet(name) and name not in report.required)}
-    check_names(own, report.required, [n for n in report.parameters if n != eq.eliminated or n in report.required], eq.label)
+    check_family(report.equilibrium, given, report.required, report.parameters, "give a number or an array for each")
     return grid_of(given, finite=finite)
 
 

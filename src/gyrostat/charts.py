@@ -21,7 +21,7 @@ from .numeric import compile_margin
 from .presentation import readable
 from .progress import Told
 from .stability import Report
-from .values import unknown
+from .values import check_family
 
 CODES = {"unstable": UNSTABLE, "undecided": UNDECIDED, "stable": STABLE, "no_equilibrium": INVALID}
 OWN = ("verdict", "margin", "boundary_x", "boundary_y", "vertex", "complete")    # names of the dataset itself
@@ -199,20 +199,12 @@ def _pair(axis: Any, which: str) -> Axis:
 
 
 def _check_names(report: Report, varied: Sequence[str], fixed: Sequence[str]) -> None:
-    eq = report.equilibrium
-    known = [name for name in report.parameters if name != eq.eliminated or name in report.required]
-    unspecified = eq.system.potential is not None and not eq.system.potential.given
     for n, name in enumerate(given := [*varied, *fixed]):
         if name in given[:n]:
             raise ValuesError(f"{name} is given twice, as an axis and again as an axis or fixed: give it once")
-        if name == eq.eliminated and name not in known:
-            raise ValuesError(f"{name} follows from the other names on {eq.label}, {name} = {dict(eq.relations)[symbol(name)]}: omit it")
-        if name not in known and not (unspecified and jet(name)):
-            raise ValuesError(unknown(name, known, eq.label))
         if name in OWN or name.startswith("margin_"):
             raise ValuesError(f"{name} is a name of the dataset itself: call the parameter otherwise")
-    if missing := [name for name in report.required if name not in given]:
-        raise ValuesError(f"{eq.label} needs {', '.join(missing)} too: fix each at a number, or make it an axis")
+    check_family(report.equilibrium, given, report.required, report.parameters, "fix each at a number, or make it an axis")
 
 
 def _number(name: str, value: Any) -> tuple[str, Expr, str]:

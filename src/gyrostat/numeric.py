@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import sympy
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol
+from sympy import Add, Expr, Mul, Pow, Rational, S, Symbol
 
 from .conditions import Condition, Criterion
 from .errors import ArgumentError, ValuesError, optional, require
@@ -55,7 +55,7 @@ class CompiledMargin:
         return sum(self._spent)
 
     def __call__(self, *, out: Array | None = None, threads: int = 1, **arrays: Any) -> Any:
-        check_names(arrays, self.names, self.names, "this margin" if self._margin is not None else "this criterion")
+        check_names(arrays, self.names, "this margin" if self._margin is not None else "this criterion")
         if self._namespace is not None:
             return self._everywhere(self._namespace, arrays)
         used = {name: arrays[name] for name in self.names}
@@ -221,7 +221,7 @@ def in_floats(node: Expr, xp: Any, arrays: Mapping[Symbol, Any]) -> Any:
     if isinstance(node, Pow):
         if node.exp == Rational(1, 2):
             return xp.sqrt(parts[0])
-        return xp.reciprocal(parts[0]) if xp is np and isinstance(node.exp, Integer) and node.exp == -1 else xp.pow(*parts)
+        return (getattr(xp, "pow", None) or xp.power)(*parts)                   # NumPy has pow from 2.1 on
     name = type(node).__name__
     function = getattr(xp, name, None) or getattr(xp, name.replace("a", "arc", 1))
     return function(parts[0])

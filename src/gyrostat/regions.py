@@ -12,9 +12,9 @@ from .equilibria import Equilibrium
 from .errors import ScopeError, ValuesError, require
 from .exact import Point, ball, evaluate, sign_of_constant
 from .expressions import exact_number, shown
-from .notation import jet, symbol
+from .notation import symbol
 from .stability import Report
-from .values import unknown
+from .values import check_family
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,14 +46,7 @@ def region_of(report: Report, given: Mapping[str, Any]) -> Region:
         raise ScopeError(f"{eq.label} exists only where {eq.constraints[0]} = 0, on no box of its parameters: eliminate a name "
                          "that enters this relation affinely")
     names = [str(name) for name in given]
-    free_jet = eq.system.potential is not None and not eq.system.potential.given
-    for name in names:
-        if name == eq.eliminated:
-            raise ValuesError(f"{name} is expressed by the other names on {eq.label}: omit it")
-        if name not in report.parameters and not (free_jet and jet(name)):
-            raise ValuesError(unknown(name, [n for n in report.parameters if n != eq.eliminated], eq.label))
-    if missing := [name for name in report.required if name not in names]:
-        raise ValuesError(f"{eq.label} needs {', '.join(missing)}: give a number or a pair (low, high) for each")
+    check_family(eq, names, report.required, report.parameters, "give a number or a pair (low, high) for each")
     ends = {str(name): _ends(value, str(name)) for name, value in given.items()}
     fixed = Point({symbol(name): low for name, (low, high) in ends.items() if low == high})
     axes = tuple(name for name in ends if symbol(name) not in fixed)

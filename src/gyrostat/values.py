@@ -38,13 +38,26 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
     return numbers
 
 
-def check_names(given: Iterable[str], required: Sequence[str], known: Sequence[str], where: str) -> None:
+def check_names(given: Iterable[str], names: Sequence[str], where: str) -> None:
     """Raise ValuesError if a name is unknown or missing."""
     for name in given:
-        if name not in known:
-            raise ValuesError(unknown(name, known, where))
-    if missing := [name for name in required if name not in given]:
+        if name not in names:
+            raise ValuesError(unknown(name, names, where))
+    if missing := [name for name in names if name not in given]:
         raise ValuesError(f"{where} needs {', '.join(missing)}: give a number or an array for each")
+
+
+def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str], parameters: Sequence[str], how: str) -> None:
+    """Raise ValuesError unless the names are what a verdict on a family needs, without the name that the others express."""
+    free_jet = eq.system.potential is not None and not eq.system.potential.given
+    known = [name for name in parameters if name != eq.eliminated or name in required]
+    for name in given:
+        if name == eq.eliminated and name not in known:
+            raise ValuesError(f"{name} follows from the other names on {eq.label}, {name} = {dict(eq.relations)[symbol(name)]}: omit it")
+        if name not in known and not (free_jet and jet(name)):
+            raise ValuesError(unknown(name, known, eq.label))
+    if missing := [name for name in required if name not in given]:
+        raise ValuesError(f"{eq.label} needs {', '.join(missing)}: {how}")
 
 
 def unknown(name: str, known: Sequence[str], where: str) -> str:
