@@ -365,7 +365,7 @@ def test_boxes_that_are_refused(heavy, box, message):
 def test_families_that_are_refused(heavy, reports):
     """The eliminated name, a relation that is not eliminated, a pole on the whole box, a report of another kind."""
     report, region = reports["quartic"]
-    with pytest.raises(ValuesError, match="l is follows from the other names on E3: omit it"):
+    with pytest.raises(ValuesError, match="l follows from the other names on E3, l = .*: omit it"):
         certify_box(report, {**region, "l": 1})
     kept = gs.equilibrium(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(exp(a * k3) + a * k3)), gs.inclined(
         gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point, relations=((gs.symbol("dU"), 0), (gs.symbol("omega"), 0)))
