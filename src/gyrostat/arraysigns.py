@@ -1,6 +1,5 @@
 """Exact signs of an expression on a grid: floats with a proved bound, then balls, then rationals."""
 import operator
-import threading
 from functools import lru_cache
 from math import isfinite
 from types import SimpleNamespace
@@ -10,7 +9,7 @@ import numpy as np
 from flint import arb, ctx, fmpq
 from sympy import Expr, Rational, Symbol
 
-from .exact import ball, compiled, sign
+from .exact import ONE_AT_A_TIME, ball, compiled, sign
 from .grids import Array, Block, Grid, cut, places
 from .kernels import Kernel
 from .rounding import error_bound, rounded
@@ -19,7 +18,6 @@ from .tiles import Tiles
 
 UNKNOWN = 2                                            # no sign is proved
 PRECISION = 128                                        # bits of the first balls
-ONE_AT_A_TIME = threading.RLock()                      # the precision of python-flint is one for the whole process
 _BALLS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul, negative=operator.neg)
 _ROUNDINGS = 2                                         # of a function computed in balls and rounded to a double
 

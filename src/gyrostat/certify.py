@@ -8,11 +8,12 @@ import numpy as np
 from sympy import Expr
 
 from .algebra import Ring
-from .arraysigns import ONE_AT_A_TIME, UNKNOWN, ArraySigns, exact_number
+from .arraysigns import UNKNOWN, ArraySigns, exact_number
 from .boxes import BoxDecision, certified_chart, certify_box
 from .conditions import Condition, Criterion
 from .coverings import CertifiedChart
 from .errors import ArgumentError, ValuesError, optional, require
+from .exact import ONE_AT_A_TIME
 from .grids import Array, Block, Grid, cut, grid_of, last, places
 from .numeric import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 from .proofs import ABSENT as INVALID

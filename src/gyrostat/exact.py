@@ -1,5 +1,6 @@
 """The sign of an expression at exact numbers: by rational arithmetic, or by proved enclosures and a separation bound."""
 import math
+import threading
 from collections.abc import Mapping
 from functools import lru_cache
 from types import MappingProxyType
@@ -11,6 +12,7 @@ from sympy import Add, CRootOf, Dummy, Expr, Mul, Pow, Rational, Symbol
 from .algebra import Ring
 
 LIMIT, ALGEBRAIC_LIMIT = 4096, 2**20                   # bits; a sign that is not proved by then is not known
+ONE_AT_A_TIME = threading.RLock()                      # the precision of python-flint is one for the whole process
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 _FUNCTIONS = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
@@ -155,7 +157,7 @@ def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHIN
     precision : int                       bits
     values : mapping of Symbol to arb     enclosures of its symbols
     """
-    with ctx.workprec(precision):
+    with ONE_AT_A_TIME, ctx.workprec(precision):
         return +_ball(expression, values)
 
 
