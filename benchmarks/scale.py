@@ -102,7 +102,7 @@ def sweep(quick):
     many = 10**5 if quick else 10**8
     orders = [(n, 2, None) for n in sizes] + [(n, 0, None) for n in sizes[:-1]]
     orders += [(many, axes, None) for axes in ((3,) if quick else (1, 3, 4, 5))]
-    orders += [(many if axes else many // 10, axes, d) for axes in (2, 0) for d in ((6,) if quick else (2, 5, 10, 20, 40))]
+    orders += [(many if axes else many // 10, axes, d) for axes in (2, 0) for d in ((6,) if quick else (1, 2, 5, 10, 20, 40))]
     orders = [orders[0], orders[-1]] if quick else orders
     routes = [(what, backend) for what in ("verdicts", "compile_margin") for backend in ("numba", "numpy")]
     first, worst = {route: [] for route in routes}, dict.fromkeys(routes, 0.0)
@@ -111,6 +111,9 @@ def sweep(quick):
     for points, axes, degree in orders:
         cells = []
         for what, backend in routes:
+            if degree == 1 and what == "compile_margin":       # the criterion always holds
+                cells.append("—")
+                continue
             r = in_a_process(what=what, backend=backend, points=points, axes=axes, degree=degree)
             first[what, backend].append(r["first call"])
             if points >= 10**7:

@@ -218,8 +218,9 @@ def test_a_store_is_moved_into_place_whole(e1, small, tmp_path, monkeypatch):
 
 def test_a_cluster_that_loses_a_worker(e1, small, written, tmp_path, monkeypatch):
     """With a client the blocks go to its workers; one of two is killed in the run; the result is the one of memory."""
+    import distributed
+
     monkeypatch.setattr(stores, "WAVE", 6)
-    distributed = pytest.importorskip("distributed")
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster, \
             distributed.Client(cluster) as client:
         workers = list(client.run(os.getpid).values())

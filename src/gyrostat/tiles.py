@@ -77,11 +77,11 @@ class Tiles:
     @cached_property
     def slots(self) -> list[int]:
         """The buffer of each inner step: one that no later step reads again."""
-        last = {n: i for i, step in self.inner for n in step.arguments}
+        reader = {n: i for i, step in self.inner for n in step.arguments}         # the last one of each
         free: list[int] = []
         slots: dict[int, int] = {}
         for i, step in self.inner:
-            free += [slots[n] for n in dict.fromkeys(step.arguments) if n in slots and last[n] == i]
+            free += [slots[n] for n in dict.fromkeys(step.arguments) if n in slots and reader[n] == i]
             slots[i] = free.pop() if free else len(set(slots.values()))
         return list(slots.values())
 
