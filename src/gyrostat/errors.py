@@ -53,6 +53,10 @@ class PublishedError(GyrostatError, ValueError):
     """A file of published formulas, or one of its formulas, cannot be read; the message names the file and the key."""
 
 
+class AccuracyError(GyrostatError, ArithmeticError):
+    """A motion is not known to the accuracy asked for: too chaotic, too long, or too many nodes."""
+
+
 class StoreError(GyrostatError, ValueError):
     """A path holds something else than the chart that is to be written to it, or resumed there."""
 

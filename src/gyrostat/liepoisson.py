@@ -108,7 +108,7 @@ class LiePoisson(Typeset):
     def _polynomials(self) -> tuple[Ring, list[list[Any]], list[int]]:
         ring = Ring([*self.tensor, *self.coordinates])
         entries, bottom = ring.matrix(self.tensor.tolist())
-        if not bottom.is_one() or len(ring.generators) != len(self.tensor.free_symbols | set(self.coordinates)):
+        if not bottom.is_one() or any(g not in self.coordinates and g.free_symbols & set(self.coordinates) for g in ring.generators):
             raise StructureError("a Lie-Poisson tensor is a polynomial in its coordinates: check its entries")
         return ring, entries, [ring.generators.index(x) for x in self.coordinates]
 
