@@ -13,7 +13,10 @@ CHAIN = ("errors notation expressions algebra matrices exact signs body potentia
          "linearization energy_casimir implication conditions reduction boundary sphere drift values stability roots branches "
          "bifurcations intervals cases solve cells stabilizing attitude freebody presentation progress straightline rounding grids tiles "
          "kernels numeric arraysigns enclosures regions proofs coverings boxes certify blocks results document unicode references "
-         "linebreaks latex article contours charts stores plotting published cli").split()
+         "linebreaks latex article contours charts stores periods elliptic levels turning nutation spectral spinors precession axialmotion "
+         "steady polhodes loops freemotion integrators integration motions confirmation trajectories plotting published cli").split()
+PLOTTING = ("looks globe charts scenes levels momentum nutation potentials diagrams energies spectra cones solids animation interactive "
+            "__init__").split()
 VIEWS = CHAIN[CHAIN.index("roots"):]
 PUBLISHED = ("jacobi language scenes kinematics names criteria sampling independent independent_kinematics independent_names statements "
              "formulas claims __init__ listing typesetting errata").split()
@@ -28,11 +31,12 @@ def imported(path, package):
 
 def test_every_module_is_in_the_chain():
     """The chain names every module of the package."""
-    assert {p.stem for p in SRC.glob("*.py")} - {"__init__", "__main__"} | {"cli", "published"} == set(CHAIN)
+    assert {p.stem for p in SRC.glob("*.py")} - {"__init__", "__main__"} | {"cli", "published", "plotting"} == set(CHAIN)
     assert {p.stem for p in (SRC / "published").glob("*.py")} == set(PUBLISHED)
+    assert {p.stem for p in (SRC / "plotting").glob("*.py")} == set(PLOTTING)
 
 
-@pytest.mark.parametrize("name", [n for n in CHAIN if n not in ("cli", "published")])
+@pytest.mark.parametrize("name", [n for n in CHAIN if n not in ("cli", "published", "plotting")])
 def test_modules_import_only_from_above(name):
     """Reading the chain top to bottom is reading the theory: nothing is used before it is defined."""
     assert set(imported(SRC / f"{name}.py", 1)) <= set(CHAIN[:CHAIN.index(name)])
@@ -45,6 +49,14 @@ def test_modules_of_published_import_only_from_above(name):
     top = {"Finding", "source_of"} if name in ("listing", "errata") else set()
     assert set(imported(path, 1)) <= set(PUBLISHED[:PUBLISHED.index(name)]) | top
     assert set(imported(path, 2)) <= set(CHAIN[:CHAIN.index("published")])
+
+
+@pytest.mark.parametrize("name", PLOTTING)
+def test_modules_of_plotting_import_only_from_above(name):
+    """So are the pictures."""
+    path = SRC / "plotting" / f"{name}.py"
+    assert set(imported(path, 1)) <= set(PLOTTING[:PLOTTING.index(name)])
+    assert set(imported(path, 2)) <= set(CHAIN[:CHAIN.index("plotting")])
 
 
 def loaded(code):
@@ -80,7 +92,7 @@ def test_oracle_imports_nothing_of_ours():
     tree = ast.parse((Path(__file__).parent / "oracle.py").read_text(encoding="utf-8"))
     names = {alias.name for n in ast.walk(tree) if isinstance(n, ast.Import) for alias in n.names}
     names |= {n.module for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)}
-    assert names == {"fractions", "numpy"}
+    assert names == {"fractions", "mpmath", "numpy"}
 
 
 def test_no_text_is_evaluated():

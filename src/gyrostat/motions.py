@@ -1,0 +1,274 @@
+"""Motion of a scene from a state on: exact where it can be, integrated and monitored where not."""
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+import mpmath
+import numpy as np
+from flint import arb
+from sympy import Add, Expr
+
+from .axialmotion import AxialMotion
+from .body import Gyrostat
+from .errors import ScopeError, ValuesError, optional, require
+from .exact import ball
+from .expressions import exact_number
+from .freemotion import FreeMotion
+from .grids import Array
+from .integration import Integration
+from .levels import Level
+from .notation import NOTATION
+from .numeric import in_floats
+from .potential import Potential
+from .reduction import reducible
+from .system import System, assemble
+from .values import check_names
+
+
+class Motion:
+    """The state of a scene at any time.
+
+    Attributes
+    ----------
+    scene : System                     with its numbers
+    state : tuple of Expr              at the time 0
+    route : str                        "equilibrium", "steady precession", "elliptic", "quadrature", "separatrix", "free body",
+                                       "free gyrostat", "heyoka" or "DOP853"
+    period : float or None             of the nutation, or of the momentum in a free body [T]; with precision, mpmath.mpf
+    precession : float or None         angle gained about the vertical in a period; of a motion without period, the rate [1/T]
+    spin : float or None               the same about the axis of a body of revolution
+    limits : (float, float) or None    lowest and highest k3 of a body of revolution in U(k3)
+    nodes : int                        of the quadrature, or steps of the integration
+    error : float                      of the state, estimated
+
+    Calling it
+    ----------
+    t : array-like [T]                 any shape; with precision, exact numbers
+    returns                            array of shape (..., n), in the order of scene.space.coordinates; with precision, of mpmath.mpf
+    """
+
+    def __init__(self, scene: System, state: tuple[Expr, ...], route: Any, digits: int | None):
+        self.scene, self.state, self._route, self._digits = scene, state, route, digits
+
+    def __call__(self, t: Any) -> Array:
+        if self._digits is None:
+            return np.asarray(self._route.state(_times(t)))
+        times = np.asarray(t, dtype=object)
+        found = np.empty((*times.shape, len(self.state)), dtype=object)
+        for place in np.ndindex(times.shape):
+            moment = exact_number(times[place], "t")
+            found[place] = [self._shown(x) for x in self._route.ball_state(ball(moment, 2 * _bits(self._digits)), _bits(self._digits))]
+        return found
+
+    def attitude(self, t: Any) -> Array:
+        """R from the body to space, x_space = R x_body, in doubles; shape (..., 3, 3).
+
+        The vertical e_z is the direction of the field, R e_z = k/|k| in the rows' sense; of a free body, that of M. At the time 0 the
+        Euler angle φ is 0, and ψ as well where sin θ = 0.
+        """
+        return np.asarray(self._route.attitude(_times(t)))
+
+    def angles(self, t: Any) -> Array:
+        """Euler angles φ, θ, ψ (z-x-z), shape (..., 3), φ and ψ between −π and π.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
+        >>> top = motion(assemble(symmetric_gyrostat(), uniform_field()), (0, 1, 5, 0, "0.6", "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
+        >>> top.angles(0.0).round(6)
+        array([0.      , 0.643501, 0.      ])
+        """
+        R = self.attitude(t)
+        theta = np.arctan2(np.hypot(R[..., 2, 0], R[..., 2, 1]), R[..., 2, 2])
+        return np.stack([np.arctan2(R[..., 0, 2], -R[..., 1, 2]), theta, np.arctan2(R[..., 2, 0], R[..., 2, 1])], axis=-1)
+
+    @property
+    def route(self) -> str:
+        return str(self._route.name)
+
+    @property
+    def period(self) -> Any:
+        if self._digits is None:
+            return self._route.period
+        period = self._route.exact_period(_bits(self._digits))
+        return None if period is None else self._shown(period)
+
+    @property
+    def precession(self) -> float | None:
+        return self._route.precession
+
+    @property
+    def spin(self) -> float | None:
+        return getattr(self._route, "spin", None)
+
+    @property
+    def frequencies(self) -> dict[str, float]:
+        """2π/period, and the mean rates of precession and spin [1/T], as far as they exist."""
+        time, period = self._route.period or 1.0, self._route.period
+        rates = {name: gain / time for name, gain in (("precession", self.precession), ("spin", self.spin)) if gain is not None}
+        return ({"nutation": 2 * np.pi / period} if period else {}) | rates
+
+    @property
+    def limits(self) -> tuple[float, float] | None:
+        return self._route.limits
+
+    @property
+    def nodes(self) -> int:
+        return int(self._route.nodes)
+
+    @property
+    def error(self) -> float:
+        return float(self._route.error)
+
+    @cached_property
+    def invariants(self) -> dict[str, Expr]:
+        """Energy, Casimirs and integrals at the time 0, exact."""
+        point = dict(zip(self.scene.space.coordinates, self.state))
+        return {name: value.xreplace(point) for name, value in self._functions.items()}
+
+    @property
+    def energy(self) -> float:
+        """h at the time 0."""
+        return float(self.invariants["energy"])
+
+    @property
+    def casimirs(self) -> tuple[float, ...]:
+        """The Casimirs at the time 0, in the order of scene.space.casimirs."""
+        return tuple(float(value) for name, value in self.invariants.items() if name.startswith("C"))
+
+    @property
+    def integrals(self) -> tuple[float, ...]:
+        """The integrals at the time 0, in the order of scene.integrals."""
+        return tuple(float(value) for name, value in self.invariants.items() if name.startswith("F"))
+
+    @cached_property
+    def _functions(self) -> dict[str, Expr]:
+        named = [("C", self.scene.space.casimirs), ("F", self.scene.integrals)]
+        return {"energy": self.scene.hamiltonian} | {f"{letter}{i}": f for letter, functions in named for i, f in enumerate(functions, 1)}
+
+    def drift(self, t: Any) -> dict[str, float]:
+        """How far energy, Casimirs C1, C2 and integrals F1, … are off at these times, at most, relative to the largest of their terms."""
+        x = np.asarray(self(t), dtype=float)
+        values = dict(zip(self.scene.space.coordinates, np.moveaxis(x, -1, 0)))
+        start = {s: np.asarray(float(value)) for s, value in zip(self.scene.space.coordinates, self.state)}
+        found = {}
+        for name, function in self._functions.items():
+            size = max(abs(float(in_floats(term, np, start))) for term in Add.make_args(function.expand()))
+            off = np.abs(in_floats(function, np, values) - float(self.invariants[name]))
+            found[name] = float(np.max(off, initial=0.0)) / (size or 1.0)
+        return found
+
+    def to_xarray(self, t: Any) -> Any:
+        """The states as an xarray.Dataset: one variable for each coordinate over the times, the rest as attributes.
+
+        Raises
+        ------
+        MissingExtraError      pip install "gyrostat[charts]"
+        """
+        xarray = optional("xarray", "charts")
+        times = _times(t)
+        if times.ndim != 1:
+            raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
+        x = np.asarray(self(t), dtype=float)
+        variables = {s.name: ("time", x[:, i], {"latex": NOTATION[s.name].latex, "long_name": NOTATION[s.name].meaning})
+                     for i, s in enumerate(self.scene.space.coordinates)}
+        facts = {"route": self.route, "period": self._route.period, "precession": self.precession, "spin": self.spin, "energy": self.energy,
+                 "error": self.error, "nodes": self.nodes}
+        numbers = {"inertia": self.scene.body.inertia, "gyrostatic_momentum": self.scene.body.gyrostatic_momentum, "state": self.state,
+                   "potential": self.scene.potential.expression if self.scene.potential else "none"}
+        kept = {name: value for name, value in facts.items() if value is not None} | {name: str(value) for name, value in numbers.items()}
+        return xarray.Dataset(variables, {"time": times}, kept)
+
+    def _shown(self, x: arb) -> mpmath.mpf:
+        mantissa, exponent = map(int, x.mid().man_exp())
+        with mpmath.workdps(self._digits):
+            return +mpmath.mpf((mantissa, exponent))
+
+
+def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None = None, *, precision: int | None = None,
+           tolerance: float | None = None) -> Motion:
+    """The motion of a scene from a state on, in the smallest model that has it.
+
+    A body of revolution in U(k3) by elliptic functions (U of degree at most 2) or by one spectral quadrature: a state costs the same at
+    any time. A free gyrostat by Jacobi's functions, or from one turn of its momentum. Any other scene is integrated, twice, and
+    monitored.
+
+    Parameters
+    ----------
+    scene : System
+    state : sequence, shape (n,)         at the time 0, exact numbers: momenta [M L²/T], then directions [1]; a float is what it is
+    values : mapping or None             of names in the scene to numbers
+    precision : int or None              decimal digits; None: doubles. Of a scene that is integrated there are none
+    tolerance : float or None            the error of the state that is accepted of an integration
+
+    Returns
+    -------
+    Motion
+
+    Raises
+    ------
+    ValuesError          names are missing, numbers are not exact, or the state has another length
+    ScopeError           digits are asked for of a scene that is integrated
+    AccuracyError        the accuracy is not reached
+    MissingExtraError    a scene is to be integrated, and neither SciPy nor heyoka is installed
+
+    Examples
+    --------
+    >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
+    >>> scene = assemble(symmetric_gyrostat(), uniform_field())
+    >>> top = motion(scene, ("0.3", "-0.2", "1.5", "0.6", 0, "0.8"), {"I1": 1, "I3": "0.6", "l": "0.4", "m0": 1})
+    >>> top.route, round(top.period, 12), top(np.linspace(0, 1e6, 5)).shape
+    ('elliptic', 5.82463951502, (5, 6))
+    >>> max(top.drift(np.linspace(0, 1e12, 100)).values()) < 1e-14
+    True
+    """
+    require(scene, System, "the scene")
+    scene = _with_numbers(scene, values or {})
+    if len(state) != len(scene.space.coordinates):
+        raise ValuesError(f"the state has {len(state)} numbers, the scene {len(scene.space.coordinates)} coordinates: give "
+                          f"{', '.join(map(str, scene.space.coordinates))}")
+    point = tuple(exact_number(x, s.name) for x, s in zip(state, scene.space.coordinates))
+    if precision is not None and (not isinstance(precision, int) or precision < 1):
+        raise ValuesError(f"precision = {precision}: give a number of decimal digits")
+    route = _route(scene, point, 53 if precision is None else _bits(precision), tolerance)
+    if precision is not None and not hasattr(route, "ball_state"):
+        raise ScopeError(f"this scene is integrated, in doubles: {precision} digits are had for a free gyrostat, or a body of "
+                         "revolution in U(k3)")
+    return Motion(scene, point, route, precision)
+
+
+def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float | None) -> Any:
+    """What computes the motion."""
+    if scene.potential is None:
+        return FreeMotion(scene, point)
+    if reducible(scene) and any(point[3:]):
+        try:
+            return AxialMotion(Level(scene, point), bits)
+        except ScopeError:                                 # towards a root of higher order, as a power of the time
+            pass
+    return Integration(scene, point, tolerance)
+
+
+def _with_numbers(scene: System, values: Mapping[str, Any]) -> System:
+    """The scene with numbers for its names."""
+    free = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs)) - set(scene.space.coordinates)
+    if scene.potential is not None and not scene.potential.given:
+        raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
+    check_names(values, sorted(s.name for s in free), "the scene")
+    if not values:
+        return scene
+    numbers = {s: exact_number(values[s.name], s.name) for s in free}
+    body, field = scene.body, scene.potential
+    inertia, rotor = ([x.xreplace(numbers) for x in vector] for vector in (body.inertia, body.gyrostatic_momentum))
+    return assemble(Gyrostat(inertia, rotor), field and Potential(field.variables, field.expression.xreplace(numbers), field.revolution))
+
+
+def _bits(digits: int) -> int:
+    return int(3.33 * digits) + 8
+
+
+def _times(t: Any) -> Array:
+    times = np.asarray(t, dtype=float)
+    if not np.isfinite(times).all():
+        raise ValuesError("a time is not a finite number: give finite ones")
+    return times
