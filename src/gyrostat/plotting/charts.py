@@ -3,13 +3,12 @@ from typing import Any
 
 import numpy as np
 
-from .errors import ValuesError, optional
-from .grids import Array
-from .notation import ORDER
+from ..errors import ValuesError
+from ..grids import Array
+from ..notation import ORDER
+from .looks import INK, LOOKS, axes_of, legend
 
 SHOWN = 2000                                               # values of an axis that are drawn; of more, every second, third, …
-LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""), "no_equilibrium": ("#ffffff", "....")}
-INK = {"undecided": "#8a6d2f", "no_equilibrium": "#a0a0a0"}            # of the hatches
 
 
 def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: Any) -> Any:
@@ -43,13 +42,10 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     >>> draw_chart(chart, Figure().subplots()).get_xlabel()
     '$\\\\pi_3^0$'
     """
-    optional("matplotlib", "plot")
     if ds.verdict.ndim != 2:
         raise ValuesError(f"the verdict has the axes {', '.join(ds.verdict.dims) or '(none)'}, two are drawn: choose values of the others "
                           f"with ds.sel({ds.verdict.dims[0] if ds.verdict.dims else 'l'}=…) or ds.isel")
-    if ax is None:
-        import matplotlib.pyplot as plt
-        _, ax = plt.subplots()
+    ax = axes_of(ax)
     dims = ds.verdict.dims
     seen = ds.verdict.isel({name: slice(None, None, -(-n // SHOWN)) for name, n in ds.verdict.sizes.items()})
     seen = seen.isel({name: slice(None, None, -1) for name in dims if seen.sizes[name] > 1 and seen[name][0] > seen[name][-1]})
@@ -138,5 +134,4 @@ def _legend(ax: Any, names: list[str], lined: bool) -> None:
     handles: list[Any] = [Patch(facecolor=LOOKS[name][0], hatch=LOOKS[name][1], edgecolor=INK.get(name, "black"), linewidth=0.6,
                                 label=name.replace("_", " ")) for name in names]
     handles += [Line2D([], [], color="black", linewidth=1.2, label="boundary")] if lined else []
-    ax.legend(handles=handles, loc="lower left", bbox_to_anchor=(0, 1), ncols=len(handles), fontsize="small", frameon=False,
-              borderaxespad=0.2, columnspacing=1.2, handlelength=1.6)
+    legend(ax, handles)

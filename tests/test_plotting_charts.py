@@ -10,10 +10,10 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 import gyrostat as gs
-from gyrostat import plotting
 from gyrostat.charts import CODES, stability_chart
 from gyrostat.errors import MissingExtraError, ValuesError
-from gyrostat.plotting import caption, draw_chart
+from gyrostat.plotting import caption, charts, draw_chart
+from gyrostat.plotting.looks import LOOKS
 
 NAMES = {code: name for name, code in CODES.items()}
 
@@ -68,7 +68,7 @@ def test_every_verdict_has_its_look_in_its_place(e3, turned, spacing):
     assert ax.get_xlim()[0] < ax.get_xlim()[1] and ax.get_ylim()[0] < ax.get_ylim()[1]
     for x, y in ((-0.9, -1), (0.05, -5), (0.05, 1), (0.93, -1.1)):
         point = chart.verdict.sel(k3=x, d2U=y, method="nearest")
-        colour = plotting.LOOKS[NAMES[int(point)]][0]
+        colour = LOOKS[NAMES[int(point)]][0]
         assert np.allclose(seen(ax, point.k3.item(), point.d2U.item()), to_rgb(colour), atol=0.01), (x, y)
     assert NAMES[int(chart.verdict.sel(k3=-1.4, d2U=0, method="nearest"))] == "no_equilibrium" and "no equilibrium" in legend(ax)
 
@@ -152,7 +152,7 @@ def test_from_a_file_and_from_a_store(e1, tmp_path):
 
 def test_a_large_chart_is_thinned(e1, monkeypatch):
     """Of more values than are drawn, every second, third, …; evenly spaced ones stay an image."""
-    monkeypatch.setattr(plotting, "SHOWN", 20)
+    monkeypatch.setattr(charts, "SHOWN", 20)
     chart = stability_chart(e1, x=("pi3_0", np.linspace(-4, 4, 50)), y=("l", np.linspace(-2, 2, 20)), fixed={"I1": 1, "dU": 1}).chunk()
     (image,) = drawn(chart).images
     assert image.get_array().shape == (20, 17)

@@ -1,0 +1,94 @@
+"""The body turning, as an animation, and its file."""
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import MissingExtraError, ValuesError, optional, require
+from ..grids import Array
+from ..trajectories import Motion
+from .globe import FADED, parted, polygons, stage
+from .looks import BLUE, DARK, axes_of, label
+from .solids import solid
+
+FINE = 8                                                   # points of the path to a step
+
+
+def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
+    """The body at the given times, one picture for each, with the path of one of its axes on the unit sphere.
+
+    A body of revolution in a field is a top on its tip, with the path of e3. Any other body is a box with its moments of inertia, with
+    the path of the axis that is next to M, or to the vertical, at the first of the times. Keep what is returned: Matplotlib does not.
+
+    Parameters
+    ----------
+    motion : Motion               of gyrostat.trajectories.motion
+    times : array, shape (n,)     evenly spaced, for even motion [T]
+    ax : axes of mplot3d          new ones where they are left out
+    kwargs                        of matplotlib.animation.FuncAnimation, interval = 40 ms, say
+
+    Returns
+    -------
+    matplotlib.animation.FuncAnimation      of save_animation; .to_jshtml() shows it in a notebook
+
+    Raises
+    ------
+    ArgumentError          this is no motion, or the axes are flat
+    MissingExtraError      pip install "gyrostat[plot]"
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import gyrostat as gs
+    >>> from matplotlib.figure import Figure
+    >>> from gyrostat.trajectories import motion
+    >>> box = motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
+    >>> animation = animate_top(box, np.linspace(0, 60, 4), Figure(figsize=(2, 2)).add_subplot(projection="3d"), interval=50)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save_animation(animation, f"{folder}/box.gif")
+    """
+    turns, path = turning(motion, times)
+    ax = axes_of(ax, three=True)
+    from matplotlib.animation import FuncAnimation
+    eye, faces = stage(ax, 1.0, [label("x"), label("y"), label("z")]), solid(motion.scene)
+    body = polygons(ax, [polygon for polygon, _ in faces], facecolors=[color for _, color in faces], edgecolors=DARK, linewidths=0.3,
+                    zorder=2)
+    style = {"color": BLUE, "linewidth": 1.4}
+    (back,), (front,) = ax.plot([], [], [], alpha=FADED, zorder=1, **style), ax.plot([], [], [], zorder=3, **style)
+
+    def show(n: int) -> tuple[Any, ...]:
+        body.set_verts([polygon @ turns[n].T for polygon, _ in faces])
+        for line, part in zip((front, back), parted(path[:FINE * n + 1], eye)):
+            line.set_data_3d(*part.T)
+        return body, front, back
+
+    return FuncAnimation(ax.figure, show, frames=len(turns), **{"interval": 40, **kwargs})
+
+
+def turning(motion: Motion, times: Any) -> tuple[Array, Array]:
+    """The rotations from the body to space, shape (n, 3, 3), and the path of the axis that is followed, FINE points to a step."""
+    require(motion, Motion, "the motion")
+    turns = motion.attitude(np.asarray(times, dtype=float))
+    top = motion.scene.potential is not None and motion.scene.body.is_of_revolution()
+    steps = np.arange(len(turns))
+    between = np.interp(np.linspace(0, steps[-1], FINE * steps[-1] + 1), steps, times)
+    return turns, motion.attitude(between)[..., 2 if top else int(np.abs(turns[0, 2]).argmax())]
+
+
+def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> None:
+    """Write an animation: .gif by Pillow, .mp4 by ffmpeg, where that program is installed.
+
+    Raises
+    ------
+    ValuesError            another kind of file
+    MissingExtraError      ffmpeg is not there
+    """
+    optional("matplotlib", "plot")
+    from matplotlib.animation import FFMpegWriter, PillowWriter
+    kind = Path(path).suffix.lower()
+    if kind not in (".gif", ".mp4"):
+        raise ValuesError(f"{path} is to be a {kind or 'nameless'} file: animations are written as .gif, or as .mp4")
+    if kind == ".mp4" and not FFMpegWriter.isAvailable():
+        raise MissingExtraError(f"{path} needs the program ffmpeg, which is not on the search path: install it, or write a .gif")
+    animation.save(path, writer=PillowWriter(fps=fps) if kind == ".gif" else FFMpegWriter(fps=fps))

@@ -1,0 +1,129 @@
+"""The cones on which the angular velocity of a free body of revolution moves: one fixed in the body rolls on one fixed in space."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..errors import ScopeError
+from ..freebody import free_precession
+from ..grids import Array
+from .globe import across, arrow, circle, polygons, towards
+from .looks import BLUE, INK, LOOKS, axes_of, label, legend
+
+
+@dataclass(frozen=True)
+class Cone:
+    """A right circular cone with its tip at the origin.
+
+    Parameters
+    ----------
+    axis : array, shape (3,)      unit vector
+    angle : float                 half-angle
+    """
+
+    axis: Array
+    angle: float
+
+    def rim(self, n: int = 121) -> Array:
+        """The generators of length 1, end points, shape (n, 3)."""
+        return circle(self.axis, np.sin(self.angle), np.cos(self.angle), n)
+
+    def outline(self, eye: Array) -> Array:
+        """End points of the generators at the edge of the cone as it is seen, shape (2 or 0, 3)."""
+        first, second = across(self.axis)
+        along, x, y = self.axis @ eye, first @ eye, second @ eye
+        steep, aside = np.tan(self.angle) * along, np.hypot(x, y)
+        if abs(steep) >= aside:
+            return np.empty((0, 3))
+        turn = np.arctan2(y, x) + np.array([1, -1]) * np.arccos(steep / aside)
+        edge = np.cos(turn)[:, None] * first + np.sin(turn)[:, None] * second
+        return np.cos(self.angle) * self.axis + np.sin(self.angle) * edge
+
+
+def cones(inertia: Sequence[Any], transverse: Any, axial: Any) -> tuple[Cone, Cone, dict[str, Array]]:
+    """The space cone about M, the body cone about e3, and the unit vectors M, omega, e3, in one plane, M upwards.
+
+    Parameters
+    ----------
+    inertia, transverse, axial      as in freebody.free_precession
+
+    Examples
+    --------
+    >>> space, body, vectors = cones((2, 1), 1, 1)
+    >>> bool(np.isclose(space.angle + body.angle, np.arccos(vectors["M"] @ vectors["e3"])))      # the body cone rolls outside
+    True
+    """
+    motion = free_precession(inertia, transverse, axial)
+    if transverse == 0 or motion.space_cone == 0:
+        raise ScopeError(f"inertia = {tuple(inertia)}, transverse = {transverse}, axial = {axial}: ω lies along M, there is no space cone; "
+                         "give two different moments, and two rates that are not 0")
+    tilt, space, body = (float(angle) for angle in (motion.tilt, motion.space_cone, motion.body_cone))
+    side = 1 if space + body < tilt + 1e-9 else -1         # ω between M and e3, or beyond M
+    vectors = {"M": np.array([0.0, 0.0, 1.0]), "omega": _tilted(side * space), "e3": _tilted(tilt)}
+    return Cone(vectors["M"], space), Cone(vectors["e3"], body), vectors
+
+
+def _tilted(angle: float) -> Array:
+    return np.array([0.0, np.sin(angle), np.cos(angle)])
+
+
+def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = None, **kwargs: Any) -> Any:
+    """Draw the cones of a free body of revolution, seen as ax.view_init says: the body cone rolls on the space cone.
+
+    They touch along ω. The body cone lies outside where I1 > I3, around the space cone where I1 < I3.
+
+    Parameters
+    ----------
+    inertia : (I1, I3)             transverse and axial moment [M L²]
+    transverse, axial : number     √(ω1² + ω2²) and ω3 [1/T]
+    ax : axes of mplot3d           new ones where they are left out
+    kwargs                         of the surfaces: of Poly3DCollection
+
+    Returns
+    -------
+    axes of mplot3d
+
+    Raises
+    ------
+    BodyError              there are not two moments, or one is not positive
+    ScopeError             ω lies along M
+    ArgumentError          the axes are flat
+    MissingExtraError      pip install "gyrostat[plot]"
+
+    Source
+    ------
+    Taylor, Classical Mechanics (2005), §10.8; Landau & Lifshitz, Mechanics, §33.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> ax = draw_cones((2, 1), 1, 2, ax=Figure().add_subplot(projection="3d"))
+    >>> [text.get_text() for text in ax.texts]
+    ['$M$', '$\\\\omega$', '$e_{3}$']
+    """
+    space, body, vectors = cones(inertia, transverse, axial)
+    ax = axes_of(ax, three=True)
+    from matplotlib.patches import Patch
+    ax.set_proj_type("ortho")
+    ax.computed_zorder = False
+    ax.set_axis_off()
+    eye, handles = towards(ax), []
+    for cone, name, face, edge in ((space, "space cone", LOOKS["undecided"][0], INK["undecided"]), (body, "body cone", "#c9ddef", BLUE)):
+        rim = cone.rim()
+        wedges = [np.stack([np.zeros(3), a, b]) for a, b in zip(rim, rim[1:])]
+        polygons(ax, wedges, **{"facecolor": face, "edgecolor": "none", "alpha": 0.55, "zorder": 1, **kwargs})
+        ax.plot(*rim.T, color=edge, linewidth=1.2, zorder=2)
+        for end in cone.outline(eye):
+            ax.plot(*np.outer(end, (0, 1)), color=edge, linewidth=1.2, zorder=2)
+        handles.append(Patch(facecolor=face, edgecolor=edge, label=name))
+    for name, vector in vectors.items():
+        length = 1.3 if name != "omega" else 1.15
+        arrow(ax, vector, length, eye, linewidth=1.5, zorder=3)
+        ax.text(*(vector * (length + 0.1)), label(name), ha="center", va="center", zorder=4)
+    points = np.concatenate([space.rim(), body.rim(), np.zeros((1, 3)), *([1.3 * v] for v in vectors.values())])
+    low, high = points.min(axis=0), points.max(axis=0)
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    ax.set_box_aspect(high - low, zoom=1.2)
+    legend(ax, handles)
+    return ax

@@ -1,0 +1,121 @@
+"""A sphere seen from one side: outline, axes, and curves on it whose hidden part is faded."""
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..errors import optional
+from ..grids import Array
+from .looks import DARK
+
+BACKGROUND, FADED = "#f4f7fb", 0.28
+
+
+def stage(ax: Any, radius: float, names: Sequence[str]) -> Array:
+    """An empty sphere with its axes, undistorted; the direction towards the eye, shape (3,).
+
+    The eye is where ax.view_init has put it; what is hidden is decided once, for that view.
+    """
+    ax.set_proj_type("ortho")
+    ax.computed_zorder = False                         # front and back are known here
+    ax.set_axis_off()
+    ax.set(xlim=(-radius, radius), ylim=(-radius, radius), zlim=(-radius, radius))
+    ax.set_box_aspect((1, 1, 1), zoom=1.2)
+    eye = towards(ax)
+    polygons(ax, [circle(eye, radius)], facecolor=BACKGROUND, edgecolor="none", zorder=0)
+    ax.plot(*circle(eye, radius).T, color=DARK, linewidth=1.1, zorder=3)
+    for axis, name in zip(np.eye(3), names):
+        axis_through(ax, axis, radius, eye, name)
+    return eye
+
+
+def axis_through(ax: Any, axis: Array, radius: float, eye: Array, name: str) -> None:
+    """An axis through the sphere, drawn from where it comes into sight; not where it points to the eye, or away from it."""
+    seen = axis - axis @ eye * eye
+    length = float(np.linalg.norm(seen))
+    if length < (0.05 if axis @ eye >= 0 else 0.35):
+        return
+    start = radius if axis @ eye >= 0 else radius / length
+    end = max(1.32 * radius, start + 0.3 * radius)
+    arrow(ax, axis, end, eye, start, linewidth=0.9, zorder=4 if axis @ eye >= 0 else 0)
+    halo = optional("matplotlib.patheffects", "plot").withStroke(linewidth=3, foreground=BACKGROUND)
+    ax.text(*(end * axis + 0.12 * radius / length * seen), name, ha="center", va="center", zorder=5, path_effects=[halo])
+
+
+def arrow(ax: Any, along: Array, end: float, eye: Array, start: float = 0.0, **style: Any) -> None:
+    """An arrow along a unit vector, its head turned to the eye; a point where it is seen end on."""
+    aside = np.cross(along, eye)
+    if not aside.any():
+        return
+    shaft, = ax.plot(*np.outer(along, (start, 0.97 * end)), color=DARK, solid_capstyle="butt", clip_on=False, **style)
+    head = end * (np.array([along, 0.92 * along, 0.92 * along]) + 0.022 * np.outer((0, 1, -1), aside / np.linalg.norm(aside)))
+    tip = polygons(ax, [head], facecolor=DARK, edgecolor="none", zorder=style["zorder"], clip_on=False)
+    for part in (shaft, tip):                          # their extent is known only once they are drawn
+        part.set_in_layout(False)
+
+
+def polygons(ax: Any, faces: Sequence[Array], **style: Any) -> Any:
+    """Filled polygons in space, each of shape (n, 3), sorted by depth: a Poly3DCollection."""
+    return ax.add_collection3d(optional("mpl_toolkits.mplot3d.art3d", "plot").Poly3DCollection(faces, **style), autolim=False)
+
+
+def towards(ax: Any) -> Array:
+    """The unit vector from the origin to the eye."""
+    elevation, azimuth = np.radians([ax.elev, ax.azim])
+    return np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
+
+
+def circle(axis: Array, radius: float, height: float = 0.0, n: int = 241) -> Array:
+    """Points of a circle about a unit vector, at a height along it, shape (n, 3)."""
+    first, second = across(axis)
+    turn = np.linspace(0, 2 * np.pi, n)[:, None]
+    return height * axis + radius * (np.cos(turn) * first + np.sin(turn) * second)
+
+
+def across(axis: Array) -> tuple[Array, Array]:
+    """Two unit vectors that make a right-handed triad with a third."""
+    first = np.cross(np.eye(3)[np.argmin(np.abs(axis))], axis)
+    first = first / np.linalg.norm(first)
+    return first, np.cross(axis, first)
+
+
+def parted(curve: Array, eye: Array) -> tuple[Array, Array]:
+    """The visible and the hidden part of a curve on the sphere, each with NaN where the other is.
+
+    Parameters
+    ----------
+    curve : array, shape (n, 3)      NaN between its pieces
+    eye : array, shape (3,)
+
+    Examples
+    --------
+    >>> front, back = parted(np.array([[1.0, 0, 0], [0, 0, 1], [-1, 0, 0]]), np.array([0.6, 0, 0.8]))
+    >>> front.round(2).tolist()[2], bool(np.isnan(back[0, 0]))
+    ([-0.8, 0.0, 0.6], True)
+    """
+    depth = curve @ eye
+    with np.errstate(invalid="ignore"):
+        at = np.flatnonzero(depth[:-1] * depth[1:] < 0)
+    part = (depth[at] / (depth[at] - depth[at + 1]))[:, None]
+    limb = curve[at] + part * (curve[at + 1] - curve[at])
+    limb *= (np.linalg.norm(curve[at], axis=1) / np.linalg.norm(limb, axis=1))[:, None]
+    points, depth = np.insert(curve, at + 1, limb, axis=0), np.insert(depth, at + 1, 0.0)
+    return np.where((depth >= 0)[:, None], points, np.nan), np.where((depth <= 0)[:, None], points, np.nan)
+
+
+def curve_on(ax: Any, curve: Array, eye: Array, **style: Any) -> None:
+    """A curve on the sphere, its hidden part faded."""
+    front, back = parted(curve, eye)
+    given = {"solid_capstyle": "round", **style}
+    ax.plot(*back.T, **{**given, "alpha": FADED, "zorder": 1})
+    ax.plot(*front.T, **{"zorder": 2, **given})
+
+
+def dots_on(ax: Any, points: Array, eye: Array, **style: Any) -> None:
+    """Markers on the sphere, the hidden ones faded."""
+    seen = points @ eye >= -1e-9
+    for some, look in ((points[~seen], {"alpha": FADED, "zorder": 1}), (points[seen], {"zorder": 4})):
+        if len(some):
+            ax.plot(*some.T, **{**style, **look})
+
+

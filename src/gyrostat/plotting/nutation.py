@@ -1,0 +1,68 @@
+"""The path of the axis of the body on the sphere of directions: precession and nutation."""
+from typing import Any
+
+import numpy as np
+
+from ..errors import require
+from ..grids import Array
+from ..trajectories import Motion
+from .globe import circle, curve_on, dots_on, stage
+from .looks import BLUE, DARK, GREY, axes_of, label, legend, named
+
+
+def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
+    """Draw the path of the axis e3 of the body in space, on the unit sphere, seen as ax.view_init says.
+
+    Upwards is the vertical, for a free body the direction of M. Between two limits of k3 the axis nods: its path is a wave, has loops, or
+    has cusps, as the rate φ̇ keeps its sign, changes it, or vanishes at a limit. What is behind is faded.
+
+    Parameters
+    ----------
+    motion : Motion               of gyrostat.trajectories.motion
+    times : array, shape (n,)     increasing, close enough for a smooth curve [T]
+    ax : axes of mplot3d          new ones where they are left out
+    kwargs                        of the path: of Axes3D.plot
+
+    Returns
+    -------
+    axes of mplot3d
+
+    Raises
+    ------
+    ArgumentError          this is no motion, or the axes are flat
+    MissingExtraError      pip install "gyrostat[plot]"
+
+    Source
+    ------
+    Goldstein, Classical Mechanics, §5.7, fig. 5.9.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> from matplotlib.figure import Figure
+    >>> from gyrostat.trajectories import motion
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> released = motion(top, (0, 0, 3, "0.6", 0, "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
+    >>> ax = draw_nutation(released, np.linspace(0, 10, 500), Figure().add_subplot(projection="3d"))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['axis of the body', 'limits of $k_3$']
+    """
+    path = axis_path(motion, times)
+    ax = axes_of(ax, three=True)
+    eye = stage(ax, 1.0, [label("x"), label("y"), label("z")])
+    style = {"color": BLUE, "linewidth": 1.4, **kwargs}
+    limit = {"color": DARK, "linewidth": 0.9, "linestyle": (0, (6, 2))}
+    curve_on(ax, circle(np.array([0.0, 0.0, 1.0]), 1.0), eye, color=GREY, linewidth=0.6)
+    for height in motion.limits or ():
+        if abs(height) < 1:
+            curve_on(ax, circle(np.array([0.0, 0.0, 1.0]), float(np.sqrt(1 - height**2)), height), eye, **limit)
+    curve_on(ax, path, eye, **style)
+    dots_on(ax, path[:1], eye, color=style["color"], marker="o", linestyle="none", markersize=5)
+    legend(ax, [named(style, "axis of the body"), *([named(limit, f"limits of {label('k3')}")] if motion.limits else [])])
+    return ax
+
+
+def axis_path(motion: Motion, times: Any) -> Array:
+    """e3 of the body in space, R e3, shape (n, 3)."""
+    require(motion, Motion, "the motion")
+    return motion.attitude(np.asarray(times, dtype=float))[..., :, 2]

@@ -1,0 +1,152 @@
+"""The effective potential of a body of revolution in U(k3) on a level of its momenta."""
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from sympy import Expr, S
+
+from ..attitude import effective_potential
+from ..branches import Branch, names_of, relative_equilibria
+from ..errors import require
+from ..exact import evaluate
+from ..expressions import exact_number
+from ..grids import Array
+from ..notation import symbol
+from ..numeric import in_floats
+from ..reduction import ENERGY, K3, P, V, reduce
+from ..roots import real_roots
+from ..stability import Verdict
+from ..system import System
+from .looks import BLUE, DARK, GREY, axes_of, label, legend, marker, named
+from .scenes import numbers_of
+
+THETA = symbol("theta")
+
+
+@dataclass(frozen=True)
+class Well:
+    """The effective potential on a level of p_phi and p_psi.
+
+    Parameters
+    ----------
+    theta, height : arrays, shape (n,)     V at angles inside (0, π)
+    equilibria : list of (theta, V, Branch)
+    turning : list of Expr                 exact k3 at which V is the energy
+    """
+
+    theta: Array
+    height: Array
+    equilibria: list[tuple[float, float, Branch]]
+    turning: list[Expr]
+
+
+def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 801) -> Well:
+    """V(θ), its critical points with their verdicts, exact and complete, and the turning points of an energy.
+
+    Parameters
+    ----------
+    scene, values, energy      as in draw_effective_potential
+    n : int                    angles
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> found = well(top, {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}, energy=10)
+    >>> [branch.decision.verdict.name for _, _, branch in found.equilibria], [round(float(k3), 4) for k3 in found.turning]
+    (['STABLE'], [0.2843, 0.7957])
+    """
+    require(scene, System, "the scene")
+    names_of(scene)                                    # in U(k3), given: or refused
+    numbers = numbers_of(scene, values, ("p_phi", "p_psi"))
+    potential = effective_potential(scene.body, scene.potential).xreplace(dict(numbers))  # type: ignore[arg-type]
+    theta = np.linspace(0, np.pi, n + 2)[1:-1]
+    level = {"pi3_0": evaluate(P - scene.body.gyrostatic_momentum[2], numbers), "C1": numbers[V]}
+    scenes = {s.name: x for s, x in numbers.items() if s not in (P, V)}
+    motion = reduce(scene)
+    found = []
+    for branch in relative_equilibria(scene, scenes | level):
+        if branch.k3 is not None:
+            pole = branch.k3**2 == 1                   # there (p_φ − p_ψ cos θ)²/sin² θ is 0/0, with the limit 0
+            at = motion.axial + motion.system.potential.expression if pole else motion.effective_potential()  # type: ignore[union-attr]
+            height = in_floats(at.xreplace({**numbers, K3: branch.k3}), np, {})
+            found.append((float(np.arccos(float(branch.k3))), float(height), branch))
+    g = motion.square().xreplace(dict(numbers))
+    turning = [] if energy is None else real_roots(g.xreplace({ENERGY: exact_number(energy, "energy")}), K3, S.NegativeOne, S.One) or []
+    return Well(theta, np.broadcast_to(in_floats(potential, np, {THETA: theta}), theta.shape), found, turning)
+
+
+def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: Any = None, ax: Any = None, **kwargs: Any) -> Any:
+    """Draw V(θ) of a body of revolution on a level of its momenta: ½ I1 θ̇² + V = energy.
+
+    Filled, open and half-filled circles are the regular precessions, E1 and E2 on the level: stable, unstable, undecided. At an energy,
+    a line where θ can be, between the turning points.
+
+    Parameters
+    ----------
+    scene : System                            body of revolution in a U rational in k3
+    values : mapping of name to number        for its parameters, p_phi = C1 and p_psi = π3 + l [M L²/T]
+    energy : number or None                   [M L²/T²]
+    ax : matplotlib Axes                      a new one where it is left out
+    kwargs                                    of the curve: of Axes.plot
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    ScopeError             the body is not of revolution, U is unspecified, or not rational in k3
+    ValuesError            numbers are missing, unknown or not admissible
+    MissingExtraError      pip install "gyrostat[plot]"
+
+    Source
+    ------
+    Goldstein, Classical Mechanics, §5.7.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> from matplotlib.figure import Figure
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> values = {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}
+    >>> draw_effective_potential(top, values, energy=10, ax=Figure().subplots()).get_xlabel()
+    '$\\\\theta$'
+    """
+    found = well(scene, values, energy)
+    ax = axes_of(ax)
+    style = {"color": DARK, "linewidth": 1.6, **kwargs}
+    ax.plot(found.theta, found.height, **style)
+    heights = [height for _, height, _ in found.equilibria] + ([float(exact_number(energy, "energy"))] if energy is not None else [])
+    low = float(min([found.height.min(), *heights]))
+    depth = max(heights, default=low) - low or float(np.quantile(found.height, 0.4)) - low or 1.0
+    ax.set(xlim=(0, np.pi), ylim=(low - 0.2 * depth, low + 2.2 * depth))
+    handles = [named(style, "$V$")]
+    if energy is not None:
+        handles.append(named(_energy(ax, found, heights[-1]), "motion at the energy"))
+    for verdict in Verdict:
+        points = [(x, y) for x, y, branch in found.equilibria if branch.decision.verdict is verdict]
+        if points:
+            ax.plot(*np.array(points).T, zorder=4, clip_on=False, **marker(verdict))
+            handles.append(named(marker(verdict), verdict.name.lower()))
+    ax.set_xticks(np.pi / 4 * np.arange(5), ["$0$", r"$\pi/4$", r"$\pi/2$", r"$3\pi/4$", r"$\pi$"])
+    ax.set_xlabel(label("theta"))
+    ax.set_ylabel(label("V"))
+    legend(ax, handles)
+    return ax
+
+
+def _energy(ax: Any, found: Well, energy: float) -> dict[str, Any]:
+    """The energy as a faint line, heavy where V is below it, with a tick at each turning point."""
+    style = {"color": BLUE, "linewidth": 2.2, "linestyle": "-"}
+    turns = [float(np.arccos(float(k3))) for k3 in found.turning]
+    ax.axhline(energy, color=GREY, linewidth=0.7, zorder=1)
+    ends = [0.0, *sorted(turns), np.pi]
+    for a, b in zip(ends, ends[1:]):
+        if np.interp((a + b) / 2, found.theta, found.height) < energy:
+            ax.plot([a, b], [energy, energy], zorder=2, solid_capstyle="butt", **style)
+            ax.fill_between(found.theta, found.height, energy, where=(found.theta > a) & (found.theta < b), color="#e9edf2", zorder=0,
+                            linewidth=0)
+    ax.plot(turns, [energy] * len(turns), marker="|", markersize=11, markeredgewidth=2.2, linestyle="none", color=BLUE, zorder=3)
+    return style
