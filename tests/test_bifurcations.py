@@ -263,6 +263,21 @@ def test_a_field_that_is_infinite_at_a_pole():
     assert "E3 leaves E2" in kinds and not any(kind.endswith("E1") for kind in kinds)
 
 
+def test_a_field_of_numbers_that_is_infinite_at_a_pole():
+    """U = 1/(1 − k3) at ω = 1, I1 − I3 = 1: E3 leaves E2 where l = 1/4 − 1; nothing leaves E1."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(1 / (1 - k3)))
+    points = bifurcation_points(scene, {"I1": 2, "I3": 1, "omega": 1}, "l")
+    assert [(p.kind, p.value) for p in points if p.kind.startswith("E3")] == [("E3 leaves E2", Rational(1, 4) - 1)]
+    assert {p.kind for p in bifurcation_points(scene, {"I1": 2, "I3": 1, "l": 0}, "pi3_0")} <= {"precessions leave E2"}
+
+
+def test_a_tilt_that_exists_at_every_rate_is_crossed():
+    """U = k3⁴ − k3²/2, l = 0: k3 = 0 is E3 at every ω; 4 k3² = 1 − (I1 − I3) ω² branches from it where ω² = 1."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(k3**4 - k3**2 / 2))
+    points = bifurcation_points(scene, {"I1": 2, "I3": 1, "l": 0}, "omega")
+    assert [(p.value, p.k3) for p in points if p.kind == "fold at fixed rate"] == [(-1, 0), (1, 0)]
+
+
 def test_every_kind_says_what_happens(scene):
     """The kinds of the equations are those that are described."""
     assert [b.kind for b in bifurcations(scene)] == list(KINDS)

@@ -1,5 +1,6 @@
 """Where relative equilibria of a body of revolution meet: E3 leaves E1 or E2, two tilts meet in a fold. Equations, and numbers."""
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,7 +9,7 @@ from sympy import Expr, S, Symbol, expand
 
 from .algebra import Ring, by_degree
 from .branches import exact_point, names_of
-from .errors import ValuesError
+from .errors import EquilibriumError, ValuesError
 from .exact import Point, evaluate, sign_of_constant
 from .families import hanging, upright
 from .notation import Typeset, jet, symbol
@@ -76,7 +77,10 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     found: list[tuple[str, tuple[Expr, ...], Expr]] = [
         ("E3 leaves E1", (relation.xreplace({K3: S.One}),), S.One), ("E3 leaves E2", (relation.xreplace({K3: -S.One}),), -S.One),
         ("fold at fixed rate", (relation, slope), K3)]
-    found += [(f"precessions leave {eq.label}", (expansion(eq, 2)[2],), eq.at) for eq in (upright(scene), hanging(scene))]
+    for make in (upright, hanging):
+        with suppress(EquilibriumError):                   # U is infinite at the pole
+            eq = make(scene)
+            found.append((f"precessions leave {eq.label}", (expansion(eq, 2)[2],), eq.at))
     found.append(("fold on a level", (motion.precession(), motion.restoring()), K3))
     return tuple(Bifurcation(*row) for row in found)
 
@@ -165,7 +169,10 @@ def _folds(expression: Expr, free: Symbol) -> Iterator[tuple[Expr, Expr]]:
         if sign_of_constant(below) and sign_of_constant(leading):          # the common root of F and the slope is that of a t + b
             yield -inserted(ring, top, {K3: k3}) / below, k3
             continue
-        for value in real_roots(inserted(ring, F, {K3: k3}), free) or []:
+        values = real_roots(inserted(ring, F, {K3: k3}), free)
+        if values is None:                                 # a tilt that exists at every value: where another branch crosses it
+            values = real_roots(inserted(ring, slope, {K3: k3}), free)
+        for value in values or []:
             if sign_of_constant(inserted(ring, slope, {K3: k3, free: value})) == 0:
                 yield value, k3
 
