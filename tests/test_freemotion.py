@@ -3,6 +3,7 @@ import math
 from fractions import Fraction
 from itertools import permutations
 
+import mpmath
 import numpy as np
 import pytest
 from draw import moments, nonzero, numbers
@@ -133,6 +134,22 @@ def test_nothing_grows_with_the_number_of_periods(inertia, M, rotor):
     assert np.abs(gained - [[c, -s, 0], [s, c, 0], [0, 0, 1]]).max() < 1e-14 * (8 + motion.precession)
 
 
+def test_attitude_after_a_thousand_million_periods():
+    """R gains the angle of one integrated period, 10⁹ times; a vector across M, fixed in space, shows it to 40 digits."""
+    inertia, M, across, n = (1, 2, 3), (1, 2, 2), (0, 1, -1), 10**9
+    motion = free(inertia, M)
+    with mpmath.workdps(50):
+        period = polhode_period(inertia, M, 45)
+        v = integrated(inertia, REST, M, Fraction(str(period)), 60, [across], order=40)[1]
+        normal = (Fraction(-4, 3), Fraction(1, 3), Fraction(1, 3))         # M/|M| × across
+        cosine, sine = (sum(x * y for x, y in zip(v, w)) for w in (across, normal))
+        gained = n * mpmath.atan2(*(mpmath.mpf(x.numerator) / x.denominator for x in (-sine, cosine)))
+        c, s = float(mpmath.cos(gained)), float(mpmath.sin(gained))
+    t = motion.period * n + 0.3
+    rest = float(Fraction(t) - n * Fraction(str(period)))
+    assert np.abs(motion.attitude(t) - np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ motion.attitude(rest)).max() < 1e-14
+
+
 def test_precession_counts_whole_turns():
     """φ of axis 3, followed along a period, gains the precession; for a body of revolution it is |M|/I1 times the period."""
     for motion in (free((1, 2, 3), (Fraction(3, 10), Fraction(1, 5), Fraction(9, 10))), free((1, 2, 3), (1, 2, 3), (1, 0, -1)),
@@ -165,6 +182,9 @@ def test_gyrostat_on_a_separatrix():
         reference, seen = integrated(inertia, rotor, M, t, 80, [(1, 0, 0)])
         assert distance(motion.state(float(t)) + np.array(rotor, float), reference) < 4e-15
         assert np.abs(motion.attitude(0.0)[:, 0] - motion.attitude(float(t)) @ np.array(seen, float)).max() < 2e-15
+        assert distance(motion.state(float(t)), middles(motion.ball_state(arb(float(t)), 60))) < 2e-15
+    for end in (side.length * sign for side, sign in zip(motion.turning.loops(6), (1, -1))):
+        assert np.abs(motion.attitude(end * (1 + 1e-9)) - motion.attitude(end * (1 - 1e-9))).max() < 1e-6      # it turns by 4 · 10⁻⁸ · |M|
     for t in (30.0, -30.0):
         turned = motion.attitude(t + 0.25) @ motion.attitude(t).T
         assert math.atan2(turned[1, 0], turned[0, 0]) == pytest.approx(math.remainder(4 * math.sqrt(14) * 0.25, 2 * math.pi), abs=1e-14)

@@ -222,6 +222,15 @@ class FreeMotion:
         with ONE_AT_A_TIME, ctx.workprec(precision + 64):
             return [x - ball(y, precision) for x, y in zip(self.path.at(t, bits, precision), self.rotor)]
 
+    def exact_period(self, bits: int) -> arb | None:
+        """Of M, to so many bits; None where it rests, and on a separatrix."""
+        if self.period is None:
+            return None
+        if isinstance(self.path, Steady):
+            with ONE_AT_A_TIME, ctx.workprec(bits + 64):
+                return 2 * arb.pi() / abs(ball(self.path.about, bits + 64))
+        return self.path.period(bits)[0]
+
     @property
     def precession(self) -> float | None:
         """The angle gained about M in a period; where M rests, in a unit of time; None on a separatrix."""

@@ -13,6 +13,7 @@ from .grids import Array
 from .steady import CYCLIC, dot
 
 ORDER = 24                                                 # of the polynomials in doubles: about e⁻⁴⁸ of the first term is left
+LONGEST = 16                                               # units of time: where M nearly rests, small coefficients are lost, noise grows
 STEPS = 4000                                               # a turn that takes more is refused
 
 Vector = Sequence[arb]
@@ -139,7 +140,7 @@ def series(start: Sequence[int], spread: Sequence[int], constant: Sequence[int],
 def loop(start: Vector, rates: Rates, precision: int, end: arb | None) -> Loop:
     """The motion from a start, M and then other vectors, for a time or, where that is None, until M rests to half the precision.
 
-    Each step is e² times shorter than the radius of convergence, estimated from coefficients of the orders 23 and 24.
+    Each step is e² times shorter than the radius of convergence, estimated from the coefficients of orders 23 and 24.
 
     Raises
     ------
@@ -159,7 +160,7 @@ def loop(start: Vector, rates: Rates, precision: int, end: arb | None) -> Loop:
     while len(found) < STEPS:
         rows = moved(arb(rates.unit), ORDER)
         radius = min(2.0 ** ((precision - math.log2(max(abs(row[n]) for row in rows) or 1)) / n) for n in (ORDER - 1, ORDER))
-        after = now + rates.unit * radius * math.exp(-2)
+        after = now + rates.unit * min(radius * math.exp(-2), LONGEST)
         last = end is not None and not after < end
         length = end - now if last and end is not None else arb(after) - now
         rows = moved(length, order)

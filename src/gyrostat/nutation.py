@@ -54,7 +54,7 @@ class Nutation:
             return s, c, s * c
         sn, cn, dn = jacobi_ball(u, m1) if balls else jacobi(u, m1)
         if self.kind == "pair":
-            s, c, turn = ratio * sn * dn, cn, ratio * (cn**4 + m1 * sn**2 * (1 + cn**2))
+            s, c, turn = ratio * sn * dn, cn, ratio * (cn * cn * cn * cn + m1 * sn * sn * (1 + cn * cn))
         else:
             s, c, turn = ratio * sn, cn, ratio * dn
         square = s * s + c * c

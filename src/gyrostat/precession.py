@@ -99,7 +99,7 @@ class Precession:
         time = self.I1 * path.scale / self._factor(path, s, c).sqrt() * (-1 if self.backward else 1)
         rates = [time]
         for level, (low, high), sense in zip(self.momenta, self.gaps, self.senses):
-            square = (c * low) ** 2 + (s * high) ** 2
+            square = c * low * c * low + s * high * s * high
             rates.append((time * level / (2 * self.I1) - sense * turn * low * high) / square if low * high != 0 else arb(0))
         return rates
 

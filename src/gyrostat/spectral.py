@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 
 from .errors import AccuracyError
 from .grids import Array
@@ -140,8 +140,8 @@ def over_a_period(sample: Callable[[arb], Sequence[arb]], quarter: arb, nodes: i
     """
     while nodes <= MOST:
         rows = list(zip(*(sample(quarter * fmpq(2 * j + 1, 2 * nodes)) for j in range(nodes))))
-        _enclosed(rows, bits)
-        spectra = _spectra(rows, bits)
+        rows = _enclosed(rows, bits)
+        spectra = _spectra(rows)
         if _exhausted(rows, spectra, bits):
             series = [[c * quarter / (arb.pi() * j) for j, c in enumerate(s[1:], 1)] for s in _trimmed(rows, spectra, bits)]
             return Integrals(tuple(sum(row, arb(0)) / nodes for row in rows), (arb(0),) * len(rows), series, quarter, nodes)
@@ -160,42 +160,40 @@ def to_infinity(sample: Callable[[arb], Sequence[arb]], limits: tuple[Sequence[a
             y = arb.cos_pi_fmpq(fmpq(2 * j + 1, 2 * nodes))
             for row, mean, jump, value in zip(rows, means, jumps, sample(2 * y.atanh())):
                 row.append(2 * (value - mean - jump * y) / ((1 - y) * (1 + y)))
-        _enclosed(rows, bits)
-        rows = [[arb(0)] * nodes if all(v.contains(0) for v in row) else row for row in rows]
-        spectra = _spectra(rows, bits)
+        rows = _enclosed(rows, bits)
+        spectra = _spectra(rows)
         if _exhausted(rows, spectra, bits):
             return Integrals(tuple(means), tuple(jumps), [_antiderivative(s) for s in _trimmed(rows, spectra, bits)], None, nodes)
         nodes *= 2
     raise AccuracyError(f"{MOST} nodes do not reach the accuracy of {bits} bits: other roots of g are too close to the motion")
 
 
-def _spectra(rows: Sequence[Sequence[arb]], bits: int) -> list[list[arb]]:
-    """Coefficients of cos(j θ), j from 0, of values at θ = (i + ½) π/n, i from 0."""
+def _spectra(rows: Sequence[Sequence[arb]]) -> list[list[arb]]:
+    """Coefficients of cos(j θ), j from 0, of values at θ = (i + ½) π/n, i from 0: by the discrete Fourier transform of twice the row."""
     n = len(rows[0])
-    if bits <= 64:                                         # doubles are enough
-        grid = 2 / n * np.cos(np.pi / (2 * n) * (np.outer(np.arange(n), 2 * np.arange(n) + 1) % (4 * n)))
-        return [[arb(float(x)) for x in grid @ np.array([double(v) for v in row])] for row in rows]
-    table = [arb.cos_pi_fmpq(fmpq(k, 2 * n)) for k in range(4 * n)]
-    return [[2 * sum((v * table[j * (2 * i + 1) % (4 * n)] for i, v in enumerate(row)), arb(0)) / n for j in range(n)] for row in rows]
+    shifts = [acb(*reversed(arb.sin_cos_pi_fmpq(fmpq(-j, 2 * n)))) for j in range(n)]
+    return [[(x * shift).real / n for x, shift in zip(acb.dft([*row, *reversed(row)]), shifts)] for row in rows]
 
 
-def _enclosed(rows: Sequence[Sequence[arb]], bits: int) -> None:
-    """Refuse values that are not known well enough for the means in two doubles."""
+def _enclosed(rows: Sequence[Sequence[arb]], bits: int) -> list[Sequence[arb]]:
+    """The rows, one that may be 0 throughout as 0, if they are known well enough for means in two doubles."""
+    rows = [[arb(0)] * len(row) if all(v.contains(0) for v in row) else row for row in rows]
     for row in rows:
         if float(max(x.rad() for x in row)) > float(_size(row)) * 2.0 ** -(bits + GUARD):
             raise AccuracyError(f"the integrands are not known to {bits + GUARD} bits")
+    return rows
 
 
 def _exhausted(rows: Sequence[Sequence[arb]], spectra: Sequence[Sequence[arb]], bits: int) -> bool:
+    """Whether the last terms are below 2^−bits of the largest value."""
     last = -max(len(rows[0]) // 6, 2)
-    floor = max(-bits, -50) if bits <= 64 else -bits       # in doubles what is below is noise
-    return all(max(map(abs, s[last:]), key=float) <= _size(row) * arb(2) ** floor for row, s in zip(rows, spectra))
+    return all(max(map(abs, s[last:]), key=float) <= _size(row) * arb(2) ** -bits for row, s in zip(rows, spectra))
 
 
 def _trimmed(rows: Sequence[Sequence[arb]], spectra: list[list[arb]], bits: int) -> list[list[arb]]:
     """Without the terms at the end that are below the rounding error; of a constant, without any but the first."""
     spectra = [[s[0], *[arb(0)] * (len(s) - 1)] if all(v.overlaps(row[0]) for v in row) else s for row, s in zip(rows, spectra)]
-    floors = [_size(row) * arb(2) ** -max(bits, 58) for row in rows]
+    floors = [_size(row) * arb(2) ** -bits for row in rows]
     needed = max((j for floor, s in zip(floors, spectra) for j, c in enumerate(s) if abs(c) > floor), default=0)
     return [[s[0] / 2, *s[1:max(needed, 1) + 1]] for s in spectra]
 
