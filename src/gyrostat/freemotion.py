@@ -226,10 +226,10 @@ class FreeMotion:
         """Of M, to so many bits; None where it rests, and on a separatrix."""
         if self.period is None:
             return None
-        if isinstance(self.path, Steady):
-            with ONE_AT_A_TIME, ctx.workprec(bits + 64):
-                return 2 * arb.pi() / abs(ball(self.path.about, bits + 64))
-        return self.path.period(bits)[0]
+        if not isinstance(self.turning, Steady):
+            return self.turning.path.period(bits)[0]
+        with ONE_AT_A_TIME, ctx.workprec(bits + 64):
+            return 2 * arb.pi() / abs(ball(self.turning.about, bits + 64))
 
     @property
     def precession(self) -> float | None:

@@ -87,7 +87,7 @@ class Precession:
         if (quarter := path.quarter) is not None:
             nodes = FEWEST
             if path.complement < 0.999:                    # the terms fall like the nome to the power j
-                nodes = max(nodes, int(0.25 * self.bits * float(quarter / quarter_period(1 - path.complement))) + 4)
+                nodes = max(nodes, int(0.28 * self.bits * float(quarter / quarter_period(1 - path.complement))) + 6)
             return over_a_period(lambda u: self._rates(path, *path.shape(u)), quarter, nodes, self.bits + 7)
         low, high = ((arb(0), arb(1), arb(0)), (arb(1), arb(0), arb(0)))
         first, last = {(False, True): (high, high), (True, False): (low, low), (True, True): (low, high)}[path.roots.double]

@@ -138,32 +138,36 @@ def over_a_period(sample: Callable[[arb], Sequence[arb]], quarter: arb, nodes: i
     ------
     Trefethen & Weideman, SIAM Review 56 (2014) 385-458.
     """
-    while nodes <= MOST:
-        rows = list(zip(*(sample(quarter * fmpq(2 * j + 1, 2 * nodes)) for j in range(nodes))))
-        rows = _enclosed(rows, bits)
-        spectra = _spectra(rows)
-        if _exhausted(rows, spectra, bits):
-            series = [[c * quarter / (arb.pi() * j) for j, c in enumerate(s[1:], 1)] for s in _trimmed(rows, spectra, bits)]
-            return Integrals(tuple(sum(row, arb(0)) / nodes for row in rows), (arb(0),) * len(rows), series, quarter, nodes)
-        nodes *= 2
-    raise AccuracyError(f"{MOST} nodes do not reach the accuracy of {bits} bits: other roots of g are too close to the motion")
+    def values(n: int) -> list[Sequence[arb]]:
+        return list(zip(*(sample(quarter * fmpq(2 * j + 1, 2 * n)) for j in range(n))))
+
+    rows, spectra = _converged(values, nodes, bits)
+    series = [[c * quarter / (arb.pi() * j) for j, c in enumerate(s[1:], 1)] for s in spectra]
+    return Integrals(tuple(sum(row, arb(0)) / len(row) for row in rows), (arb(0),) * len(rows), series, quarter, len(rows[0]))
 
 
 def to_infinity(sample: Callable[[arb], Sequence[arb]], limits: tuple[Sequence[arb], Sequence[arb]], bits: int) -> Integrals:
     """Integrals of functions of u that have limits at −∞ and ∞, in Chebyshev polynomials of tanh(u/2); see over_a_period."""
     means = [(a + b) / 2 for a, b in zip(*limits)]
     jumps = [(b - a) / 2 for a, b in zip(*limits)]
-    nodes = 2 * FEWEST
+
+    def values(n: int) -> list[Sequence[arb]]:
+        places = [arb.cos_pi_fmpq(fmpq(2 * j + 1, 2 * n)) for j in range(n)]
+        found = zip(*(sample(2 * y.atanh()) for y in places))
+        return [[2 * (x - mean - jump * y) / ((1 - y) * (1 + y)) for x, y in zip(row, places)]
+                for row, mean, jump in zip(found, means, jumps)]
+
+    rows, spectra = _converged(values, 2 * FEWEST, bits)
+    return Integrals(tuple(means), tuple(jumps), [_antiderivative(s) for s in spectra], None, len(rows[0]))
+
+
+def _converged(values: Callable[[int], list[Sequence[arb]]], nodes: int, bits: int) -> tuple[list[Sequence[arb]], list[list[arb]]]:
+    """Values at so many nodes that their series is exhausted, and the series."""
     while nodes <= MOST:
-        rows: list[list[arb]] = [[] for _ in means]
-        for j in range(nodes):
-            y = arb.cos_pi_fmpq(fmpq(2 * j + 1, 2 * nodes))
-            for row, mean, jump, value in zip(rows, means, jumps, sample(2 * y.atanh())):
-                row.append(2 * (value - mean - jump * y) / ((1 - y) * (1 + y)))
-        rows = _enclosed(rows, bits)
+        rows = _enclosed(values(nodes), bits)
         spectra = _spectra(rows)
         if _exhausted(rows, spectra, bits):
-            return Integrals(tuple(means), tuple(jumps), [_antiderivative(s) for s in _trimmed(rows, spectra, bits)], None, nodes)
+            return rows, _trimmed(rows, spectra, bits)
         nodes *= 2
     raise AccuracyError(f"{MOST} nodes do not reach the accuracy of {bits} bits: other roots of g are too close to the motion")
 

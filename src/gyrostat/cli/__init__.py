@@ -47,6 +47,32 @@ _VERIFY = """examples:
 
 The exit status is 1 when a status is not the expected one.
 """
+_MOTION = """examples:
+  gyrostat motion --potential "m0*k3" --set I1=1 --set I3=0.6 --set l=0.4 --set m0=1 --state "0.3,-0.2,1.5,0.6,0,0.8" --until 20 > top.csv
+  gyrostat motion --potential "m0*k3" --set I1=1 --set I3=1/2 --set l=0 --set m0=1 --state "0,0,3,0.8,0,0.6" --until 16 --output top.png
+  gyrostat motion --potential none --set I1=1 --set I2=2 --set I3=5/2 --set l=0 --state "1/50,2,0" --until 60 --output box.gif
+  gyrostat motion --potential "k1*k2 + k3" --set I1=1 --set I2=2 --set I3=3 --set l1=0 --set l2=0.1 --set l3=1/2 \\
+      --state "0.1,0,5,0,0,1" --until 100 --step 0.1 --output general.nc
+  gyrostat motion --potential "k3**4 - k3**2/2" --set I1=2 --set I3=1 --set l=0 --state "cos(1.1),0,1,0.6,0,0.8" --until -5 --precision 30
+
+The body is I1, I1, I3, or with I2, or k1 and k2 in U, or without a field I1, I2, I3; its rotor (0, 0, l), or l1, l2, l3. All numbers are
+exact as written, sqrt(3)/2 too. Without --output the table goes to standard output; what is known of the motion, its route, period,
+precession, error and drift, to standard error.
+"""
+_PLOT = """examples:
+  gyrostat plot momentum-sphere --set I1=1 --set I2=2 --set I3=3 --set l=0.55 --momentum 1 --output sphere.png
+  gyrostat plot nutation --potential "k3" --set I1=1 --set I3=1/2 --set l=0 --state "0,0,3,0.8,0,0.6" --until 16 --output nutation.png
+  gyrostat plot effective-potential --potential "m0*k3" --set I1=1 --set I3=1/2 --set l=0 --set m0=1 --set p_phi=1 --set p_psi=1 \\
+      --energy 1.9 --output well.png
+  gyrostat plot bifurcations --potential "k3**4 - k3**2/2" --set I1=2 --set I3=1 --set l=0.1 --x omega=-2:2 --output bifurcations.pdf
+  gyrostat plot energy-momentum --potential "m0*k3" --set I1=1 --set I3=1/2 --set l=0 --set m0=1 --set p_psi=1 --output diagram.svg
+  gyrostat plot eigenvalues --potential "m0*k3" --equilibrium E1 --set I1=1 --set I3=1.6 --set l=0 --set m0=1 --x omega3_0=2.2:0 \\
+      --output hopf.png
+  gyrostat plot cones --set I1=2 --set I3=1 --transverse 1 --axial 2 --output cones.png
+
+The kind of the file is that of its name: .png, .pdf or .svg. gyrostat plot KIND --help says what a picture needs; charts have a verb of
+their own, gyrostat chart.
+"""
 
 
 def parser() -> argparse.ArgumentParser:
@@ -56,19 +82,20 @@ def parser() -> argparse.ArgumentParser:
         epilog=_REPORT, formatter_class=argparse.RawDescriptionHelpFormatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
-    report, conditions, decide, chart, verify = (
+    report, conditions, decide, chart, motion, plot, verify = (
         verbs.add_parser(name, help=text, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter) for name, text, epilog in (
             ("report", "the whole derivation, and verdicts where numbers are set", _REPORT),
             ("conditions", "where each equilibrium exists, its conditions, and what decides between them", _CONDITIONS),
             ("decide", "verdicts at numbers, of one body or of many", _DECIDE),
             ("chart", "verdicts over a grid of parameters, as a picture or as data", _CHART),
+            ("motion", "the motion from a state on, as a table, data, a picture or an animation", _MOTION),
+            ("plot", "polhodes, nutation, bifurcations, eigenvalues, …, as a picture", _PLOT),
             ("verify", "check published formulas against what is derived", _VERIFY)))
     for verb, meaning in ((report, "with enough of them a verdict is added"), (conditions, "put in the place of the name"),
                           (decide, "names of the moments, l, U and the motion"), (chart, "all names but the axes")):
-        verb.add_argument("--potential", metavar="EXPR", help="U in k3 and parameters: names, numbers, + - * / **, parentheses, sqrt, "
-                          "exp, log, sin, …; none for a free body; left out: U unspecified")
-        verb.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", dest="values",
-                          help=f"a number, exact: I1=1.6, l=1/2, k3='sqrt(3)/2'; {meaning}")
+        _scene(verb, meaning)
+    _motion(motion)
+    _kinds(plot)
     conditions.add_argument("--solve-for", metavar="NAME", help="the values of one name, l, pi3_0, omega3_0, omega, m0, …, for which each "
                             "equilibrium exists and is stable; in closed form, or exact where --set gives all other names")
     for verb in (report, conditions):
@@ -91,14 +118,83 @@ def parser() -> argparse.ArgumentParser:
     for verb in (report, conditions, verify):
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")
         verb.add_argument("--fragment", action="store_true", help="with --format latex: without preamble, for \\input")
-    for verb in (report, conditions, decide, verify):
-        verb.add_argument("--output", metavar="FILE", help="write to a file instead of the terminal")
+    motion.add_argument("--precision", type=int, metavar="DIGITS", help="of a table, any number of digits; left out: doubles")
+    for verb in (report, conditions, decide, motion, verify):
+        verb.add_argument("--output", metavar="FILE", help="write to a file instead of the terminal" + (
+            ": motion.csv, .nc, .png, .pdf, .svg, .gif or .mp4" if verb is motion else ""))
     return top
+
+
+def _scene(verb: argparse.ArgumentParser, meaning: str, potential: str = "none for a free body; left out: U unspecified") -> None:
+    """A field and numbers."""
+    verb.add_argument("--potential", metavar="EXPR", help="U in k3 and parameters: names, numbers, + - * / **, parentheses, sqrt, "
+                      f"exp, log, sin, …; {potential}")
+    _numbers(verb, meaning)
+
+
+def _numbers(verb: argparse.ArgumentParser, meaning: str) -> None:
+    verb.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", dest="values",
+                      help=f"a number, exact: I1=1.6, l=1/2, k3='sqrt(3)/2'; {meaning}")
+
+
+def _motion(verb: argparse.ArgumentParser) -> None:
+    """A body, its state and times."""
+    _scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U", "with k1 or k2 in it, U(k1, k2, k3); none for a free body")
+    verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3", required=True, help="at the time 0, exact; of a free body PI1,PI2,PI3; "
+                      "pi is the momentum with the rotor locked, k the direction of the field in the body")
+    verb.add_argument("--until", metavar="T", required=True, help="the last time; before 0 the motion goes back")
+    among = verb.add_mutually_exclusive_group()
+    among.add_argument("--count", type=int, metavar="N", help="times from 0 to T; left out: 201, of a curve 2001, of an animation 150")
+    among.add_argument("--step", metavar="DT", help="the time from one to the next, in place of --count")
+    verb.add_argument("--tolerance", metavar="X", help="the error that is accepted of a motion that is integrated; left out: 1e-3")
+
+
+def _kinds(plot: argparse.ArgumentParser) -> None:
+    """The pictures and what each needs."""
+    kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
+    sphere, nutation, well, branches, diagram, eigenvalues, cones = (kinds.add_parser(name, help=text, description=text) for name, text in (
+        ("momentum-sphere", "polhodes, separatrices and equilibria of a free body or gyrostat"),
+        ("nutation", "the path of the axis of the body on the sphere of directions"),
+        ("effective-potential", "V of a body of revolution in U(k3) on a level of its momenta"),
+        ("bifurcations", "k3 of all relative equilibria against a parameter"),
+        ("energy-momentum", "critical values of the energy and C1 at a fixed axial momentum"),
+        ("eigenvalues", "the spectrum of an equilibrium along a parameter"),
+        ("cones", "body cone and space cone of a free body of revolution")))
+    _numbers(sphere, "I1, I2, I3; l or l1, l2, l3")
+    sphere.add_argument("--momentum", metavar="M", required=True, help="the radius, |M|")
+    sphere.add_argument("--energy", metavar="H", action="append", help="of a polhode; may be repeated; left out: some of each kind")
+    _motion(nutation)
+    nutation.set_defaults(precision=None)
+    _scene(well, "I1, I3, l, the names in U, p_phi and p_psi", "it is required")
+    well.add_argument("--energy", metavar="H", help="with the motion at this energy")
+    _scene(branches, "I1, I3, l, omega and the names in U, without that of the axis", "it is required")
+    branches.add_argument("--x", metavar="NAME=LOW:HIGH", required=True, help="the parameter, omega or another name, and its range")
+    _scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")
+    _scene(eigenvalues, "all names in the spectrum but the axis")
+    eigenvalues.add_argument("--equilibrium", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; left out for a free body")
+    eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True, help="the parameter, its range, either "
+                             "way, and how many values; left out: 200")
+    _numbers(cones, "I1 and I3")
+    cones.add_argument("--transverse", metavar="W", required=True, help="the angular velocity across the axis")
+    cones.add_argument("--axial", metavar="W3", required=True, help="the angular velocity along the axis")
+    for kind in kinds.choices.values():
+        kind.add_argument("--output", metavar="FILE", help="a .png, .pdf or .svg")
+
+
+def _values_joined(arguments: Sequence[str]) -> list[str]:
+    """--state -1,0,2 as --state=-1,0,2: what starts with one minus is the value of the option before it."""
+    joined: list[str] = []
+    for argument in arguments:
+        if joined and joined[-1].startswith("--") and "=" not in joined[-1] and argument[:1] == "-" and argument[1:2] not in ("", "-", "h"):
+            joined[-1] += f"={argument}"
+        else:
+            joined.append(argument)
+    return joined
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; 0: done, 1: a published formula is not as expected, 2: bad input, with the reason on stderr."""
-    given = parser().parse_args(arguments)
+    given = parser().parse_args(_values_joined(sys.argv[1:] if arguments is None else arguments))
     out = Output(given.output)
     try:
         if getattr(given, "fragment", False) and given.format != "latex":

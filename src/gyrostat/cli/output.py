@@ -1,6 +1,13 @@
-"""Where a verb writes its results: a file or standard output."""
+"""Where a verb writes its results: standard output, or a file of a kind that is that of its name."""
 import sys
-from typing import TextIO
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, TextIO
+
+from ..errors import ValuesError, optional
+
+PICTURES, FILMS = (".png", ".pdf", ".svg"), (".gif", ".mp4")
+EXTRAS = dict.fromkeys((*PICTURES, *FILMS), ("matplotlib", "plot")) | {".nc": ("netCDF4", "charts")}
 
 
 class Output:
@@ -29,3 +36,21 @@ class Output:
     def close(self) -> None:
         if self.file:
             self.file.close()
+
+
+def file_of(out: Output, what: str, kinds: Sequence[str], names: str) -> Path:
+    """The file to write, of a kind that there is, and its packages."""
+    if out.path is None:
+        raise ValuesError(f"--output is missing, a {what} goes to a file: name {names}")
+    path = Path(out.path)
+    if path.suffix not in kinds:
+        raise ValuesError(f"--output {path} is of no kind that is written: name {names}")
+    if path.suffix in EXTRAS:
+        optional(*EXTRAS[path.suffix])
+    path.parent.stat()                                 # raises OSError where there is no such folder
+    return path
+
+
+def save_picture(figure: Any, path: Path) -> None:
+    """Write a Matplotlib figure, as large as what is on it."""
+    figure.savefig(path, dpi=200, bbox_inches="tight")

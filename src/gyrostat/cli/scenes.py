@@ -1,6 +1,6 @@
 """What the options name: exact numbers, a scene, its equilibria and their reports."""
 import contextlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 
 from sympy import Expr
@@ -10,12 +10,14 @@ from ..errors import EquilibriumError, ValuesError
 from ..expressions import exact_number, parse
 from ..families import hanging, inclined, principal_rotation, static_tilt, upright
 from ..notation import jet, symbol
-from ..potential import axial_potential
+from ..potential import axial_potential, general_potential
 from ..stability import Report, analyze
 from ..system import System, assemble
-from ..values import unknown
+from ..values import names_in, unknown
 
 LABELS = ("E1", "E2", "E3")
+ROTOR = ("l1", "l2", "l3")
+LONGEST = 10**7                                        # values of an axis, rows of a table
 AXIS = "rotation about axis 3"
 AT_REST = "E3 at rest"
 _FAMILIES = {"E1": upright, "E2": hanging}
@@ -50,6 +52,38 @@ def scene_of(potential: str | None) -> System:
     return assemble(symmetric_gyrostat(), axial_potential(None if potential is None else parse(potential)))
 
 
+def body_of(potential: str | None, names: Collection[str]) -> System:
+    """The scene of a body by the names that have numbers: I1, I3, or I1, I2, I3; l, or l1, l2, l3."""
+    if potential is None:
+        raise ValuesError('--potential is missing, and an unspecified U moves nothing: write --potential "m0*k3", or none for a free body')
+    field = None if potential.strip() == "none" else parse(potential)
+    aside = field is not None and not field.free_symbols.isdisjoint(map(symbol, ("k1", "k2")))
+    three, rotor = aside or field is None or "I2" in names, [name for name in ROTOR if name in names]
+    if rotor and "l" in names:
+        raise ValuesError(f"both l and {rotor[0]} are given, l is the rotor along axis 3: give l, or {', '.join(ROTOR)}")
+    body = Gyrostat([symbol(name) for name in ("I1", "I2" if three else "I1", "I3")],
+                    [symbol(name) for name in ROTOR] if rotor else [0, 0, symbol("l")])
+    scene = assemble(body, None if field is None else general_potential(field) if aside else axial_potential(field))
+    parameters = scene.potential.parameters if scene.potential else ()
+    if missing := [name for name in names_in([*body.inertia, *body.gyrostatic_momentum, *parameters]) if name not in names]:
+        moments, momentum = (f"({', '.join(map(str, entries))})" for entries in (body.inertia, body.gyrostatic_momentum))
+        raise ValuesError(f"--set gives no number for {', '.join(missing)}, and the body has the moments {moments}, the rotor {momentum}: "
+                          f"add --set {missing[0]}=…")
+    return scene
+
+
+def axis_of(option: str, text: str, form: str = "NAME=LOW:HIGH:COUNT", count: int = 0) -> tuple[str, Expr, Expr, int]:
+    """Name, ends and number of values of an axis; its COUNT may be left out where the form has it in brackets."""
+    name, equals, values = text.partition("=")
+    name, ends = name.strip(), [value.strip() for value in values.split(":")]
+    if not equals or not name.isidentifier() or len(ends) not in {form.count(":") + 1, 2 if "[" in form else 0}:
+        raise ValuesError(f"{option} {text} is not {form}: write, for example, {option} l=-2:2{':400' if 'COUNT' in form else ''}")
+    if ends[2:] and (not ends[2].isdecimal() or not 2 <= int(ends[2]) <= LONGEST):
+        raise ValuesError(f"{option} {text} has the COUNT {ends[2]}: give a whole number from 2 to {LONGEST}; one value goes to --set")
+    low, high = (exact_number(end, name) for end in ends[:2])
+    return name, low, high, int(ends[2]) if ends[2:] else count
+
+
 def labels_of(scene: System, given: Sequence[str] | None) -> Sequence[str]:
     """The equilibria of --equilibrium, in the order given; all of them where it is left out."""
     if scene.potential is None and given:
@@ -79,6 +113,14 @@ def reports_of(potential: str | None, labels: Sequence[str], numbers: Mapping[st
     for label in labels:
         found += _tilted(potential, numbers) if label == "E3" else [report_of(potential, label, spin_of(numbers))]
     return found
+
+
+def report_for(what: str, potential: str | None, equilibrium: str | None, names: Mapping[str, Expr]) -> Report:
+    """The report of the one equilibrium that a chart or a picture is of."""
+    scene = scene_of(potential)
+    if scene.potential is not None and equilibrium is None:
+        raise ValuesError(f"--equilibrium is missing, a {what} is of one: name E1, E2 or E3")
+    return reports_of(potential, labels_of(scene, equilibrium and [equilibrium]), names)[0]
 
 
 def _tilted(potential: str | None, numbers: Mapping[str, Expr]) -> list[Report]:

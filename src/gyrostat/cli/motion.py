@@ -1,0 +1,195 @@
+"""gyrostat motion: a body from a state on, as a table, as data, as a picture or as an animation."""
+import argparse
+import sys
+from collections.abc import Callable
+from decimal import Context, Decimal
+from fractions import Fraction
+from functools import partial
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import mpmath
+import numpy as np
+from sympy import Add, Expr, Rational, floor, sqrt
+
+from ..errors import ValuesError, optional
+from ..expressions import exact_number
+from ..grids import Array
+from ..progress import telling
+from ..trajectories import Motion, motion
+from .output import FILMS, PICTURES, Output, file_of, save_picture
+from .scenes import LONGEST, body_of, numbers_of
+
+KINDS = "a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; an animation, motion.gif or .mp4"
+ROWS, POINTS, FRAMES = 201, 2001, 150                  # times of a table, of a curve and of an animation where none are asked for
+PARTS = 50                                             # of the times, between which the progress is shown
+LATEST = 10**300                                       # a time that is a double
+SPACE: dict[str, Any] = {"projection": "3d", "elev": 22, "azim": 40}
+
+
+def run(given: argparse.Namespace, out: Output) -> int:
+    """Write the motion, and to standard error what is known of it; 0."""
+    path = None if out.path is None else file_of(out, "motion", (".csv", ".nc", *PICTURES, *FILMS), KINDS)
+    kind, digits = path.suffix if path else ".csv", given.precision
+    if digits is not None and kind != ".csv":
+        raise ValuesError(f"--precision {digits} is for a table, {path} holds doubles: leave it out, or write a .csv")
+    times = times_of(given, {**dict.fromkeys(PICTURES, POINTS), **dict.fromkeys(FILMS, FRAMES)}.get(kind, ROWS))
+    moving = motion_of(given)
+    if path is None or kind == ".csv":
+        drift = _table(moving, times, out, digits)
+    elif kind == ".nc":
+        drift = _data(moving, times, path)
+    else:
+        drift = (_picture if kind in PICTURES else _film)(moving, times, path)
+    print(_summary(moving, drift, digits), end="", file=sys.stderr)
+    return 0
+
+
+def motion_of(given: argparse.Namespace) -> Motion:
+    """The motion that --potential, --set and --state name."""
+    numbers = numbers_of(given.values)
+    scene, texts = body_of(given.potential, numbers), given.state.split(",")
+    if len(texts) != len(names := [str(s) for s in scene.space.coordinates]):
+        raise ValuesError(f"--state {given.state} has {len(texts)} numbers, the body {len(names)} coordinates: give {','.join(names)}")
+    tolerance = None if given.tolerance is None else float(_positive("--tolerance", given.tolerance))
+    return motion(scene, [exact_number(text, name) for text, name in zip(texts, names)], numbers, precision=given.precision,
+                  tolerance=tolerance)
+
+
+def times_of(given: argparse.Namespace, count: int) -> Array:
+    """The times from 0 to --until, doubles or decimals: the states beside them are those at the times as they are written."""
+    end = exact_number(given.until, "--until")
+    if not 0 < abs(end) < LATEST:
+        raise ValuesError(f"--until {given.until} is no end of a motion that starts at 0: give another time, before 0 to go back")
+    if given.step is None:
+        count = count if given.count is None else given.count
+        step = end / max(count - 1, 1)
+    else:
+        step = _positive("--step", given.step)
+        count = int(floor(abs(end) / step)) + 1
+        step = step if end > 0 else -step
+    if not 2 <= count <= LONGEST:
+        raise ValuesError(f"--until {given.until} with {f'--count {count}' if given.step is None else f'--step {given.step}'} is {count} "
+                          f"times, which makes no table: ask for 2 to {LONGEST}")
+    p, q = (step if isinstance(step, Rational) else Rational(str(step.evalf(40 + (given.precision or 0))))).as_numer_denom()
+    p, q = int(p), int(q)
+    if given.precision is None:
+        return np.array([p * i / q for i in range(count)])
+    rounding = Context(prec=max(given.precision, 1))
+    return np.array([rounding.divide(Decimal(p * i), Decimal(q)) for i in range(count)], dtype=object)
+
+
+def _positive(option: str, text: str) -> Expr:
+    number = exact_number(text, option)
+    if not number > 0:
+        raise ValuesError(f"{option} {text} is not positive, and nothing else is meant by it: give, for example, {option} 1e-3")
+    return number
+
+
+def _followed(moving: Motion, times: Array, at: Callable[[Array], Any], exact: bool = False) -> tuple[list[Any], dict[str, float]]:
+    """What there is at the times, part by part, and the largest drifts of what is in doubles."""
+    found, drift, done = [], dict[str, float](), 0
+    with telling(None, "motion") as told:
+        for part in np.array_split(times, min(len(times), PARTS)):
+            found.append(at(part))
+            if not exact:
+                drift = {name: max(off, drift.get(name, 0.0)) for name, off in moving.drift(part).items()}
+            told(done := done + len(part), len(times))
+    return found, drift
+
+
+def _table(moving: Motion, times: Array, out: Output, digits: int | None) -> dict[str, float]:
+    """Comma-separated: doubles that are read back as they are, or all digits."""
+    if digits is None:
+        parts, drift = _followed(moving, times, moving)
+        write: Callable[[Any], str] = repr
+    else:
+        parts, drift = _followed(moving, times, lambda part: moving([Fraction(t) for t in part]), exact=True)
+        write = partial(mpmath.nstr, n=digits)
+    out(",".join(["time", *map(str, moving.scene.space.coordinates)]) + "\n")
+    for at, states in zip(np.array_split(times, len(parts)), parts):
+        out("".join(",".join([str(t), *map(write, row)]) + "\n" for t, row in zip(at.tolist(), states.tolist())))
+    return drift
+
+
+def _data(moving: Motion, times: Array, path: Path) -> dict[str, float]:
+    """netCDF."""
+    xarray = optional("xarray", "charts")
+    parts, drift = _followed(moving, times, moving.to_xarray)
+    whole = xarray.concat(parts, "time", data_vars="minimal", coords="minimal", compat="override", join="override")
+    whole.assign_attrs(parts[-1].attrs).to_netcdf(path, engine="netcdf4")      # the error grows with the time
+    return drift
+
+
+def _picture(moving: Motion, times: Array, path: Path) -> dict[str, float]:
+    """Left the sphere, of a free body with the path of M, of a body in a field with that of e3; right the components over the time."""
+    from matplotlib.figure import Figure
+
+    from ..plotting import draw_nutation
+    states, drift = moving(times), moving.drift(times)
+    figure = Figure(figsize=(9.5, 4.4))
+    left, right = np.asarray(figure.subfigures(1, 2))
+    sphere = left.add_subplot(**SPACE)
+    if moving.scene.potential is None:
+        _polhode(sphere, moving, states)
+    else:
+        draw_nutation(moving, times, sphere)
+    names = [str(s) for s in moving.scene.space.coordinates]
+    panels = right.subplots(len(names) // 3, sharex=True, squeeze=False)[:, 0]
+    for n, ax in enumerate(panels):
+        _components(ax, times, states[:, 3 * n:3 * n + 3], names[3 * n:3 * n + 3])
+    panels[-1].set_xlabel("$t$")
+    save_picture(figure, path)
+    return drift
+
+
+def _polhode(ax: Any, moving: Motion, states: Array) -> None:
+    """The momentum sphere with the curves of this energy, and on them, heavy, the path of M, from a dot on."""
+    from ..plotting import draw_momentum_sphere
+    from ..plotting.globe import curve_on, dots_on, towards
+    from ..plotting.looks import BLUE
+    rotor = moving.scene.body.gyrostatic_momentum
+    momentum = sqrt(Add(*((p + l)**2 for p, l in zip(moving.state, rotor))))
+    draw_momentum_sphere(moving.scene, {}, momentum, [moving.energy], ax)
+    path, eye = states + [float(l) for l in rotor], towards(ax)
+    curve_on(ax, path, eye, color=BLUE, linewidth=2.4)
+    dots_on(ax, path[:1], eye, color=BLUE, marker="o", linestyle="none", markersize=4)
+
+
+def _components(ax: Any, times: Array, values: Array, names: list[str]) -> None:
+    from ..plotting.looks import BLUE, DARK, INK, label, legend, named
+    styles = [{"color": color, "linestyle": dashes, "linewidth": 1.3} for color, dashes in (
+        (DARK, (0, (4, 2))), (INK["undecided"], (0, (1, 1))), (BLUE, "-"))]
+    for column, style in zip(values.T, styles):
+        ax.plot(times, column, **style)
+    legend(ax, [named(style, label(name)) for style, name in zip(styles, names)])
+    ax.margins(x=0)
+
+
+def _film(moving: Motion, times: Array, path: Path) -> dict[str, float]:
+    """One picture for each time, made once it is known that they can be written."""
+    from matplotlib.figure import Figure
+
+    from ..plotting import animate_top, save_animation
+
+    def save(path: Path, writer: Any) -> None:
+        with telling(None, "animation") as told:
+            animation = animate_top(moving, times, Figure(figsize=(4, 4.2)).add_axes((0, 0, 1, 0.95), **SPACE))
+            animation.save(path, writer=writer, progress_callback=lambda n, total: told(n + 1, total))
+
+    save_animation(SimpleNamespace(save=save), path)
+    return moving.drift(times)
+
+
+def _summary(moving: Motion, drift: dict[str, float], digits: int | None) -> str:
+    """What is known of the motion, a line each."""
+    period = moving.period
+    facts: dict[str, Any] = {"route": moving.route, "period": period if digits is None or period is None else mpmath.nstr(period, digits)}
+    for name, gain in (("precession", moving.precession), ("spin", moving.spin)):
+        facts[name] = None if gain is None else f"{gain} {'per unit of time' if period is None else 'in a period'}"
+    facts["error"] = f"{moving.error:.1e}, estimated" if digits is None else None
+    if drift:
+        worst = max(drift, key=lambda name: drift[name])
+        facts["drift"] = f"{drift[worst]:.1e}, of {worst}, the largest"
+    return "".join(f"{name:<12}{fact}\n" for name, fact in facts.items() if fact is not None)

@@ -1,0 +1,88 @@
+"""gyrostat plot KIND: a picture of gyrostat.plotting."""
+import argparse
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from sympy import Expr
+
+from .. import plotting
+from ..errors import ValuesError
+from ..expressions import exact_number
+from ..system import System
+from .motion import POINTS, SPACE, motion_of, times_of
+from .output import PICTURES, Output, file_of, save_picture
+from .scenes import axis_of, body_of, numbers_of, one_spin, report_for, scene_of
+
+SAMPLES = 200                                          # of the parameter, along eigenvalues
+CONES = {**SPACE, "elev": 14, "azim": 12}              # both are seen from the side
+Numbers = dict[str, Expr]
+
+
+def run(given: argparse.Namespace, out: Output) -> int:
+    """Write the picture; 0."""
+    path = file_of(out, "picture", PICTURES, f"{given.kind}.png, .pdf or .svg")
+    from matplotlib.figure import Figure
+    figure = Figure()
+    DRAWN[given.kind](given, numbers_of(given.values), figure)
+    save_picture(figure, path)
+    return 0
+
+
+def _momentum_sphere(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+    energies = [float(exact_number(text, "--energy")) for text in given.energy or ()]
+    plotting.draw_momentum_sphere(body_of("none", numbers), numbers, exact_number(given.momentum, "--momentum"), energies or None,
+                                  figure.add_subplot(**SPACE))
+
+
+def _nutation(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+    times = times_of(given, POINTS)
+    plotting.draw_nutation(motion_of(given), times, figure.add_subplot(**SPACE))
+
+
+def _effective_potential(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+    plotting.draw_effective_potential(_revolving(given), numbers, given.energy, figure.subplots())
+
+
+def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+    name, low, high, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
+    _free(name, numbers)
+    plotting.draw_bifurcation_diagram(_revolving(given), numbers, name, (low, high), figure.subplots())
+
+
+def _energy_momentum(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+    plotting.draw_energy_momentum(_revolving(given), numbers, ax=figure.subplots())
+
+
+def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+    name, low, high, count = axis_of("--x", given.x, "NAME=LOW:HIGH[:COUNT]", SAMPLES)
+    _free(name, numbers)
+    one_spin(names := {**numbers, name: low})
+    eq = report_for("picture", given.potential, given.equilibrium, names).equilibrium
+    plotting.draw_eigenvalues(eq, numbers, name, np.linspace(float(low), float(high), count).tolist(), figure.subplots())
+
+
+def _cones(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+    transverse, axial = exact_number(given.transverse, "--transverse"), exact_number(given.axial, "--axial")
+    if numbers.keys() != {"I1", "I3"}:
+        raise ValuesError(f"--set gives {', '.join(numbers) or 'nothing'}, the cones are those of a body with I1 = I2 and without a rotor: "
+                          "give I1 and I3")
+    plotting.draw_cones((numbers["I1"], numbers["I3"]), transverse, axial, figure.add_subplot(**CONES))
+
+
+def _revolving(given: argparse.Namespace) -> System:
+    """The body of revolution in the field U(k3) that is given."""
+    if given.potential is None or given.potential.strip() == "none":
+        raise ValuesError(f'--potential is {given.potential or "missing"}, and {given.kind} is of a field: write --potential "m0*k3"')
+    return scene_of(given.potential)
+
+
+def _free(name: str, numbers: Numbers) -> None:
+    """Refuse a number for what goes along the axis."""
+    if name in numbers:
+        raise ValuesError(f"{name} is given twice, by --set and as the axis --x: leave out one of the two")
+
+
+DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], None]] = {
+    "momentum-sphere": _momentum_sphere, "nutation": _nutation, "effective-potential": _effective_potential,
+    "bifurcations": _bifurcations, "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues, "cones": _cones}
