@@ -124,3 +124,10 @@ def test_cones(inertia, sign):
     motion = free_precession(inertia, 3, 4)
     assert motion.body_cone == acos(Rational(4, 5))
     assert float(motion.tilt) == pytest.approx(float(motion.body_cone + sign * motion.space_cone), rel=1e-14)
+
+
+@pytest.mark.parametrize("n", [36, 44, 98])
+def test_period_next_to_the_separatrix(n):
+    """M = (10⁻ⁿ, 1, 0), I = (1, 2, 3): the period grows by 4 ln 10/λ for each power of ten, λ = 1/(2 √3) the rate at the saddle."""
+    nearer, here = (polhode_period((1, 2, 3), (f"1e-{k}", 1, 0)) for k in (n + 1, n))
+    assert abs(nearer - here - 8 * math.log(10) * math.sqrt(3)) < 1e-9

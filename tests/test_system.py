@@ -87,3 +87,16 @@ def test_a_false_integral_does_not_exist(scene):
 def test_no_field_means_three_coordinates(free):
     """The smallest space: so(3)* without a potential."""
     assert len(free.space.coordinates) == 3 and free.potential is None
+
+
+@pytest.mark.parametrize("rotor", ["sqrt(6)", "1/(3 - sqrt(6))", "6 - (3 - sqrt(6))/2", "cos(1)"])
+def test_a_rotor_with_an_irrational_momentum(rotor):
+    """l may be any real number: Jacobi holds, and π3 is an integral."""
+    scene = gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, rotor)), gs.uniform_field())
+    assert [str(f) for f in scene.integrals] == ["pi3"] and scene.space.jacobiator(0, 1, 4) == 0
+
+
+def test_a_rotor_that_is_a_quotient_of_names():
+    """l = a/b: Jacobi holds."""
+    a, b = gs.symbol("a"), gs.symbol("b")
+    assert gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, a / b)), gs.uniform_field()).space.jacobiator(0, 1, 4) == 0

@@ -3,7 +3,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Add, Expr, Rational
+from sympy import Add, Expr, Rational, radsimp
 
 from .errors import BodyError, require
 from .expressions import exact_expression, shown
@@ -43,7 +43,7 @@ class Gyrostat(Typeset):
             given = tuple(getattr(self, field))
             if len(given) != 3:
                 raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")
-            object.__setattr__(self, field, tuple(exact_expression(value, field) for value in given))
+            object.__setattr__(self, field, tuple(_without_surds_below(exact_expression(value, field)) for value in given))
         if taken := of_the_motion(s for e in (*self.inertia, *self.gyrostatic_momentum) for s in e.free_symbols):
             raise BodyError(f"the body depends on {', '.join(taken)}, a name of the motion: rename it")
         for moment in self.inertia:
@@ -70,3 +70,7 @@ def symmetric_gyrostat() -> Gyrostat:
     """
     return Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, symbol("l")))
 
+
+def _without_surds_below(value: Expr) -> Expr:
+    """A number with its denominator rational, as polynomial algebra wants it."""
+    return value if value.free_symbols or value.is_Rational else radsimp(value)

@@ -112,7 +112,7 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
         return oo
     lead = above if side == 1 else below
     with mpmath.workdps(digits + 10):                      # K(κ) = π / (2 agm(1, κ′)), κ′² = 1 − κ² = |gap| / lead
-        complement, scale = (mpmath.mpf(sqrt(x).evalf(digits + 10)._mpf_) for x in (side * gap / lead, I1 * I2 * I3 / lead))
+        complement, scale = (mpmath.sqrt(mpmath.mpf(x.evalf(digits + 10)._mpf_)) for x in (side * gap / lead, I1 * I2 * I3 / lead))
         return Float(2 * mpmath.pi / mpmath.agm(1, complement) * scale, digits)
 
 

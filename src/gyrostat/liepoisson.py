@@ -108,7 +108,8 @@ class LiePoisson(Typeset):
     def _polynomials(self) -> tuple[Ring, list[list[Any]], list[int]]:
         ring = Ring([*self.tensor, *self.coordinates])
         entries, bottom = ring.matrix(self.tensor.tolist())
-        if not bottom.is_one() or any(g not in self.coordinates and g.free_symbols & set(self.coordinates) for g in ring.generators):
+        bound = set(self.coordinates)
+        if ring.expression(bottom).free_symbols & bound or any(g not in bound and g.free_symbols & bound for g in ring.generators):
             raise StructureError("a Lie-Poisson tensor is a polynomial in its coordinates: check its entries")
         return ring, entries, [ring.generators.index(x) for x in self.coordinates]
 
