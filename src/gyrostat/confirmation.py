@@ -14,7 +14,8 @@ from .errors import ValuesError, require
 from .exact import Point, evaluate, sign_of_constant
 from .expressions import exact_number
 from .grids import Array
-from .motions import Motion, motion
+from .motions import Motion
+from .routes import motion
 from .stability import Decision, Report, Verdict
 from .values import exact_values
 

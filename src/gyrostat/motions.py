@@ -1,5 +1,4 @@
-"""Motion of a scene from a state on: exact where it can be, integrated and monitored where not."""
-from collections.abc import Mapping, Sequence
+"""Motion: the state, attitude, periods and invariants of a scene at any time."""
 from functools import cached_property
 from typing import Any
 
@@ -8,21 +7,13 @@ import numpy as np
 from flint import arb
 from sympy import Add, Expr
 
-from .axialmotion import AxialMotion
-from .body import Gyrostat
-from .errors import ScopeError, ValuesError, optional, require
+from .errors import ValuesError, optional
 from .exact import ball
 from .expressions import exact_number
-from .freemotion import FreeMotion
 from .grids import Array
-from .integration import Integration
-from .levels import Level
 from .notation import NOTATION
 from .numeric import in_floats
-from .potential import Potential
-from .reduction import reducible
-from .system import System, assemble
-from .values import check_names
+from .system import System
 
 
 class Motion:
@@ -35,7 +26,8 @@ class Motion:
     route : str                        "equilibrium", "steady precession", "elliptic", "quadrature", "separatrix", "free body",
                                        "free gyrostat", "heyoka" or "DOP853"
     period : float or None             of the nutation, or of the momentum in a free body [T]; with precision, mpmath.mpf
-    precession : float or None         angle gained about the vertical in a period; of a motion without period, the rate [1/T]
+    precession : float or None         angle gained about the vertical in a period, over 2π the rotation number, a half the apsidal
+                                       angle; of a motion without period, the rate [1/T]
     spin : float or None               the same about the axis of a body of revolution
     limits : (float, float) or None    lowest and highest k3 of a body of revolution in U(k3)
     nodes : int                        of the quadrature, or steps of the integration
@@ -57,7 +49,7 @@ class Motion:
         found = np.empty((*times.shape, len(self.state)), dtype=object)
         for place in np.ndindex(times.shape):
             moment = exact_number(times[place], "t")
-            found[place] = [self._shown(x) for x in self._route.ball_state(ball(moment, 2 * _bits(self._digits)), _bits(self._digits))]
+            found[place] = [self._shown(x) for x in self._route.ball_state(ball(moment, 2 * bits_of(self._digits)), bits_of(self._digits))]
         return found
 
     def attitude(self, t: Any) -> Array:
@@ -74,6 +66,7 @@ class Motion:
         Examples
         --------
         >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
+        >>> from gyrostat.trajectories import motion
         >>> top = motion(assemble(symmetric_gyrostat(), uniform_field()), (0, 1, 5, 0, "0.6", "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
         >>> top.angles(0.0).round(6)
         array([0.      , 0.643501, 0.      ])
@@ -90,22 +83,28 @@ class Motion:
     def period(self) -> Any:
         if self._digits is None:
             return self._route.period
-        period = self._route.exact_period(_bits(self._digits))
+        period = self._route.exact_period(bits_of(self._digits))
         return None if period is None else self._shown(period)
 
     @property
-    def precession(self) -> float | None:
-        return self._route.precession
+    def precession(self) -> Any:
+        return self._gained("precession", 1)
 
     @property
-    def spin(self) -> float | None:
-        return getattr(self._route, "spin", None)
+    def spin(self) -> Any:
+        return self._gained("spin", 2)
+
+    def _gained(self, name: str, place: int) -> Any:
+        """An angle, of a body of revolution in U(k3) in digits where they are asked for."""
+        if self._digits is not None and hasattr(self._route, "gains"):
+            return self._shown(self._route.gains[place])
+        return getattr(self._route, name, None)
 
     @property
     def frequencies(self) -> dict[str, float]:
         """2π/period, and the mean rates of precession and spin [1/T], as far as they exist."""
         time, period = self._route.period or 1.0, self._route.period
-        rates = {name: gain / time for name, gain in (("precession", self.precession), ("spin", self.spin)) if gain is not None}
+        rates = {name: float(gain) / time for name, gain in (("precession", self.precession), ("spin", self.spin)) if gain is not None}
         return ({"nutation": 2 * np.pi / period} if period else {}) | rates
 
     @property
@@ -172,7 +171,7 @@ class Motion:
         x = np.asarray(self(t), dtype=float)
         variables = {s.name: ("time", x[:, i], {"latex": NOTATION[s.name].latex, "long_name": NOTATION[s.name].meaning})
                      for i, s in enumerate(self.scene.space.coordinates)}
-        facts = {"route": self.route, "period": self._route.period, "precession": self.precession, "spin": self.spin, "energy": self.energy,
+        facts = {"route": self.route, "period": self._route.period, "precession": self._route.precession, "energy": self.energy,
                  "error": self.error, "nodes": self.nodes}
         numbers = {"inertia": self.scene.body.inertia, "gyrostatic_momentum": self.scene.body.gyrostatic_momentum, "state": self.state,
                    "potential": self.scene.potential.expression if self.scene.potential else "none"}
@@ -185,85 +184,8 @@ class Motion:
             return +mpmath.mpf((mantissa, exponent))
 
 
-def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None = None, *, precision: int | None = None,
-           tolerance: float | None = None) -> Motion:
-    """The motion of a scene from a state on, in the smallest model that has it.
-
-    A body of revolution in U(k3) by elliptic functions (U of degree at most 2) or by one spectral quadrature: a state costs the same at
-    any time. A free gyrostat by Jacobi's functions, or from one turn of its momentum. Any other scene is integrated, twice, and
-    monitored.
-
-    Parameters
-    ----------
-    scene : System
-    state : sequence, shape (n,)         at the time 0, exact numbers: momenta [M L²/T], then directions [1]; a float is what it is
-    values : mapping or None             of names in the scene to numbers
-    precision : int or None              decimal digits; None: doubles. Of a scene that is integrated there are none
-    tolerance : float or None            the error of the state that is accepted of an integration
-
-    Returns
-    -------
-    Motion
-
-    Raises
-    ------
-    ValuesError          names are missing, numbers are not exact, or the state has another length
-    ScopeError           digits are asked for of a scene that is integrated
-    AccuracyError        the accuracy is not reached
-    MissingExtraError    a scene is to be integrated, and neither SciPy nor heyoka is installed
-
-    Examples
-    --------
-    >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
-    >>> scene = assemble(symmetric_gyrostat(), uniform_field())
-    >>> top = motion(scene, ("0.3", "-0.2", "1.5", "0.6", 0, "0.8"), {"I1": 1, "I3": "0.6", "l": "0.4", "m0": 1})
-    >>> top.route, round(top.period, 12), top(np.linspace(0, 1e6, 5)).shape
-    ('elliptic', 5.82463951502, (5, 6))
-    >>> max(top.drift(np.linspace(0, 1e12, 100)).values()) < 1e-14
-    True
-    """
-    require(scene, System, "the scene")
-    scene = _with_numbers(scene, values or {})
-    if len(state) != len(scene.space.coordinates):
-        raise ValuesError(f"the state has {len(state)} numbers, the scene {len(scene.space.coordinates)} coordinates: give "
-                          f"{', '.join(map(str, scene.space.coordinates))}")
-    point = tuple(exact_number(x, s.name) for x, s in zip(state, scene.space.coordinates))
-    if precision is not None and (not isinstance(precision, int) or precision < 1):
-        raise ValuesError(f"precision = {precision}: give a number of decimal digits")
-    route = _route(scene, point, 53 if precision is None else _bits(precision), tolerance)
-    if precision is not None and not hasattr(route, "ball_state"):
-        raise ScopeError(f"this scene is integrated, in doubles: {precision} digits are had for a free gyrostat, or a body of "
-                         "revolution in U(k3)")
-    return Motion(scene, point, route, precision)
-
-
-def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float | None) -> Any:
-    """What computes the motion."""
-    if scene.potential is None:
-        return FreeMotion(scene, point)
-    if reducible(scene) and any(point[3:]):
-        try:
-            return AxialMotion(Level(scene, point), bits)
-        except ScopeError:                                 # towards a root of higher order, as a power of the time
-            pass
-    return Integration(scene, point, tolerance)
-
-
-def _with_numbers(scene: System, values: Mapping[str, Any]) -> System:
-    """The scene with numbers for its names."""
-    free = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs)) - set(scene.space.coordinates)
-    if scene.potential is not None and not scene.potential.given:
-        raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
-    check_names(values, sorted(s.name for s in free), "the scene")
-    if not values:
-        return scene
-    numbers = {s: exact_number(values[s.name], s.name) for s in free}
-    body, field = scene.body, scene.potential
-    inertia, rotor = ([x.xreplace(numbers) for x in vector] for vector in (body.inertia, body.gyrostatic_momentum))
-    return assemble(Gyrostat(inertia, rotor), field and Potential(field.variables, field.expression.xreplace(numbers), field.revolution))
-
-
-def _bits(digits: int) -> int:
+def bits_of(digits: int) -> int:
+    """Bits for so many decimal digits."""
     return int(3.33 * digits) + 8
 
 
