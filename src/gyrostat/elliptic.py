@@ -49,8 +49,19 @@ def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:
     return sign * sn, sign * cn, dn
 
 
-def jacobi_ball(u: arb, complement: arb) -> tuple[arb, arb, arb]:
+def means(complement: arb) -> list[tuple[arb, arb]]:
+    """The arithmetic and geometric means from 1 and √m1 on, until they agree at the precision that is set."""
+    found = [(arb(1), complement.sqrt())]
+    while abs(found[-1][0] - found[-1][1]) > found[-1][0] * arb(2) ** -ctx.prec:
+        a, b = found[-1]
+        found.append(((a + b) / 2, (a * b).sqrt()))
+    return found
+
+
+def jacobi_ball(u: arb, complement: arb, steps: list[tuple[arb, arb]] | None = None) -> tuple[arb, arb, arb]:
     """(sn, cn, dn) as enclosures, at the precision that is set; each halving of the exponent of m1 costs two or three bits.
+
+    The steps, means(complement), serve many arguments.
 
     Where m is below ε the amplitude lies between u and u − ε |u|, since its derivative is √(1 − m sin²).
 
@@ -62,15 +73,12 @@ def jacobi_ball(u: arb, complement: arb) -> tuple[arb, arb, arb]:
     """
     if complement == 0:
         return u.tanh(), u.sech(), u.sech()
-    levels, a, b = [], arb(1), complement.sqrt()
-    while abs(a - b) > a * arb(2) ** -ctx.prec:
-        mean = (a + b) / 2
-        levels.append((a, b, mean))
-        a, b = mean, (a * b).sqrt()
+    steps = steps or means(complement)
+    a, b = steps[-1]
     phase, parameter = a * u, 1 - (b / a) * (b / a)
     nothing = arb(0, 1) * parameter * (1 + abs(phase))
     sn, cn, dn = (phase + nothing).sin(), (phase + nothing).cos(), 1 + nothing
-    for a, b, mean in reversed(levels):
+    for (a, b), (mean, _) in zip(steps[-2::-1], steps[:0:-1]):
         cosine, sine = mean * cn * cn, sn * sn
         below = cosine + a * sine
         sn, cn, dn = a * sn / below, mean * cn * dn / below, (cosine + b * sine) / below

@@ -1,12 +1,13 @@
 """k3 between two turning points as elliptic functions of a variable u in which time is smooth, however close other roots of g lie."""
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from flint import acb, arb
 
-from .elliptic import argument, jacobi, jacobi_ball, quarter_period
+from .elliptic import argument, jacobi, jacobi_ball, means, quarter_period
 from .periods import double
 from .turning import Roots
 
@@ -43,6 +44,10 @@ class Nutation:
         """u from one turning point to the other; None where one of them is not reached."""
         return None if any(self.roots.double) else quarter_period(self.complement)
 
+    @cached_property
+    def _steps(self) -> list[tuple[arb, arb]]:
+        return means(self.complement) if self.complement != 0 else []
+
     def shape(self, u: Any) -> tuple[Any, Any, Any]:
         """s, c, and d(atan(s/c))/du; of an array in doubles, of an arb in balls."""
         balls = isinstance(u, arb)
@@ -52,7 +57,7 @@ class Nutation:
             half = u.tanh() if balls else np.tanh(u)
             s, c = root((1 + half) / 2), root((1 - half) / 2)
             return s, c, s * c
-        sn, cn, dn = jacobi_ball(u, m1) if balls else jacobi(u, m1)
+        sn, cn, dn = jacobi_ball(u, m1, self._steps) if balls else jacobi(u, m1)
         if self.kind == "pair":
             s, c, turn = ratio * sn * dn, cn, ratio * (cn * cn * cn * cn + m1 * sn * sn * (1 + cn * cn))
         else:
