@@ -135,3 +135,10 @@ def test_what_cannot_be_drawn_is_refused():
         draw_momentum_sphere(free, {"m0": 1}, 1)
     with pytest.raises(ArgumentError, match="the axes are rectilinear"):
         draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), {}, 1, ax=Figure().subplots())
+
+
+@pytest.mark.parametrize("energy", [0.1, 0.6, 0.500001])
+def test_an_energy_that_is_not_on_the_sphere(energy):
+    """|M| = 1, I = (1, 2, 3): the energies on the sphere lie between 1/6 and 1/2."""
+    with pytest.raises(ValuesError, match="energies between 0.166667 and 0.5"):
+        drawn((1, 2, 3), (0, 0, 0), 1, [0.3, energy])

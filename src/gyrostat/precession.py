@@ -168,14 +168,15 @@ class Precession:
                 late -= n * whole
             u = self._inverse(late)
             (_, *angles), rates = self.integrals.at(u)
-            values, slopes = self.structure(*self.shape(u), rates)
+            s, c, turn = self.shape(u)
+            values, slopes = self.structure(s, c, turn, rates)
             units = []
             for sign, factor, angle, start, mean in zip((-1, 1), self.factors, angles, self.angles, self.integrals.means[1:]):
                 gained = angle - start + sign * self.drift * t / 2 + (0 if quarter is None else 2 * n * quarter * mean)
                 units.append(factor * acb(0, gained).exp())
             (a, b), slopes = (x * e for x, e in zip(values, units)), [x * e for x, e in zip(slopes, units)]
             p, k = momentum(self.I1, a, b, *slopes), 2 * acb(0, 1) * self.r * b * a.conjugate()
-            return [p.real, p.imag, self.pi3, k.real, k.imag, self.r * (abs(a) ** 2 - abs(b) ** 2)]
+            return [p.real, p.imag, self.pi3, k.real, k.imag, c * c * self.lower + s * s * self.upper]
 
     def _inverse(self, t: arb) -> arb:
         """u at a time after u = 0, by Newton's method from the double."""
