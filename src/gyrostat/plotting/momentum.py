@@ -68,7 +68,8 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
     least, most = (f(float(p.energy) for p in points) for f in (min, max))
     slack = 1e-12 * most                                   # an energy of a rest point may be rounded
     if off := [energy for energy in energies or () if not least - slack <= float(energy) <= most + slack]:
-        raise ValuesError(f"energies = {off[0]}: there is no curve of it on |M| = {momentum}; give energies between {least:.6g} and {most:.6g}")
+        raise ValuesError(f"energies = {off[0]}: there is no curve of it on |M| = {momentum}; give energies between {least:.6g} "
+                          f"and {most:.6g}")
     ax = axes_of(ax, three=True)
     eye = stage(ax, size, [label(f"M{i}") for i in (1, 2, 3)])
     style = {"color": BLUE, "linewidth": 0.9, **kwargs}
