@@ -1,8 +1,9 @@
 """Which model a scene moves in: exact where there is one, integrated and monitored where not."""
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from .axialmotion import AxialMotion
 from .body import Gyrostat
@@ -89,9 +90,12 @@ def _with_numbers(scene: System, values: Mapping[str, Any]) -> System:
     if scene.potential is not None and not scene.potential.given:
         raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
     check_names(values, sorted(s.name for s in free), "the scene")
-    if not values:
-        return scene
-    numbers = {s: exact_number(values[s.name], s.name) for s in free}
+    return _inserted(scene, tuple((s, exact_number(values[s.name], s.name)) for s in sorted(free, key=str))) if values else scene
+
+
+@lru_cache(maxsize=64)
+def _inserted(scene: System, given: tuple[tuple[Symbol, Expr], ...]) -> System:
+    numbers = dict(given)
     body, field = scene.body, scene.potential
     inertia, rotor = ([x.xreplace(numbers) for x in vector] for vector in (body.inertia, body.gyrostatic_momentum))
     return assemble(Gyrostat(inertia, rotor), field and Potential(field.variables, field.expression.xreplace(numbers), field.revolution))
