@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 from flint import arb, ctx
 
-from .exact import ONE_AT_A_TIME
+from .exact import ONE_AT_A_TIME, ball
 from .grids import Array
-from .levels import Level, enclosed, known
+from .levels import K3, Level, enclosed, known
 from .periods import double, pair, reduced, turns
 from .precession import Precession
 from .spinors import momentum, rotation, structure
@@ -98,22 +98,27 @@ class AxialMotion:
 
     def exact_period(self, _: int) -> arb | None:
         """Of the nutation, as exact as the motion was built."""
-        return self.exact.gains[0]
+        return self.gains[0]
+
+    @property
+    def gains(self) -> tuple[arb | None, arb, arb]:
+        """Period, precession and spin as exact as the motion was built."""
+        return self.exact.gains
 
     @property
     def period(self) -> float | None:
         """Of the nutation [T]; None at rest and on a separatrix."""
-        return None if self.exact.gains[0] is None else double(self.exact.gains[0])
+        return None if self.gains[0] is None else double(self.gains[0])
 
     @property
     def precession(self) -> float:
         """What φ gains in a period, or its rate."""
-        return double(self.exact.gains[1])
+        return double(self.gains[1])
 
     @property
     def spin(self) -> float:
         """What ψ gains in a period, or its rate."""
-        return double(self.exact.gains[2])
+        return double(self.gains[2])
 
     @cached_property
     def name(self) -> str:
@@ -134,9 +139,12 @@ class AxialMotion:
         """Values of the integrands that were taken."""
         return self.exact.integrals.nodes
 
-    @property
+    @cached_property
     def error(self) -> float:
         """Of a state in doubles, estimated: the rounding of what turns within a period."""
-        largest = max(abs(double(x)) for x in (*self.exact.momenta, enclosed(self.exact.level.axial)))
-        angle = (self.period or 0.0) * largest / double(self.exact.I1)
-        return 2.0**-52 * (4 + angle) * max(1.0, *(abs(double(enclosed(x))) for x in self.exact.level.numbers[3:]))
+        exact = self.exact
+        with ONE_AT_A_TIME, ctx.workprec(exact.precision):
+            across = [abs(double(ball(exact.level.kinetic, ctx.prec, {K3: end}))) ** 0.5 for end in (exact.lower, exact.upper)]
+            largest = max(across + [abs(double(enclosed(x))) for x in exact.level.numbers[3:]])
+        fastest = max(across + [abs(double(x)) for x in exact.momenta]) / double(exact.I1)
+        return 2.0**-52 * (4 + (self.period or 0.0) * fastest) * max(1.0, largest)

@@ -16,6 +16,7 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NoReturn
 
+import mpmath
 import sympy
 from sympy import CRootOf, Expr, Float, Rational
 
@@ -219,7 +220,7 @@ def exact_expression(value: Any, name: str = "value") -> Expr:
 def exact_number(value: Any, name: str = "value") -> Expr:
     """The exact real number a user means: a Rational, or a SymPy constant where it is irrational.
 
-    int, Fraction, Decimal, SymPy numbers and strings are what they say; a float is the dyadic rational it is.
+    int, Fraction, Decimal, SymPy numbers and strings are what they say; a float, or an mpmath.mpf, is the dyadic rational it is.
 
     Examples
     --------
@@ -230,8 +231,8 @@ def exact_number(value: Any, name: str = "value") -> Expr:
         return Rational(value.numerator, value.denominator)
     if isinstance(value, str) or isinstance(value, Decimal) and value.is_finite():
         value = parse(str(value))
-    if isinstance(value, Float):
-        value = Rational(value)
+    if isinstance(value, Float) or isinstance(value, mpmath.mpf) and mpmath.isfinite(value):
+        value = Rational(*map(int, mpmath.libmp.to_rational(value._mpf_)))
     if isinstance(value, Expr):
         if value.free_symbols:
             raise ValuesError(f"{name} = {value} contains the names {', '.join(sorted(map(str, value.free_symbols)))}: give a number")
@@ -245,5 +246,5 @@ def exact_number(value: Any, name: str = "value") -> Expr:
         return Rational(int(value.numerator), int(value.denominator))
     try:
         return Rational(*value.as_integer_ratio())
-    except (OverflowError, ValueError):
+    except (OverflowError, ValueError, AttributeError):
         raise ValuesError(f"{name} = {value} is not finite: give a finite number") from None

@@ -61,7 +61,7 @@ class Motion:
         return np.asarray(self._route.attitude(_times(t)))
 
     def angles(self, t: Any) -> Array:
-        """Euler angles φ, θ, ψ (z-x-z), shape (..., 3), φ and ψ between −π and π.
+        """Euler angles φ, θ, ψ (z-x-z), shape (..., 3), φ and ψ between −π and π; where sin θ = 0, ψ = 0.
 
         Examples
         --------
@@ -72,8 +72,10 @@ class Motion:
         array([0.      , 0.643501, 0.      ])
         """
         R = self.attitude(t)
-        theta = np.arctan2(np.hypot(R[..., 2, 0], R[..., 2, 1]), R[..., 2, 2])
-        return np.stack([np.arctan2(R[..., 0, 2], -R[..., 1, 2]), theta, np.arctan2(R[..., 2, 0], R[..., 2, 1])], axis=-1)
+        across = np.hypot(R[..., 2, 0], R[..., 2, 1])
+        phi = np.where(across == 0, np.arctan2(R[..., 1, 0], R[..., 0, 0]), np.arctan2(R[..., 0, 2], -R[..., 1, 2]))
+        psi = np.where(across == 0, 0.0, np.arctan2(R[..., 2, 0], R[..., 2, 1]))
+        return np.stack([phi, np.arctan2(across, R[..., 2, 2]), psi], axis=-1)
 
     @property
     def route(self) -> str:
@@ -171,8 +173,8 @@ class Motion:
         x = np.asarray(self(t), dtype=float)
         variables = {s.name: ("time", x[:, i], {"latex": NOTATION[s.name].latex, "long_name": NOTATION[s.name].meaning})
                      for i, s in enumerate(self.scene.space.coordinates)}
-        facts = {"route": self.route, "period": self._route.period, "precession": self._route.precession, "energy": self.energy,
-                 "error": self.error, "nodes": self.nodes}
+        gained = {name: getattr(self._route, name, None) for name in ("period", "precession", "spin")}
+        facts = {"route": self.route, **gained, "energy": self.energy, "error": self.error, "nodes": self.nodes}
         numbers = {"inertia": self.scene.body.inertia, "gyrostatic_momentum": self.scene.body.gyrostatic_momentum, "state": self.state,
                    "potential": self.scene.potential.expression if self.scene.potential else "none"}
         kept = {name: value for name, value in facts.items() if value is not None} | {name: str(value) for name, value in numbers.items()}

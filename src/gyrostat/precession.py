@@ -192,7 +192,8 @@ class Precession:
     def gains(self) -> tuple[arb | None, arb, arb]:
         """Period, and what φ and ψ gain in it; without a period None and their rates, on a separatrix those at its end."""
         with ONE_AT_A_TIME, ctx.workprec(self.precision):
-            time, *means = (mean + jump for mean, jump in zip(self.integrals.means, self.integrals.jumps))
+            last = -1 if self.backward else 1
+            time, *means = (mean + last * jump for mean, jump in zip(self.integrals.means, self.integrals.jumps))
             if (quarter := self.integrals.quarter) is None:
                 first, second = (mean / time for mean in means)
                 return None, first + second, first - second - self.drift
