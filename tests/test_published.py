@@ -20,15 +20,22 @@ from gyrostat.published.statements import Reading
 from gyrostat.published.typesetting import formula_of
 
 HERE = Path(gyrostat.__file__).parent / "published"
-FOUND = {source: check([source]) for source in SOURCES}
+CHECKS = pytest.mark.xdist_group("checks")                 # in one process, where every source is checked once
 STATEMENTS = [s for source in SOURCES for s in load(source).statements]
 BY_KEY = {(s.source, s.key): s for s in STATEMENTS}
 
 
+@pytest.fixture(scope="module")
+def found():
+    """The findings of every source."""
+    return {source: check([source]) for source in SOURCES}
+
+
 @pytest.mark.parametrize("source", SOURCES)
-def test_every_status_is_the_expected_one(source):
+@CHECKS
+def test_every_status_is_the_expected_one(source, found):
     """What is computed is what expected.toml says, statement by statement."""
-    assert {f.statement.key: f.status for f in FOUND[source]} == {f.statement.key: f.expected for f in FOUND[source]}
+    assert {f.statement.key: f.status for f in found[source]} == {f.statement.key: f.expected for f in found[source]}
 
 
 def test_no_status_is_stored_with_a_statement():
@@ -38,9 +45,10 @@ def test_no_status_is_stored_with_a_statement():
         assert not any(f'"{word}"' in text or f"\n{word}" in text for word in ("confirmed", "misprint", "status"))
 
 
-def test_every_misprint_has_a_counterexample():
+@CHECKS
+def test_every_misprint_has_a_counterexample(found):
     """Values at which printed and derived differ, and a confirmation; every formula says what is right."""
-    wrong = [f for found in FOUND.values() for f in found if f.status == "misprint"]
+    wrong = [f for rows in found.values() for f in rows if f.status == "misprint"]
     assert len(wrong) == 33
     for f in wrong:
         c = f.outcome.counterexample
@@ -49,32 +57,36 @@ def test_every_misprint_has_a_counterexample():
         assert all(isinstance(value, Expr) and not value.free_symbols for _, value in c.values)
 
 
-def test_every_unchecked_statement_says_why():
+@CHECKS
+def test_every_unchecked_statement_says_why(found):
     """Nothing is left open without a reason."""
-    assert all(f.statement.note for found in FOUND.values() for f in found if f.status == "unchecked")
+    assert all(f.statement.note for rows in found.values() for f in rows if f.status == "unchecked")
 
 
 @pytest.mark.parametrize(("key", "entry"), [("E3-b", (0, 2)), ("E3-c", (1, 2)), ("E3-matrix", (3, 5))])
-def test_entries_of_the_inclined_matrix_against_the_oracle(key, entry):
+@CHECKS
+def test_entries_of_the_inclined_matrix_against_the_oracle(key, entry, found):
     """The differenced Euler-Poisson field has the derived entry at the counterexample, not the printed one."""
-    (f,) = (f for f in FOUND["VV2003"] if f.statement.key == key)
+    (f,) = (f for f in found["VV2003"] if f.statement.key == key)
     v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
     x, field = oracle.inclined(v["I1"], v["I3"], v["l"], v["omega"], (v["k1"], v["k2"], v["k3"]), Fraction(0))
     theirs = oracle.jacobian(field, x)[entry]
     assert theirs == Fraction(str(f.outcome.counterexample.derived)) != Fraction(str(f.outcome.counterexample.printed))
 
 
-def test_tilt_at_k3_zero_against_the_oracle():
+@CHECKS
+def test_tilt_at_k3_zero_against_the_oracle(found):
     """Where the printed necessary condition for k3 = 0 fails, the field has no growing mode."""
-    (f,) = (f for f in FOUND["VV2003"] if f.statement.key == "k3-zero-necessary")
+    (f,) = (f for f in found["VV2003"] if f.statement.key == "k3-zero-necessary")
     v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
     x, field = oracle.inclined(v["I1"], v["I3"], v["l"], v["omega"], (v["k1"], v["k2"], Fraction(0)), v["d2U"])
     assert v["l"]**4 + v["m0"]**2 * v["I1"]**2 - v["d2U"] * v["l"]**2 * v["I1"] < 0 and not oracle.growth(field, x)
 
 
-def test_critical_top_against_the_oracle():
+@CHECKS
+def test_critical_top_against_the_oracle(found):
     """At equality in Rumiantsev's condition the reduced motion has its maximum at the pole: g = −2 I1 m g z0 x³ < 0."""
-    (f,) = (f for f in FOUND["VV2003"] if f.statement.key == "Rumiantsev")
+    (f,) = (f for f in found["VV2003"] if f.statement.key == "Rumiantsev")
     v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
     P, weight = v["I3"] * v["omega3_0"] + v["l"], v["m"] * v["g"] * v["z0"]
     assert P**2 == 4 * v["I1"] * weight and weight > 0
@@ -84,8 +96,13 @@ def test_critical_top_against_the_oracle():
         assert g == -2 * v["I1"] * weight * x**3 < 0
 
 
-@pytest.mark.parametrize("statement", [s for s in STATEMENTS if s.kind in ("identity", "family") and "rank" not in str(s.quantity)],
-                         ids=lambda s: f"{s.source}:{s.key}")
+LONG = {("N2025", key) for key in ("Euler-tensor", "Euler-epsilon", "Euler-tensor-two-dots", "transport-L")} | {
+    ("EA", key) for key in ("4.29", "4.30", "4.31")} | {("literature", "S4-slow")}
+
+
+@pytest.mark.parametrize("statement", [
+    pytest.param(s, marks=[pytest.mark.slow] * ((s.source, s.key) in LONG), id=f"{s.source}:{s.key}")
+    for s in STATEMENTS if s.kind in ("identity", "family") and "rank" not in str(s.quantity)])
 def test_derived_quantities_are_those_of_newton_and_euler(statement):
     """Every quantity the library derives from the bracket, at numbers, by cross products and turns."""
     r = Reading(statement)
@@ -162,6 +179,7 @@ def test_equality_is_decided():
     assert wrong.agrees is False and dict(wrong.counterexample.values)["m0"] == 0
 
 
+@pytest.mark.slow
 def test_what_is_neither_confirmed_nor_refuted_is_unchecked():
     """At equality the form of an asymmetric body is semidefinite: ≥ for > is neither confirmed nor called a misprint."""
     claim = BY_KEY["literature", "A1-Energy-Casimir"]
@@ -264,16 +282,18 @@ def test_a_file_of_ones_own(tmp_path):
     assert "I1" in dict(finding.outcome.counterexample.values)
 
 
-def test_progress():
+@CHECKS
+def test_progress(found):
     """Called once for each statement, with the total of the source."""
     seen = []
     check(["EA"], lambda source, done, total: seen.append((source, done, total)))
-    assert seen == [("EA", n, len(FOUND["EA"])) for n in range(1, len(FOUND["EA"]) + 1)]
+    assert seen == [("EA", n, len(found["EA"])) for n in range(1, len(found["EA"]) + 1)]
 
 
-def test_second_variation_at_a_tilt_has_both_signs():
+@CHECKS
+def test_second_variation_at_a_tilt_has_both_signs(found):
     """The form of the Casimirs alone, by numpy at the counterexample: two positive, one zero and one negative eigenvalue."""
-    (f,) = (f for f in FOUND["VV2003"] if f.statement.key == "E3-semidefinite")
+    (f,) = (f for f in found["VV2003"] if f.statement.key == "E3-semidefinite")
     v = {name: float(value) for name, value in f.outcome.counterexample.values}
     k, omega = np.array([v["k1"], v["k2"], v["k3"]]), v["omega"]
     inertia, rotor = np.array([v["I1"], v["I1"], v["I3"]]), np.array([0, 0, v["l"]])
@@ -292,16 +312,17 @@ def test_errors_are_of_one_family():
 
 
 @pytest.mark.parametrize("page", ["README.md", "docs/published.md"])
-def test_the_page_is_true(page, tmp_path):
+@CHECKS
+def test_the_page_is_true(page, tmp_path, found):
     """Its example of a file is confirmed, and its table counts what is computed."""
     text = (Path(__file__).parent.parent / page).read_text(encoding="utf-8")
     (example,) = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
     (finding,) = check([written(tmp_path, example)])
     assert finding.status == "confirmed"
-    for source, found in FOUND.items():
+    for source, rows in found.items():
         (row,) = (line for line in text.splitlines() if line.startswith("|") and f"`{source}`" in line)
-        counts = [sum(f.status == status for f in found) for status in ("confirmed", "misprint", "unchecked")]
-        assert list(map(int, re.findall(r"\| (\d+) (?=\|)", row))) == [len(found), *counts]
+        counts = [sum(f.status == status for f in rows) for status in ("confirmed", "misprint", "unchecked")]
+        assert list(map(int, re.findall(r"\| (\d+) (?=\|)", row))) == [len(rows), *counts]
 
 
 def test_the_sources_agree_where_they_print_the_same():
@@ -365,9 +386,10 @@ def test_a_file_with_a_byte_order_mark(tmp_path):
     assert check([path])[0].status == "confirmed"
 
 
-def test_errata_of_odd_texts_compile():
+@CHECKS
+def test_errata_of_odd_texts_compile(found):
     """Special characters of LaTeX and letters it does not know are set or replaced."""
-    finding = next(f for f in FOUND["AR"] if f.status == "misprint")
+    finding = next(f for f in found["AR"] if f.status == "misprint")
     odd = replace(finding, statement=replace(finding.statement, note="50% of $x_1 & #2 \\foo {~^} \U0001d714"))
     tex = latex([odd])
     assert r"50\% of \$x\_1 \& \#2 \textbackslash{}foo \{\textasciitilde{}\^{}\} ?" in tex

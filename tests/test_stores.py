@@ -216,6 +216,7 @@ def test_a_store_is_moved_into_place_whole(e1, small, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == [path]
 
 
+@pytest.mark.slow
 def test_a_cluster_that_loses_a_worker(e1, small, written, tmp_path, monkeypatch):
     """With a client the blocks go to its workers; one of two is killed in the run; the result is the one of memory."""
     import distributed
