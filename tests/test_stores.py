@@ -258,7 +258,7 @@ print(before, peak(), chart.nbytes / 2**20)
 """
 
 
-@pytest.mark.parametrize("n", [12, pytest.param(120, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("n", [pytest.param(n, marks=pytest.mark.slow) for n in (12, 120)])
 def test_memory_does_not_grow_with_the_chart(tmp_path, n):
     """A process that writes a chart of 103 MiB grows by less than it, and by no more for one of 1 GiB."""
     run = python(MEMORY.format(n=n, path=str(tmp_path / "chart")))
