@@ -100,7 +100,7 @@ def assert_claims(report, chart, draw, sample=150):
                     chart.at(**named)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name in ("logarithm", "exponential"))) for name in NAMES])
 def test_claims_agree_with_the_exact_verdict(reports, name):
     """Stable, unstable and absent boxes of charts, for U unspecified, polynomial, with a pole, transcendental, and for no U."""
     report, region = reports[name]

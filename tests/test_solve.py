@@ -72,7 +72,8 @@ SYMBOLIC += [("square", "E1", "a"), ("bowl", "E1", "a"), ("quartic", "E1", "a"),
 SYMBOLIC += [("U1", "tilt", "l"), ("U2", "tilt", "l"), ("U1", "tilt", "m0"), ("U2", "tilt", "m0")]
 
 
-@pytest.mark.parametrize(("field", "label", "name"), SYMBOLIC)
+@pytest.mark.parametrize(("field", "label", "name"), [
+    pytest.param(*case, marks=[pytest.mark.slow] * (case[0] != "U1" and case[1] in ("E3", "tilt"))) for case in SYMBOLIC])
 def test_closed_form_is_the_verdict(field, label, name):
     """At random numbers, with I1 = I3 and P = 0 among them, and exactly at every end."""
     report = tilt_solved(field) if label == "tilt" else reports(field)[label]
