@@ -2,13 +2,13 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sympy import Expr, Mul, Rational, S, Symbol, oo
+from sympy import Expr, Mul, Symbol, oo
 
 from .algebra import Ring
 from .errors import ScopeError
-from .exact import Point, ball, evaluate, sign_of_constant
+from .exact import Point, evaluate, sign_of_constant
 from .intervals import EXCLUDED, INCLUDED, Interval
-from .roots import real_roots
+from .roots import between, real_roots
 from .sphere import sphere_of
 from .stability import Report, Verdict
 
@@ -22,8 +22,11 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     placed = [e.xreplace(numbers) for e in expressions]
     ring = Ring(placed)
     everywhere = not report.sufficient.alternatives or not all(ring.reduce(ring.fraction(e)[0]) for e in placed)
-    if everywhere and (decider := report.boundary or sphere_of(report.equilibrium)):        # on the boundary whatever x is
+    decider = report.boundary or sphere_of(report.equilibrium)
+    if everywhere and decider:                         # on the boundary whatever x is
         placed += [e.xreplace(numbers) for e in decider.ladder()]
+    elif everywhere and _degenerate(report, numbers):
+        raise ScopeError(f"the second variation is degenerate whatever {x} is: ask for verdicts at numbers")
     polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]
     ends = real_roots(Mul(*polynomials), x, low, high) or []
     bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]
@@ -42,6 +45,13 @@ def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
     return [part for part in parts if x in part.free_symbols]
 
 
+def _degenerate(report: Report, numbers: Point) -> bool:
+    """Whether the determinant of the linearised field vanishes for every value of the parameter."""
+    determinant = report.equilibrium.insert(report.linearization.coefficients[-1]).xreplace(numbers)
+    ring = Ring([determinant])
+    return not ring.reduce(ring.fraction(determinant)[0])
+
+
 def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool:
     """Whether the equilibrium exists at a value and is stable there."""
     at = Point({**numbers, x: value})
@@ -51,24 +61,6 @@ def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool:
     if decision.verdict is Verdict.UNDECIDED:
         raise ScopeError(f"at {x} = {value} nothing is proved: {decision.reason}")
     return decision.verdict is Verdict.STABLE
-
-
-def between(a: Expr, b: Expr) -> Rational:
-    """A rational number between two exact ones, a short one."""
-    if a == -oo and b == oo:
-        return S.Zero
-    if a == -oo or b == oo:
-        edge = ball(b, 64).lower().floor() - 1 if a == -oo else ball(a, 64).upper().ceil() + 1
-        return Rational(int(edge.unique_fmpz()))
-    precision = 64
-    while not (low := ball(a, precision).upper()) < ball(b, precision).lower():
-        precision *= 2
-    bits = 0
-    while True:                                            # the first dyadic number that lies between
-        bits += 1
-        candidate = Rational(int((low * 2**bits).floor().unique_fmpz()) + 1, 2**bits)
-        if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
-            return candidate
 
 
 def joined(cells: Sequence[Cell]) -> tuple[Interval, ...]:

@@ -3,11 +3,11 @@ from collections.abc import Mapping, Sequence
 from functools import cmp_to_key
 
 from flint import fmpq, fmpq_mpoly, fmpq_poly
-from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, Symbol, minimal_polynomial, sqrt
+from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, minimal_polynomial, oo, sqrt
 
 from .algebra import Ring, by_degree
 from .errors import ScopeError
-from .exact import is_algebraic, sign_of_constant
+from .exact import ball, is_algebraic, sign_of_constant
 
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
@@ -69,6 +69,24 @@ def in_order(numbers: Sequence[Expr]) -> list[Expr]:
         return _sign(a - b)
 
     return sorted(numbers, key=cmp_to_key(compared))
+
+
+def between(a: Expr, b: Expr) -> Rational:
+    """A rational number between two exact ones, a short one."""
+    if a == -oo and b == oo:
+        return S.Zero
+    if a == -oo or b == oo:
+        edge = ball(b, 64).lower().floor() - 1 if a == -oo else ball(a, 64).upper().ceil() + 1
+        return Rational(int(edge.unique_fmpz()))
+    precision = 64
+    while not (low := ball(a, precision).upper()) < ball(b, precision).lower():
+        precision *= 2
+    bits = 0
+    while True:                                            # the first dyadic number that lies between
+        bits += 1
+        candidate = Rational(int((low * 2**bits).floor().unique_fmpz()) + 1, 2**bits)
+        if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
+            return candidate
 
 
 def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:

@@ -7,16 +7,18 @@ from typing import Any
 
 from sympy import Expr
 
+from .amended import Amended
 from .boundary import Boundary, boundary_of
 from .conditions import Criterion, formal_criterion, holds, independent, spectral_criterion
 from .drift import Drift
 from .energy_casimir import SecondVariation, second_variation
 from .equilibria import Equilibrium
 from .errors import require
-from .exact import Point
+from .exact import Point, sign
 from .linearization import Linearization, linearize
 from .notation import Typeset, jet
 from .sphere import sphere_of
+from .torquefree import torque_free
 from .values import exact_values, inertia_note, names_in
 
 
@@ -181,10 +183,18 @@ class Report(Typeset):
         if None in (sufficient, necessary):
             return None, "", "a margin has no proved sign"
         between = self.boundary or sphere_of(self.equilibrium)
-        if between is None:
-            return None, "", "the point lies between the two criteria"
-        stable, why = between.decide(numbers, margins)
+        stable, why = between.decide(numbers, margins) if between else self._beyond(numbers)
         return stable, "" if stable is None else "Lyapunov", why
+
+    def _beyond(self, numbers: Point) -> tuple[bool | None, str]:
+        """Whether it is stable between the two criteria, by elementary theorems; and why."""
+        eq = self.equilibrium
+        determinant = self.linearization.coefficients[-1]
+        if eq.system.potential is None or sign(eq.insert(determinant), numbers) != 0:
+            return None, "the point lies between the two criteria"
+        if free := torque_free(eq, numbers):
+            return free.decide(lambda momentum: Report(momentum)._decided(Point({}), {})[::2])
+        return Amended(eq, numbers).decide()
 
 
 def analyze(eq: Equilibrium) -> Report:

@@ -7,7 +7,7 @@ from typing import Any
 from sympy import Expr, S, Symbol, oo
 
 from .algebra import Ring
-from .cells import between, cut, joined, joined_apart, stable_at
+from .cells import cut, joined, joined_apart, stable_at
 from .conditions import Condition
 from .equilibria import Equilibrium
 from .errors import ScopeError, ValuesError
@@ -16,7 +16,7 @@ from .expressions import exact_number, shown
 from .families import inclined
 from .intervals import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
 from .notation import jet, symbol
-from .roots import real_roots
+from .roots import between, real_roots
 from .solve import solve_condition
 from .sphere import sphere_of
 from .stability import Report, analyze
