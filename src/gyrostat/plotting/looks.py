@@ -7,7 +7,7 @@ import numpy as np
 from ..errors import ArgumentError, optional
 from ..grids import Array
 from ..notation import typeset
-from ..stability import Verdict
+from ..stability import Decision, Verdict
 
 LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""), "no_equilibrium": ("#ffffff", "....")}
 INK = {"undecided": "#8a6d2f", "no_equilibrium": "#a0a0a0"}            # of the hatches
@@ -28,6 +28,14 @@ def marker(verdict: Verdict) -> dict[str, Any]:
     look = MARKERS[verdict.name.lower()]
     return {"marker": "o", "linestyle": "none", "markersize": 6.5, "markeredgewidth": 1.4, **look,
             **({"markerfacecolor": "white", "fillstyle": "full", "markeredgecolor": look["color"]} if look["fillstyle"] == "none" else {})}
+
+
+def meaning(verdict: Verdict, decisions: Sequence[Decision]) -> str:
+    """What a legend calls the equilibria of a verdict: it says where they are stable modulo the spin only."""
+    modulo = [bool(decision.modulo) for decision in decisions]
+    if verdict is not Verdict.STABLE or not any(modulo):
+        return verdict.name.lower()
+    return "stable modulo the spin" if all(modulo) else "stable, tilted ones modulo the spin"
 
 
 def axes_of(ax: Any, three: bool = False) -> Any:
