@@ -6,6 +6,7 @@ import oracle
 import pytest
 from draw import moments, numbers
 from hypothesis import assume, given, settings
+from hypothesis import strategies as st
 from matplotlib.figure import Figure
 from sympy import Rational
 
@@ -81,8 +82,9 @@ def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
     """|M| = R and Σ (M − l)²/(2 I) = energy to 1e-12, at every energy, and curves are closed: each end of a piece is another's."""
     body, R = gs.Gyrostat(inertia, rotor), float(Rational(radius))
     I, l = floats(body.inertia), floats(body.gyrostatic_momentum)
-    for energy in energies_between(rest_points(body, Rational(radius)), 3):
-        M = level_curve(body, R, energy)
+    points = rest_points(body, Rational(radius))
+    for energy in energies_between(points, 3):
+        M = level_curve(body, points, R, energy)
         M0 = M[np.isfinite(M[:, 0])]
         assert len(M0) > 20
         np.testing.assert_allclose(np.linalg.norm(M0, axis=1), R, rtol=1e-12)
@@ -116,7 +118,7 @@ def test_the_picture_has_what_was_found():
     assert sum(len(line.get_data_3d()[0]) for line in open_ones) == 2
     assert [line for line in drawn((1, 2, 3), (0, 0, 0), 1, [], color="green").lines if line.get_color() == "green"]      # no polhode
     ring = drawn((1, 1, 2), (0, 0, 0), 1)
-    assert [text.get_text() for text in ring.get_legend().get_texts()] == ["polhode", "equilibria", "stable"]
+    assert [text.get_text() for text in ring.get_legend().get_texts()] == ["polhode", "equilibria, stable modulo the spin", "stable"]
 
 
 def test_what_cannot_be_drawn_is_refused():
@@ -142,3 +144,87 @@ def test_an_energy_that_is_not_on_the_sphere(energy):
     """|M| = 1, I = (1, 2, 3): the energies on the sphere lie between 1/6 and 1/2."""
     with pytest.raises(ValuesError, match="energies between 0.166667 and 0.5"):
         drawn((1, 2, 3), (0, 0, 0), 1, [0.3, energy])
+
+
+def energy_curves(ax, color):
+    """The pieces of the curves of a colour, front and back put together, as arrays of shape (n, 3)."""
+    found = []
+    for line in ax.lines:
+        M = np.array(line.get_data_3d()).T
+        if line.get_color() == color and line.get_marker() == "None" and len(M):
+            gaps = np.flatnonzero(np.isnan(np.concatenate([[np.nan], M[:, 0], [np.nan]])))
+            found += [M[a:b - 1] for a, b in zip(gaps, gaps[1:]) if b - a > 2]
+    return found
+
+
+def on_circle(inertia, rotor, radius, energy, normal):
+    """How often a great circle meets the level, from 40 000 of its points; None where it almost touches."""
+    first = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    first /= np.linalg.norm(first)
+    turn = np.linspace(0, 2 * np.pi, 40001)[:, None]
+    M = radius * (np.cos(turn) * first + np.sin(turn) * np.cross(normal, first))
+    excess = ((M - rotor) ** 2 / inertia).sum(axis=1) / 2 - energy
+    inner = (np.diff(excess)[1:] * np.diff(excess)[:-1] <= 0).nonzero()[0] + 1
+    if (np.abs(excess[inner]) < 1e-3 * np.ptp(excess)).any():
+        return None
+    return int((excess[1:] * excess[:-1] < 0).sum())
+
+
+def polhodes_are_complete(inertia, rotor, radius, part, seed):
+    """Every vertex on sphere and level; every great circle is crossed as often by the drawn curves as the level meets it."""
+    body = gs.Gyrostat(inertia, rotor)
+    points = rest_points(body, Rational(radius))
+    I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
+    heights = sorted(float(p.energy) for p in points)
+    energy = heights[0] + part * (heights[-1] - heights[0])
+    if min(abs(energy - h) for h in heights) < 1e-7 * (heights[-1] - heights[0]):
+        return
+    ax = drawn(inertia, rotor, radius, [energy], color="green")
+    curves = energy_curves(ax, "green")
+    vertices = np.concatenate(curves)
+    np.testing.assert_allclose(np.linalg.norm(vertices, axis=1), R, rtol=1e-12)
+    off = np.abs(((vertices - l) ** 2 / I).sum(axis=1) / 2 - energy)
+    assert off.max() < 1e-3 * (heights[-1] - heights[0]) + 2e-4 * R**2 / I.min()          # points at the limb are on a chord of 0.03
+    assert np.quantile(off, 0.8) < 1e-12 * max(map(abs, heights))
+    assert max(np.linalg.norm(np.diff(c, axis=0), axis=1).max() for c in curves if len(c) > 1) < 0.031 * R
+    for normal in np.random.default_rng(seed).normal(size=(6, 3)):
+        normal /= np.linalg.norm(normal)
+        expected = on_circle(I, l, R, energy, normal)
+        if expected is not None:
+            assert sum(int(((c[1:] @ normal) * (c[:-1] @ normal) < 0).sum()) for c in curves) == expected, (energy, normal)
+
+
+close = st.sampled_from([(1, "1.0001", 2), (1, 1, 2), (2, 1, 1), (1, "1.01", "1.02"), (3, 1, 2), (1, 2, "2.999"), ("1/5", 1, "6/5")])
+
+
+@pytest.mark.slow
+@settings(max_examples=60)
+@given(close, st.tuples(numbers, numbers, numbers), st.sampled_from([0, "1/50", 1]), moments,
+       st.one_of(st.fractions(0, 1), st.sampled_from([1e-6, 1e-4, 1 - 1e-4, 1 - 1e-6])), st.integers(0, 99))
+def test_polhodes_are_complete(inertia, rotor, size, radius, part, seed):
+    """Nearly equal and equal moments, where polhodes are thin; rotors of any size; energies next to the extrema."""
+    polhodes_are_complete(inertia, [Rational(x) * Rational(size) for x in rotor], radius, float(part), seed)
+
+
+@pytest.mark.parametrize("inertia, rotor, part", [((1, "1.0001", 2), ("1/100", "1/50", "1/5"), 0.9999), ((1, 2, 3), (0, 0, 0), 1e-6),
+                                                  ((3, 1, 2), (0, 0, "1/10"), 0.4)])
+def test_a_small_or_thin_polhode_is_not_missing(inertia, rotor, part):
+    """A millionth of the way from the least energy; a body of almost equal moments."""
+    polhodes_are_complete(inertia, rotor, 1, part, 1)
+
+
+@pytest.mark.parametrize("inertia, rotor, radius", CASES)
+def test_separatrices_meet_the_saddles_and_are_complete(inertia, rotor, radius):
+    """Every heavy vertex has the energy of a saddle; each great circle is crossed as often as its level says; saddles are approached."""
+    body = gs.Gyrostat(inertia, rotor)
+    I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
+    saddles = [p for p in rest_points(body, Rational(radius)) if p.verdict is gs.Verdict.UNSTABLE and p.circle is None]
+    curves = [c for c in energy_curves(drawn(inertia, rotor, radius, []), "#1f2933") if np.abs(np.linalg.norm(c, axis=1) - R).max() < 1e-9]
+    curves = [c for c in curves if np.ptp(c @ np.array([np.cos(0.384) * np.cos(0.698), np.cos(0.384) * np.sin(0.698), np.sin(0.384)])) > 1e-3]
+    for saddle in saddles:
+        assert min(np.linalg.norm(c - floats(saddle.momentum), axis=1).min() for c in curves) < 0.02 * R
+    for normal in np.random.default_rng(2).normal(size=(8, 3)):
+        normal /= np.linalg.norm(normal)
+        counts = [on_circle(I, l, R, energy, normal) for energy in {round(float(s.energy), 12): float(s.energy) for s in saddles}.values()]
+        if None not in counts:
+            assert sum(int(((c[1:] @ normal) * (c[:-1] @ normal) < 0).sum()) for c in curves) == sum(counts)

@@ -1,13 +1,12 @@
 """The energy of a free gyrostat on the momentum sphere |M| = const: its critical points, and its level curves."""
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
 from sympy import Add, Expr, Mul, Rational, S, sqrt
 
 from ..body import Gyrostat
-from ..errors import ScopeError, optional
+from ..errors import ScopeError
 from ..exact import sign_of_constant
 from ..families import principal_rotation
 from ..grids import Array
@@ -15,10 +14,12 @@ from ..notation import symbol
 from ..numeric import in_floats
 from ..roots import real_roots
 from ..stability import Verdict, analyze
-from ..system import assemble
+from ..system import System, assemble
+from ..trajectories import motion
 
 MU = symbol("mu")
-CELLS, STEPS = 64, 40                                      # of a face of the cube; of Newton's method
+TIMES, STEP, STEPS = 128, 0.03, 40                         # of a turn at first; the longest chord; of halving, and of Newton's method
+SHIFT = 1e-12                                              # of the range of energies: how far below a saddle its curve is followed
 
 
 @dataclass(frozen=True)
@@ -115,39 +116,102 @@ def energies_between(points: Sequence[RestPoint], count: int) -> Array:
     return np.concatenate([low + (high - low) * ease[saddle, above] for (low, saddle), (high, above) in zip(levels, levels[1:])])
 
 
-def level_curve(body: Gyrostat, radius: float, energy: float) -> Array:
-    """The curve of an energy on the momentum sphere, shape (n, 3), NaN between its pieces.
+def level_curve(body: Gyrostat, points: Sequence[RestPoint], radius: float, energy: float) -> Array:
+    """The curve of an energy on the momentum sphere, shape (n, 3), NaN between its pieces, each of which ends where it begins.
 
-    Marching squares on the six faces of a cube around the sphere, the points then moved along it onto the level by Newton's method.
+    Every piece has an extremum of the energy on either side: those on the great circles between the extrema are all. Each is followed by
+    the motion of the gyrostat over a turn, so that none is jumped to from another. The curve through a saddle is the limit of those below.
+
+    Parameters
+    ----------
+    body : Gyrostat           with its numbers
+    points : of rest_points
+    radius, energy : float
 
     Examples
     --------
-    >>> M = level_curve(Gyrostat((1, 2, 3), (0, 0, 0)), 1.0, 0.3)
-    >>> bool(np.nanmax(abs((M**2 / [1, 2, 3]).sum(axis=1) / 2 - 0.3)) < 1e-15)
-    True
+    >>> body = Gyrostat((1, 2, 3), (0, 0, 0))
+    >>> M = level_curve(body, rest_points(body, Rational(1)), 1.0, 0.3)
+    >>> bool(np.nanmax(abs((M**2 / [1, 2, 3]).sum(axis=1) / 2 - 0.3)) < 1e-15), int(np.isnan(M[:, 0]).sum())
+    (True, 1)
     """
-    contourpy = optional("contourpy", "plot")
-    inertia, rotor = floats(body.inertia), floats(body.gyrostatic_momentum)
-    angles = np.linspace(-np.pi / 4, np.pi / 4, CELLS + 1)
-    across, up = np.meshgrid(angles, angles)
-    pieces = []
-    for axis, side in product(range(3), (1, -1)):
-        face = _face(across, up, axis, side) * radius
-        heights = ((face - rotor) ** 2 / inertia).sum(axis=-1) / 2
-        for lines in contourpy.contour_generator(angles, angles, heights).lines(energy):
-            pieces += [_onto_level(_face(lines[:, 0], lines[:, 1], axis, side) * radius, inertia, rotor, energy), np.full((1, 3), np.nan)]
+    scene, inertia, rotor = assemble(body), floats(body.inertia), floats(body.gyrostatic_momentum)
+    values = [float(point.energy) for point in points]
+    near = SHIFT * (max(values) - min(values))
+    passes = any(point.verdict is Verdict.UNSTABLE and point.circle is None and abs(value - energy) <= near
+                 for point, value in zip(points, values))
+    around = [floats(p.momentum) for p in points if p.circle is None and p.verdict is not Verdict.UNSTABLE]
+    left = [(normal, seed) for other in around[1:]
+            for normal, seeds in [_on_arc(around[0], other, inertia, rotor, energy - near if passes else energy)] for seed in seeds]
+    pieces: list[Array] = []
+    while left:
+        curve = _turn(scene, left[0][1], rotor, radius)
+        left = [(normal, seed) for normal, seed in left[1:] if not _meets(curve, normal, seed, [x for n, x in left if n is normal])]
+        pieces += [_onto_level(curve, inertia, rotor, energy) if passes else curve, np.full((1, 3), np.nan)]
     return np.concatenate(pieces[:-1]) if pieces else np.empty((0, 3))
 
 
-def _face(u: Array, v: Array, axis: int, side: int) -> Array:
-    """Directions through a face of the cube, shape (..., 3)."""
-    point = np.empty((*u.shape, 3))
-    point[..., axis], point[..., axis - 1], point[..., axis - 2] = side, np.tan(u), np.tan(v)
-    return point / np.linalg.norm(point, axis=-1, keepdims=True)
+def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array, energy: float) -> tuple[Array, list[Array]]:
+    """The normal of a great circle from one point to another, and the points of the energy between them."""
+    aside = np.cross(start, end)
+    if np.linalg.norm(aside) < 1e-9 * (start @ start):     # they are opposite: any circle
+        aside = np.cross(start, np.eye(3)[np.argmin(np.abs(start))])
+    normal = aside / np.linalg.norm(aside)
+    ahead = np.cross(normal, start)
+    length = np.arctan2(end @ ahead, end @ start) % (2 * np.pi)
+
+    def point(s: Array) -> Array:
+        return np.cos(s)[..., None] * start + np.sin(s)[..., None] * ahead
+
+    def excess(s: Array) -> Array:
+        return ((point(s) - rotor) ** 2 / inertia).sum(axis=-1) / 2 - energy
+
+    first = -start @ (rotor / inertia) + 1j * (ahead @ (rotor / inertia))          # h = Re(first e^{is} + second e^{2is}) + const
+    second = (start @ (start / inertia) - ahead @ (ahead / inertia)) / 4 - 0.5j * (start @ (ahead / inertia))
+    turns = np.angle(np.roots([2 * second, first, 0, -np.conj(first), -2 * np.conj(second)])) % (2 * np.pi)
+    cuts = np.unique(np.concatenate([[0.0], turns[turns < length], [length]]))
+    low, high = cuts[:-1], cuts[1:]
+    signs = np.sign(excess(low))
+    low, high, signs = (x[signs * np.sign(excess(high)) < 0] for x in (low, high, signs))
+    for _ in range(STEPS + 15):                            # h is monotone between its turns
+        middle = (low + high) / 2
+        below = np.sign(excess(middle)) == signs
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    return normal, list(point((low + high) / 2))
+
+
+def _turn(scene: System, seed: Array, rotor: Array, radius: float) -> Array:
+    """A turn of M from a point on, closed, at times so close that no chord is longer than STEP of the radius."""
+    moved = motion(scene, tuple(seed - rotor))
+    if not moved.period:
+        return seed[None]
+    times = np.linspace(0, moved.period, TIMES + 1)
+    M = moved(times) + rotor
+    for _ in range(STEPS):
+        wide = np.flatnonzero(np.linalg.norm(np.diff(M, axis=0), axis=1) > STEP * radius)
+        if not len(wide):
+            break
+        between = (times[wide] + times[wide + 1]) / 2
+        times, M = np.insert(times, wide + 1, between), np.insert(M, wide + 1, moved(between) + rotor, axis=0)
+    M[-1] = M[0]
+    return M
+
+
+def _meets(curve: Array, normal: Array, seed: Array, seeds: Sequence[Array]) -> bool:
+    """Whether a closed curve passes through a point of an arc: it crosses the plane there, and nearer to it than to the other points."""
+    height = curve @ normal
+    at = np.flatnonzero(height[:-1] * height[1:] <= 0)
+    if not len(at):
+        return False
+    part = np.divide(height[at], height[at] - height[at + 1], out=np.zeros(len(at)), where=height[at] != height[at + 1])[:, None]
+    crossings = curve[at] + part * (curve[at + 1] - curve[at])
+    off = np.linalg.norm(crossings - seed, axis=1).min()
+    apart = min((np.linalg.norm(seed - other) for other in seeds if other is not seed), default=np.inf)
+    return bool(off < min(apart / 4, STEP * np.linalg.norm(seed)))
 
 
 def _onto_level(M: Array, inertia: Array, rotor: Array, energy: float) -> Array:
-    """Points moved along the gradient on the sphere; a step is at most a cell, where the gradient vanishes there is none."""
+    """Points next to a level moved along the gradient on the sphere; where the gradient vanishes there is no step."""
     radius = np.linalg.norm(M[0])
     for _ in range(STEPS):
         rates = (M - rotor) / inertia
@@ -155,7 +219,6 @@ def _onto_level(M: Array, inertia: Array, rotor: Array, energy: float) -> Array:
         excess = energy - ((M - rotor) * rates).sum(axis=1, keepdims=True) / 2
         square = (slope**2).sum(axis=1, keepdims=True)
         step = np.divide(excess * slope, square, out=np.zeros_like(M), where=square > 0)
-        length = np.linalg.norm(step, axis=1, keepdims=True)
-        M = M + step / np.maximum(1, length * CELLS / radius)
+        M = M + step / np.maximum(1, np.linalg.norm(step, axis=1, keepdims=True) / (STEP * radius))
         M = M * (radius / np.linalg.norm(M, axis=1, keepdims=True))
     return M

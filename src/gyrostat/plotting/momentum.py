@@ -23,7 +23,8 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
     """Draw the sphere |M| = const of a free body or gyrostat, M = π + l, seen as ax.view_init says.
 
     A polhode is the curve on which the energy is constant: M moves along it in the body. Those through saddles, the separatrices, are
-    heavy; what is behind is faded. Filled: stable; open: unstable; half filled: undecided.
+    heavy; what is behind is faded. Filled: stable; open: unstable; half filled: undecided. A solid circle of a body of revolution: every
+    point an equilibrium, stable modulo the spin.
 
     Parameters
     ----------
@@ -74,19 +75,19 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
     eye = stage(ax, size, [label(f"M{i}") for i in (1, 2, 3)])
     style = {"color": BLUE, "linewidth": 0.9, **kwargs}
     chosen = energies_between(points, BAND) if energies is None else energies
-    curve_on(ax, _joined([level_curve(body, size, float(energy)) for energy in chosen]), eye, **style)
+    curve_on(ax, _joined([level_curve(body, points, size, float(energy)) for energy in chosen]), eye, **style)
     handles = [named(style, "polhode")]
     saddles = {float(p.energy) for p in points if p.verdict is Verdict.UNSTABLE and p.circle is None}
     if saddles:
         heavy = {"color": DARK, "linewidth": 2.0}
-        curve_on(ax, _joined([level_curve(body, size, energy) for energy in saddles]), eye, **heavy)
+        curve_on(ax, _joined([level_curve(body, points, size, energy) for energy in saddles]), eye, **heavy)
         handles.append(named(heavy, "separatrix"))
     for point in points:
         if point.circle is not None:
             axis, at = np.eye(3)[point.circle], floats(point.momentum)
             height = float(at @ axis)
-            curve_on(ax, circle(axis, float(np.sqrt(size**2 - height**2)), height), eye, **line(point.verdict))
-            handles.append(named(line(point.verdict), "equilibria"))
+            curve_on(ax, circle(axis, float(np.sqrt(size**2 - height**2)), height), eye, **line(Verdict.STABLE))
+            handles.append(named(line(Verdict.STABLE), "equilibria, stable modulo the spin"))
     for verdict in Verdict:
         places = [floats(p.momentum) for p in points if p.verdict is verdict and p.circle is None]
         if places:
