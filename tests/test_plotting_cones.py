@@ -1,6 +1,10 @@
 """The cones of a free body of revolution touch along ω, and their angles are those of M, ω and e3."""
+from itertools import combinations
+
 import numpy as np
 import pytest
+from draw import moments, nonzero
+from hypothesis import given
 from matplotlib.figure import Figure
 
 from gyrostat.errors import ScopeError
@@ -54,3 +58,23 @@ def test_no_cone_where_omega_lies_along_m(inertia, transverse, axial):
     """What was given, why there is no cone, what to do."""
     with pytest.raises(ScopeError, match="ω lies along M, there is no space cone; give two different moments, and two rates"):
         draw_cones(inertia, transverse, axial)
+
+
+@given(moments, moments, nonzero, nonzero)
+def test_what_is_drawn_lies_on_the_cones_and_on_the_vectors(I1, I3, transverse, axial):
+    """Rims and wedges on the two cones about M and e3, arrows and names along M, ω, e3, the cones touch along ω."""
+    if I1 == I3:
+        return
+    ax = draw_cones((I1, I3), abs(transverse), axial, Figure().add_subplot(projection="3d"))
+    w = np.array([float(abs(transverse)), 0, float(axial)])
+    M = np.array([float(I1), 1, float(I3)]) * w
+    texts = {text.get_text(): np.array(text.get_position_3d()) for text in ax.texts}
+    directions = {name: place / np.linalg.norm(place) for name, place in texts.items()}
+    vectors = {"$M$": M, r"$\omega$": w, "$e_{3}$": np.array([0, 0, 1.0])}
+    for a, b in combinations(vectors, 2):
+        assert angle(directions[a], directions[b]) == pytest.approx(angle(vectors[a], vectors[b]), abs=1e-9)
+    rims = [np.array(line.get_data_3d()).T for line in ax.lines if len(line.get_data_3d()[0]) > 50]
+    for rim, axis, half in zip(rims, ("$M$", "$e_{3}$"), (angle(M, w), angle(w, np.array([0, 0, 1.0])))):
+        np.testing.assert_allclose(rim @ directions[axis], np.cos(half), atol=1e-9)
+        assert np.linalg.norm(rim - directions[r"$\omega$"], axis=1).min() < 0.06         # within a step of the rim
+        assert np.linalg.norm(rim[0] - rim[-1]) < 1e-9

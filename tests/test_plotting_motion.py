@@ -4,11 +4,12 @@ import pytest
 from matplotlib.animation import FFMpegWriter
 from matplotlib.figure import Figure
 from PIL import Image
+from sympy import diff, lambdify, symbols
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, MissingExtraError, ValuesError
 from gyrostat.plotting import animate_top, draw_nutation, save_animation, view_motion
-from gyrostat.plotting.animation import FINE, turning
+from gyrostat.plotting.animation import NO_BODY, turning
 from gyrostat.plotting.levels import floats
 from gyrostat.plotting.solids import solid
 from gyrostat.trajectories import motion
@@ -74,12 +75,12 @@ def test_the_body_turns_by_the_attitude(box, top):
         expected = np.concatenate([polygon @ R.T for polygon, _ in solid(some.scene)])
         ours = body._faces.reshape(-1, 3) if hasattr(body, "_faces") else body._vec[:3].T
         np.testing.assert_allclose(np.sort(ours.ravel()), np.sort(expected.ravel()), atol=1e-12)
-        turns, path = turning(some, TIMES[::40])
+        turns, path, fine = turning(some, TIMES[::40])
         axis = 2 if some is top else 1
-        np.testing.assert_allclose(path[::FINE], turns[..., axis], atol=1e-12)
+        np.testing.assert_allclose(path[::fine], turns[..., axis], atol=1e-12)
         drawn = np.concatenate([np.array(line.get_data_3d()).T for line in ax.lines[-2:]])
-        assert np.nanmin(np.linalg.norm(drawn - path[5 * FINE], axis=1)) == 0
-        assert not (np.abs(drawn[:, None] - path[5 * FINE + 1:]).sum(axis=-1) == 0).any()
+        assert np.nanmin(np.linalg.norm(drawn - path[5 * fine], axis=1)) == 0
+        assert not (np.abs(drawn[:, None] - path[5 * fine + 1:]).sum(axis=-1) == 0).any()
         assert animation._interval == 70
 
 
@@ -117,3 +118,71 @@ def test_a_scene_is_no_motion(draw, box):
         pytest.importorskip("plotly")
     with pytest.raises(ArgumentError, match="the motion is a System, not a Motion"):
         draw(box.scene, TIMES)
+
+
+def vertices(ax, color):
+    """Points of the curves of a colour, as they are in the axes."""
+    lines = [np.array(line.get_data_3d()).T for line in ax.lines if line.get_color() == color and line.get_marker() == "None"]
+    points = np.concatenate(lines)
+    return points[np.isfinite(points[:, 0])]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("U, values, state", [
+    (lambda z: z, {"I1": 1, "I3": "1/2", "l": 0}, (0, 0, 3, "0.8", 0, "0.6")),
+    (lambda z: z**5 - 2 * z**3, {"I1": 2, "I3": 1, "l": "-1/2"}, ("1/3", "1/5", 2, "0.6", 0, "-0.8")),
+    (lambda z: 1 / (z + 2), {"I1": 1, "I3": 3, "l": 1}, ("1/3", 0, "-1/2", 0, 1, 0)),
+    (lambda z: z, {"I1": 1, "I3": "1/2", "l": 0}, (0, 0, 3, "1.6", 0, "1.2")),
+    (lambda z: z, {"I1": 1, "I3": 1, "l": 0}, (0, 0, 3, 0, 0, 1))])
+def test_the_path_is_that_of_the_vertical_seen_from_the_body(U, values, state):
+    """Its height is k3/|k| of Euler and Poisson's equations, by Runge-Kutta; it nods between the circles drawn, also where |k| = 2."""
+    z = symbols("z")
+    slope = lambdify(z, diff(U(z), z))
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U))
+    moved = motion(scene, state, values)
+    I1, I3, l = (float(gs.expressions.exact_number(values[n])) for n in ("I1", "I3", "l"))
+    I, rotor = np.array([I1, I1, I3]), np.array([0, 0, l])
+
+    def rate(x):
+        w = x[:3] / I
+        return np.concatenate([np.cross(x[:3] + rotor, w) + np.cross(x[3:], [0, 0, slope(x[5])]), np.cross(x[3:], w)])
+
+    x, h, heights = np.array([float(gs.expressions.exact_number(s)) for s in state]), TIMES[1] / 8, []
+    for _ in range(len(TIMES)):
+        heights.append(x[5] / np.linalg.norm(x[3:]))
+        for _ in range(8):
+            a = rate(x)
+            b = rate(x + h / 2 * a)
+            c = rate(x + h / 2 * b)
+            x = x + h / 6 * (a + 2 * b + 2 * c + rate(x + h * c))
+    ax = draw_nutation(moved, TIMES, space(), color="red")
+    path = vertices(ax, "red")
+    np.testing.assert_allclose(np.linalg.norm(path, axis=1), 1, rtol=1e-9)
+    for height in heights:
+        assert np.abs(path[:, 2] - height).min() < 1e-7                # the error of the Runge-Kutta method
+    assert path[:, 2].min() == pytest.approx(min(heights), abs=1e-3) and path[:, 2].max() == pytest.approx(max(heights), abs=1e-3)
+    circles = {round(float(np.nanmedian(np.array(line.get_data_3d())[2])), 9) for line in ax.lines if line.get_linestyle() == "--"}
+    names = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert ("limits of $k_{3}$" in names or "limits of $k_3$" in names) == bool(circles)
+    for circle in circles:
+        assert min(abs(circle - min(heights)), abs(circle - max(heights))) < 2e-3        # a limit is reached between two of the times
+
+
+def test_times_too_far_apart_are_refused_and_paths_of_animations_refined(top):
+    """A chord across the sphere is not the path; the animation follows it between its pictures."""
+    with pytest.raises(ValuesError, match="the axis moves by up to .*give about"):
+        draw_nutation(top, np.linspace(0, 2000, 100), space())
+    _, path, fine = turning(top, np.linspace(0, 200, 10))
+    assert np.linalg.norm(np.diff(path, axis=0), axis=1).max() < 0.2 and fine > 8
+
+
+def test_no_box_is_drawn_for_moments_that_no_body_has():
+    """I = (1, 1, 3): bars along the axes, and a sentence; a plate, I3 = I1 + I2, is a box."""
+    impossible = motion(gs.assemble(gs.Gyrostat((1, "1.1", 3), (0, 0, 0))), ("1/50", 2, 0))
+    ax = space()
+    animate_top(impossible, TIMES[:90:30], ax)._draw_was_started = True
+    assert [text.get_text() for text in ax.texts if text.get_text() == NO_BODY] == [NO_BODY]
+    corners = np.concatenate([polygon for polygon, _ in solid(impossible.scene)])
+    assert np.ptp(corners, axis=0) == pytest.approx([1.8] * 3)
+    plate = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    assert np.ptp(np.concatenate([polygon for polygon, _ in solid(plate)]), axis=0)[2] < 0.2

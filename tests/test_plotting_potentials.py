@@ -74,7 +74,8 @@ def test_the_picture():
     turns = sorted(np.arccos([float(k3) for k3 in well(scene, values, energy).turning]))
     bars = [line.get_xdata() for line in ax.lines if line.get_linewidth() == 2.2 and line.get_linestyle() == "-"]
     np.testing.assert_array_equal(bars, [turns[:2], turns[2:]])
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["$V$", "motion at the energy", "stable modulo the spin", "unstable"]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == [
+        "$V$", "motion at the energy", "stable modulo the spin", "unstable"]
 
 
 def test_what_cannot_be_drawn_is_refused():
@@ -118,7 +119,7 @@ def drawn_is_true(values, top, bottom, energy):
     good = np.isfinite(curve[:, 1])
     with np.errstate(all="ignore"):
         x = np.cos(curve[good, 0])
-        np.testing.assert_allclose(curve[good, 1], V(x, np.sin(curve[good, 0]) ** 2), rtol=1e-6, atol=1e-9)       # round-off beside poles of U
+        np.testing.assert_allclose(curve[good, 1], V(x, np.sin(curve[good, 0]) ** 2), rtol=1e-6, atol=1e-9)      # beside poles
     for pole in poles:
         assert any(np.isclose(theta, np.arccos(pole)) for theta in curve[~good, 0])
     step = np.diff(curve[:, 0])
@@ -127,9 +128,9 @@ def drawn_is_true(values, top, bottom, energy):
     bars = sorted(bar for bar in bars if bar[1] - bar[0] > 1e-6)
     joined = [a for a, _ in expected[:1]] + [x for (_, a), (b, _) in pairwise(expected) if abs(a - b) > 1e-6 or a in poles for x in (a, b)]
     joined += [b for _, b in expected[-1:]]
-    drawn = [a for a, _ in bars[:1]] + [x for (_, a), (b, _) in pairwise(bars) if abs(a - b) > 1e-6 or any(np.isclose(a, poles)) for x in (a, b)]
-    drawn += [b for _, b in bars[-1:]]
-    np.testing.assert_allclose(drawn, joined, atol=1e-5)               # double roots in doubles
+    drawn = [a for a, _ in bars[:1]] + [b for _, b in bars[-1:]]
+    drawn += [x for (_, a), (b, _) in pairwise(bars) if abs(a - b) > 1e-6 or any(np.isclose(a, poles)) for x in (a, b)]
+    np.testing.assert_allclose(sorted(drawn), sorted(joined), atol=1e-5)               # double roots in doubles
     slope = (N.deriv() * D - N * D.deriv()) * I1 * (1 - z**2) ** 2 + (v - P * z) * (v * z - P) * D**2          # of V I1 (1 − z²)² D²
     critical = [r.real for r in slope.roots() if abs(r.imag) < 1e-7 and abs(r.real) < edge and abs(D(r.real)) > 1e-9]
     dots = [(np.cos(a), h, line) for line in ax.lines if line.get_marker() == "o" for a, h in line.get_xydata()]

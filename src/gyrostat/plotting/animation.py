@@ -10,16 +10,19 @@ from ..grids import Array
 from ..trajectories import Motion
 from .globe import FADED, parted, polygons, stage
 from .looks import BLUE, DARK, axes_of, label
-from .solids import solid
+from .nutation import WIDEST, close_enough, widest
+from .solids import rigid, solid
 
-FINE = 8                                                   # points of the path to a step
+FINE, FINEST = 8, 1024                                     # points of the path to a step
+NO_BODY = "no rigid body has these moments of inertia"
 
 
 def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
     """The body at the given times, one picture for each, with the path of one of its axes on the unit sphere.
 
     A body of revolution in a field is a top on its tip, with the path of e3. Any other body is a box with its moments of inertia, with
-    the path of the axis that is next to M, or to the vertical, at the first of the times. Keep what is returned: Matplotlib does not.
+    the path of the axis that is next to M, or to the vertical, at the first of the times. Where no rigid body has the moments there is no
+    box, and it says so. Keep what is returned: Matplotlib does not.
 
     Parameters
     ----------
@@ -35,6 +38,7 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     Raises
     ------
     ArgumentError          this is no motion, or the axes are flat
+    ValuesError            the times are so far apart that the path between them is lost
     MissingExtraError      pip install "gyrostat[plot]"
 
     Examples
@@ -48,32 +52,37 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     save_animation(animation, f"{folder}/box.gif")
     """
-    turns, path = turning(motion, times)
+    turns, path, fine = turning(motion, times)
     ax = axes_of(ax, three=True)
     from matplotlib.animation import FuncAnimation
     eye, faces = stage(ax, 1.0, [label("x"), label("y"), label("z")]), solid(motion.scene)
     body = polygons(ax, [polygon for polygon, _ in faces], facecolors=[color for _, color in faces], edgecolors=DARK, linewidths=0.3,
                     zorder=2)
+    if not rigid(motion.scene.body):
+        ax.text2D(0.5, 0.02, NO_BODY, ha="center", fontsize="small", transform=ax.transAxes)
     style = {"color": BLUE, "linewidth": 1.4}
     (back,), (front,) = ax.plot([], [], [], alpha=FADED, zorder=1, **style), ax.plot([], [], [], zorder=3, **style)
 
     def show(n: int) -> tuple[Any, ...]:
         body.set_verts([polygon @ turns[n].T for polygon, _ in faces])
-        for line, part in zip((front, back), parted(path[:FINE * n + 1], eye)):
+        for line, part in zip((front, back), parted(path[:fine * n + 1], eye)):
             line.set_data_3d(*part.T)
         return body, front, back
 
     return FuncAnimation(ax.figure, show, frames=len(turns), **{"interval": 40, **kwargs})
 
 
-def turning(motion: Motion, times: Any) -> tuple[Array, Array]:
-    """The rotations from the body to space, shape (n, 3, 3), and the path of the axis that is followed, FINE points to a step."""
+def turning(motion: Motion, times: Any) -> tuple[Array, Array, int]:
+    """The rotations from the body to space, shape (n, 3, 3), the path of the axis that is followed, and its points to a step."""
     require(motion, Motion, "the motion")
     turns = motion.attitude(np.asarray(times, dtype=float))
     top = motion.scene.potential is not None and motion.scene.body.is_of_revolution()
-    steps = np.arange(len(turns))
-    between = np.interp(np.linspace(0, steps[-1], FINE * steps[-1] + 1), steps, times)
-    return turns, motion.attitude(between)[..., 2 if top else int(np.abs(turns[0, 2]).argmax())]
+    steps, axis, fine = np.arange(len(turns)), 2 if top else int(np.abs(turns[0, 2]).argmax()), FINE
+    while True:
+        path = motion.attitude(np.interp(np.linspace(0, steps[-1], fine * steps[-1] + 1), steps, times))[..., axis]
+        if fine >= FINEST or widest(path) <= WIDEST / 4:
+            return turns, close_enough(path), fine
+        fine *= 2
 
 
 def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> None:

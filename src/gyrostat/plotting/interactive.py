@@ -6,7 +6,7 @@ import numpy as np
 from ..errors import optional
 from ..grids import Array
 from ..trajectories import Motion
-from .animation import FINE, turning
+from .animation import turning
 from .looks import BLUE
 from .solids import Face, solid
 
@@ -28,12 +28,13 @@ def view_motion(motion: Motion, times: Any) -> Any:
     Raises
     ------
     ArgumentError          this is no motion
+    ValuesError            the times are so far apart that the path between them is lost
     MissingExtraError      pip install "gyrostat[interactive]"
     """
     go = optional("plotly.graph_objects", "interactive")
-    turns, path = turning(motion, times)
+    turns, path, fine = turning(motion, times)
     faces = solid(motion.scene)
-    frames = [go.Frame(name=f"{t:.4g}", data=[_body(go, faces, R), _path(go, path[:FINE * n + 1])], traces=[1, 2])
+    frames = [go.Frame(name=f"{t:.4g}", data=[_body(go, faces, R), _path(go, path[:fine * n + 1])], traces=[1, 2])
               for n, (t, R) in enumerate(zip(times, turns))]
     figure = go.Figure(data=[_sphere(go), *frames[0].data], frames=frames)
     still: dict[str, Any] = {"visible": False, "range": [-1.1, 1.1]}

@@ -168,7 +168,7 @@ def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array, energy: floa
 
     first = -start @ (rotor / inertia) + 1j * (ahead @ (rotor / inertia))          # h = Re(first e^{is} + second e^{2is}) + const
     second = (start @ (start / inertia) - ahead @ (ahead / inertia)) / 4 - 0.5j * (start @ (ahead / inertia))
-    turns = np.angle(np.roots([2 * second, first, 0, -np.conj(first), -2 * np.conj(second)])) % (2 * np.pi)
+    turns = np.angle(np.roots(np.array([2 * second, first, 0, -np.conj(first), -2 * np.conj(second)]))) % (2 * np.pi)
     cuts = np.unique(np.concatenate([[0.0], turns[turns < length], [length]]))
     low, high = cuts[:-1], cuts[1:]
     signs = np.sign(excess(low))

@@ -3,11 +3,13 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import require
+from ..errors import ValuesError, require
 from ..grids import Array
 from ..trajectories import Motion
 from .globe import circle, curve_on, dots_on, stage
 from .looks import BLUE, DARK, GREY, axes_of, label, legend, named
+
+WIDEST = 0.5                                               # of a chord of the unit sphere: 29°
 
 
 def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
@@ -30,6 +32,7 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
     Raises
     ------
     ArgumentError          this is no motion, or the axes are flat
+    ValuesError            the times are so far apart that the path between them is lost
     MissingExtraError      pip install "gyrostat[plot]"
 
     Source
@@ -53,16 +56,36 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
     style = {"color": BLUE, "linewidth": 1.4, **kwargs}
     limit = {"color": DARK, "linewidth": 0.9, "linestyle": (0, (6, 2))}
     curve_on(ax, circle(np.array([0.0, 0.0, 1.0]), 1.0), eye, color=GREY, linewidth=0.6)
-    for height in motion.limits or ():
-        if abs(height) < 1:
-            curve_on(ax, circle(np.array([0.0, 0.0, 1.0]), float(np.sqrt(1 - height**2)), height), eye, **limit)
+    length = float(np.linalg.norm([float(x) for x in motion.state[3:]])) or 1.0
+    limits = [height / length for height in motion.limits or () if abs(height) < length]               # of the axis on the unit sphere
+    for height in limits:
+        curve_on(ax, circle(np.array([0.0, 0.0, 1.0]), float(np.sqrt(1 - height**2)), height), eye, **limit)
     curve_on(ax, path, eye, **style)
     dots_on(ax, path[:1], eye, color=style["color"], marker="o", linestyle="none", markersize=5)
-    legend(ax, [named(style, "axis of the body"), *([named(limit, f"limits of {label('k3')}")] if motion.limits else [])])
+    legend(ax, [named(style, "axis of the body"), *([named(limit, f"limits of {label('k3')}")] if limits else [])])
     return ax
 
 
 def axis_path(motion: Motion, times: Any) -> Array:
     """e3 of the body in space, R e3, shape (n, 3)."""
     require(motion, Motion, "the motion")
-    return motion.attitude(np.asarray(times, dtype=float))[..., :, 2]
+    return close_enough(motion.attitude(np.asarray(times, dtype=float))[..., :, 2])
+
+
+def close_enough(path: Array) -> Array:
+    """A path on the unit sphere, refused where its chords would be another path.
+
+    Raises
+    ------
+    ValuesError      two points in a row are further apart than WIDEST
+    """
+    if (worst := widest(path)) > WIDEST:
+        angle = float(np.degrees(2 * np.arcsin(min(worst / 2, 1))))
+        raise ValuesError(f"between two of the times the axis moves by up to {angle:.3g}°, and its path would be lost between them: give "
+                          f"about {int(np.ceil(len(path) * worst / WIDEST * 2))} times, or an earlier last one")
+    return path
+
+
+def widest(path: Array) -> float:
+    """The longest chord of a path."""
+    return float(np.linalg.norm(np.diff(path, axis=0), axis=1).max(initial=0.0))

@@ -1,7 +1,9 @@
 """What a body looks like: a top, or a box with the moments of inertia of the body."""
 import numpy as np
+from sympy import Add
 
 from ..body import Gyrostat
+from ..exact import sign_of_constant
 from ..grids import Array
 from ..system import System
 from .levels import floats
@@ -15,9 +17,17 @@ Face = tuple[Array, str]
 def solid(scene: System) -> list[Face]:
     """Faces in body axes, each a polygon of shape (n, 3) and its colour, inside the unit sphere.
 
-    A body of revolution in a field is a top on its tip, anything else the box of constant density that has its moments of inertia.
+    A body of revolution in a field is a top on its tip, anything else the box of constant density that has its moments of inertia; where
+    no rigid body has them, three bars along the axes.
     """
-    return _top() if scene.potential is not None and scene.body.is_of_revolution() else _box(scene.body)
+    if scene.potential is not None and scene.body.is_of_revolution():
+        return _top()
+    return _box(scene.body) if rigid(scene.body) else _bars()
+
+
+def rigid(body: Gyrostat) -> bool:
+    """Whether a rigid body has the moments: none exceeds the sum of the others."""
+    return all(sign_of_constant(Add(*body.inertia) - 2 * moment) != -1 for moment in body.inertia)
 
 
 def _top() -> list[Face]:
@@ -30,15 +40,30 @@ def _top() -> list[Face]:
 
 
 def _box(body: Gyrostat) -> list[Face]:
-    """Edges with b² + c² proportional to I1, and so on; flat where the moments break the triangle inequality. One face stands out."""
+    """Edges with b² + c² proportional to I1, and so on; a plate has none across, and is drawn with a thin one. One face stands out."""
     inertia = floats(body.inertia)
     edges = np.sqrt(np.maximum(inertia.sum() / 2 - inertia, 0.004 * inertia.sum()))
     edges = 0.9 * edges / np.linalg.norm(edges)
+    return [(corners * edges, ACCENT if (axis, side) == (2, 1) else (LIGHT, MIDDLE, DEEP)[axis]) for axis, side, corners in _sides()]
+
+
+def _bars() -> list[Face]:
+    """A bar along each axis, the ends that are positive in a colour of their own."""
     faces = []
     for axis, color in enumerate((LIGHT, MIDDLE, DEEP)):
+        edges = np.full(3, 0.06)
+        edges[axis] = 0.9
+        faces += [(corners * edges, ACCENT if (n, side) == (axis, 1) else color) for n, side, corners in _sides()]
+    return faces
+
+
+def _sides() -> list[tuple[int, int, Array]]:
+    """The six squares of a cube: axis, side and corners."""
+    found = []
+    for axis in range(3):
         for side in (1, -1):
             corners = np.zeros((4, 3))
             corners[:, axis] = side
             corners[:, axis - 1], corners[:, axis - 2] = (1, 1, -1, -1), (1, -1, -1, 1)
-            faces.append((corners * edges, ACCENT if (axis, side) == (2, 1) else color))
-    return faces
+            found.append((axis, side, corners))
+    return found
