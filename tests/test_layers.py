@@ -20,7 +20,7 @@ PLOTTING = ("looks globe charts scenes levels momentum nutation potentials diagr
             "__init__").split()
 VIEWS = CHAIN[CHAIN.index("branches"):]
 PUBLISHED = ("jacobi language scenes kinematics names criteria sampling independent independent_kinematics independent_names statements "
-             "formulas claims __init__ listing typesetting errata").split()
+             "evidence search formulas claims __init__ listing typesetting errata").split()
 
 
 def imported(path, package):

@@ -7,16 +7,16 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import GyrostatError, PublishedError
-from . import claims, formulas
+from . import claims, evidence, formulas
 from .scenes import Scene
-from .statements import KINDS, Counterexample, Outcome, Reading, Statement
+from .statements import KINDS, Counterexample, Doubt, Outcome, Reading, Statement
 
 SOURCES = ("VV2003", "N2025", "EA", "AR", "literature")
 _HERE = Path(__file__).parent
 _REQUIRED = ("key", "where", "quantity", "printed", "kind")
 _OPTIONAL: Mapping[str, Any] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str, "constants": list,
                                        "corrected": (str, list)}
-_CHECKS: Mapping[str, Callable[[Reading], Outcome]] = {
+_CHECKS: Mapping[str, Callable[[Reading], Outcome | Doubt]] = {
     "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium, "solution": formulas.solution,
     "number": formulas.rounded, "condition": claims.condition, "statement": claims.statement}
 _STATUS = {True: "confirmed", False: "misprint", None: "unchecked"}
@@ -218,13 +218,19 @@ def outcome_of(statement: Statement) -> Outcome:
     GyrostatError       it cannot be read, a difference was found that is not confirmed independently, or what it is corrected to is
                         not what is derived
     """
-    outcome = _CHECKS[statement.kind](Reading(statement))
+    outcome = _checked(statement)
     if outcome.agrees is not False or statement.corrected is None:
         return outcome
-    right = _CHECKS[statement.kind](Reading(replace(statement, printed=statement.corrected)))
+    right = _checked(replace(statement, printed=statement.corrected))
     if not right.agrees:
         raise PublishedError(f"corrected = {statement.corrected!r} is not what is derived: {right.derived}")
     return replace(outcome, corrected=statement.corrected)
+
+
+def _checked(statement: Statement) -> Outcome:
+    reading = Reading(statement)
+    found = _CHECKS[statement.kind](reading)
+    return evidence.decided(reading, found) if isinstance(found, Doubt) else found
 
 
 __all__ = ["SOURCES", "Counterexample", "Finding", "Outcome", "Source", "Statement", "check", "load"]

@@ -11,6 +11,7 @@ from ..algebra import Ring
 from ..conditions import Condition, Criterion
 from ..equilibria import Equilibrium
 from ..errors import PublishedError
+from ..exact import sign_of_constant
 from ..implication import Item, reduced
 from ..notation import symbol
 from ..signs import Signs
@@ -190,4 +191,4 @@ def _holds(condition: Condition, values: dict[Symbol, Expr]) -> bool:
         value = S.Zero
     if not value.is_finite or not value.is_real:           # where it divides by zero or is not real it says nothing
         return False
-    return bool(value > 0 if condition.strict else value >= 0)
+    return sign_of_constant(value) in ((1,) if condition.strict else (0, 1))

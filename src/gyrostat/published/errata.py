@@ -11,7 +11,7 @@ from ..errors import ExpressionError
 from ..latex import Printer, formula
 from ..notation import symbol
 from . import Finding, source_of
-from .listing import as_text, number, place, rows
+from .listing import NOT_SHARP, as_text, number, place, rows
 from .typesetting import formula_of
 
 
@@ -62,9 +62,10 @@ def _erratum(f: Finding) -> str:
     if f.statement.note:
         lines.append(rf"\emph{{{_tex(f.statement.note)}}}")
     example = ""
-    if c := f.outcome.counterexample:
+    if c := f.outcome.counterexample or f.outcome.not_sharp:
         values = ", ".join(f"${Printer().doprint(symbol(n)) if n.isidentifier() else n} = {formula(v)}$" for n, v in c.values)
-        example = f"{values}: printed {_value(c.printed)}, derived {_value(c.derived)}; {_tex(c.confirmation)}"
+        example = f"{NOT_SHARP} " if f.outcome.not_sharp else ""
+        example += f"{values}: printed {_value(c.printed)}, derived {_value(c.derived)}; {_tex(c.confirmation)}"
     shown = r" \newline ".join(lines)
     return rf"{_tex(f.statement.where)} \newline \textsf{{{_tex(f.statement.key)}}} & {shown} & {example} \\[2ex]"
 

@@ -1,5 +1,5 @@
 """Checks of printed formulas: identities, equilibria, solutions of the equations of motion, numbers."""
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
@@ -8,14 +8,12 @@ from sympy import Expr, ImmutableMatrix, Integer, Matrix, MatrixBase, Pow, Symbo
 from ..attitude import reduced
 from ..errors import PublishedError
 from ..notation import symbol
-from . import independent
-from .independent_names import number
 from .language import decimal, read
 from .names import is_zero
-from .statements import Counterexample, Outcome, Reading, named
+from .statements import Doubt, Outcome, Reading
 
 
-def identity(r: Reading) -> Outcome:
+def identity(r: Reading) -> Outcome | Doubt:
     """printed − quantity vanishes identically, on the family where the scene has an equilibrium."""
     s = r.statement
     printed, derived = r.finish(read(s.printed, r.own)), r.finish(read(s.quantity, r.own))
@@ -25,14 +23,16 @@ def identity(r: Reading) -> Outcome:
         return Outcome(True, printed, derived)
     difference = tuple((place, reduced(p - d)) for place, p, d in wrong)
     place, p, d = wrong[0]
-    if never := _never_real([p], d, r):
-        return Outcome(False, printed, derived, difference, never)
-    for values in r.points([p, d]):
-        if (there := _differ(p, d, values)) is not None:
-            quantity = r.independently(s.quantity, values)
-            value = number(quantity[place] if isinstance(quantity, MatrixBase) else quantity, r.scene, values)
-            return Outcome(False, printed, derived, difference, _compared(r, values, *there, value, place))
-    return Outcome(None, printed, derived, difference)     # not refuted: at no point that was tried are both defined and different
+    return Doubt(_where_they_differ(r, p, d), printed, derived, difference, (p, d), place)
+
+
+def _where_they_differ(r: Reading, p: Expr, d: Expr, functions: Sequence[Expr] = ()) -> Iterator[Mapping[Symbol, Expr]]:
+    """Points at which both sides are defined and different; first, if a printed function is never real, those at which it is not."""
+    for f in (f for f in functions or (p,) if f.atoms(Pow)):
+        tried = list(islice(r.points([p, d]), 12))
+        if all(f.subs(values).evalf(20).is_real is False for values in tried):
+            yield from (values for values in tried if functions or d.subs(values).evalf(20).is_real is True)
+    yield from (values for values in r.points([p, d]) if _differ(p, d, values))
 
 
 def _entries(printed: Any, derived: Any) -> tuple[list[tuple[Expr, Expr]], list[Any]]:
@@ -46,44 +46,12 @@ def _entries(printed: Any, derived: Any) -> tuple[list[tuple[Expr, Expr]], list[
     return [(printed[p], derived[p]) for p in places], places
 
 
-def _differ(p: Expr, d: Expr, values: Mapping[Symbol, Expr]) -> tuple[Expr, Expr] | None:
-    a, b = p.subs(values), d.subs(values)
-    x, y = a.evalf(30), b.evalf(30)
-    if not (x.is_Number and y.is_Number and x.is_finite and y.is_finite) or abs(x - y) < 1e-20:
-        return None
-    return a, b
+def _differ(p: Expr, d: Expr, values: Mapping[Symbol, Expr]) -> bool:
+    x, y = p.subs(values).evalf(30), d.subs(values).evalf(30)
+    return bool(x.is_Number and y.is_Number and x.is_finite and y.is_finite and abs(x - y) >= 1e-20)
 
 
-def _never_real(functions: list[Expr], derived: Expr | None, r: Reading) -> Counterexample | None:
-    """One of the printed functions is not a real number at any of the first points, where what is derived is one."""
-    rooted = [f for f in functions if f.atoms(Pow)]
-    tried = list(islice(r.points([*rooted, *([derived] if derived is not None else [])]), 12)) if rooted else []
-    for f in rooted if tried else ():
-        if any(f.subs(values).evalf(20).is_real is not False for values in tried):
-            continue
-        value = derived.subs(tried[0]) if derived is not None else None
-        if value is None or value.evalf(20).is_real is True:
-            real = "a real number" if value is None else value
-            return Counterexample(named(tried[0]), "not real", real, f"the printed value there is {f.subs(tried[0]).evalf(8)}")
-    return None
-
-
-def _compared(r: Reading, values: Mapping[Symbol, Expr], p: Expr, d: Expr, value: Any, place: Any = None) -> Counterexample:
-    """The independent value must be the derived one."""
-    if not isinstance(value, Expr) or value.free_symbols or abs((value - d).evalf(25)) > 1e-18 * max(1, abs(d.evalf(25))):
-        raise PublishedError(f"computed independently it is {value} at {dict(values)}, by the library {d}, in print {p}")
-    by = "three turns of the body" if "angles" in r.scene.table else "Newton and Euler's equations"
-    printed = r.statement.printed
-    columns = len(printed[0]) if isinstance(printed, list) and isinstance(printed[0], list) else 1
-    which = f"entry {', '.join(str(i + 1) for i in place[:2 if columns > 1 else 1])}: " if place else ""
-    return Counterexample(named(values), p, d, f"{which}by {by} at these numbers {_short(value)}")
-
-
-def _short(value: Expr) -> str:
-    return str(value) if value.is_Rational else str(value.evalf(20))
-
-
-def equilibrium(r: Reading) -> Outcome:
+def equilibrium(r: Reading) -> Outcome | Doubt:
     """The field vanishes at the printed point, on the family."""
     s, scene = r.statement, r.scene
     point = read(s.printed, r.own)
@@ -94,20 +62,12 @@ def equilibrium(r: Reading) -> Outcome:
     left = tuple(((i, 0), reduced(rate)) for i, rate in enumerate(field) if not is_zero(rate))
     if not left:
         return Outcome(True, point, ImmutableMatrix(scene.point))
-    for values in r.points(list(field)):
-        if (there := _differ(field[left[0][0]], Integer(0), values)) is not None:
-            model = independent.Model(scene, values)
-            at = dict(zip(model.coordinates, [x.subs(values) for x in r.finish(point)]))
-            rate = model.field.subs(at)[left[0][0]]
-            if rate != there[0]:
-                raise PublishedError(f"Newton and Euler's equations give the rate {rate}, the library {there[0]}")
-            return Outcome(False, point, ImmutableMatrix(scene.point), left, Counterexample(
-                named(values), "an equilibrium", f"d{coordinates[left[0][0][0]]}/dt = {rate}",
-                f"by Newton and Euler's equations the rate of {coordinates[left[0][0][0]]} there is {rate}, not 0"))
-    return Outcome(None, point, ImmutableMatrix(scene.point), left)
+    rate = field[left[0][0][0]]
+    points = (values for values in r.points(list(field)) if _differ(rate, Integer(0), values))
+    return Doubt(points, point, ImmutableMatrix(scene.point), left, (rate,), left[0][0])
 
 
-def solution(r: Reading) -> Outcome:
+def solution(r: Reading) -> Outcome | Doubt:
     """The printed functions of t satisfy the equations of motion; a general solution has as many constants as equations."""
     s, scene = r.statement, r.scene
     names = list(map(str, s.quantity))
@@ -123,27 +83,16 @@ def solution(r: Reading) -> Outcome:
     wrong = [i for i, (a, b) in enumerate(zip(slopes, rates)) if not is_zero(a - b)]
     if wrong:
         i = wrong[0]
-        if never := _never_real(list(printed), None, r):
-            return Outcome(False, printed, ImmutableMatrix(rates), None, never)
-        for values in r.points([slopes[i], rates[i]]):
-            if (there := _differ(slopes[i], rates[i], values)) is not None:
-                moving = values | {x: f.subs(values) for x, f in place.items()}
-                value = number(r.independently(f"dt({names[i]})", moving), scene, moving)
-                difference = tuple(((j, 0), slopes[j] - rates[j]) for j in wrong)
-                return Outcome(False, printed, ImmutableMatrix(rates), difference, _compared(r, values, *there, value, (i, 0)))
-        return Outcome(None, printed, ImmutableMatrix(rates))
+        sides, difference = (slopes[i], rates[i]), tuple(((j, 0), slopes[j] - rates[j]) for j in wrong)
+        return Doubt(_where_they_differ(r, *sides, printed), printed, ImmutableMatrix(rates), difference, sides, (i, 0), place)
     missing = len(names) - _rank(printed, [symbol(c) for c in s.constants]) if s.constants else 0
     if not missing:
         return Outcome(True, printed, printed)
-    start = printed.subs(t, 0)
-    fixed = next((n for n, f in zip(names, start) if f.is_number), None)
-    if fixed is None:
-        return Outcome(None, printed, f"a solution with {len(names) - missing} of the {len(names)} constants of the general one")
-    value = start[names.index(fixed)] + 1
-    return Outcome(False, printed, f"a solution with {len(s.constants)} of the {len(names)} constants of the general one",
-                   ((None, Integer(missing)),), Counterexample(((f"{fixed}(0)", value),), start[names.index(fixed)], value,
-                   f"{fixed} may start at {value}; the printed functions start it at {start[names.index(fixed)]} for every choice of "
-                   f"{', '.join(s.constants)}"))
+    known = f"a solution with {len(names) - missing} of the {len(names)} constants of the general one"
+    fixed = [(i, f) for i, f in enumerate(printed.subs(t, 0)) if f.is_number]
+    starts = [read(n, r.names) for n in names]
+    points = (values for i, f in fixed for values in r.points(starts) if starts[i].subs(values) != f)
+    return Doubt(points, printed, known, ((None, Integer(missing)),), sides=tuple(starts))
 
 
 def _rank(printed: Any, constants: list[Symbol]) -> int:
@@ -152,7 +101,7 @@ def _rank(printed: Any, constants: list[Symbol]) -> int:
     return int(slopes.subs(chosen).rank(iszerofunc=lambda e: abs(e.evalf(30)) < 1e-20))
 
 
-def rounded(r: Reading) -> Outcome:
+def rounded(r: Reading) -> Outcome | Doubt:
     """The derived number rounds to the printed digits."""
     s = r.statement
     derived, (printed, half) = r.finish(read(s.quantity, r.own)), decimal(str(s.printed))
@@ -163,5 +112,4 @@ def rounded(r: Reading) -> Outcome:
     excess = abs(derived.evalf(50) - printed)
     if excess <= half:
         return Outcome(True, s.printed, derived)
-    value = number(r.independently(s.quantity, r.at), r.scene, r.at)
-    return Outcome(False, s.printed, derived, ((None, printed - derived.evalf(20)),), _compared(r, r.at, printed, derived, value))
+    return Doubt([r.at], s.printed, derived, ((None, printed - derived.evalf(20)),))

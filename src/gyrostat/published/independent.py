@@ -5,9 +5,10 @@ Nothing here uses the bracket, the linearisation or the criteria of the library,
 from collections.abc import Mapping
 
 import mpmath
-from sympy import Expr, Float, Integer, Matrix, Poly, Symbol, hessian, linsolve, sign, sqrt
+from sympy import Expr, Float, Integer, Matrix, Poly, PolynomialError, Symbol, hessian, linsolve, sqrt
 
 from ..errors import PublishedError
+from ..exact import sign_of_constant
 from ..notation import symbol
 from .scenes import Scene
 
@@ -88,40 +89,85 @@ class Model:
         casimirs = 2 if len(self.coordinates) == 6 else 1
         return Poly(self.jacobian().charpoly().all_coeffs()[:-casimirs], lamda).as_expr()
 
+    def grows(self) -> bool:
+        """Whether an eigenvalue is proved to have a positive real part: λ⁴ + pλ² + q, or λ² + q, on the orbit."""
+        *_, p, _, q = [Integer(0)] * 3 + Poly(self.polynomial(), symbol("lamda")).all_coeffs()
+        if len(self.coordinates) == 3:
+            return sign_of_constant(q) == -1
+        return -1 in [sign_of_constant(e) for e in (p, q, p**2 - 4 * q)]
+
+    def stability(self) -> tuple[int, str]:
+        """1 proved Lyapunov stable, modulo the spin at a tilt; -1 proved unstable; 0 neither; and why."""
+        if self.grows():
+            return -1, f"an eigenvalue of the differenced field has the real part {mpmath.nstr(self.growth(), 15)}: unstable"
+        level = self.level_set()
+        if level == -1:
+            return -1, "motions with the same energy and momenta, or with momenta as near as one likes, leave it: unstable"
+        if level == 0:
+            return 0, ""
+        if not self.spins:
+            return 1, "the energy, on the level set of the Casimirs, has a strict extremum there: Lyapunov stable"
+        if self.label in ("E1", "E2"):
+            return 1, "the level set of all integrals there is the point alone: Lyapunov stable"
+        return 1, "the level set of all integrals there is the orbit of the point under the spin: Lyapunov stable, modulo the spin"
+
+    def is_on_boundary(self) -> bool:
+        """Whether the second variation of a body of revolution does not decide: the square of k̇3 is 0 to the second order in k3."""
+        return self.spins and self._leading()[0] > 2
+
     def level_set(self) -> int:
         """1 if the level set of all integrals near the point is only its orbit under the spin, -1 if motions leave along it, else 0.
 
-        1 proves Lyapunov stability, -1 instability, both modulo the spin. For a body of revolution I1² k̇3² = g(k3), where g has a
-        multiple root at the equilibrium: its leading coefficient there decides; a pole is approached from inside. On so(3)* the energy
-        has a strict extremum on the sphere, or none. Otherwise a definite second variation isolates the point.
+        1 proves Lyapunov stability, -1 instability, both modulo the spin. On so(3)* the energy has a strict extremum on the sphere, or
+        none. Otherwise, but for a body of revolution, a definite second variation isolates the point.
         """
         if len(self.coordinates) == 3:
-            axis = int(str(self.label)[-1])
-            slope = self.omega[axis - 1].subs(PI[axis - 1], self.point[axis - 1]) / (self.point[axis - 1] + self.rotor[axis - 1])
-            excess = [1 / moment - slope for i, moment in enumerate(self.inertia, 1) if i != axis]
-            if excess.count(0) == 1:                       # the fourth order decides along that axis
-                excess[excess.index(0)] = 1 / self.inertia[axis - 1] - slope
-            return int(sign(excess[0] * excess[1]))
+            return self._on_sphere()
         if not self.spins:
-            plus, zero, minus = self.inertia_of_second_variation()
-            return int(not zero and 0 in (plus, minus))
+            return int(self.is_definite() is True)
+        power, slope = self._leading()
+        pole = self.label in ("E1", "E2")
+        if power == 0:                                     # with a little more energy, or less momentum, k3 moves away
+            return -1
+        return 0 if slope == 0 else -1 if slope > 0 or not pole and power % 2 else 1
+
+    def _on_sphere(self) -> int:
+        axis = int(str(self.label)[-1])
+        momentum = self.point[axis - 1] + self.rotor[axis - 1]
+        if momentum == 0:                                  # the sphere is a point
+            return 1
+        slope = self.omega[axis - 1].subs(PI[axis - 1], self.point[axis - 1]) / momentum
+        excess = [1 / moment - slope for i, moment in enumerate(self.inertia, 1) if i != axis]
+        if excess.count(0) == 1:                           # the fourth order decides along that axis
+            excess[excess.index(0)] = 1 / self.inertia[axis - 1] - slope
+        return sign_of_constant(excess[0] * excess[1]) or 0
+
+    def _leading(self) -> tuple[int, int]:
+        """Of a body of revolution I1² k̇3² = g(k3), where g has a multiple root at the equilibrium: power and sign of its first term.
+
+        (0, 0): g is 0 throughout; sign 0: not proved, or beyond the sixth power. A pole is approached from inside.
+        """
         at = dict(zip(self.coordinates, self.point))
         z, x, M = symbol("z"), symbol("x"), PI + self.rotor
         energy = (sum(p**2 / moment for p, moment in zip(PI[:2], self.inertia)) / 2 + self.U).subs(at)
         momentum, total = M.dot(K).subs(at), M[2].subs(at)
         g = 2 * self.inertia[0] * (energy - self.U.subs(K[2], z)) * (1 - z**2) - (momentum - total * z) ** 2
-        pole = self.label in ("E1", "E2")
-        shifted = g.subs(z, self.k3 * (1 - x) if pole else self.k3 + x).expand()
-        if shifted == 0:                                   # with a little more energy, or less momentum, k3 moves away
-            return -1
+        shifted = g.subs(z, self.k3 * (1 - x) if self.label in ("E1", "E2") else self.k3 + x).expand()
+        if shifted == 0:
+            return 0, 0
         for power in range(2, 7):                          # g and its slope vanish at an equilibrium
-            coefficient = shifted.diff(x, power).subs(x, 0)
-            if coefficient == 0:
-                continue
-            if abs(coefficient.evalf(30)) < 1e-20:         # of a transcendental U: not known to be 0
-                return 0
-            return -1 if coefficient > 0 or not pole and power % 2 else 1
-        return 0
+            known = sign_of_constant(shifted.diff(x, power).subs(x, 0))
+            if known != 0:
+                return power, known or 0
+        return 7, 0
+
+    def is_definite(self) -> bool | None:
+        """Whether D²(h + ν·C) is definite on the tangent space of the orbit; None where the numbers are not rational."""
+        try:
+            plus, zero, minus = self.inertia_of_second_variation()
+        except (PolynomialError, NotImplementedError):
+            return None
+        return not zero and 0 in (plus, minus)
 
     def _gradients(self) -> tuple[Expr, list[Expr], Matrix]:
         h = sum(p**2 / moment for p, moment in zip(PI, self.inertia)) / 2 + self.U

@@ -32,7 +32,7 @@ def _moving(model: Model) -> dict[str, Any]:
     named |= {f"omega{i}": model.omega[i - 1] for i in (1, 2, 3)}
     named |= {"vector_pi": PI, "vector_k": K, "vector_l": model.rotor, "vector_M": M, "vector_omega": model.omega, "h": h, "U": model.U,
               "T": h - model.U, "C": M.dot(M), "C1": M.dot(K), "C2": K.dot(K), "field": field, "state": Matrix(x)}
-    if model.U:
+    if len(x) == 6:
         slope = model.U.diff(K[2])
         named |= {"dU": slope, "d2U": slope.diff(K[2]), "d3U": slope.diff(K[2], 2)}
         named |= {f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}

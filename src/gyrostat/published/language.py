@@ -4,10 +4,11 @@ from collections import ChainMap
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import Abs, Add, Expr, ImmutableMatrix, MatrixBase, Rational
+from sympy import Abs, Add, Expr, ImmutableMatrix, MatrixBase, Rational, nan, oo, zoo
 from sympy.matrices.exceptions import MatrixError
 
 from ..errors import ExpressionError, GyrostatError, ValuesError
+from ..exact import sign_of_constant
 from ..expressions import FUNCTIONS, Parser, Part
 
 _COMPARISON = re.compile(r"\s*(<=|>=|<|>)\s*")
@@ -111,7 +112,7 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
 def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool]]:
     """The comparisons of a text joined by "and", as (margin, strict): margin > 0, or margin ≥ 0.
 
-    A chain a < b < c says a < b, b < c and a < c; abs(x) < c, with c > 0, says c² − x² > 0.
+    A chain a < b < c says a < b, b < c and a < c; abs(x) < c says c² − x² > 0 and c > 0.
 
     Examples
     --------
@@ -120,6 +121,43 @@ def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool
     [(a, True), (2, True), (2 - a, False)]
     """
     found: list[tuple[Expr, bool]] = []
+    for sides, signs in _chains(printed, names):
+        for i in range(len(sides)):
+            for j in range(i + 1, len(sides)):
+                small, large = (sides[i], sides[j]) if signs[0][0] == "<" else (sides[j], sides[i])
+                strict = not all(sign.endswith("=") for sign in signs[i:j])
+                found += [(margin, strict) for margin in _margins(small, large)]
+    return found
+
+
+def holds_as_printed(printed: str, names: Mapping[str, Any]) -> tuple[bool | None, bool]:
+    """Whether the comparisons of a text hold where its names are numbers, each as it is read, and whether two of its sides are equal.
+
+    None where a side is not a real number, or a sign is not proved.
+
+    Examples
+    --------
+    >>> from sympy import Integer
+    >>> holds_as_printed("0 < a <= 2", {"a": Integer(2)}), holds_as_printed("1/a > 0", {"a": Integer(0)})
+    ((True, True), (None, False))
+    """
+    answers: list[bool | None] = []
+    equal = False
+    for sides, signs in _chains(printed, names):
+        for left, right, relation in zip(sides, sides[1:], signs):
+            known = sign_of_constant(right - left) if all(_is_real(side) for side in (left, right)) else None
+            equal = equal or known == 0
+            answers.append(None if known is None else known == (1 if relation[0] == "<" else -1) or (known == 0 and relation[1:] == "="))
+    return (None if None in answers else False not in answers), equal
+
+
+def _is_real(value: Expr) -> bool:
+    return not value.free_symbols and value.is_real is not False and not value.has(nan, zoo, oo)
+
+
+def _chains(printed: str, names: Mapping[str, Any]) -> list[tuple[list[Expr], list[str]]]:
+    """The sides and the signs of each chain of comparisons, in the order in which they are printed."""
+    found = []
     for part in re.split(r"\band\b", printed):
         pieces = _COMPARISON.split(part)
         if len(pieces) < 3:
@@ -130,15 +168,16 @@ def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool
         signs = pieces[1::2]
         if len({sign[0] for sign in signs}) > 1:
             raise ExpressionError(f"cannot read the chain {part.strip()!r}: all its signs point one way")
-        for i in range(len(sides)):
-            for j in range(i + 1, len(sides)):
-                small, large = (sides[i], sides[j]) if signs[0][0] == "<" else (sides[j], sides[i])
-                found.append((_margin(small, large), not all(sign.endswith("=") for sign in signs[i:j])))
+        found.append((sides, signs))
     return found
 
 
-def _margin(small: Expr, large: Expr) -> Expr:
-    return large**2 - small.args[0] ** 2 if isinstance(small, Abs) else large - small
+def _margins(small: Expr, large: Expr) -> list[Expr]:
+    if isinstance(small, Abs):
+        return [large**2 - small.args[0] ** 2, *([] if large.is_positive else [large])]
+    if isinstance(large, Abs) and small.is_nonnegative:
+        return [large.args[0] ** 2 - small**2]
+    return [large - small]
 
 
 def decimal(printed: str) -> tuple[Expr, Expr]:

@@ -11,7 +11,9 @@ from ..conditions import Criterion
 from ..presentation import readable
 from ..unicode import plain, unicode
 from . import Finding, source_of
+from .statements import Counterexample
 
+NOT_SHARP = "no point was found at which it fails, but it is not the whole condition:"
 _MARK = {"confirmed": "✓", "misprint": "✗", "unchecked": "–"}
 
 
@@ -86,12 +88,14 @@ def _details(f: Finding, width: int) -> list[str]:
             pairs += [("printed", ("" if whole else where) + as_text(printed))] if not whole or len(pairs) == 1 else []
             pairs.append(("right", where + _one_line(right, place(f))))
         pairs += [("differ by", difference)] if (difference := _differences(f)) else []
-        c = f.outcome.counterexample
-        if c:
+        if c := f.outcome.counterexample or f.outcome.not_sharp:
+            pairs += [("not sharp", NOT_SHARP)] if f.outcome.not_sharp else []
             pairs.append(("at", ", ".join(f"{name} = {value}" for name, value in c.values)))
             pairs.append(("there", f"printed {number(c.printed)}, derived {number(c.derived)}; {c.confirmation}"))
     else:
         pairs.append(("claim", as_text(f.statement.printed)))
+        pairs += [("derived", _one_line(_shown(f.outcome.derived), place(f)))] if f.outcome.remark and f.outcome.derived is not None else []
+        pairs += [("because", f.outcome.remark)] if f.outcome.remark else []
     pairs += [("note", f.statement.note)] if f.statement.note else []
     lines = []
     for label, value in pairs:
@@ -118,8 +122,8 @@ def to_json(findings: Iterable[Finding]) -> list[dict[str, Any]]:
     return [{"source": f.statement.source, "key": f.statement.key, "where": f.statement.where, "quantity": f.statement.quantity,
              "kind": f.statement.kind, "printed": f.statement.printed,
              "derived": _plain(f.outcome.derived, f.status) if f.outcome.corrected is None else f.outcome.corrected,
-             "status": f.status, "expected": f.expected, "difference": _difference(f), "counterexample": _example(f),
-             "note": f.statement.note} for f in findings]
+             "status": f.status, "expected": f.expected, "difference": _difference(f), "counterexample": _example(f.outcome.counterexample),
+             "not_sharp": _example(f.outcome.not_sharp), "remark": f.outcome.remark, "note": f.statement.note} for f in findings]
 
 
 def _plain(value: Any, status: str) -> Any:
@@ -138,7 +142,6 @@ def _difference(f: Finding) -> Any:
     return [{"entry": entry and [i + 1 for i in entry], "printed_minus_derived": str(value)} for entry, value in f.outcome.difference]
 
 
-def _example(f: Finding) -> Any:
-    c = f.outcome.counterexample
+def _example(c: Counterexample | None) -> Any:
     return c and {"values": {name: str(value) for name, value in c.values}, "printed": number(c.printed), "derived": number(c.derived),
                   "confirmation": c.confirmation}

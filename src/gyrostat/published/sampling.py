@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from sympy import Expr, Rational, Symbol
 
 from ..attitude import ANGLES
+from ..exact import sign_of_constant
 from ..notation import jet, symbol
 from .scenes import Scene
 
@@ -44,7 +45,7 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
         values |= {s: x for s, x in zip(K, chance.choice(directions)) if s in values}
         values |= {name: value.subs(values) for name, value in at.items()}
         values = on_family(scene, values)
-        if all(_positive(e.xreplace(values)) for e in positive) and _is_a_body(scene, values) and all(x.is_finite for x in values.values()):
+        if all(_positive(e.xreplace(values)) for e in positive) and is_a_body(scene, values) and all(x.is_finite for x in values.values()):
             yield values
             if (found := found + 1) == TRIALS:
                 return
@@ -57,10 +58,12 @@ def on_family(scene: Scene, values: dict[Symbol, Expr]) -> dict[Symbol, Expr]:
     return values
 
 
-def _is_a_body(scene: Scene, values: dict[Symbol, Expr]) -> bool:
+def is_a_body(scene: Scene, values: Mapping[Symbol, Expr]) -> bool:
     """Whether no moment exceeds the sum of the others, where the moments are drawn."""
-    moments = [moment.xreplace(values) for moment in scene.body.inertia]
-    return all(2 * m <= sum(moments) for m in moments) or not any(m.free_symbols for m in scene.body.inertia)
+    moments = [moment.xreplace(dict(values)) for moment in scene.body.inertia]
+    if any(m.free_symbols for m in moments) or not any(m.free_symbols for m in scene.body.inertia):
+        return True
+    return all(sign_of_constant(sum(moments) - 2 * m) in (0, 1) for m in moments)
 
 
 def _positive(value: Expr) -> bool:

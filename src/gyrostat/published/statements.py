@@ -1,10 +1,11 @@
-"""Statement, Outcome, Counterexample: a published formula, what its check found, and the numbers that show a misprint."""
+"""Statement, Outcome, Counterexample, Doubt: a published formula, what its check found, and the numbers that show a misprint."""
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from sympy import Expr, Symbol
+from sympy import Expr, MatrixBase, Symbol
 
 from ..errors import PublishedError
 from ..notation import symbol
@@ -15,6 +16,7 @@ from .names import names
 from .sampling import points
 from .scenes import Scene
 
+_NAME = re.compile(r"[A-Za-z_]\w*")
 KINDS = ("identity", "family", "equilibrium", "solution", "condition", "number", "statement")
 
 
@@ -58,7 +60,7 @@ class Statement:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """Rational values at which printed and derived differ, and what confirms the derived side without either formula."""
+    """Numbers at which a claim fails: what it says there, what is true, and what confirms that without either formula."""
 
     values: tuple[tuple[str, Expr], ...]
     printed: Any
@@ -68,14 +70,48 @@ class Counterexample:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a check found; agrees is None where nothing can be checked."""
+    """What a check found; agrees is None where nothing can be checked.
+
+    Parameters
+    ----------
+    agrees : bool or None
+    printed, derived, difference : Any
+    counterexample : Counterexample or None      the claim fails there
+    not_sharp : Counterexample or None           it does not fail there, and leaves the point out: no counterexample
+    corrected : as printed, or None
+    remark : str                                 what is known where there are no such numbers
+    """
 
     agrees: bool | None
     printed: Any = None
     derived: Any = None
     difference: Any = None
     counterexample: Counterexample | None = None
+    not_sharp: Counterexample | None = None
     corrected: Any = None
+    remark: str = ""
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """A claim that is not confirmed, and the points at which it may be seen to fail; evidence decides.
+
+    Parameters
+    ----------
+    points : iterable of mapping       numbers by symbol, drawn when they are asked for
+    printed, derived, difference : Any
+    sides : tuple of Expr              of a formula, both sides of the entry that differs, as the library reads them
+    place : tuple of int or None       that entry
+    moving : mapping                   of a solution, what its functions put in place of the coordinates
+    """
+
+    points: Iterable[Mapping[Symbol, Expr]]
+    printed: Any = None
+    derived: Any = None
+    difference: Any = None
+    sides: tuple[Any, ...] = ()
+    place: Any = None
+    moving: Mapping[Symbol, Expr] = field(default_factory=dict)
 
 
 class Reading:
@@ -110,12 +146,23 @@ class Reading:
 
     def points(self, expressions: Iterable[Expr]) -> Iterator[dict[Symbol, Expr]]:
         """Rational points of the scene; an existence claim is asked outside the domain too."""
-        return points(self.scene, expressions, self.given, self.at, self.statement.quantity != "existence")
+        return points(self.scene, [*expressions, *self.mentioned], self.given, self.at, self.statement.quantity != "existence")
+
+    @cached_property
+    def mentioned(self) -> set[Symbol]:
+        """Every symbol behind the names in the texts, also those that cancel."""
+        s = self.statement
+        texts = str([s.printed, s.quantity, s.given, self.scene.table.get("given", ""), s.let, s.at])
+        values = [self.names[name] for name in dict.fromkeys(_NAME.findall(texts)) if name in self.names]
+        return {x for value in values if isinstance(value, (Expr, MatrixBase)) for x in self.finish(value).free_symbols}
 
     def independently(self, text: Any, values: Mapping[Symbol, Expr]) -> Any:
         """A quantity from Newton and Euler's equations at numbers."""
-        found = independent_names.names(self.scene, values)
-        return read(text, _with_let(found, self.statement.let))
+        return read(text, self.independent(values))
+
+    def independent(self, values: Mapping[Symbol, Expr]) -> Mapping[str, Any]:
+        """The names from Newton and Euler's equations at numbers, with the source's own."""
+        return _with_let(independent_names.names(self.scene, values), self.statement.let)
 
 
 def _with_let(scene_names: Mapping[str, Any], let: Mapping[str, str]) -> Mapping[str, Any]:
@@ -144,8 +191,3 @@ class _Abbreviated(Mapping[str, Any]):
 
     def __len__(self) -> int:
         return len(set(self._outer) | {self._name})
-
-
-def named(values: Mapping[Symbol, Expr]) -> tuple[tuple[str, Expr], ...]:
-    """Values by name, in order."""
-    return tuple(sorted(((s.name, v) for s, v in values.items()), key=lambda pair: pair[0]))
