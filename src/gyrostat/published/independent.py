@@ -156,7 +156,7 @@ class Model:
         if shifted == 0:
             return 0, 0
         for power in range(2, 7):                          # g and its slope vanish at an equilibrium
-            known = sign_of_constant(shifted.diff(x, power).subs(x, 0))
+            known = sign_of_constant(shifted.diff(x, power).subs(x, 0).expand())
             if known != 0:
                 return power, known or 0
         return 7, 0

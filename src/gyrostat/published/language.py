@@ -145,7 +145,7 @@ def holds_as_printed(printed: str, names: Mapping[str, Any]) -> tuple[bool | Non
     equal = False
     for sides, signs in _chains(printed, names):
         for left, right, relation in zip(sides, sides[1:], signs):
-            known = sign_of_constant(right - left) if all(_is_real(side) for side in (left, right)) else None
+            known = sign_of_constant((right - left).expand()) if all(_is_real(side) for side in (left, right)) else None
             equal = equal or known == 0
             answers.append(None if known is None else known == (1 if relation[0] == "<" else -1) or (known == 0 and relation[1:] == "="))
     return (None if None in answers else False not in answers), equal
