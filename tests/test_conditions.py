@@ -6,12 +6,15 @@ import pytest
 from draw import moments, numbers
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from sympy import Poly, Rational, cancel, cos, exp, expand, symbols
+from sympy import ImmutableMatrix, Poly, Rational, cancel, cos, diag, exp, expand, symbols
 
 import gyrostat as gs
 from gyrostat.algebra import Ring
+from gyrostat.attitude import angle_rates
 from gyrostat.conditions import Condition, Criterion, holds, independent
+from gyrostat.errors import BodyError, ScopeError
 from gyrostat.implication import Item, eliminate, merge, reduced
+from gyrostat.linearization import Linearization
 from gyrostat.notation import NOTATION
 from gyrostat.signs import Signs
 
@@ -273,3 +276,22 @@ def test_independent_is_idempotent(e1):
     """A reduced criterion is its own reduction."""
     assert independent(e1.necessary, e1.equilibrium) == e1.necessary
     assert isinstance(single(e1.necessary), Condition) and isinstance(e1.necessary, Criterion)
+
+
+def test_three_coefficients_are_refused(e1):
+    """λ⁶ + pλ⁴ + qλ² + r, of an orbit of dimension 6, has criteria of its own: no coefficient is dropped in silence."""
+    plane = ImmutableMatrix([[0, 1], [-gs.symbol("a"), 0]])
+    wider = Linearization(e1.equilibrium, e1.linearization.basis, ImmutableMatrix(diag(e1.linearization.matrix, plane)))
+    assert len(wider.coefficients) == 3
+    for use in (gs.spectral_criterion, Linearization.eigenvalues, Linearization.frequencies):
+        with pytest.raises(ScopeError, match="degree 6 in lamda, with 3 coefficients"):
+            use(wider)
+
+
+def test_three_numbers_are_three():
+    """A rotor and an angular velocity have three components; a fourth is not dropped."""
+    for wrong in ((), (1, 2), (1, 2, 3, 4)):
+        with pytest.raises(BodyError, match="three"):
+            gs.lie_poisson(("k",), wrong)
+        with pytest.raises(BodyError, match="three"):
+            angle_rates(wrong)

@@ -3,13 +3,14 @@
 R = Rz(φ) Rₓ(θ) Rz(ψ) ("zxz") or Rz(φ) R_y(θ) Rz(ψ) ("zyz"), with x_space = R x_body; hat(ω) = Rᵀ Ṙ in body axes, and the
 direction of the field is k = Rᵀ e_z, the same bracket's k: k̇ = k × ω.
 """
+from collections.abc import Sequence
 from functools import cache
 
 from sympy import Expr, ImmutableMatrix, Rational, cos, sin
 
 from .algebra import Ring
 from .body import Gyrostat
-from .errors import ScopeError, require
+from .errors import BodyError, ScopeError, require
 from .notation import symbol
 from .potential import Potential
 
@@ -177,10 +178,12 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     return turning + (p_psi - l) ** 2 / (2 * I3) + potential.expression.subs(symbol("k3"), cos(theta))
 
 
-def angle_rates(omega: ImmutableMatrix, convention: str = "zxz") -> tuple[Expr, ...]:
+def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz") -> tuple[Expr, ...]:
     """(φ̇, θ̇, ψ̇) of an angular velocity in body components, where sin θ ≠ 0."""
-    axes = nodes(convention)
-    return tuple(map(reduced, axes.adjugate() * omega / reduced(axes.det())))
+    axes, given = nodes(convention), ImmutableMatrix(omega)
+    if given.shape != (3, 1):
+        raise BodyError(f"the angular velocity has the shape {given.shape}: give three components, along the axes of the body")
+    return tuple(map(reduced, axes.adjugate() * given / reduced(axes.det())))
 
 
 def reduced(expression: Expr) -> Expr:

@@ -62,6 +62,10 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
 
     λ⁴ + pλ² + q: p ≥ 0, q ≥ 0, p² − 4q ≥ 0, each as it is; λ² + q: q ≥ 0.
 
+    Raises
+    ------
+    ScopeError       the polynomial has another degree
+
     Source
     ------
     Vera & Viguera (2003), §5.
@@ -73,7 +77,7 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     >>> discriminant.margin, discriminant.degenerate
     (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
     """
-    eq, values = linearization.equilibrium, linearization.coefficients
+    eq, values = linearization.equilibrium, linearization.frequency_coefficients
     ring = Ring([*values, *eq.domain])
     signs = Signs(ring, eq.domain)
     fractions = [ring.fraction(value) for value in values]

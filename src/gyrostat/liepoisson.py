@@ -11,7 +11,7 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Symbol, expand, zeros
 
 from .algebra import Ring, derivatives
-from .errors import ScopeError, StructureError
+from .errors import BodyError, ScopeError, StructureError
 from .expressions import exact_expression
 from .notation import Typeset, symbol
 
@@ -131,6 +131,7 @@ def lie_poisson(directions: Sequence[str] = ("k",), gyrostatic_momentum: Sequenc
     Raises
     ------
     ScopeError       for other directions
+    BodyError        the gyrostatic momentum has not three entries
 
     Source
     ------
@@ -143,7 +144,10 @@ def lie_poisson(directions: Sequence[str] = ("k",), gyrostatic_momentum: Sequenc
     """
     if tuple(directions) not in ((), ("k",)):
         raise ScopeError(f"directions = {tuple(directions)}: a gyrostat needs () without a field or ('k',) with one")
-    rotor = tuple(map(exact_expression, gyrostatic_momentum or [symbol(f"l{i}") for i in (1, 2, 3)]))
+    given = tuple(gyrostatic_momentum) if gyrostatic_momentum is not None else tuple(symbol(f"l{i}") for i in (1, 2, 3))
+    if len(given) != 3:
+        raise BodyError(f"gyrostatic_momentum has {len(given)} entries: give three, one for each principal axis")
+    rotor = tuple(map(exact_expression, given))
     pi, k = ([symbol(f"{x}{i}") for i in (1, 2, 3)] for x in ("pi", "k"))
     M = [p + rotor_i for p, rotor_i in zip(pi, rotor)]
     if not directions:

@@ -6,6 +6,7 @@ from sympy import Expr, I, ImmutableMatrix, Mul, Pow, S, sqrt
 
 from .algebra import Ring
 from .equilibria import Equilibrium, once
+from .errors import ScopeError
 from .matrices import characteristic_coefficients, multiply
 from .notation import Typeset, symbol
 from .orbit import orbit_tangent
@@ -37,6 +38,20 @@ class Linearization(Typeset):
         rows, bottom = ring.matrix(self.matrix.tolist())
         return tuple(ring.quotient(c, bottom**n) for n, c in enumerate(characteristic_coefficients(ring, rows), 1) if n % 2 == 0)
 
+    @property
+    def frequency_coefficients(self) -> tuple[Expr, ...]:
+        """(q,) of λ² + q or (p, q) of λ⁴ + p λ² + q.
+
+        Raises
+        ------
+        ScopeError       the orbit has another dimension: its polynomial has other coefficients, and other criteria
+        """
+        if len(self.coefficients) not in (1, 2):
+            raise ScopeError(f"the characteristic polynomial has the degree {self.matrix.rows} in lamda, with {len(self.coefficients)} "
+                             "coefficients: criteria and eigenvalues are those of λ² + q and λ⁴ + p λ² + q, on orbits of dimension 2 and "
+                             "4; use characteristic_polynomial()")
+        return self.coefficients
+
     def characteristic_polynomial(self) -> Expr:
         """λᵈ + c2 λᵈ⁻² + … in the symbol lamda."""
         size = self.matrix.rows
@@ -67,7 +82,7 @@ class Linearization(Typeset):
         """
         parts = self.frequencies()
         if parts is None:
-            p, q = self.coefficients
+            p, q = self.frequency_coefficients
             inner = square_root(p**2 - 4 * q)
             return tuple(s * sqrt((-p + t * inner) / 2) for s in (1, -1) for t in (1, -1))
         outer, inner = parts
@@ -77,7 +92,7 @@ class Linearization(Typeset):
 
     def frequencies(self) -> tuple[Expr, Expr] | None:
         """(a, b) with λ = ±i (a ± b), b = 0 for d = 2; None where q is no square and the roots nest."""
-        if len(self.coefficients) == 1:
+        if len(self.frequency_coefficients) == 1:
             return square_root(self.coefficients[0]), S.Zero
         p, q = self.coefficients
         r = rational_root(q)
