@@ -2,6 +2,7 @@
 import random
 from fractions import Fraction
 
+import oracle
 import pytest
 from sympy import CRootOf, oo
 
@@ -10,9 +11,11 @@ from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.exact import Point, evaluate, sign_of_constant
 from gyrostat.expressions import exact_number
 from gyrostat.intervals import EXCLUDED, INCLUDED
+from gyrostat.results import result_blocks
 from gyrostat.solve import solve_condition
 from gyrostat.stability import Verdict
 from gyrostat.stabilizing import stabilizing_set
+from gyrostat.unicode import text
 
 BODY, k3 = gs.symmetric_gyrostat(), gs.symbol("k3")
 POSITIVE = ("I1", "I3", "mass1", "mass3", "p0", "r")
@@ -293,3 +296,33 @@ def test_ends_of_an_unspecified_field():
     above = part.cases[2].intervals[0]
     dU, d2U, d3U, d4U = map(gs.symbol, ("dU", "d2U", "d3U", "d4U"))
     assert above.high_if == (d2U + dU, -3 * d2U - 2 * d3U, 2 * d3U + d4U)
+
+
+ASYMMETRIC = [((2, 1, 3), "omega3_0", {"m0": 1, "l": 0}), ((2, 3, 1), "l", {"m0": 1, "omega3_0": 4}), ((2, 3, 1), "omega3_0", {"m0": 1, "l": 1}),
+              ((1, 2, "5/2"), "m0", {"omega3_0": "3/2", "l": -1}), ((3, 4, 2), "l", {"m0": -2, "omega3_0": 1})]
+
+
+@pytest.mark.parametrize("wholly", [True, pytest.param(False, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("inertia", "name", "values"), [ASYMMETRIC[1], *(pytest.param(*case, marks=pytest.mark.slow) for case in (
+    ASYMMETRIC[:1] + ASYMMETRIC[2:]))])
+def test_an_asymmetric_body_as_far_as_it_is_proved(inertia, name, values, wholly):
+    """Unstable iff Euler and Poisson's equations have a growing mode; stable where (I3 − Ii) ω² + l ω − m0 > 0 for both; else unproved.
+
+    With numbers for all other names, and with none: then what is claimed is true, and what is sufficient is found.
+    """
+    body = gs.Gyrostat(tuple(map(exact_number, inertia)), (0, 0, gs.symbol("l")))
+    report = gs.analyze(gs.upright(gs.assemble(body, gs.axial_potential(lambda z: gs.symbol("m0") * z)), "omega3_0"))
+    solution, kinds = stabilizing_set(report, name, values if wholly else None), set()
+    I1, I2, I3 = map(Fraction, inertia)
+    for n in range(-40, 41):
+        v = {s: Fraction(x) for s, x in values.items()} | {name: Fraction(n, 4)}
+        omega, l, m0 = v["omega3_0"], v["l"], v["m0"]
+        x, moments, rotor = oracle.exact([0, 0, I3 * omega, 0, 0, 1]), oracle.exact([I1, I2, I3]), oracle.exact([0, 0, l])
+        unstable = oracle.growth(lambda y: oracle.field(y, moments, rotor, oracle.axial_slope(m0, Fraction(0), 1)), x)
+        stable = min((I3 - i) * omega**2 + l * omega - m0 for i in (I1, I2)) > 0
+        answer = solution.contains({name: v[name]} if wholly else v)
+        kinds.add(answer)
+        assert answer is (True if stable else False if unstable else None) or not wholly and answer is None and not stable, v
+    shown = text(result_blocks(solution))
+    assert len(kinds) > 1 and shown.count("\n") >= len(solution.parts) and shown.count("Stable:") <= 1
+    assert None not in kinds or ("Nothing is proved for" if wholly else "nothing is claimed") in shown

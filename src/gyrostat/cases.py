@@ -7,7 +7,7 @@ from sympy import Expr, Mul, Pow, S, Symbol, oo, sqrt
 from .algebra import Ring
 from .boundary import Boundary
 from .families import affine
-from .intervals import EXCLUDED, Case, Interval, Ladder
+from .intervals import EXCLUDED, INCLUDED, Case, Interval, Ladder
 from .signs import Signs
 from .sphere import Sphere
 
@@ -15,12 +15,23 @@ RUNGS = 3                                              # of the ladder of an uns
 Relations = tuple[tuple[Expr, str], ...]
 
 
+class Closed:
+    """Every end belongs to the set: a condition that is not strict."""
+
+    def ladder(self, rungs: int = RUNGS) -> Ladder:
+        """The first is positive."""
+        return INCLUDED
+
+
+Ends = Boundary | Sphere | Closed
+
+
 @dataclass(frozen=True)
 class Context:
     """What is known where a case is worked out."""
 
     x: Symbol
-    boundary: Boundary | Sphere | None
+    boundary: Ends | None
     domain: tuple[Expr, ...]
     when: Relations = ()
     inserted: tuple[tuple[Symbol, Expr], ...] = ()

@@ -12,7 +12,7 @@ from .roots import between, real_roots
 from .sphere import sphere_of
 from .stability import Report, Verdict
 
-Cell = tuple[Expr, Expr, bool]                             # an open interval or a point, and whether it is stable there
+Cell = tuple[Expr, Expr, bool | None]                      # an open interval or a point, and whether it is stable there; None: not proved
 
 
 def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None, also: Sequence[Expr] = ()) -> list[Cell]:
@@ -52,22 +52,22 @@ def _degenerate(report: Report, numbers: Point) -> bool:
     return not ring.reduce(ring.fraction(determinant)[0])
 
 
-def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool:
-    """Whether the equilibrium exists at a value and is stable there."""
+def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:
+    """Whether the equilibrium exists at a value and is stable there; None where neither is proved."""
     at = Point({**numbers, x: value})
     if any(sign_of_constant(evaluate(e, at)) != 1 for e in report.equilibrium.existence()):
         return False
     decision = report.verdict({s.name: number for s, number in at.items()})
-    if decision.verdict is Verdict.UNDECIDED:
+    if any(sign_of_constant(margin) is None for _, margin in decision.margins):
         raise ScopeError(f"at {x} = {value} nothing is proved: {decision.reason}")
-    return decision.verdict is Verdict.STABLE
+    return None if decision.verdict is Verdict.UNDECIDED else decision.verdict is Verdict.STABLE
 
 
-def joined(cells: Sequence[Cell]) -> tuple[Interval, ...]:
-    """Stable cells that touch, as one interval."""
+def joined(cells: Sequence[Cell], wanted: bool | None = True) -> tuple[Interval, ...]:
+    """Cells that touch and are all stable, or all of another kind, as one interval."""
     found: list[Interval] = []
     for low, high, stable in cells:
-        if not stable:
+        if stable is not wanted:
             continue
         point = low == high
         last = found[-1] if found else None

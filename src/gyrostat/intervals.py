@@ -54,7 +54,8 @@ class Part:
 
     Parameters
     ----------
-    meaning : str          "exists" or "stable"
+    meaning : str          "exists"; "stable": there and nowhere else; "sufficient": stable there, elsewhere nothing is said;
+                           "necessary": unstable elsewhere; "undecided": nothing is proved there
     margin : Expr          what was solved; it is positive inside
     cases : tuple of Case
     at : Expr              the k3 at which derivatives of U are taken
@@ -68,7 +69,7 @@ class Part:
 
 @dataclass(frozen=True, repr=False)
 class Solution(Typeset):
-    """The set of one parameter where all parts hold.
+    """The set of one parameter where all parts hold, but those that are called undecided.
 
     Parameters
     ----------
@@ -80,7 +81,7 @@ class Solution(Typeset):
     parts: tuple[Part, ...]
 
     def contains(self, values: Mapping[str, Any]) -> bool | None:
-        """Whether the set contains a value, at numbers for all names; exact, None where a sign is not proved.
+        """Whether the set contains a value, at numbers for all names; exact, None where nothing is proved, or a sign is not.
 
         Raises
         ------
@@ -91,8 +92,14 @@ class Solution(Typeset):
         numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
         if wrong := [s for s, x in numbers.items() if s.is_positive and sign_of_constant(x) != 1]:
             raise ValuesError(f"{wrong[0]} = {numbers[wrong[0]]}, but it must be positive: give a positive number")
-        answers = [_in_part(part, symbol(self.name), numbers) for part in self.parts]
-        return False if False in answers else None if None in answers else True
+        answers = [(part.meaning, _in_part(part, symbol(self.name), numbers)) for part in self.parts]
+        if any(answer is False and meaning in ("exists", "necessary") for meaning, answer in answers):
+            return False
+        if any(answer is not False and meaning == "undecided" for meaning, answer in answers):
+            return None
+        if any(answer is False and meaning == "stable" for meaning, answer in answers):
+            return False
+        return True if all(answer for meaning, answer in answers if meaning != "undecided") else None
 
 
 def _in_part(part: Part, name: Symbol, numbers: Point) -> bool | None:

@@ -29,13 +29,23 @@ def result_blocks(obj: Any) -> list[Block]:
 def _solution(solution: Solution) -> list[Block]:
     premises = [p for p in solution.parts if p.meaning == "exists" and symbol(solution.name) not in p.margin.free_symbols]
     blocks: list[Block] = [Sentence("Where it exists:"), *(existence(p.margin, p.at) for p in premises)] if premises else []
-    return blocks + [block for p in solution.parts if p not in premises for block in _part(p, solution.name)]
+    for meaning, title in _TITLES.items():
+        parts = [p for p in solution.parts if p.meaning == meaning and p not in premises]
+        if len(parts) > 1:
+            blocks.append(Sentence(f"{title} where all of these hold:" if meaning != "necessary" else f"{title} all of these hold:"))
+        blocks += [block for n, p in enumerate(parts, 1) for block in _part(p, solution.name, title if len(parts) == 1 else f"({n})")]
+    if any(p.meaning == "sufficient" for p in solution.parts):
+        blocks.append(Sentence("Where it is neither proved stable nor proved unstable, nothing is claimed."))
+    return blocks
 
 
-def _part(part: Part, name: str) -> list[Block]:
+_TITLES = {"exists": "It exists", "stable": "Stable", "sufficient": "Proved stable", "necessary": "Unstable unless",
+           "undecided": "Nothing is proved for"}
+
+
+def _part(part: Part, name: str, title: str) -> list[Block]:
     """One line for each case."""
     x = symbol(name)
-    title = {"exists": "It exists", "stable": "Stable"}[part.meaning]
     blocks: list[Block] = []
     names: dict[Expr, Expr] = {}
     for case in part.cases:

@@ -4,23 +4,23 @@ from collections.abc import Iterator, Sequence
 from sympy import Expr, S, Symbol, oo, sqrt
 
 from .algebra import Ring, by_degree
-from .boundary import Boundary
-from .cases import Context
+from .cases import Closed, Context, Ends
 from .conditions import Condition
 from .errors import ScopeError
 from .intervals import EXCLUDED, INCLUDED, Case, Interval, Ladder, Part
 from .notation import symbol
-from .sphere import Sphere
+
+CLOSED = Closed()
 
 
-def solve_condition(condition: Condition, name: str, boundary: Boundary | Sphere | None = None, domain: Sequence[Expr] = ()) -> Part:
+def solve_condition(condition: Condition, name: str, boundary: Ends | None = None, domain: Sequence[Expr] = ()) -> Part:
     """The exact set of one parameter where a strict condition holds, and of its ends those that the boundary criterion calls stable.
 
     Parameters
     ----------
     condition : Condition
     name : str                     it enters the margin by degree at most 2, or quadratically by its square
-    boundary : Boundary, Sphere or None     decides the ends, where the margin vanishes; None: they are left out
+    boundary : Boundary, Sphere, CLOSED or None     decides the ends, where the margin vanishes; CLOSED: all belong to it; None: none
     domain : sequence of Expr      positive, without the name
 
     Returns

@@ -1,6 +1,6 @@
 """Which values of one parameter stabilise an equilibrium: in closed form, or exactly at numbers for all the others."""
 import contextlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,7 +17,7 @@ from .families import inclined
 from .intervals import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
 from .notation import jet, symbol
 from .roots import between, real_roots
-from .solve import solve_condition
+from .solve import CLOSED, solve_condition
 from .sphere import sphere_of
 from .stability import Report, analyze
 from .values import unknown
@@ -25,6 +25,9 @@ from .values import unknown
 
 def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None = None) -> Solution:
     """The exact set of one parameter for which an equilibrium exists and is stable, boundary points as the boundary criterion says.
+
+    Where nothing decides between the necessary and the sufficient condition, as for an asymmetric body in a field, the set is given as
+    far as it is proved: parts that are sufficient, parts that are necessary, values that are undecided (Part.meaning).
 
     Without numbers, or with some: in closed form, with the cases of the other names. With a number for every other name: a union of
     intervals, whose ends are exact numbers. On E3 with the name eliminated (inclined(scene, eliminate=name)) and k3 left free: one
@@ -68,16 +71,36 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
             leave = f", or leave out {eq.eliminated}" if eq.eliminated != name else ""
             raise ScopeError(f"{eq.label} ties {eq.eliminated} to the other names: {name} is not solved for while {', '.join(left)} are "
                              f"open; give numbers for them{leave}")
-        if (part := _where_tied(report, name, numbers)) is not None:
-            return Solution(name, (part,))
-    if not left and (report.boundary is None or report.boundary.last):     # a transcendental U is solved in closed form, or not at all
-        with contextlib.suppress(ScopeError):              # a transcendental number, too
-            cells = cut(report, symbol(name), numbers, S.Zero if symbol(name).is_positive else None, None)
-            return Solution(name, (Part("stable", S.One, (Case((), joined(cells)),), eq.at),))
-    return Solution(name, _in_symbols(report, name, numbers))
+        if (parts := _where_tied(report, name, numbers)) is not None:
+            return Solution(name, parts)
+    try:
+        return Solution(name, _in_numbers(report, name, numbers) if not left else _in_symbols(report, name, numbers))
+    except ScopeError as reason:
+        if left:
+            raise
+        failed = reason
+    try:                                                   # a transcendental number or U is solved in closed form, or not at all
+        return Solution(name, _in_symbols(report, name, numbers))
+    except ScopeError:
+        raise failed from None
 
 
-def _where_tied(report: Report, name: str, numbers: Point) -> Part | None:
+def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
+    """Numbers for all other names: the line of this one, cut where a verdict may change."""
+    if report.boundary is not None and not report.boundary.last:
+        raise ScopeError(f"U is not rational in k3, and {name} is not solved for in closed form: ask for a verdict, or a chart")
+    x, at = symbol(name), report.equilibrium.at
+    cells = cut(report, x, numbers, S.Zero if x.is_positive else None, None)
+    return _decided(joined(cells), joined(cells, None), at)
+
+
+def _decided(stable: tuple[Interval, ...], undecided: tuple[Interval, ...], at: Expr) -> tuple[Part, ...]:
+    """What is stable, and besides, if there are any, the values for which nothing is proved."""
+    parts = (Part("stable", S.One, (Case((), stable),), at), Part("undecided", S.One, (Case((), undecided),), at))
+    return parts if undecided else parts[:1]
+
+
+def _where_tied(report: Report, name: str, numbers: Point) -> tuple[Part, ...] | None:
     """The values that the relation of a family leaves, the eliminated name being given or solved for; None where it leaves all."""
     eq, x = report.equilibrium, symbol(name)
     relation = dict(eq.relations)[symbol(str(eq.eliminated))]
@@ -89,8 +112,9 @@ def _where_tied(report: Report, name: str, numbers: Point) -> Part | None:
         if found is None:
             return None
         values = found
-    stable = [value for value in values if value.is_finite and stable_at(report, x, value, numbers)]
-    return Part("stable", S.One, (Case((), tuple(Interval(v, v, INCLUDED, INCLUDED) for v in stable)),), eq.at)
+    stable = [(value, stable_at(report, x, value, numbers)) for value in values if value.is_finite]
+    points = (tuple(Interval(v, v, INCLUDED, INCLUDED) for v, known in stable if known is wanted) for wanted in (True, None))
+    return _decided(*points, eq.at)
 
 
 def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
@@ -100,17 +124,32 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
     eq = report.equilibrium
     tilted = eq.eliminated == "k3" and "omega" in report.parameters and analyze(inclined(eq.system))
     sufficient = tilted.sufficient if tilted and () in tilted.sufficient.alternatives else report.sufficient     # always, in terms of k3
-    if len(sufficient.alternatives) != 1:
-        raise ScopeError(f"{report.equilibrium.label} has {len(report.sufficient.alternatives)} alternatives for stability: give numbers")
+    ends = report.boundary or sphere_of(eq)
+    if len(sufficient.alternatives) > 1 or ends and not sufficient.alternatives:
+        raise ScopeError(f"{eq.label} has {len(sufficient.alternatives)} alternatives for stability: give numbers for the other names")
     x, existence = symbol(name), eq.existence()
     fixed = [e for e in existence if x not in e.free_symbols and e.free_symbols]
     parts = [Part("exists", e, (Case(((e, ">"),), (Interval(-oo, oo),)),), eq.at) for e in fixed]
     parts += [replace(solve_condition(_plain(e, eq), name, None, fixed), meaning="exists") for e in existence if x in e.free_symbols]
-    if not sufficient.alternatives[0]:
+    if not sufficient.alternatives:
+        parts.append(Part("sufficient", -S.One, (Case((), ()),), eq.at))
+    elif not sufficient.alternatives[0]:
         parts.append(Part("stable", S.One, (Case((), (Interval(S.Zero if x.is_positive else -oo, oo),)),), eq.at))
-    ends = report.boundary or sphere_of(eq)
-    solved = (solve_condition(c, name, ends, fixed) for c in sufficient.alternatives[0])
-    return *parts, *(_where_existing(part, x, existence) for part in solved)
+    else:
+        solved = (solve_condition(c, name, ends, fixed) for c in sufficient.alternatives[0])
+        parts += [replace(part, meaning="stable" if ends else "sufficient") for part in solved]
+    if not ends and () not in sufficient.alternatives:
+        parts += _necessary(report, name, fixed)
+    return tuple(part if part.meaning == "exists" else _where_existing(part, x, existence) for part in parts)
+
+
+def _necessary(report: Report, name: str, fixed: Sequence[Expr]) -> Iterator[Part]:
+    """The necessary conditions as far as they are solved for; one that is not says nothing."""
+    if not report.necessary.alternatives:
+        yield Part("necessary", -S.One, (Case((), ()),), report.equilibrium.at)
+    for condition in (c for a in report.necessary.alternatives[:1] for c in a):
+        with contextlib.suppress(ScopeError):
+            yield replace(solve_condition(condition, name, CLOSED, fixed), meaning="necessary")
 
 
 def _where_existing(part: Part, x: Symbol, existence: Sequence[Expr]) -> Part:
@@ -159,6 +198,8 @@ def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
     cells = cut(report, k3, numbers, S.NegativeOne, S.One, [turning] if turning.free_symbols else [])
     if turning == 0:
         raise ScopeError(f"{name} is the same for every tilt: {value}; ask at that value for all equilibria (relative_equilibria)")
+    if any(stable is None for *_, stable in cells):
+        raise ScopeError(f"at some tilts nothing is proved, and {name} is not solved for along them: give a number for k3")
     intervals = []
     for run in joined_apart(cells, [low for low, high, _ in cells if low == high and _vanishes(turning, k3, low)]):
         grows = sign(turning, {k3: between(run.low, run.high)}) == 1 if run.low != run.high else True
