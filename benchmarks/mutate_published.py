@@ -3,7 +3,7 @@
     python benchmarks/mutate_published.py [SOURCE ...] [--show]
 
 Each confirmed formula is changed in one place: a sign, an index, an exponent, a prime, a coefficient, a relation, a verdict.
-Every mutant has to be reported as a misprint, with a counterexample; those that are true as well are listed, with the reason.
+Every mutant has to be reported as a misprint, with a counterexample, or with a point at which it is not sharp; those that are true as well are listed, with the reason.
 """
 import argparse
 import re
@@ -115,7 +115,7 @@ def tried(task):
         start = time.perf_counter()
         try:
             outcome = outcome_of(mutant)
-            result = "killed" if outcome.agrees is False and outcome.counterexample else "survived"
+            result = "killed" if outcome.agrees is False and (outcome.counterexample or outcome.not_sharp) else "survived"
         except GyrostatError as error:                     # anything else is a defect, and stops the run
             quoted = re.search(r"cannot read (?:the chain )?'(.*?)(?:\.\.\.)?'", str(error))
             texts = [t for _, t in placed(mutant.printed)] + list(mutant.let.values())

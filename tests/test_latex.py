@@ -5,7 +5,10 @@ import pytest
 from sympy import Matrix, symbols
 
 import gyrostat as gs
+from gyrostat.document import report_blocks
+from gyrostat.expressions import parse
 from gyrostat.latex import to_latex
+from gyrostat.unicode import text, unicode
 
 
 def test_conditions_are_in_the_notation_of_the_source(e1, e2, e3):
@@ -54,3 +57,17 @@ def test_a_report_is_a_document(e1, e2, e3):
         assert document.count("{") == document.count("}") and document.count(r"\begin{equation}") == document.count(r"\end{equation}") > 20
         assert document.isascii()
     assert to_latex([e1, e2, e3]).count(r"\section*") == 5       # scene, three equilibria, references
+
+
+@pytest.mark.parametrize("potential", [
+    "m0*k3", pytest.param("m0/(k3 + 2)", marks=pytest.mark.slow), pytest.param("exp(a*k3)", marks=pytest.mark.slow)])
+def test_a_given_field_is_inserted_throughout(potential):
+    """U' stands only where it is said what it is: in the derivation, the eigenvalues and the proofs its value does."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(parse(potential)))
+    for family in (gs.upright, gs.hanging, gs.inclined):
+        report = gs.analyze(family(scene))
+        for part in (report.linearization, report.second_variation, report.necessary, report.sufficient):
+            assert "U'" not in to_latex(part) and "U′" not in unicode(part)
+        lines = text(report_blocks(report)).splitlines()
+        said = [line for line in lines if re.search("U[′″]|dU|d2U", line)]
+        assert said and all(re.match(r"  Of this potential: U′|    U′\(k₃\) = ", line) for line in said)

@@ -17,7 +17,8 @@ SCENES = {
     "E3": (REVOLUTION + 'potential = "U(k3)"\nequilibrium = "E3"', ("E3", None)),
     "heavy": (REVOLUTION + 'potential = "m0*k3"\nequilibrium = "E1"\nspin = "omega3_0"', ("E1", lambda v: [0, v["m0"]])),
     "tilt": (REVOLUTION + 'potential = "m0*k3 + a*k3**2/2"\nequilibrium = "E3"', ("E3", lambda v: [0, v["m0"], v["a"] / 2])),
-    "solved": (REVOLUTION + 'potential = "m0*k3 + a*k3**2/2"\nequilibrium = "E3"\neliminate = "k3"', ("E3", lambda v: [0, v["m0"], v["a"] / 2])),
+    "solved": (REVOLUTION + 'potential = "m0*k3 + a*k3**2/2"\nequilibrium = "E3"\neliminate = "k3"',
+               ("E3", lambda v: [0, v["m0"], v["a"] / 2])),
     "free": ('gyrostatic_momentum = ["0", "0", "l"]\nequilibrium = "axis 3"', ("axis 3", None)),
     "rigid": ('equilibrium = "axis 2"', ("axis 2", None))}
 TILT = "(l - omega*k3*({c}/2*I1 - I3))**2 + I1*(1 - k3**2)*(I1*omega**2 + {u}) {r} 0"
@@ -65,9 +66,9 @@ STALE = "I1**2*omega**4 + dU**2 - 2*k3*dU*I1*omega**2 + (1-k3**2)*d2U*I1*omega**
     pytest.param("E3", CLAIMS[0], STALE + " > 0", ("misprint", False), marks=pytest.mark.slow),
     pytest.param("E3", CLAIMS[1], STALE + " >= 0", ("misprint", False), marks=pytest.mark.slow),
     pytest.param("E3", CLAIMS[2], STALE + " > 0", ("misprint", True), marks=pytest.mark.slow),
-    ("E3", CLAIMS[0], "dU**2 > 4", ("misprint", True)), ("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 3.999996*I1*m0", ("misprint", True)),
+    pytest.param("E3", CLAIMS[0], "dU**2 > 4", ("misprint", True), marks=pytest.mark.slow), ("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 3.999996*I1*m0", ("misprint", True)),
     pytest.param("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 4.000004*I1*m0", ("misprint", False), marks=pytest.mark.slow),
-    pytest.param("heavy", CLAIMS[1], "(I3*omega3_0+l)**2 > 4*I1*m0", ("misprint", True), marks=pytest.mark.slow),
+    ("heavy", CLAIMS[1], "(I3*omega3_0+l)**2 > 4*I1*m0", ("misprint", True)),
     pytest.param("E1", CLAIMS[0], "abs(pi3_0 + l) < 0 - 1", ("misprint", False), marks=pytest.mark.slow)])
 def test_what_is_shown_refutes(tmp_path, scene, claim, printed, expected):
     """At a tilt with U' in the print, at equality, in a wedge of 10⁻⁶; a claim that is true but not sharp has no counterexample."""
@@ -79,6 +80,6 @@ def test_what_is_shown_refutes(tmp_path, scene, claim, printed, expected):
 def test_random_conditions(tmp_path, seed):
     """Coefficients near and far, every relation and claim, each scene."""
     draw, (scene, condition) = random.Random(seed), CONDITIONS[seed]
-    for _ in range(4):
+    for _ in range(3):
         printed = condition.replace("{c}", draw.choice(COEFFICIENTS)).replace("{r}", draw.choice([">", ">=", "<", "<="]))
         examined(tmp_path, scene, draw.choice(CLAIMS), printed)

@@ -1,6 +1,7 @@
 """A condition solved for one parameter: the set contains a value exactly where the equilibrium exists and its verdict is STABLE."""
 import random
 from fractions import Fraction
+from functools import partial
 
 import oracle
 import pytest
@@ -12,6 +13,7 @@ from gyrostat.exact import Point, evaluate, sign_of_constant
 from gyrostat.expressions import exact_number
 from gyrostat.intervals import EXCLUDED, INCLUDED
 from gyrostat.results import result_blocks
+from gyrostat.roots import between
 from gyrostat.solve import solve_condition
 from gyrostat.stability import Verdict
 from gyrostat.stabilizing import stabilizing_set
@@ -298,7 +300,8 @@ def test_ends_of_an_unspecified_field():
     assert above.high_if == (d2U + dU, -3 * d2U - 2 * d3U, 2 * d3U + d4U)
 
 
-ASYMMETRIC = [((2, 1, 3), "omega3_0", {"m0": 1, "l": 0}), ((2, 3, 1), "l", {"m0": 1, "omega3_0": 4}), ((2, 3, 1), "omega3_0", {"m0": 1, "l": 1}),
+ASYMMETRIC = [((2, 1, 3), "omega3_0", {"m0": 1, "l": 0}), ((2, 3, 1), "l", {"m0": 1, "omega3_0": 4}),
+              ((2, 3, 1), "omega3_0", {"m0": 1, "l": 1}),
               ((1, 2, "5/2"), "m0", {"omega3_0": "3/2", "l": -1}), ((3, 4, 2), "l", {"m0": -2, "omega3_0": 1})]
 
 
@@ -318,7 +321,7 @@ def test_an_asymmetric_body_as_far_as_it_is_proved(inertia, name, values, wholly
         v = {s: Fraction(x) for s, x in values.items()} | {name: Fraction(n, 4)}
         omega, l, m0 = v["omega3_0"], v["l"], v["m0"]
         x, moments, rotor = oracle.exact([0, 0, I3 * omega, 0, 0, 1]), oracle.exact([I1, I2, I3]), oracle.exact([0, 0, l])
-        unstable = oracle.growth(lambda y: oracle.field(y, moments, rotor, oracle.axial_slope(m0, Fraction(0), 1)), x)
+        unstable = oracle.growth(partial(oracle.field, inertia=moments, rotor=rotor, slope=oracle.axial_slope(m0, Fraction(0), 1)), x)
         stable = min((I3 - i) * omega**2 + l * omega - m0 for i in (I1, I2)) > 0
         answer = solution.contains({name: v[name]} if wholly else v)
         kinds.add(answer)
@@ -326,3 +329,11 @@ def test_an_asymmetric_body_as_far_as_it_is_proved(inertia, name, values, wholly
     shown = text(result_blocks(solution))
     assert len(kinds) > 1 and shown.count("\n") >= len(solution.parts) and shown.count("Stable:") <= 1
     assert None not in kinds or ("Nothing is proved for" if wholly else "nothing is claimed") in shown
+
+
+def test_a_number_between_two_that_are_very_near():
+    """Ends that differ by less than a double resolves: 10⁻²⁵, and a surd beside its 40 digits."""
+    near = [(exact_number("1/3"), exact_number("1/3") + exact_number(Fraction(1, 10**25))),
+            (exact_number("1.4142135623730950488016887242096980785696"), exact_number("sqrt(2)"))]
+    for a, b in near:
+        assert a < between(a, b) < b

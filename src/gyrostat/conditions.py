@@ -187,7 +187,8 @@ def _inserted(ring: Ring, signs: Signs, condition: Condition, values: Callable[[
     for factor in condition.degenerate:
         odd, more = signs.split(*ring.fraction(values(factor)))
         even += more if odd.is_constant() and odd else (*more, odd)
-    return Item(margin, even, condition.strict, condition.source, condition.implies)
+    proofs = tuple(Implied(p.source, *map(values, (p.margin, p.square, p.factor, p.by))) for p in condition.implies)
+    return Item(margin, even, condition.strict, condition.source, proofs)
 
 
 def _condition(ring: Ring, item: Item, eq: Equilibrium) -> Condition:

@@ -93,13 +93,13 @@ def _named_roots(eq: Equilibrium, matrix: ImmutableMatrix) -> tuple[ImmutableMat
 
 def _linearization(report: Report) -> list[Block]:
     eq, linear = report.equilibrium, report.linearization
-    matrix, _ = _named_roots(eq, entries(linear.matrix))
+    matrix, _ = _named_roots(eq, entries(eq.insert_field(linear.matrix)))
     basis, _ = _named_roots(eq, linear.basis.T)
     blocks: list[Block] = [Heading("Linearisation on the tangent space of the coadjoint orbit", 2),
                            Sentence("Basis, one vector in each row:"), Display(Word("T", "T"), basis, eq.at),
                            Sentence("The linearised field in that basis (Vera & Viguera 2003, §4.1.1 and §5):"),
                            Display(Word("J", "J"), matrix, eq.at)]
-    values = linear.coefficients
+    values = tuple(map(eq.insert_field, linear.coefficients))
     if len(values) == 1:
         q = symbol("q")
         return [*blocks, Sentence("Characteristic polynomial {} with", (Word("λ² + q", r"\lambda^2 + q"),)),
@@ -114,7 +114,7 @@ def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
     parts = linear.frequencies()
     if parts is None:
         return []
-    outer, inner = _readable_roots(parts[0]), _readable_roots(parts[1])
+    outer, inner = (_readable_roots(linear.equilibrium.insert_field(part)) for part in parts)
     if inner == 0:
         return [Sentence("Eigenvalues {} {}.", (IMAGINARY, outer), at)]
     if inner == outer:
@@ -130,13 +130,13 @@ def _readable_roots(expression: Expr) -> Expr:
 
 def _second_variation(report: Report) -> list[Block]:
     eq, variation = report.equilibrium, report.second_variation
-    matrix, _ = _named_roots(eq, ImmutableMatrix(variation.matrix.applyfunc(readable)))
+    matrix, _ = _named_roots(eq, ImmutableMatrix(eq.insert_field(variation.matrix).applyfunc(readable)))
     basis, _ = _named_roots(eq, variation.basis.T)
     blocks: list[Block] = [Heading("Second variation on the symplectic slice", 2)]
     functions = [name for name, _ in zip((Word("C₁", "C_1"), Word("C₂", "C_2")), eq.system.space.casimirs)]
     functions += [function for function, _ in variation.multipliers[len(functions):]]
     blocks.append(Sentence("Multipliers of " + ", ".join("{}: {}" for _ in functions) + ".", tuple(
-        part for function, (_, nu) in zip(functions, variation.multipliers) for part in (function, split(nu))), eq.at))
+        part for function, (_, nu) in zip(functions, variation.multipliers) for part in (function, split(eq.insert_field(nu)))), eq.at))
     if variation.free:
         blocks.append(Sentence("The first variation leaves {} free.", variation.free[:1]))
     if variation.modulo:
@@ -146,5 +146,6 @@ def _second_variation(report: Report) -> list[Block]:
     if variation.basis != report.linearization.basis:
         blocks += [Sentence("Basis, one vector in each row:"), Display(Word("S", "S"), basis, eq.at)]
     blocks.append(Display(Word("H", "H"), matrix, eq.at))
-    blocks += [Display(Word(f"Δ{'₀₁₂₃₄'[n]}", rf"\Delta_{n}"), readable(minor), eq.at) for n, minor in enumerate(variation.minors, 1)]
+    blocks += [Display(Word(f"Δ{'₀₁₂₃₄'[n]}", rf"\Delta_{n}"), readable(eq.insert_field(minor)), eq.at)
+               for n, minor in enumerate(variation.minors, 1)]
     return blocks

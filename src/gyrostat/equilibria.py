@@ -111,14 +111,18 @@ class Equilibrium(Typeset):
 
     def insert(self, expression: Any) -> Any:
         """The jet of a given U replaced by its values at the point, then the eliminated parameter by its value."""
-        potential = self.system.potential
-        if potential and potential.given:
-            jets = [s for s in expression.free_symbols if jet(s.name)]
-            expression = expression.xreplace({d: self._placed(potential.value(d)) for d in jets})
+        expression = self.insert_field(expression)
         for name, value in self.relations:
             if not jet(name.name):
                 expression = expression.xreplace({name: value})
         return expression
+
+    def insert_field(self, expression: Any) -> Any:
+        """The jet of a given U replaced by its values at the point."""
+        potential = self.system.potential
+        if not potential or not potential.given:
+            return expression
+        return expression.xreplace({s: self._placed(potential.value(s)) for s in expression.free_symbols if jet(s.name)})
 
     def existence(self) -> tuple[Expr, ...]:
         """The domain in the parameters that are left: positive where the family exists."""

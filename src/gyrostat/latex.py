@@ -130,9 +130,9 @@ def formula(obj: Any) -> str:
         shown = rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
         return shown + _modulo(obj.modulo)
     if isinstance(obj, Linearization):
-        return tex(entries(obj.matrix), obj.equilibrium.at)
+        return tex(entries(obj.equilibrium.insert_field(obj.matrix)), obj.equilibrium.at)
     if isinstance(obj, SecondVariation):
-        return tex(obj.matrix.applyfunc(readable), obj.equilibrium.at)
+        return tex(obj.equilibrium.insert_field(obj.matrix).applyfunc(readable), obj.equilibrium.at)
     if isinstance(obj, LiePoisson):
         return tex(obj.tensor)
     if isinstance(obj, System):

@@ -2,12 +2,12 @@
 from collections.abc import Mapping, Sequence
 from functools import cmp_to_key
 
-from flint import fmpq, fmpq_mpoly, fmpq_poly
-from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, minimal_polynomial, oo, sqrt
+from flint import ctx, fmpq, fmpq_mpoly, fmpq_poly
+from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
 
 from .algebra import Ring, by_degree
 from .errors import ScopeError
-from .exact import ball, is_algebraic, sign_of_constant
+from .exact import ONE_AT_A_TIME, ball, is_algebraic, sign_of_constant
 
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
@@ -79,14 +79,22 @@ def between(a: Expr, b: Expr) -> Rational:
         edge = ball(b, 64).lower().floor() - 1 if a == -oo else ball(a, 64).upper().ceil() + 1
         return Rational(int(edge.unique_fmpz()))
     precision = 64
-    while not (low := ball(a, precision).upper()) < ball(b, precision).lower():
+    while not (low := _side(a, precision, 1)) < _side(b, precision, -1):
         precision *= 2
     bits = 0
     while True:                                            # the first dyadic number that lies between
         bits += 1
-        candidate = Rational(int((low * 2**bits).floor().unique_fmpz()) + 1, 2**bits)
+        candidate = Rational(floor(low * 2**bits) + 1, 2**bits)
         if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
             return candidate
+
+
+def _side(number: Expr, precision: int, side: int) -> Rational:
+    """The upper or lower end of an enclosure, exact: the ends of balls are rounded to the precision of the context."""
+    with ONE_AT_A_TIME, ctx.workprec(precision):
+        enclosure = ball(number, precision)
+        mantissa, exponent = (enclosure.upper() if side > 0 else enclosure.lower()).man_exp()
+        return Rational(int(mantissa)) * Rational(2) ** int(exponent)
 
 
 def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:

@@ -1,4 +1,5 @@
 """Formulas in one line of Unicode, matrices as aligned rows, whole documents in 100 columns."""
+import re
 from collections.abc import Iterable, Sequence
 from textwrap import wrap
 from typing import Any
@@ -111,7 +112,7 @@ def plain(obj: Any) -> str:
     if isinstance(obj, LiePoisson):
         return "\n".join(matrix_lines(obj.tensor.tolist()))
     if isinstance(obj, (Linearization, SecondVariation)):
-        return "\n".join(matrix_lines(entries(obj.matrix).tolist(), obj.equilibrium.at)) or "()"
+        return "\n".join(matrix_lines(entries(obj.equilibrium.insert_field(obj.matrix)).tolist(), obj.equilibrium.at)) or "()"
     if isinstance(obj, Gyrostat):
         return f"gyrostat with inertia ({_row(obj.inertia)}) and gyrostatic momentum ({_row(obj.gyrostatic_momentum)})"
     if isinstance(obj, Potential):
@@ -141,7 +142,7 @@ def _row(values: Iterable[Expr]) -> str:
 
 
 def text(blocks: Iterable[Block], width: int = 100) -> str:
-    """The document in Unicode, no line longer than the width unless one formula is."""
+    """The document in Unicode, no line longer than the width unless one term of a formula is."""
     lines: list[str] = []
     for block in blocks:
         if isinstance(block, Heading):
@@ -161,7 +162,7 @@ def _inline(part: Any, at: Any) -> str:
 def _displayed(block: Display, width: int) -> list[str]:
     name = "    " + _inline(block.name, block.at)
     if not isinstance(block.value, MatrixBase):
-        return [f"{name} {block.relation} {_inline(block.value, block.at)}"]
+        return _broken(f"{name} {block.relation} {_inline(block.value, block.at)}", width)
     rows = block.value.tolist()
     lines = matrix_lines(rows, block.at)
     indent = " " * (len(name) + 3)
@@ -169,8 +170,19 @@ def _displayed(block: Display, width: int) -> list[str]:
     lines = [(f"{name} = " if i == middle else indent) + line for i, line in enumerate(lines)]
     if max(map(len, lines)) <= width:
         return lines
-    return [f"{name}{f'{i}{j}'.translate(SUBSCRIPTS)} = {unicode(entry, block.at)}" for i, row in enumerate(rows, 1)
-            for j, entry in enumerate(row, 1) if entry]
+    return [line for i, row in enumerate(rows, 1) for j, entry in enumerate(row, 1) if entry
+            for line in _broken(f"{name}{f'{i}{j}'.translate(SUBSCRIPTS)} = {unicode(entry, block.at)}", width)]
+
+
+def _broken(line: str, width: int) -> list[str]:
+    """A formula that is too long, broken before its signs + and −."""
+    lines = [""]
+    for piece in re.split(r" (?=[+−] )", line):
+        if lines[-1] and len(lines[-1]) + 1 + len(piece) > width:
+            lines.append(" " * 8 + piece)
+        else:
+            lines[-1] += f" {piece}" if lines[-1] else piece
+    return lines
 
 
 def matrix_lines(rows: Sequence[Sequence[Expr]], at: Any = None) -> list[str]:

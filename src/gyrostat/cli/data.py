@@ -27,7 +27,8 @@ def report_data(report: Report) -> dict[str, Any]:
     return family | criteria | drift | {
         "point": strings(eq.point), "relations": {str(name): str(value) for name, value in eq.relations},
         "tangent_basis": [strings(row) for row in linear.basis.T.tolist()],
-        "matrix": [strings(row) for row in linear.matrix.tolist()], "characteristic_polynomial": str(linear.characteristic_polynomial())}
+        "matrix": [strings(row) for row in eq.insert_field(linear.matrix).tolist()],
+        "characteristic_polynomial": str(eq.insert_field(linear.characteristic_polynomial()))}
 
 
 def conditions_data(report: Report) -> dict[str, Any]:

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
-import mpmath
 from sympy import Expr, MatrixBase, Symbol
 
 from ..errors import GyrostatError, PublishedError
@@ -71,8 +70,8 @@ def is_of_the_scene(r: Reading, values: Values) -> bool:
         return False
     try:
         names = r.independent(values)
-    except GyrostatError:                                  # no equilibrium there: what a claim of existence may be about
-        return claims_existence
+    except GyrostatError:                                  # no equilibrium there
+        return False
     given = [text for text in (scene.table.get("given", ""), r.statement.given) if text]
     if any(holds_as_printed(text, names)[0] is not True for text in given):
         return False
@@ -139,24 +138,10 @@ def _exists(r: Reading, model: independent.Model) -> tuple[bool | None, str]:
 
 
 def _periodic(r: Reading, values: Values) -> tuple[bool | None, str]:
-    """On L2 = 2 E I2: (a sech, tanh, c sech)(μt), which Euler's equations are checked to have, is not periodic."""
     moments, E, L2 = [m.subs(dict(values)) for m in r.scene.body.inertia], values[symbol("E")], values[symbol("L2")]
     if moments != [1, 2, 3] or L2 != 1 or 4 * E != 1:
         return None, ""
-    mp = mpmath
-    with mp.workdps(independent.DIGITS):
-        low, high, whole = mp.mpf(1) / 2, mp.mpf(1) / 6, mp.mpf(2) / 3
-        a, c, mu = mp.sqrt(high / whole), mp.sqrt(low / whole), mp.sqrt(low * high)
-
-        def M(t: Any) -> list[Any]:
-            return [a * mp.sech(mu * t), mp.tanh(mu * t), c * mp.sech(mu * t)]
-
-        worst = 0
-        for t in (mp.mpf("0.3"), mp.mpf(1), mp.mpf(-2)):
-            x = M(t)
-            rates = [-x[1] * x[2] * high, x[2] * x[0] * whole, -x[0] * x[1] * low]
-            worst = max(worst, *(abs(mp.diff(lambda s, i=i: M(s)[i], t) - rate) for i, rate in enumerate(rates)))
-    if worst > 1e-20:
+    if (worst := independent.separatrix_residual()) > 1e-20:
         raise PublishedError(f"the separatrix does not satisfy Euler's equations: residual {worst}")
     return False, ("on the separatrix M2 = tanh(√((1/I1 − 1/I2)(1/I2 − 1/I3)) t) satisfies Euler's equations (residual below 1e-20) and "
                    "grows for ever")
@@ -197,8 +182,8 @@ def _solution(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     if doubt.place is None:
         for name, f, side in zip(quantity, doubt.printed.subs(symbol("t"), 0), doubt.sides):
             if f.is_number and sign_of_constant(side.subs(dict(values)) - f) in (1, -1):
-                return Seen(f, side.subs(dict(values)), f"{name} may start there; the printed functions start it at {f} for every choice of "
-                            f"{', '.join(r.statement.constants)}", True)
+                return Seen(f, side.subs(dict(values)), f"{name} may start there; the printed functions start it at {f} for every choice "
+                            f"of {', '.join(r.statement.constants)}", True)
         return None
     for f in (f.subs(dict(values)) for f in doubt.printed):
         if f.evalf(20).is_real is False:
@@ -254,4 +239,5 @@ def _at_rest(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
         raise PublishedError(f"Newton and Euler's equations give the rate {rate}, the library {doubt.sides[0].subs(dict(values))}")
     if sign_of_constant(rate) in (0, None):
         return None
-    return Seen("an equilibrium", f"d{name}/dt = {rate}", f"by Newton and Euler's equations the rate of {name} there is {rate}, not 0", True)
+    why = f"by Newton and Euler's equations the rate of {name} there is {rate}, not 0"
+    return Seen("an equilibrium", f"d{name}/dt = {rate}", why, True)

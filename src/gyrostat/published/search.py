@@ -5,12 +5,11 @@ from itertools import chain, islice
 
 from sympy import Expr, Integer, Mul, Poly, S, Symbol, fraction, oo, together
 
-from ..cells import between
 from ..conditions import Criterion
 from ..errors import ScopeError
 from ..exact import sign_of_constant
 from ..notation import symbol
-from ..roots import real_roots
+from ..roots import between, real_roots
 from .criteria import free_symbols, holds
 from .sampling import K, on_family
 from .statements import Reading
