@@ -3,7 +3,8 @@
     python benchmarks/mutate_published.py [SOURCE ...] [--show]
 
 Each confirmed formula is changed in one place: a sign, an index, an exponent, a prime, a coefficient, a relation, a verdict.
-Every mutant has to be reported as a misprint, with a counterexample, or with a point at which it is not sharp; those that are true as well are listed, with the reason.
+Every mutant has to be reported as a misprint, with a counterexample, or a point at which it is not sharp;
+those that are true as well are listed, with the reason.
 """
 import argparse
 import re

@@ -66,7 +66,8 @@ STALE = "I1**2*omega**4 + dU**2 - 2*k3*dU*I1*omega**2 + (1-k3**2)*d2U*I1*omega**
     pytest.param("E3", CLAIMS[0], STALE + " > 0", ("misprint", False), marks=pytest.mark.slow),
     pytest.param("E3", CLAIMS[1], STALE + " >= 0", ("misprint", False), marks=pytest.mark.slow),
     pytest.param("E3", CLAIMS[2], STALE + " > 0", ("misprint", True), marks=pytest.mark.slow),
-    pytest.param("E3", CLAIMS[0], "dU**2 > 4", ("misprint", True), marks=pytest.mark.slow), ("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 3.999996*I1*m0", ("misprint", True)),
+    pytest.param("E3", CLAIMS[0], "dU**2 > 4", ("misprint", True), marks=pytest.mark.slow),
+    ("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 3.999996*I1*m0", ("misprint", True)),
     pytest.param("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 4.000004*I1*m0", ("misprint", False), marks=pytest.mark.slow),
     ("heavy", CLAIMS[1], "(I3*omega3_0+l)**2 > 4*I1*m0", ("misprint", True)),
     pytest.param("E1", CLAIMS[0], "abs(pi3_0 + l) < 0 - 1", ("misprint", False), marks=pytest.mark.slow)])

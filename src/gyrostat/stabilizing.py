@@ -113,8 +113,8 @@ def _where_tied(report: Report, name: str, numbers: Point) -> tuple[Part, ...] |
             return None
         values = found
     stable = [(value, stable_at(report, x, value, numbers)) for value in values if value.is_finite]
-    points = (tuple(Interval(v, v, INCLUDED, INCLUDED) for v, known in stable if known is wanted) for wanted in (True, None))
-    return _decided(*points, eq.at)
+    proved, open_ = (tuple(Interval(v, v, INCLUDED, INCLUDED) for v, known in stable if known is wanted) for wanted in (True, None))
+    return _decided(proved, open_, eq.at)
 
 
 def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
