@@ -322,9 +322,13 @@ def test_an_asymmetric_body_as_far_as_it_is_proved(inertia, name, values, wholly
         omega, l, m0 = v["omega3_0"], v["l"], v["m0"]
         x, moments, rotor = oracle.exact([0, 0, I3 * omega, 0, 0, 1]), oracle.exact([I1, I2, I3]), oracle.exact([0, 0, l])
         unstable = oracle.growth(partial(oracle.field, inertia=moments, rotor=rotor, slope=oracle.axial_slope(m0, Fraction(0), 1)), x)
-        stable = min((I3 - i) * omega**2 + l * omega - m0 for i in (I1, I2)) > 0
+        lowest = min((I3 - i) * omega**2 + l * omega - m0 for i in (I1, I2))
+        stable = lowest > 0
         answer = solution.contains({name: v[name]} if wholly else v)
         kinds.add(answer)
+        if lowest == 0 and not unstable:                   # the fourth order may prove it stable
+            assert answer is not False
+            continue
         assert answer is (True if stable else False if unstable else None) or not wholly and answer is None and not stable, v
     shown = text(result_blocks(solution))
     assert len(kinds) > 1 and shown.count("\n") >= len(solution.parts) and shown.count("Stable:") <= 1
