@@ -378,14 +378,16 @@ def test_a_batch_overrides_what_is_set(capsys, monkeypatch):
     assert status == 0 and [r["equilibria"][0]["decision"]["verdict"] for r in results] == ["STABLE", "UNSTABLE", "UNSTABLE"]
 
 
-def test_reports_are_derived_once(capsys, monkeypatch):
+def test_reports_are_derived_once(capfd, monkeypatch):
     """One derivation for each potential, equilibrium and name of the spin."""
     from gyrostat.cli import scenes
     scenes.report_of.cache_clear()
-    made, analyze = [], scenes.analyze
-    monkeypatch.setattr(scenes, "analyze", lambda eq: made.append(eq) or analyze(eq))
-    assert batch(capsys, monkeypatch, [b'{"omega3_0": 1}', b'{"pi3_0": 1}', b'{"pi3_0": 1, "equilibrium": "E2"}'] * 20)[0] == 0
-    assert [eq.label for eq in made] == ["E1", "E1", "E2"]
+    analyze = scenes.analyze
+    monkeypatch.setattr(scenes, "analyze", lambda eq: print(eq.label, file=sys.stderr, flush=True) or analyze(eq))
+    lines = [b'{"omega3_0": 1}', b'{"pi3_0": 1}', b'{"pi3_0": 1, "equilibrium": "E2"}'] * 20
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"\n".join(lines))))
+    assert main(["decide", *TOPS, "--batch", "-"]) == 0
+    assert capfd.readouterr().err.split() == ["E1", "E1", "E2"]        # of the process that answers
 
 
 def test_a_batch_of_files(capsys, tmp_path):
@@ -435,16 +437,16 @@ def test_a_batch_streams():
 
 
 def test_a_batch_flushes_to_its_file(tmp_path):
-    """--output is written as the lines come."""
+    """--output is written as the lines come, beside its place until all are there."""
     path = tmp_path / "verdicts.jsonl"
     command = [sys.executable, "-m", "gyrostat", "decide", *TOPS, "--batch", "-", "--output", str(path)]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as running:
         running.stdin.write(b'{"omega3_0": 1.25}\nnonsense\n')
         running.stdin.flush()
         assert running.stderr.readline().startswith(b"gyrostat: line 2: ")
-        assert json.loads(path.read_text().splitlines()[0])["line"] == 1
+        assert json.loads(path.with_name("verdicts.jsonl.part").read_text().splitlines()[0])["line"] == 1 and not path.exists()
         running.stdin.close()
-        assert running.wait() == 2
+        assert running.wait() == 2 and [p.name for p in tmp_path.iterdir()] == ["verdicts.jsonl"]
 
 
 def conditions(capsys, *arguments):

@@ -1,4 +1,5 @@
 """Lie-Poisson gyrostat stability analyser: from the bracket to the stability inequalities."""
+from . import start as _start  # noqa: F401 (what Ctrl-C does while the rest is loaded)
 from .body import Gyrostat, symmetric_gyrostat
 from .conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
 from .energy_casimir import SecondVariation, augmented_hessian, multipliers, second_variation

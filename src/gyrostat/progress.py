@@ -1,4 +1,5 @@
 """A bar on standard error while something long is under way."""
+import mmap
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -8,29 +9,68 @@ from time import monotonic
 Told = Callable[[int, int], object]                        # is called with what is done, and with all there is
 
 WIDTH, PAUSE = 30, 0.1                                     # characters of a bar; seconds from one to the next
+QUIET = 2.0                                                # seconds until a process that waits says that the other works
+_shared: list[mmap.mmap] = []                              # one byte for both of them: whether the one that works has the terminal
 
 
 class Progress:
     """A line on a terminal, drawn again a few times a second and wiped at the end; nothing where there is no terminal."""
 
     def __init__(self, shown: bool = True):
-        self.shown = shown and sys.stderr.isatty()
+        self.shown = shown and on_terminal()
         self.length, self.next = 0, 0.0
 
     def show(self, name: str, done: int, total: int | None = None) -> None:
         """A bar, or a counter where the total is not known."""
         if not self.shown or monotonic() < self.next:
             return
+        taken()
         filled = WIDTH * done // total if total else 0
         line = f"{name:<12} [{'#' * filled}{'.' * (WIDTH - filled)}] {done}/{total}" if total else f"{name:<12} {done}"
+        self.draw(line)
+        self.next = monotonic() + PAUSE
+
+    def draw(self, line: str) -> None:
+        """The line in the place of the one before."""
         print("\r" + line.ljust(self.length), end="", file=sys.stderr, flush=True)
-        self.length, self.next = len(line), monotonic() + PAUSE
+        self.length = len(line)
 
     def wipe(self) -> None:
         """Nothing is left of it."""
         if self.length:
             print("\r" + " " * self.length + "\r", end="", file=sys.stderr, flush=True)
         self.length, self.next = 0, 0.0
+
+
+class Waiting(Progress):
+    """The line of a process that waits for another: how long that works, until it takes the terminal for itself."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.name, self.begin = name, monotonic()
+        _shared[:] = [mmap.mmap(-1, 1)]
+
+    def tick(self) -> None:
+        """Draw the line, if it is time for it."""
+        if self.shown and not _shared[0][0] and (passed := monotonic() - self.begin) >= QUIET:
+            self.draw(f"{self.name}: still working, {passed:.0f} s, Ctrl-C ends it")
+
+    def wipe(self) -> None:
+        if not _shared[0][0]:
+            super().wipe()
+
+
+def on_terminal() -> bool:
+    """Whether standard error is a terminal."""
+    return sys.stderr is not None and sys.stderr.isatty()
+
+
+def taken() -> None:
+    """From now on this process writes to the terminal; the line of the one that waits for it is wiped."""
+    if _shared and not _shared[0][0]:
+        _shared[0][0] = 1
+        if on_terminal():
+            print("\r" + " " * 60 + "\r", end="", file=sys.stderr, flush=True)
 
 
 @contextmanager

@@ -1,13 +1,14 @@
 """The command line: gyrostat VERB --option."""
 import argparse
-import os
+import math
 import sys
 from collections.abc import Sequence
-from importlib import import_module
+from contextlib import nullcontext
 
 from .. import __version__
-from ..errors import GyrostatError, ValuesError
-from .output import Output
+from .carried import carried_out
+from .output import standard_streams, told
+from .watch import signals
 
 _REPORT = """examples:
   gyrostat report                                            any field U(k3): E1, E2 and E3
@@ -75,6 +76,9 @@ their own, gyrostat chart.
 """
 
 
+LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
+
+
 def parser() -> argparse.ArgumentParser:
     """The command line's grammar."""
     top = argparse.ArgumentParser(prog="gyrostat", description=(
@@ -95,7 +99,7 @@ def parser() -> argparse.ArgumentParser:
                           (decide, "names of the moments, l, U and the motion"), (chart, "all names but the axes")):
         _scene(verb, meaning)
     _motion(motion)
-    _kinds(plot)
+    kinds = _kinds(plot)
     conditions.add_argument("--solve-for", metavar="NAME", help="the values of one name, l, pi3_0, omega3_0, omega, m0, …, for which each "
                             "equilibrium exists and is stable; in closed form, or exact where --set gives all other names")
     for verb in (report, conditions):
@@ -105,6 +109,8 @@ def parser() -> argparse.ArgumentParser:
                         "equilibrium that the numbers allow")
     decide.add_argument("--batch", metavar="FILE", help="an object of numbers in each line, - for standard input; --set gives numbers for "
                         "all lines")
+    decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start", help="the line of the batch to begin with, to go on after "
+                        "an interruption; left out: 1")
     chart.add_argument("--equilibrium", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; left out for a free body")
     for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"), ("--y", "the vertical axis")):
         chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
@@ -119,6 +125,8 @@ def parser() -> argparse.ArgumentParser:
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")
         verb.add_argument("--fragment", action="store_true", help="with --format latex: without preamble, for \\input")
     motion.add_argument("--precision", type=int, metavar="DIGITS", help="of a table, any number of digits; left out: doubles")
+    for verb in (report, conditions, decide, motion, *kinds, chart, verify):
+        _timeout(verb, None if verb in (chart, verify) else LIMIT)
     for verb in (report, conditions, decide, motion, verify):
         verb.add_argument("--output", metavar="FILE", help="write to a file instead of the terminal" + (
             ": motion.csv, .nc, .png, .pdf, .svg, .gif or .mp4" if verb is motion else ""))
@@ -149,7 +157,7 @@ def _motion(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--tolerance", metavar="X", help="the error that is accepted of a motion that is integrated; left out: 1e-3")
 
 
-def _kinds(plot: argparse.ArgumentParser) -> None:
+def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     """The pictures and what each needs."""
     kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
     sphere, nutation, well, branches, diagram, eigenvalues, cones = (kinds.add_parser(name, help=text, description=text) for name, text in (
@@ -179,6 +187,30 @@ def _kinds(plot: argparse.ArgumentParser) -> None:
     cones.add_argument("--axial", metavar="W3", required=True, help="the angular velocity along the axis")
     for kind in kinds.choices.values():
         kind.add_argument("--output", metavar="FILE", help="a .png, .pdf or .svg")
+    return list(kinds.choices.values())
+
+
+def _timeout(verb: argparse.ArgumentParser, default: float | None) -> None:
+    verb.add_argument("--timeout", type=_seconds, default=default, metavar="SECONDS", help="the verb is ended when it has taken so long, of "
+                      f"a batch the line; none: never; left out: {'none' if default is None else f'{default:g}'}")
+
+
+def _line(text: str) -> int:
+    """The number of a line."""
+    if not text.isdecimal() or not int(text[:18]):
+        raise argparse.ArgumentTypeError(f"{text} is no line: the first one is 1")
+    return int(text[:18])
+
+
+def _seconds(text: str) -> float | None:
+    """Seconds, or None for none."""
+    try:
+        seconds = math.inf if text == "none" else float(text)
+    except ValueError:
+        seconds = math.nan
+    if not seconds > 0 or math.isinf(seconds) and text != "none":
+        raise argparse.ArgumentTypeError(f"{text} is no time: give seconds, 60 or 0.5, or none")
+    return None if text == "none" else seconds
 
 
 def _values_joined(arguments: Sequence[str]) -> list[str]:
@@ -193,21 +225,20 @@ def _values_joined(arguments: Sequence[str]) -> list[str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line; 0: done, 1: a published formula is not as expected, 2: bad input, with the reason on stderr."""
-    given = parser().parse_args(_values_joined(sys.argv[1:] if arguments is None else arguments))
-    out = Output(given.output)
-    try:
-        if getattr(given, "fragment", False) and given.format != "latex":
-            raise ValuesError(f"--fragment is for LaTeX, --format is {given.format}: add --format latex")
-        return int(import_module(f".{given.verb}", __package__).run(given, out))     # SymPy is loaded after the arguments are understood
-    except GyrostatError as error:
-        print(f"gyrostat: {error}", file=sys.stderr)
-        return 2
-    except BrokenPipeError:                            # the reader has seen enough, as in gyrostat report | head
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
-    except OSError as error:
-        print(f"gyrostat: cannot write {given.output or 'to standard output'}: {error.strerror}", file=sys.stderr)
-        return 2
-    finally:
-        out.close()
+    """Run the command line, of this process where no arguments are given.
+
+    Returns
+    -------
+    int      0: done, 1: a published formula is not as expected, 2: bad input, with the reason on stderr; 130: Ctrl-C, 143: SIGTERM
+
+    The limit of --timeout needs processes of its own. A verb that is called from Python runs in the calling process, without a limit;
+    the lines of a batch have theirs.
+    """
+    own = arguments is None
+    with standard_streams() if own else nullcontext(), signals() if own else nullcontext():
+        try:
+            given = parser().parse_args(_values_joined(sys.argv[1:] if arguments is None else arguments))
+            return carried_out(given, own)
+        except KeyboardInterrupt as error:             # before there was anything to keep
+            told("interrupted, nothing was done")
+            return getattr(error, "status", 130)

@@ -1,41 +1,98 @@
 """Where a verb writes its results: standard output, or a file of a kind that is that of its name."""
+import errno
+import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager, suppress
+from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, TextIO
 
+from .. import progress
 from ..errors import ValuesError, optional
+from ..files import written
 
 PICTURES, FILMS = (".png", ".pdf", ".svg"), (".gif", ".mp4")
 EXTRAS = dict.fromkeys((*PICTURES, *FILMS), ("matplotlib", "plot")) | {".nc": ("netCDF4", "charts")}
 
 
 class Output:
-    """Standard output, in UTF-8 where its own encoding has no λ; or a file, opened when the first text is there."""
+    """Standard output, or a file that is there when all of it is written."""
 
     def __init__(self, path: str | None):
         self.path = path
         self.file: TextIO | None = None
+        self.stack = ExitStack()
 
-    @property
-    def on_terminal(self) -> bool:
-        return self.path is None and sys.stdout.isatty()
+    def __enter__(self) -> "Output":
+        return self
+
+    def __exit__(self, *error: Any) -> None:
+        self.stack.__exit__(*error)
 
     def __call__(self, text: str) -> None:
-        """Write the text, at once."""
-        if self.path is not None:
-            self.file = self.file or open(self.path, "w", encoding="utf-8")  # noqa: SIM115 (close closes it)
-            print(text, end="", flush=True, file=self.file)
+        """Write the text; to standard output at once."""
+        if self.path is None:
+            printed(text)
             return
-        try:
-            text.encode(sys.stdout.encoding or "utf-8")
-        except UnicodeEncodeError:
-            sys.stdout.reconfigure(encoding="utf-8")  # type: ignore[union-attr]
-        print(text, end="", flush=True)
+        if self.file is None:
+            new = self.stack.enter_context(written(self.path))
+            self.file = self.stack.enter_context(open(new, "w", encoding="utf-8"))
+        self.file.write(text)
 
-    def close(self) -> None:
-        if self.file:
-            self.file.close()
+
+@contextmanager
+def standard_streams() -> Iterator[None]:
+    """Nothing else gets the number of a closed stream; what a terminal cannot show of a help text is a question mark."""
+    for number in (0, 1, 2):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)             # the lowest number that is free
+    if isinstance(sys.stdout, TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")
+    try:
+        yield
+    finally:
+        try:
+            if sys.stdout is not None:
+                sys.stdout.flush()
+        except OSError as error:                       # of a help text, what a verb writes is flushed at once
+            silenced()
+            if not isinstance(error, BrokenPipeError):
+                told(f"cannot write to standard output: {error.strerror}")
+                sys.exit(2)
+
+
+def on_terminal() -> bool:
+    """Whether standard output is a terminal."""
+    return sys.stdout is not None and sys.stdout.isatty()
+
+
+def printed(text: str) -> None:
+    """Write to standard output at once, in UTF-8 where its own encoding has no λ."""
+    if sys.stdout is None:
+        raise OSError(errno.EBADF, "it is closed")
+    try:
+        text.encode(sys.stdout.encoding or "utf-8")
+    except UnicodeEncodeError:
+        sys.stdout.reconfigure(encoding="utf-8")  # type: ignore[union-attr]
+    progress.taken()
+    print(text, end="", flush=True)
+
+
+def told(text: str) -> None:
+    """A line on standard error, if there is one that can be written."""
+    progress.taken()
+    if sys.stderr is not None:
+        with suppress(OSError, ValueError):
+            print(f"gyrostat: {text}", file=sys.stderr, flush=True)
+
+
+def silenced() -> None:
+    """Nothing more goes to standard output, which cannot be written: not even what is still held back."""
+    with suppress(OSError, ValueError, AttributeError):    # there is none, or it is no file
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def file_of(out: Output, what: str, kinds: Sequence[str], names: str) -> Path:
@@ -53,4 +110,5 @@ def file_of(out: Output, what: str, kinds: Sequence[str], names: str) -> Path:
 
 def save_picture(figure: Any, path: Path) -> None:
     """Write a Matplotlib figure, as large as what is on it."""
-    figure.savefig(path, dpi=200, bbox_inches="tight")
+    with written(path) as new:
+        figure.savefig(new, dpi=200, bbox_inches="tight")

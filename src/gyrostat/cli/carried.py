@@ -1,0 +1,50 @@
+"""A verb carried out: its exit status, and one line on standard error for whatever comes in between."""
+import argparse
+import os
+from importlib import import_module
+
+from ..errors import GyrostatError, ValuesError
+from .output import Output, silenced, told
+from .watch import watched
+
+DEBUG = "GYROSTAT_DEBUG"                               # in the environment: an internal error comes with its traceback
+
+
+def carried_out(given: argparse.Namespace, limited: bool) -> int:
+    """Run the verb, limited to its time in a process of its own; the exit status."""
+    try:
+        with Output(given.output) as out:
+            if getattr(given, "fragment", False) and given.format != "latex":
+                raise ValuesError(f"--fragment is for LaTeX, --format is {given.format}: add --format latex")
+            if limited and given.timeout is not None and getattr(given, "batch", None) is None:
+                watched(given.verb, given.timeout, given.output)
+            return int(import_module(f".{given.verb}", __package__).run(given, out))     # what it needs is loaded here
+    except GyrostatError as error:
+        told(str(error))
+    except BrokenPipeError:                            # the reader has seen enough, as in gyrostat report | head
+        silenced()
+        return 0
+    except OSError as error:
+        silenced()
+        told(f"cannot write {given.output or 'to standard output'}: {error.strerror or error}")
+    except KeyboardInterrupt as error:
+        told(f"interrupted; {getattr(error, 'kept', '') or _kept(given)}")
+        return getattr(error, "status", 130)
+    except MemoryError:
+        told("there is not enough memory for it: ask for less")
+    except Exception as error:
+        if os.environ.get(DEBUG):
+            raise
+        text = " ".join(str(error).split())[:300]
+        told(f"internal error, {type(error).__name__}{': ' * bool(text)}{text}; it is a bug, please report it with what you typed "
+             f"({DEBUG}=1 shows where it is)")
+    return 2
+
+
+def _kept(given: argparse.Namespace) -> str:
+    """What is left of a verb that was interrupted, and how to go on."""
+    if given.output is None:
+        return "nothing is kept, the same command begins anew"
+    if given.output.endswith(".zarr"):
+        return f"{given.output} keeps the blocks that are written, the same command goes on with the others"
+    return f"{given.output} is as it was before, the same command begins anew"

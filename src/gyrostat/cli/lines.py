@@ -1,0 +1,181 @@
+"""The lines of a batch: as they come, what each asks, and where the answers are kept."""
+import argparse
+import contextlib
+import json
+import os
+import stat
+import sys
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, BinaryIO, NoReturn
+
+from sympy import Expr
+
+from ..errors import GyrostatError, ValuesError
+from ..expressions import exact_number
+from ..files import moved, replaceable
+from .output import printed
+from .scenes import LABELS, one_spin
+
+SPINS = {"pi3_0", "omega3_0"}
+READ, LONGEST_LINE = 2**16, 10**6                      # bytes that are read at a time; of a line
+Numbered = tuple[int, bytes]
+
+
+@contextlib.contextmanager
+def opened(path: str, output: str | None) -> Iterator[BinaryIO]:
+    """The lines, of a file or of standard input."""
+    if path == "-":
+        if sys.stdin is None:
+            raise ValuesError("--batch - reads standard input, which is closed: give a file")
+        yield sys.stdin.buffer
+        return
+    if output is not None and os.path.exists(path) and os.path.exists(output) and os.path.samefile(path, output):
+        raise ValuesError(f"--batch and --output are the same file, {path}: write to another one")
+    with contextlib.ExitStack() as stack:
+        try:
+            file = stack.enter_context(open(path, "rb"))
+        except OSError as error:
+            raise ValuesError(f"cannot read {path}: {error.strerror}") from None
+        yield file
+
+
+def size_of(file: BinaryIO) -> int | None:
+    """The bytes of a file, None of what has no end that is known."""
+    try:
+        details = os.fstat(file.fileno())
+    except (OSError, ValueError):                      # no file of the system
+        return None
+    return details.st_size if stat.S_ISREG(details.st_mode) else None
+
+
+def numbered(file: Any) -> Iterator[list[Numbered]]:
+    """The lines with their numbers, from 1 on, as many at a time as there are without waiting; of one too long its beginning."""
+    n, parts, length = 1, list[bytes](), 0
+    while data := _read(file):
+        first, *rest = data.split(b"\n")
+        parts, length = [*parts, first[:LONGEST_LINE + 1 - length]] if length <= LONGEST_LINE else parts, length + len(first)
+        if not rest:
+            continue
+        whole = [b"".join(parts), *rest[:-1]]
+        parts, length = [rest[-1]], len(rest[-1])
+        yield list(enumerate(whole, n))
+        n += len(whole)
+    if length:
+        yield [(n, b"".join(parts))]
+
+
+def _read(file: Any) -> bytes:
+    try:
+        return bytes(file.read1(READ))
+    except OSError as error:
+        raise ValuesError(f"cannot read --batch: {error.strerror}") from None
+
+
+def question(line: bytes, given: argparse.Namespace, defaults: Mapping[str, Expr]) -> tuple[str | None, str | None, dict[str, Expr]]:
+    """Potential, equilibrium and numbers of a line."""
+    own = _object(line)
+    potential, label = own.pop("potential", given.potential), own.pop("equilibrium", given.equilibrium)
+    if not isinstance(potential, str | None) or not isinstance(label, str | None) or label not in (None, *LABELS):
+        raise ValuesError(f"potential = {_short(potential)}, equilibrium = {_short(label)}: a potential is a text in the grammar of "
+                          f"--potential, an equilibrium one of {', '.join(LABELS)}")
+    if wrong := [name for name in own if not name.isidentifier()]:
+        raise ValuesError(f"{_short(wrong[0])} is not a name: write {{\"I1\": 1.6}}")
+    numbers = {name: exact_number(value, name) for name, value in own.items()}
+    one_spin(numbers)
+    kept = {name: x for name, x in defaults.items() if not (name in SPINS and SPINS & numbers.keys())}
+    return potential, label, kept | numbers
+
+
+def _short(value: Any) -> str:
+    """A value as it can stand in a message."""
+    return f"'{_plain(value)}'" if isinstance(value, str) else f"a {type(value).__name__}"
+
+
+def _plain(text: str) -> str:
+    """A text without what a terminal would obey."""
+    text = ascii(text)[1:-1]
+    return text if len(text) <= 60 else text[:60] + "…"
+
+
+def _object(line: bytes) -> dict[str, Any]:
+    """The object of a line, its numbers as the text that they are written as."""
+    if len(line) > LONGEST_LINE:
+        raise ValuesError(f"it is longer than {LONGEST_LINE} bytes: write an object of numbers, {{\"I1\": 1.6}}")
+    try:
+        own = json.loads(line, object_pairs_hook=_once, parse_float=str, parse_int=str, parse_constant=_refused)
+    except GyrostatError:
+        raise
+    except json.JSONDecodeError as error:
+        raise ValuesError(f"it is not JSON: {error.msg} at character {error.pos + 1}; write an object, {{\"I1\": 1.6}}") from None
+    except (UnicodeDecodeError, RecursionError) as error:
+        raise ValuesError(f"it is not JSON: {error}") from None
+    if not isinstance(own, dict):
+        raise ValuesError(f"it is not an object: write {{\"I1\": 1.6}}, not {line[:20].decode(errors='replace').strip()}")
+    return own
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    own = dict(pairs)
+    if len(own) < len(pairs):
+        times = Counter(name for name, _ in pairs)
+        raise ValuesError(f"{_plain(times.most_common(1)[0][0])} is given twice: give it once")
+    return own
+
+
+def _refused(constant: str) -> NoReturn:
+    raise ValuesError(f"{constant} is not a number: give a finite number")
+
+
+class Kept:
+    """Where answers go as they come: standard output, or FILE.part, which takes the place of FILE when all are there.
+
+    Parameters
+    ----------
+    path : str or None      FILE; None for standard output
+    on : bool               whether the answers of an interrupted batch are continued
+    """
+
+    def __init__(self, path: str | None, on: bool):
+        self.path, self.file, self.whole = path, None, True
+        if path is None:
+            return
+        self.place = Path(os.path.realpath(path))
+        self.whole = not replaceable(self.place)       # a pipe takes the lines itself
+        self.part = self.place if self.whole else self.place.with_name(f"{self.place.name}.part")
+        self.file = open(self.part, "ab" if on and not self.whole else "wb")  # noqa: SIM115 (ended closes it)
+        self.length = self.file.tell() if not self.whole else 0
+
+    def __call__(self, lines: Sequence[str]) -> None:
+        """Keep whole lines, at once."""
+        text = "".join(f"{line}\n" for line in lines)
+        if self.file is None:
+            printed(text)
+            return
+        try:
+            self.file.write(text.encode())
+            self.file.flush()
+        except OSError:
+            self._cut()
+            raise
+        self.length += len(text.encode())
+
+    def ended(self) -> None:
+        """All lines are there."""
+        if self.file is not None:
+            self.file.close()
+            if not self.whole:
+                moved(self.part, self.place)
+
+    def until(self, last: int) -> str:
+        """What is kept of a batch that is ended after a line, and how to go on."""
+        if not last:
+            return "no line was answered"
+        where = "written" if self.whole else f"in {self.path}.part"
+        return f"the answers up to line {last} are {where}; the same command with --from {last + 1} goes on"
+
+    def _cut(self) -> None:
+        """Nothing after the last whole line."""
+        with contextlib.suppress(OSError):
+            os.ftruncate(self.file.fileno(), self.length)
