@@ -26,7 +26,7 @@ def run(capsys, *arguments):
 
 
 def rows(text):
-    return [line.split(",") for line in text.splitlines()]
+    return [line.split(",") for line in text.splitlines() if not line.startswith("#")]
 
 
 @pytest.fixture(scope="module")
@@ -47,9 +47,9 @@ def test_the_table_is_the_motion(capsys, scene):
     status, out, err = run(capsys, *TOP, "--until", "30")
     top, (header, *lines) = the_top(scene), rows(out)
     found = np.array(lines, dtype=float)
-    assert status == 0 and header == ["time", "pi1", "pi2", "pi3", "k1", "k2", "k3"] and len(found) == 201
+    assert status == 0 and header[:7] == ["time", "pi1", "pi2", "pi3", "k1", "k2", "k3"] and len(found) == 201
     assert found[:, 0].tolist() == [3 * n / 20 for n in range(201)]
-    np.testing.assert_array_equal(found[:, 1:], top(found[:, 0]))
+    np.testing.assert_array_equal(found[:, 1:7], top(found[:, 0]))
     known = dict(line.split(maxsplit=1) for line in err.splitlines())
     assert known["route"] == "elliptic" and float(known["period"]) == top.period
     assert known["precession"] == f"{top.precession} in a period" and float(known["error"].split(",")[0]) < 1e-13
@@ -87,7 +87,7 @@ def test_files_of_numbers(capsys, tmp_path):
     status, out, err = run(capsys, *FREE, "--until", "9", "--count", "120", "--output", str(tmp_path / "box.csv"))
     assert status == 0 and out == "" and err.startswith("route       free gyrostat\n")
     found = np.array(rows((tmp_path / "box.csv").read_text())[1:], dtype=float)
-    np.testing.assert_array_equal(found[:, 1:], box(found[:, 0]))
+    np.testing.assert_array_equal(found[:, 1:4], box(found[:, 0]))
     assert run(capsys, *FREE, "--until", "9", "--count", "120", "--output", str(tmp_path / "box.nc"))[0] == 0
     with xr.open_dataset(tmp_path / "box.nc") as data:
         xr.testing.assert_identical(data.load(), box.to_xarray(found[:, 0]))
@@ -113,7 +113,7 @@ def test_a_general_body_is_integrated(capsys, tmp_path, monkeypatch):
     status, out, err = run(capsys, *given)
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, "0.1", "1/2")), gs.general_potential(lambda x, y, z: z - x * y))
     found, wanted = np.array(rows(out)[1:], dtype=float), motion(scene, ("0.1", 0, 5, 0, 0, 1))
-    np.testing.assert_array_equal(found[:, 1:], wanted(found[:, 0]))
+    np.testing.assert_array_equal(found[:, 1:7], wanted(found[:, 0]))
     assert status == 0 and "period" not in err and "route       DOP853" in err
     assert "motion       [" in err and "] 4/4" in err and " \rroute" in err
     assert run(capsys, *given, "--output", str(tmp_path / "body.nc"))[0] == 0

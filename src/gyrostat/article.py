@@ -17,8 +17,9 @@ and E2, and of an even power at E3: $-c_n > 0$ is stable, $-c_n < 0$ unstable; o
 LINE, NARROW = 440.0, 315.0                                # points: a line of a document, of a fragment
 
 
-def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (), fragment: bool = False) -> str:
-    """An article with the scene of the first report, every report, and the decisions that go with them.
+def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (), fragment: bool = False,
+             after: Sequence[Block] = ()) -> str:
+    """An article with the scene of the first report, every report, the decisions that go with them, and what comes after.
 
     A fragment has no preamble, fits a column of 12 cm, and names its references in comments.
     """
@@ -26,6 +27,7 @@ def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (
     blocks = scene_blocks(given[0].equilibrium.system)
     for report, decision in zip(given, list(decisions) or [None] * len(given)):
         blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
+    blocks += after
     return article("Stability of the relative equilibria of a gyrostat", blocks, fragment)
 
 
@@ -40,8 +42,8 @@ def article(title: str, blocks: Sequence[Block], fragment: bool = False) -> str:
     return preamble(title) + body + "\n" + references + "\\end{document}\n"
 
 
-def conditions_table(reports: Iterable[Report], fragment: bool = False) -> str:
-    """Where each equilibrium exists, its necessary and its sufficient condition, as a table."""
+def conditions_table(reports: Iterable[Report], fragment: bool = False, after: Sequence[Block] = ()) -> str:
+    """Where each equilibrium exists, its necessary and its sufficient condition, as a table; below it what comes after."""
     rows = []
     for report in reports:
         eq = report.equilibrium
@@ -54,6 +56,7 @@ def conditions_table(reports: Iterable[Report], fragment: bool = False) -> str:
                        r"\hline", *rows, r"\end{tabular}", ""))
     if "between the two" in table:
         table += _BETWEEN
+    table += "".join(_block(block, NARROW) + "\n" for block in after)
     if fragment:
         return "% needs amsmath and array\n" + table
     return preamble("Conditions for stability", ("array",)) + table + "\\end{document}\n"
@@ -108,7 +111,10 @@ def _inline(formula: str) -> str:
 
 
 def _words(text: str) -> str:
-    """Prose in LaTeX, in ASCII."""
+    """Prose in LaTeX, in ASCII; an expression in it stands as it is typed."""
+    text = text.replace("\\", r"\char92 ").replace("^", r"\char94 ").replace("~", r"\char126 ").replace("…", r"\ldots ")
+    for sign in "_%#$":
+        text = text.replace(sign, rf"\{sign}")
     for sign in ("<", ">", *RELATIONS):
         text = text.replace(f" {sign} ", f" ${RELATIONS.get(sign, sign)}$ ")
     return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}")

@@ -61,6 +61,11 @@ FEW, SEVERAL = 3, 6                                        # rungs shown of a la
 _TITLES = {Verdict.STABLE: "Lyapunov stable", Verdict.UNSTABLE: "unstable", Verdict.UNDECIDED: "undecided"}
 
 
+def prose(text: str) -> Sentence:
+    """A text as it is, whatever is in it, as a sentence."""
+    return Sentence(text.replace("{", "{{").replace("}", "}}") + ("" if text.endswith((".", "…")) else "."))
+
+
 def existence(domain: Expr, at: Any) -> Display:
     """Where a family exists: |x| < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
     if isinstance(domain, Pow) and domain.exp == 2:

@@ -16,7 +16,7 @@ from .exact import sign_of_constant
 from .expressions import exact_number, shown
 from .grids import Array
 from .latex import tex
-from .notation import NOTATION, jet, symbol, typeset
+from .notation import NOTATION, jet, symbol, typeset, units
 from .numeric import compile_margin
 from .presentation import readable
 from .progress import Told
@@ -172,14 +172,8 @@ def coordinate_attributes(name: str, eq: Equilibrium) -> dict[str, str]:
     """Meaning, units and LaTeX of a parameter."""
     entry, derivative = NOTATION.get(name), jet(name)
     meaning = entry.meaning if entry else f"derivative {name} of U" if derivative else f"parameter {name}"
-    unit = {"units": _units(*((1, 2, 0) if derivative or not entry else (*entry.dimension, entry.length)))} if derivative or entry else {}
+    unit = {"units": units(*((1, 2, 0) if derivative or not entry else (*entry.dimension, entry.length)))} if derivative or entry else {}
     return {"long_name": meaning, "latex": typeset(name, eq.at)} | unit
-
-
-def _units(energy: int, rate: int, length: int) -> str:
-    """[M L²]ᵃ [T]⁻ᵇ [L]ᶜ in SI."""
-    powers = (("kg", energy), ("m", 2 * energy + length), ("s", -rate))
-    return " ".join(unit if power == 1 else f"{unit}{power}" for unit, power in powers if power) or "1"
 
 
 def _attributes(eq: Equilibrium) -> dict[str, str]:

@@ -7,11 +7,11 @@ import numpy as np
 from flint import arb
 from sympy import Add, Expr
 
+from .columns import columns, euler
 from .errors import ValuesError, optional
 from .exact import ball
 from .expressions import exact_number
 from .grids import Array
-from .notation import NOTATION
 from .numeric import in_floats
 from .system import System
 
@@ -44,7 +44,10 @@ class Motion:
 
     def __call__(self, t: Any) -> Array:
         if self._digits is None:
-            return np.asarray(self._route.state(_times(t)))
+            times = _times(t)
+            states = np.array(self._route.state(times))
+            states[times == 0] = [float(x) for x in self.state]        # as they were given
+            return states
         times = np.asarray(t, dtype=object)
         found = np.empty((*times.shape, len(self.state)), dtype=object)
         for place in np.ndindex(times.shape):
@@ -71,11 +74,7 @@ class Motion:
         >>> top.angles(0.0).round(6)
         array([0.      , 0.643501, 0.      ])
         """
-        R = self.attitude(t)
-        across = np.hypot(R[..., 2, 0], R[..., 2, 1])
-        phi = np.where(across == 0, np.arctan2(R[..., 1, 0], R[..., 0, 0]), np.arctan2(R[..., 0, 2], -R[..., 1, 2]))
-        psi = np.where(across == 0, 0.0, np.arctan2(R[..., 2, 0], R[..., 2, 1]))
-        return np.stack([phi, np.arctan2(across, R[..., 2, 2]), psi], axis=-1)
+        return euler(self.attitude(t))
 
     @property
     def route(self) -> str:
@@ -160,30 +159,49 @@ class Motion:
         return found
 
     def to_xarray(self, t: Any) -> Any:
-        """The states as an xarray.Dataset: one variable for each coordinate over the times, the rest as attributes.
+        """The motion as an xarray.Dataset: state, ω, quaternion and Euler's angles over the times, with units; the rest as attributes.
 
         Raises
         ------
         MissingExtraError      pip install "gyrostat[charts]"
         """
-        xarray = optional("xarray", "charts")
+        optional("xarray", "charts")
         times = _times(t)
         if times.ndim != 1:
             raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
-        x = np.asarray(self(t), dtype=float)
-        variables = {s.name: ("time", x[:, i], {"latex": NOTATION[s.name].latex, "long_name": NOTATION[s.name].meaning})
-                     for i, s in enumerate(self.scene.space.coordinates)}
-        gained = {name: getattr(self._route, name, None) for name in ("period", "precession", "spin")}
-        facts = {"route": self.route, **gained, "energy": self.energy, "error": self.error, "nodes": self.nodes}
-        numbers = {"inertia": self.scene.body.inertia, "gyrostatic_momentum": self.scene.body.gyrostatic_momentum, "state": self.state,
-                   "potential": self.scene.potential.expression if self.scene.potential else "none"}
-        kept = {name: value for name, value in facts.items() if value is not None} | {name: str(value) for name, value in numbers.items()}
-        return xarray.Dataset(variables, {"time": times}, kept)
+        return dataset(self, times, np.asarray(self(t), dtype=float), turns_of(self, times))
 
     def _shown(self, x: arb) -> mpmath.mpf:
         mantissa, exponent = map(int, x.mid().man_exp())
         with mpmath.workdps(self._digits):
             return +mpmath.mpf((mantissa, exponent))
+
+
+def turns_of(motion: Motion, times: Array) -> Array | None:
+    """The attitude, None where there is no vertical."""
+    try:
+        return motion.attitude(times)
+    except ValuesError:
+        return None
+
+
+def facts(motion: Motion) -> dict[str, Any]:
+    """What is known of a motion, and the numbers that it is of, exact, as texts."""
+    from . import __version__
+    gained = {name: getattr(motion._route, name, None) for name in ("period", "precession", "spin")}
+    known = {"route": motion.route, **gained, "energy": motion.energy, "error": motion.error, "nodes": motion.nodes}
+    body, potential = motion.scene.body, motion.scene.potential
+    numbers = {"inertia": body.inertia, "gyrostatic_momentum": body.gyrostatic_momentum, "state": motion.state,
+               "potential": potential.expression if potential else "none", "gyrostat_version": __version__}
+    return {name: value for name, value in known.items() if value is not None} | {name: str(value) for name, value in numbers.items()}
+
+
+def dataset(motion: Motion, times: Array, states: Array, turns: Array | None) -> Any:
+    """The xarray.Dataset of what was computed."""
+    variables = {c.name: ("time", c.values, {"units": c.units, "latex": c.latex, "long_name": c.meaning})
+                 for c in columns(motion.scene, states, turns)}
+    time = "time", times, {"units": "s", "long_name": "time from the state given"}
+    return optional("xarray", "charts").Dataset(variables, {"time": time}, facts(motion))
 
 
 def bits_of(digits: int) -> int:

@@ -22,6 +22,12 @@ class Entry:
     length: int = 0
 
 
+def units(energy: int, rate: int, length: int) -> str:
+    """[M L²]ᵃ [T]⁻ᵇ [L]ᶜ in SI, such as kg m2 s-1; 1 for a pure number."""
+    powers = (("kg", energy), ("m", 2 * energy + length), ("s", -rate))
+    return " ".join(unit if power == 1 else f"{unit}{power}" for unit, power in powers if power) or "1"
+
+
 _JET = re.compile(r"d(\d*)U(?:_([123]+))?")
 
 

@@ -68,9 +68,10 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
         return Solution(name, (_along_tilts(report, name, numbers),))
     if eq.eliminated and (eq.eliminated == name or symbol(eq.eliminated) in numbers):
         if left:
-            leave = f", or leave out {eq.eliminated}" if eq.eliminated != name else ""
+            needed = ", ".join(n for n in left if n != "k3" or eq.eliminated != name)
+            leave = f", or leave out {eq.eliminated}" if eq.eliminated != name else "; k3 may stay open" * ("k3" in left)
             raise ScopeError(f"{eq.label} ties {eq.eliminated} to the other names: {name} is not solved for while {', '.join(left)} are "
-                             f"open; give numbers for them{leave}")
+                             f"open; give {'a number' if ',' not in needed else 'numbers'} for {needed}{leave}")
         if (parts := _where_tied(report, name, numbers)) is not None:
             return Solution(name, parts)
     try:

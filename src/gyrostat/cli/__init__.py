@@ -109,8 +109,8 @@ def parser() -> argparse.ArgumentParser:
                         "equilibrium that the numbers allow")
     decide.add_argument("--batch", metavar="FILE", help="an object of numbers in each line, - for standard input; --set gives numbers for "
                         "all lines")
-    decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start", help="the line of the batch to begin with, to go on after "
-                        "an interruption; left out: 1")
+    decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start", help="the line of the batch to begin with, to go on "
+                        "after an interruption; left out: 1")
     chart.add_argument("--equilibrium", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; left out for a free body")
     for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"), ("--y", "the vertical axis")):
         chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
@@ -191,8 +191,8 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
 
 
 def _timeout(verb: argparse.ArgumentParser, default: float | None) -> None:
-    verb.add_argument("--timeout", type=_seconds, default=default, metavar="SECONDS", help="the verb is ended when it has taken so long, of "
-                      f"a batch the line; none: never; left out: {'none' if default is None else f'{default:g}'}")
+    verb.add_argument("--timeout", type=_seconds, default=default, metavar="SECONDS", help="the verb is ended when it has taken so long, "
+                      f"of a batch the line; none: never; left out: {'none' if default is None else f'{default:g}'}")
 
 
 def _line(text: str) -> int:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..charts import stability_chart
 from ..errors import ValuesError
+from ..files import save_netcdf
 from .output import PICTURES, Output, file_of, save_picture
 from .scenes import axis_of, numbers_of, one_spin, report_for
 
@@ -35,7 +36,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if path.suffix in PICTURES:
         _draw(chart, path)
     elif store is None:
-        chart.to_netcdf(path, engine="netcdf4", encoding={"verdict": {"zlib": True, "complevel": 1}})
+        save_netcdf(chart, path, encoding={"verdict": {"zlib": True, "complevel": 1}})
     return 0
 
 

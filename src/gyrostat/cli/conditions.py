@@ -1,13 +1,12 @@
 """gyrostat conditions: where each equilibrium exists, its two conditions, and what decides between them."""
 import argparse
-import json
 
 from ..blocks import Block, Heading, boundary_blocks, criterion_blocks, existence
 from ..stability import Report
 from ..stabilizing import inserted
-from .data import conditions_data
+from .data import conditions_data, json_text
 from .output import Output
-from .scenes import known_names, labels_of, numbers_of, reports_of, scene_of
+from .scenes import known_names, labels_of, numbers_of, of_each, reports_of, scene_of
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
@@ -16,18 +15,21 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.solve_for:
         from .solving import run as solve
         return solve(given, labels_of(scene, given.equilibrium), numbers, out)
-    reports = reports_of(given.potential, labels_of(scene, given.equilibrium), numbers)
+    reports, missing = reports_of(given.potential, labels_of(scene, given.equilibrium), numbers)
     if numbers:
         known_names(reports, numbers)
-        reports = [inserted(report, numbers) for report in reports]
+        by_label = {report.equilibrium.label: report for report in reports}
+        reports, without = of_each(list(by_label), lambda label: [inserted(by_label[label], numbers)])
+        missing = missing + without
+    after = [block for m in missing for block in m.blocks()]
     if given.format == "json":
-        out(json.dumps({"equilibria": [conditions_data(report) for report in reports]}, indent=2, ensure_ascii=False) + "\n")
+        out(json_text({"equilibria": [conditions_data(report) for report in reports] + [m.data() for m in missing]}))
     elif given.format == "latex":
         from ..article import conditions_table
-        out(conditions_table(reports, given.fragment))
+        out(conditions_table(reports, given.fragment, after))
     else:
         from ..unicode import text
-        out(text([block for report in reports for block in conditions_blocks(report)]))
+        out(text([block for report in reports for block in conditions_blocks(report)] + after))
     return 0
 
 

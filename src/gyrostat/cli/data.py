@@ -1,4 +1,6 @@
 """Scenes, reports and decisions as data for JSON: expressions are strings in the grammar of the command line."""
+import json
+import math
 from functools import lru_cache
 from typing import Any
 
@@ -78,7 +80,18 @@ def _text(margin: Expr) -> str:
 
 def number_data(number: Expr | None) -> dict[str, Any] | None:
     """A number exactly and as a decimal, None for none."""
-    return None if number is None else {"exact": str(number), "decimal": float(number.evalf(17))}
+    return None if number is None else {"exact": str(number), "decimal": double(number)}
+
+
+def double(number: Expr) -> float | None:
+    """The double next to a number, None where none is: JSON has no infinity."""
+    value = float(number.evalf(17))
+    return value if math.isfinite(value) else None
+
+
+def json_text(data: Any) -> str:
+    """JSON that every reader reads: without NaN or Infinity."""
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def strings(expressions: Any) -> list[str]:

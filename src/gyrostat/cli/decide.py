@@ -1,7 +1,6 @@
 """gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
 import argparse
-import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,9 +12,23 @@ from ..errors import ValuesError
 from ..exact import sign_of_constant
 from ..notation import symbol
 from ..stability import Decision, Report
-from .data import decision_data, number_data
+from .data import decision_data, double, json_text, number_data
 from .output import Output
-from .scenes import AT_REST, AXIS, LABELS, enough, its_own, known_names, labels_of, numbers_of, report_of, scene_of, spin_of
+from .scenes import (
+    AT_REST,
+    AXIS,
+    LABELS,
+    Missing,
+    enough,
+    its_own,
+    known_names,
+    labels_of,
+    numbers_of,
+    of_each,
+    report_of,
+    scene_of,
+    spin_of,
+)
 
 MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})     # with these numbers of the motion all are found
 _NOWHERE = "No such relative equilibrium exists at these numbers."
@@ -39,15 +52,15 @@ def run(given: argparse.Namespace, out: Output) -> int:
         return each(given, out)
     answers = answers_at(given.potential, given.equilibrium, numbers_of(given.values))
     if given.format == "json":
-        out(json.dumps(answers_data(answers), indent=2, ensure_ascii=False) + "\n")
+        out(json_text(answers_data(answers)))
     else:
         from ..unicode import text
-        out(text([block for answer in answers for block in _blocks(answer)] or [Sentence(_NOWHERE)]))
+        out(text([block for a in answers for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))] or [Sentence(_NOWHERE)]))
     return 0
 
 
-def answers_at(potential: str | None, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer]:
-    """The equilibrium of that label, or all that the numbers allow."""
+def answers_at(potential: str | None, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
+    """The equilibrium of that label, or all that the numbers allow; of one that does not exist in this field, why."""
     scene = scene_of(potential)
     if label is None and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys():
         raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and pi3_0; or name the --equilibrium")
@@ -56,9 +69,11 @@ def answers_at(potential: str | None, label: str | None, numbers: Mapping[str, E
     if axis == AXIS or label in ("E1", "E2"):
         return [_answer(report_of(potential, axis, spin_of(numbers)), numbers)]
     if label is None and not (given and _level(numbers).keys() & set().union(*MOTION) in MOTION):
-        reports = [report_of(potential, name, spin_of(numbers)) for name in LABELS]
+        reports, missing = of_each(LABELS, lambda name: [report_of(potential, name, spin_of(numbers))])
         known_names(reports, numbers)
-        return [_answer(report, its_own(report, numbers)) for report, decided in zip(reports, enough(reports, numbers)) if decided]
+        asked = {r.equilibrium.label: r for r, decided in zip(reports, enough(reports, numbers)) if decided}
+        answers, without = of_each(list(asked), lambda name: [_answer(asked[name], its_own(asked[name], numbers))])
+        return [*answers, *missing, *without]
     if label is None or given and len({"k3", "omega"} & numbers.keys()) == 1:
         found = relative_equilibria(scene, _level(numbers))
         return [_found(branch) for branch in found if label in (None, branch.label)]
@@ -89,9 +104,9 @@ def _found(branch: Branch) -> Answer:
     return Answer(branch.label, at, branch.decision, branch.itself, place)
 
 
-def answers_data(answers: list[Answer]) -> dict[str, Any]:
+def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
     """The answers as data for JSON."""
-    return {"equilibria": [
+    return {"equilibria": [a.data() if isinstance(a, Missing) else
         {"label": a.label} | {name: number_data(x) for name, x in a.place.items()} | {"decision": decision_data(a.decision)}
         | ({"itself": decision_data(a.itself)} if a.itself else {}) for a in answers]}
 
@@ -108,7 +123,9 @@ def _blocks(answer: Answer) -> list[Block]:
 
 def _value(number: Expr | None) -> Word:
     """A number exactly, and as a decimal where that says more."""
-    text = "any" if number is None else str(number) if number.is_Integer else f"{number} ≈ {float(number.evalf(17)):.10g}"
+    if number is None:
+        return Word("any", "any")
+    text = str(number) if number.is_Integer else f"{number} ≈ {f'{value:.10g}' if (value := double(number)) else number.evalf(10)}"
     return Word(text, text)
 
 

@@ -157,7 +157,8 @@ class Kept:
             self.file.write(text.encode())
             self.file.flush()
         except OSError:
-            self._cut()
+            with contextlib.suppress(OSError):         # nothing after the last whole line
+                os.ftruncate(self.file.fileno(), self.length)
             raise
         self.length += len(text.encode())
 
@@ -174,8 +175,3 @@ class Kept:
             return "no line was answered"
         where = "written" if self.whole else f"in {self.path}.part"
         return f"the answers up to line {last} are {where}; the same command with --from {last + 1} goes on"
-
-    def _cut(self) -> None:
-        """Nothing after the last whole line."""
-        with contextlib.suppress(OSError):
-            os.ftruncate(self.file.fileno(), self.length)

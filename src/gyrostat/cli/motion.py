@@ -13,9 +13,13 @@ import mpmath
 import numpy as np
 from sympy import Add, Expr, Rational, floor, sqrt
 
+from ..columns import columns
 from ..errors import ValuesError, optional
 from ..expressions import exact_number
+from ..files import save_netcdf
 from ..grids import Array
+from ..motions import dataset, facts, turns_of
+from ..notation import NOTATION
 from ..progress import telling
 from ..trajectories import Motion, motion
 from .output import FILMS, PICTURES, Output, file_of, save_picture
@@ -25,6 +29,7 @@ KINDS = "a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .s
 ROWS, POINTS, FRAMES = 201, 2001, 150                  # times of a table, of a curve and of an animation where none are asked for
 PARTS = 50                                             # of the times, between which the progress is shown
 LATEST = 10**300                                       # a time that is a double
+NUMBERS = ("inertia", "gyrostatic_momentum", "potential", "state", "route", "gyrostat_version")     # above a table
 SPACE: dict[str, Any] = {"projection": "3d", "elev": 22, "azim": 40}
 
 
@@ -35,6 +40,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if digits is not None and kind != ".csv":
         raise ValuesError(f"--precision {digits} is for a table, {path} holds doubles: leave it out, or write a .csv")
     times = times_of(given, {**dict.fromkeys(PICTURES, POINTS), **dict.fromkeys(FILMS, FRAMES)}.get(kind, ROWS))
+    if kind == ".nc":
+        optional("xarray", "charts")                    # before anything is computed
     moving = motion_of(given)
     if path is None or kind == ".csv":
         drift = _table(moving, times, out, digits)
@@ -100,25 +107,42 @@ def _followed(moving: Motion, times: Array, at: Callable[[Array], Any], exact: b
 
 
 def _table(moving: Motion, times: Array, out: Output, digits: int | None) -> dict[str, float]:
-    """Comma-separated: doubles that are read back as they are, or all digits."""
+    """Comma-separated, after a # what is known of it: doubles that are read back as they are, or all digits of the state."""
     if digits is None:
-        parts, drift = _followed(moving, times, moving)
+        states, turns, drift = _computed(moving, times)
+        found = columns(moving.scene, states, turns)
+        names, rows = [c.name for c in found], np.stack([c.values for c in found], axis=1)
+        meaning = [f"{c.name} [{c.units}]: {c.meaning}" for c in found]
         write: Callable[[Any], str] = repr
     else:
         parts, drift = _followed(moving, times, lambda part: moving([Fraction(t) for t in part]), exact=True)
+        names, rows = [str(s) for s in moving.scene.space.coordinates], np.concatenate(parts)
+        meaning = [f"{name}: {NOTATION[name].meaning}" for name in names]
         write = partial(mpmath.nstr, n=digits)
-    out(",".join(["time", *map(str, moving.scene.space.coordinates)]) + "\n")
-    for at, states in zip(np.array_split(times, len(parts)), parts):
-        out("".join(",".join([str(t), *map(write, row)]) + "\n" for t, row in zip(at.tolist(), states.tolist())))
+    out(_head(moving, meaning, digits) + ",".join(["time", *names]) + "\n")
+    for at, values in zip(*(np.array_split(array, min(len(times), PARTS)) for array in (times, rows))):
+        out("".join(",".join([str(t), *map(write, row)]) + "\n" for t, row in zip(at.tolist(), values.tolist())))
     return drift
+
+
+def _head(moving: Motion, meaning: list[str], digits: int | None) -> str:
+    """The numbers that a table is of, and what its columns mean, each line after a #."""
+    known = [f"{name} = {value}" for name, value in facts(moving).items()
+             if name in NUMBERS or name == "error" and digits is None]     # the error is that of the doubles
+    return "".join(f"# {line}\n" for line in [*known, "time [s]: from the state given", *meaning])
+
+
+def _computed(moving: Motion, times: Array) -> tuple[Array, Array | None, dict[str, float]]:
+    """States, attitudes and the largest drifts, part by part."""
+    parts, drift = _followed(moving, times, lambda part: (moving(part), turns_of(moving, part)))
+    states, turns = zip(*parts)
+    return np.concatenate(states), None if turns[0] is None else np.concatenate(turns), drift
 
 
 def _data(moving: Motion, times: Array, path: Path) -> dict[str, float]:
     """netCDF."""
-    xarray = optional("xarray", "charts")
-    parts, drift = _followed(moving, times, moving.to_xarray)
-    whole = xarray.concat(parts, "time", data_vars="minimal", coords="minimal", compat="override", join="override")
-    whole.assign_attrs(parts[-1].attrs).to_netcdf(path, engine="netcdf4")      # the error grows with the time
+    states, turns, drift = _computed(moving, times)
+    save_netcdf(dataset(moving, times, states, turns), path)
     return drift
 
 
@@ -127,7 +151,7 @@ def _picture(moving: Motion, times: Array, path: Path) -> dict[str, float]:
     from matplotlib.figure import Figure
 
     from ..plotting import draw_nutation
-    states, drift = moving(times), moving.drift(times)
+    states, _, drift = _computed(moving, times)
     figure = Figure(figsize=(9.5, 4.4))
     left, right = np.asarray(figure.subfigures(1, 2))
     sphere = left.add_subplot(**SPACE)

@@ -37,7 +37,7 @@ class Output:
             return
         if self.file is None:
             new = self.stack.enter_context(written(self.path))
-            self.file = self.stack.enter_context(open(new, "w", encoding="utf-8"))
+            self.file = self.stack.enter_context(open(new, "w", encoding="utf-8"))  # noqa: SIM115
         self.file.write(text)
 
 

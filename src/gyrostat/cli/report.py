@@ -1,35 +1,37 @@
 """gyrostat report: the derivation as text, LaTeX or JSON."""
 import argparse
-import json
 
 from ..blocks import Block, decision_blocks
 from ..document import report_blocks, scene_blocks
 from ..stability import Decision
-from .data import decision_data, report_data, scene_data
+from .data import decision_data, json_text, report_data, scene_data
 from .output import Output
-from .scenes import enough, its_own, known_names, labels_of, numbers_of, reports_of, scene_of
+from .scenes import enough, its_own, known_names, labels_of, numbers_of, of_each, reports_of, scene_of
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the report; 0."""
     numbers, scene = numbers_of(given.values), scene_of(given.potential)
-    reports = reports_of(given.potential, labels_of(scene, given.equilibrium), numbers)
+    reports, missing = reports_of(given.potential, labels_of(scene, given.equilibrium), numbers)
     decisions: list[Decision | None] = [None for _ in reports]
     if numbers:
         known_names(reports, numbers)
-        decisions = [report.verdict(its_own(report, numbers)) if decided else None
-                     for report, decided in zip(reports, enough(reports, numbers))]
+        asked = {report.equilibrium.label: report for report, decided in zip(reports, enough(reports, numbers)) if decided}
+        found, undecided = of_each(list(asked), lambda label: [(label, asked[label].verdict(its_own(asked[label], numbers)))])
+        decisions = [dict(found).get(report.equilibrium.label) for report in reports]
+        missing = missing + undecided
+    after = [block for m in missing for block in m.blocks()]
     if given.format == "json":
         equilibria = [report_data(report) | ({"decision": decision_data(decision)} if decision else {})
                       for report, decision in zip(reports, decisions)]
-        out(json.dumps(scene_data(scene) | {"equilibria": equilibria}, indent=2, ensure_ascii=False) + "\n")
+        out(json_text(scene_data(scene) | {"equilibria": equilibria + [m.data() for m in missing]}))
     elif given.format == "latex":
         from ..article import document
-        out(document(reports, decisions, given.fragment))
+        out(document(reports, decisions, given.fragment, after))
     else:
         from ..unicode import text
         blocks: list[Block] = scene_blocks(scene)
         for report, decision in zip(reports, decisions):
             blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
-        out(text(blocks))
+        out(text(blocks + after))
     return 0

@@ -1,12 +1,15 @@
 """What the options name: exact numbers, a scene, its equilibria and their reports."""
 import contextlib
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeVar
 
 from sympy import Expr
 
+from ..blocks import Block, Heading, prose
 from ..body import Gyrostat, symmetric_gyrostat
-from ..errors import EquilibriumError, ValuesError
+from ..errors import EquilibriumError, GyrostatError, ValuesError
 from ..expressions import exact_number, parse
 from ..families import hanging, inclined, principal_rotation, static_tilt, upright
 from ..notation import jet, symbol
@@ -20,6 +23,7 @@ ROTOR = ("l1", "l2", "l3")
 LONGEST = 10**7                                        # values of an axis, rows of a table
 AXIS = "rotation about axis 3"
 AT_REST = "E3 at rest"
+Found = TypeVar("Found")
 _FAMILIES = {"E1": upright, "E2": hanging}
 
 
@@ -107,12 +111,42 @@ def report_of(potential: str | None, label: str, spin: str = "pi3_0") -> Report:
     return analyze(static_tilt(scene) if label == AT_REST else inclined(scene))
 
 
-def reports_of(potential: str | None, labels: Sequence[str], numbers: Mapping[str, Expr]) -> list[Report]:
-    """The reports of several equilibria, as the numbers ask for them."""
-    found = []
+@dataclass(frozen=True)
+class Missing:
+    """An equilibrium of which nothing can be said, and why."""
+
+    label: str
+    why: str
+
+    def blocks(self) -> list[Block]:
+        """A heading and a sentence."""
+        return [Heading(self.label), prose(f"{'' if self.why.startswith(self.label) else 'Not answered: '}{self.why}")]
+
+    def data(self) -> dict[str, str]:
+        """For JSON."""
+        return {"label": self.label, "error": self.why}
+
+
+def of_each(labels: Sequence[str], make: Callable[[str], list[Found]]) -> tuple[list[Found], list[Missing]]:
+    """What there is of each equilibrium, and why there is nothing of the others; the reasons raised where there is nothing of any."""
+    found, missing, errors = list[Found](), list[Missing](), list[GyrostatError]()
     for label in labels:
-        found += _tilted(potential, numbers) if label == "E3" else [report_of(potential, label, spin_of(numbers))]
-    return found
+        try:
+            found += make(label)
+        except GyrostatError as error:
+            missing.append(Missing(label, str(error)))
+            errors.append(error)
+    if found or not errors:
+        return found, missing
+    if len(reasons := list(dict.fromkeys(m.why for m in missing))) == 1:
+        raise errors[0]
+    raise ValuesError("; ".join(reasons))
+
+
+def reports_of(potential: str | None, labels: Sequence[str], numbers: Mapping[str, Expr]) -> tuple[list[Report], list[Missing]]:
+    """The reports of several equilibria, as the numbers ask for them, and why there is none of the others."""
+    return of_each(labels, lambda label: _tilted(potential, numbers) if label == "E3" else [
+        report_of(potential, label, spin_of(numbers))])
 
 
 def report_for(what: str, potential: str | None, equilibrium: str | None, names: Mapping[str, Expr]) -> Report:
@@ -120,7 +154,8 @@ def report_for(what: str, potential: str | None, equilibrium: str | None, names:
     scene = scene_of(potential)
     if scene.potential is not None and equilibrium is None:
         raise ValuesError(f"--equilibrium is missing, a {what} is of one: name E1, E2 or E3")
-    return reports_of(potential, labels_of(scene, equilibrium and [equilibrium]), names)[0]
+    (report, *_), _ = reports_of(potential, labels_of(scene, equilibrium and [equilibrium]), names)
+    return report
 
 
 def _tilted(potential: str | None, numbers: Mapping[str, Expr]) -> list[Report]:

@@ -1,13 +1,12 @@
 """gyrostat conditions --solve-for NAME: the values of one parameter for which an equilibrium exists and is stable."""
 import argparse
 import contextlib
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sympy import Expr
 
-from ..blocks import Block, Display, Heading, Sentence, Word
+from ..blocks import Block, Display, Heading, Sentence
 from ..errors import EquilibriumError, GyrostatError, ScopeError
 from ..families import inclined
 from ..intervals import Interval, Solution
@@ -15,32 +14,23 @@ from ..presentation import readable
 from ..results import result_blocks
 from ..stability import Report, analyze
 from ..stabilizing import stabilizing_set
-from .data import strings
+from .data import json_text, strings
 from .output import Output
-from .scenes import report_of, scene_of, spin_of
+from .scenes import of_each, report_of, scene_of, spin_of
 
 
 def run(given: argparse.Namespace, labels: Sequence[str], numbers: Mapping[str, Expr], out: Output) -> int:
     """Write the sets; 0."""
     spin = "omega3_0" if given.solve_for == "omega3_0" else spin_of(numbers)
-    found, failed = [], []
-    for label in labels:
-        try:
-            found.append((label, *_solved(given.potential, label, spin, given.solve_for, numbers)))
-        except GyrostatError as reason:
-            failed.append((label, reason))
-    if not found:
-        raise failed[0][1]
+    found, missing = of_each(labels, lambda label: [(label, *_solved(given.potential, label, spin, given.solve_for, numbers))])
     if given.format == "json":
-        data = [{"label": label} | solution_data(solution) for label, _, solution in found]
-        data += [{"label": label, "error": str(error)} for label, error in failed]
-        out(json.dumps({"equilibria": data}, indent=2, ensure_ascii=False) + "\n")
+        out(json_text({"equilibria": [{"label": label} | solution_data(solution) for label, _, solution in found]
+                       + [m.data() for m in missing]}))
         return 0
     blocks: list[Block] = []
     for label, report, solution in found:
         blocks += [Heading(label), *_family(report), *result_blocks(solution)]
-    for label, error in failed:
-        blocks += [Heading(label), Sentence("It is not solved for: {}.", (Word(str(error), rf"\text{{{type(error).__name__}}}"),))]
+    blocks += [block for m in missing for block in m.blocks()]
     if given.format == "latex":
         from ..article import article
         out(article(f"Values of {given.solve_for} that stabilise".replace("_", r"\_"), blocks, given.fragment))

@@ -1,9 +1,9 @@
 """gyrostat verify: published formulas checked against what the library derives."""
 import argparse
-import json
 
 from ..progress import Progress
 from ..published import SOURCES, Finding, check, errata, listing
+from .data import json_text
 from .output import Output
 
 
@@ -18,7 +18,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
 
     findings = check(given.sources or SOURCES, shown)
     if given.format == "json":
-        out(json.dumps(listing.to_json(findings), indent=2, ensure_ascii=False) + "\n")
+        out(json_text(listing.to_json(findings)))
     elif given.format == "latex":
         out(errata.latex(findings, given.fragment))
     else:

@@ -1,11 +1,14 @@
 """The body turning, as an animation, and its file."""
+from errno import EIO
 from os import PathLike
 from pathlib import Path
+from subprocess import CalledProcessError
 from typing import Any
 
 import numpy as np
 
 from ..errors import MissingExtraError, ValuesError, optional, require
+from ..files import written
 from ..grids import Array
 from ..trajectories import Motion
 from .globe import FADED, parted, polygons, stage
@@ -92,6 +95,7 @@ def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> 
     ------
     ValuesError            another kind of file
     MissingExtraError      ffmpeg is not there
+    OSError                the file cannot be written; what was there is still there
     """
     optional("matplotlib", "plot")
     from matplotlib.animation import FFMpegWriter, PillowWriter
@@ -100,4 +104,8 @@ def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> 
         raise ValuesError(f"{path} is to be a {kind or 'nameless'} file: animations are written as .gif, or as .mp4")
     if kind == ".mp4" and not FFMpegWriter.isAvailable():
         raise MissingExtraError(f"{path} needs the program ffmpeg, which is not on the search path: install it, or write a .gif")
-    animation.save(path, writer=PillowWriter(fps=fps) if kind == ".gif" else FFMpegWriter(fps=fps))
+    with written(path) as new:
+        try:
+            animation.save(new, writer=PillowWriter(fps=fps) if kind == ".gif" else FFMpegWriter(fps=fps))
+        except CalledProcessError as error:                # what ffmpeg says goes to its own output
+            raise OSError(EIO, f"ffmpeg ended with status {error.returncode}, is the disk full?", str(path)) from None
