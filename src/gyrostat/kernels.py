@@ -1,7 +1,9 @@
 """The work at each point of a block as one loop, compiled by Numba and kept on disk."""
+import atexit
 import hashlib
 import importlib.util
 import os
+import shutil
 import sys
 import tempfile
 import time
@@ -100,4 +102,6 @@ def _folder() -> Path:
         with tempfile.TemporaryFile(dir=folder):
             return folder
     except (OSError, RuntimeError):                    # no home, or none that can be written
-        return Path(tempfile.mkdtemp(prefix="gyrostat-"))
+        folder = Path(tempfile.mkdtemp(prefix="gyrostat-"))
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+        return folder

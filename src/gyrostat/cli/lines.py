@@ -172,6 +172,8 @@ class Kept:
     def until(self, last: int) -> str:
         """What is kept of a batch that is ended after a line, and how to go on."""
         if not last:
+            if self.file is not None and not self.whole and not self.length:
+                self.part.unlink(missing_ok=True)
             return "no line was answered"
         where = "written" if self.whole else f"in {self.path}.part"
         return f"the answers up to line {last} are {where}; the same command with --from {last + 1} goes on"

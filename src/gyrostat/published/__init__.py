@@ -3,6 +3,8 @@ import tomllib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
+from importlib import resources
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +14,7 @@ from .scenes import Scene
 from .statements import KINDS, Counterexample, Doubt, Outcome, Reading, Statement
 
 SOURCES = ("VV2003", "N2025", "EA", "AR", "literature")
-_HERE = Path(__file__).parent
+_HERE = resources.files(__package__)                     # a folder, or part of an archive
 _REQUIRED = ("key", "where", "quantity", "printed", "kind")
 _OPTIONAL: Mapping[str, Any] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str, "constants": list,
                                        "corrected": (str, list)}
@@ -88,9 +90,9 @@ def _own(name: str) -> Source:
     return _read(_HERE / f"{name}.toml", expected[name])
 
 
-def _read(path: Path, expected: Mapping[str, Any] | None) -> Source:
+def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Source:
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+        data = tomllib.loads(path.read_text(encoding="utf-8").removeprefix("\ufeff"))
     except (OSError, UnicodeDecodeError) as error:
         raise PublishedError(f"{path}: cannot be read ({error}): give a text file in UTF-8") from None
     except tomllib.TOMLDecodeError as error:
@@ -126,7 +128,7 @@ def _read(path: Path, expected: Mapping[str, Any] | None) -> Source:
 class _at:
     """Errors with the file and the key they belong to."""
 
-    def __init__(self, path: Path, key: str):
+    def __init__(self, path: Path | Traversable, key: str):
         self.path, self.key = path, key
 
     def __enter__(self) -> None:
@@ -146,7 +148,7 @@ def _texts(value: Any) -> bool:
     return isinstance(value, str)
 
 
-def _statement(path: Path, header: Mapping[str, Any], scenes: Mapping[str, Scene], entry: Mapping[str, Any]) -> Statement:
+def _statement(path: Path | Traversable, header: Mapping[str, Any], scenes: Mapping[str, Scene], entry: Mapping[str, Any]) -> Statement:
     key = entry.get("key", "a formula without a key")
     with _at(path, key):
         if missing := [field for field in _REQUIRED if field not in entry]:
@@ -170,7 +172,8 @@ def _statement(path: Path, header: Mapping[str, Any], scenes: Mapping[str, Scene
 
 def source_of(finding: Finding) -> Source:
     """The source of a finding."""
-    return load(finding.statement.source if Path(finding.statement.file).parent == _HERE else finding.statement.file)
+    own = finding.statement.source in SOURCES and finding.statement.file == str(_HERE / f"{finding.statement.source}.toml")
+    return load(finding.statement.source if own else finding.statement.file)
 
 
 def check(sources: Iterable[str | Path] = SOURCES, progress: Callable[[str, int, int], None] | None = None) -> list[Finding]:
