@@ -6,7 +6,7 @@ import os
 import stat
 import sys
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, BinaryIO, NoReturn
 
@@ -134,33 +134,38 @@ class Kept:
     Parameters
     ----------
     path : str or None      FILE; None for standard output
-    on : bool               whether the answers of an interrupted batch are continued
+    start : int             the first line; after 1 the answers of an interrupted batch are continued
     """
 
-    def __init__(self, path: str | None, on: bool):
-        self.path, self.file, self.whole = path, None, True
+    def __init__(self, path: str | None, start: int):
+        self.path, self.whole, self.last, self.length = path, True, start - 1, 0
+        self.file: BinaryIO | None = None
         if path is None:
             return
         self.place = Path(os.path.realpath(path))
         self.whole = not replaceable(self.place)       # a pipe takes the lines itself
         self.part = self.place if self.whole else self.place.with_name(f"{self.place.name}.part")
-        self.file = open(self.part, "ab" if on and not self.whole else "wb")  # noqa: SIM115 (ended closes it)
-        self.length = self.file.tell() if not self.whole else 0
+        self.file = open(self.part, "ab" if start > 1 and not self.whole else "wb")  # noqa: SIM115 (ended closes it)
+        if not self.whole:
+            self.length = self.file.tell()
 
-    def __call__(self, lines: Sequence[str]) -> None:
-        """Keep whole lines, at once."""
-        text = "".join(f"{line}\n" for line in lines)
+    def __enter__(self) -> "Kept":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self.file is not None:
+            with contextlib.suppress(OSError):         # it was said when it was written
+                self.file.close()
+
+    def __call__(self, n: int, text: str) -> None:
+        """Keep the answer to a line, at once."""
+        data = f"{text}\n".encode()
         if self.file is None:
-            printed(text)
-            return
-        try:
-            self.file.write(text.encode())
+            printed(data.decode())
+        else:
+            self.file.write(data)
             self.file.flush()
-        except OSError:
-            with contextlib.suppress(OSError):         # nothing after the last whole line
-                os.ftruncate(self.file.fileno(), self.length)
-            raise
-        self.length += len(text.encode())
+        self.last, self.length = n, self.length + len(data)
 
     def ended(self) -> None:
         """All lines are there."""
@@ -169,11 +174,14 @@ class Kept:
             if not self.whole:
                 moved(self.part, self.place)
 
-    def until(self, last: int) -> str:
-        """What is kept of a batch that is ended after a line, and how to go on."""
-        if not last:
-            if self.file is not None and not self.whole and not self.length:
+    def until_now(self) -> str:
+        """What is kept of a batch that is ended, whole lines, and how to go on."""
+        if self.file is not None and not self.whole:
+            with contextlib.suppress(OSError):         # what is written, but not yet counted
+                os.ftruncate(self.file.fileno(), self.length)
+            if not self.length:
                 self.part.unlink(missing_ok=True)
+        if not self.last:
             return "no line was answered"
         where = "written" if self.whole else f"in {self.path}.part"
-        return f"the answers up to line {last} are {where}; the same command with --from {last + 1} goes on"
+        return f"the answers up to line {self.last} are {where}; the same command with --from {self.last + 1} goes on"
