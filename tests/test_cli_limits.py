@@ -283,8 +283,7 @@ def test_a_process_whose_parent_was_killed_ends():
                 return
             time.sleep(0.1)
         raise AssertionError("it works on")
-    with pytest.raises(ProcessLookupError):            # the group is empty
-        ended([*ENDLESS, "--set", SLOW, "--timeout", "3"], killed)
+    ended([*ENDLESS, "--set", SLOW, "--timeout", "3"], killed)
 
 
 @pytest.mark.slow
@@ -362,5 +361,4 @@ def test_lines_of_every_kind_of_badness(capfd, monkeypatch, tmp_path):
     found = [json.loads(line, parse_constant=refused) for line in out.splitlines()]
     assert [r["line"] for r in found] == [n for n, line in enumerate(lines, 1) if line.strip()]
     assert all(set(r) in ({"line", "error"}, {"line", "equilibria"}) for r in found) and len(found) > 290
-    assert err.count("\n") == sum("error" in r for r in found) and err.isprintable() == err.replace("\n", "").isprintable()
-    assert not any(c in err for c in "\x00\x1b") and "Traceback" not in err
+    assert err.count("\n") == sum("error" in r for r in found) and err.replace("\n", "").isprintable() and "Traceback" not in err

@@ -82,7 +82,8 @@ def printed(text: str) -> None:
 
 
 def told(text: str) -> None:
-    """A line on standard error, if there is one that can be written."""
+    """A line on standard error, if there is one that can be written, without what a terminal would obey."""
+    text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in " ".join(text.split()))
     progress.taken()
     if sys.stderr is not None:
         with suppress(OSError, ValueError):

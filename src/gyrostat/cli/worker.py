@@ -2,10 +2,12 @@
 import argparse
 import json
 import multiprocessing
+import os
 import signal
 import warnings
 from collections.abc import Iterator, Sequence
 from multiprocessing.connection import Connection
+from select import select
 from typing import Any
 
 from ..errors import GyrostatError, ValuesError
@@ -56,6 +58,13 @@ def serve(connection: Connection, given: argparse.Namespace) -> None:
 def refusal(n: int, why: str) -> Answer:
     """The answer to a line that is not answered."""
     return json.dumps({"line": n, "error": why}), why
+
+
+def _within(connection: Connection, seconds: float | None) -> bool:
+    """Whether something comes within the time; as connection.poll, which makes a selector for each call, where select knows pipes."""
+    if os.name == "nt":
+        return connection.poll(seconds)
+    return bool(select([connection.fileno()], [], [], seconds)[0])
 
 
 class Worker:
@@ -111,7 +120,7 @@ class Worker:
             for n, _ in lines[done:]:
                 done += 1
                 try:
-                    if connection.poll(limit):
+                    if _within(connection, limit):
                         yield connection.recv()
                         continue
                     self.end()
