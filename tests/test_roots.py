@@ -7,7 +7,7 @@ import pytest
 from draw import numbers
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from sympy import CRootOf, I, Integer, Poly, Rational, S, Symbol, cbrt, cos, exp, expand, log, pi, sin, sqrt
+from sympy import CRootOf, I, Integer, Poly, Rational, S, Symbol, atan, cbrt, cos, exp, expand, log, pi, root, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError
@@ -126,9 +126,11 @@ def test_numbers_that_depend_on_each_other():
     for f in (sqrt(3) * x**2 + sqrt(2) * x - sqrt(6), x**3 - sqrt(2) * x**2 - sqrt(3) * x + sqrt(6), sqrt(6) * x**2 - 5 * x + sqrt(3)):
         assert agree(real_roots(f, x), real_zeros(f))
     hidden = sqrt(2) + sqrt(3) - sqrt(5 + 2 * sqrt(6))
+    assert real_roots(hidden * x, x) is None
+    total = sqrt(2) + sqrt(3) + sqrt(5 + 2 * sqrt(6))
     with pytest.raises(ScopeError, match="depend on each other: write them in one root"):
-        real_roots(hidden * x, x)
-    assert real_roots((sqrt(2) + sqrt(3) + sqrt(5 + 2 * sqrt(6))) * x - 1, x)[0].evalf(20) > 0
+        real_roots(total * x - total, x)
+    assert real_roots(total * x - 1, x)[0].evalf(20) > 0
 
 
 def test_identically_zero_is_none():
@@ -153,12 +155,31 @@ def test_zeros_of_the_denominator_are_no_roots():
     assert real_roots(x / (x**3 - x - 1), x) == [0] and real_roots((x**3 - x - 1) / (x**3 - x - 1) ** 2, x) == []
 
 
+@pytest.mark.parametrize(("rotor", "moment"), [
+    (Rational(1, 6), root(2, 12)), pytest.param(root(3, 7) / 2, root(2, 12), marks=pytest.mark.slow),
+    pytest.param(sqrt(1 + sqrt(2 + sqrt(3))) / 9, cbrt(5), marks=pytest.mark.slow)])
+def test_coefficients_of_high_degree(rotor, moment):
+    """The tilts of E3 where they have degree 36, 252 and 72, against mpmath."""
+    f = 4 * x**3 - x - rotor + x * (2 - moment) / 4
+    expected = [a.real for a in mpmath.polyroots([float(c) for c in Poly(f, x).all_coeffs()], extraprec=99) if abs(a.imag) < 1e-12]
+    assert [float(ball(r, 64).mid()) for r in real_roots(f, x)] == pytest.approx(sorted(expected))            # coefficients are doubles
+
+
+def test_coefficients_that_are_algebraic():
+    """Roots of even multiplicity, coefficients that are 0 in disguise, cosines of rπ."""
+    for found, number in zip(real_roots((x - root(2, 12)) ** 2 * (x - cbrt(3)), x), (root(2, 12), cbrt(3)), strict=True):
+        assert sign_of_constant(found - number) == 0
+    zero = sqrt(2 + sqrt(3)) - (sqrt(6) + sqrt(2)) / 2
+    assert real_roots(zero * x**2 + x - 1, x) == [1] and real_roots(zero * x, x) is None
+    assert [float(ball(r, 64).mid()) for r in real_roots(x**2 - cos(pi / 9), x)] == pytest.approx([-0.96937746, 0.96937746])
+
+
 def test_order():
     """Numbers nearer to each other than any float, in order."""
     near = [sqrt(2) + Rational(n, 10**80) for n in (3, -1, 0, 2, -5)]
     assert in_order(near) == sorted(near, key=lambda a: (a - sqrt(2)))
     with pytest.raises(ScopeError, match="is not proved"):
-        in_order([sin(Rational(1, 3)) ** 2 + cos(Rational(1, 3)) ** 2, S.One])
+        in_order([16 * atan(Rational(1, 5)) - 4 * atan(Rational(1, 239)), pi])
 
 
 @given(st.lists(st.integers(-9, 9), min_size=4, max_size=8).filter(lambda c: c[-1] and c[0]), st.lists(numbers, min_size=3, max_size=3))

@@ -57,6 +57,8 @@ class Ring:
             factors = [_power(self.fraction(node.base), int(node.exp))]
         elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
             factors = [_power(self.fraction(Pow(node.base, Rational(1, 2))), int(node.exp.p))]
+        elif isinstance(node, Pow) and isinstance(node.exp, Rational):
+            factors = [_power((self.gens[Pow(node.base, Rational(1, node.exp.q))], self.one), int(node.exp.p))]
         elif isinstance(node, exp):
             factors = [_power((self.gens[base], self.one), n) for base, n in _exponential(node)]
         else:
@@ -130,6 +132,8 @@ def _collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict
     elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
         _collect(node.base, seen, plain, squares)
         squares.setdefault(Pow(node.base, Rational(1, 2)), node.base)
+    elif isinstance(node, Pow) and isinstance(node.exp, Rational):
+        plain[Pow(node.base, Rational(1, node.exp.q))] = None
     elif isinstance(node, sin) and node.free_symbols:  # of a constant, the relation would only hide squares
         _collect(cos(node.args[0]), seen, plain, squares)
         squares.setdefault(node, 1 - cos(node.args[0]) ** 2)

@@ -6,10 +6,12 @@ from functools import lru_cache
 from types import MappingProxyType
 
 import sympy
-from flint import arb, ctx, fmpq, fmpq_mpoly, fmpz_poly
-from sympy import Add, CRootOf, Dummy, Expr, Mul, Pow, Rational, Symbol
+from flint import arb, ctx, fmpq, fmpq_mpoly
+from sympy import Add, CRootOf, Derivative, Dummy, Expr, Integer, Mul, Pow, Rational, Subs, Symbol
 
 from .algebra import Ring
+from .algebraic import real_root, separation
+from .transcendental import vanishes
 
 LIMIT, ALGEBRAIC_LIMIT = 4096, 2**20                   # bits; a sign that is not proved by then is not known
 ONE_AT_A_TIME = threading.RLock()                      # the precision of python-flint is one for the whole process
@@ -21,8 +23,9 @@ _FUNCTIONS = {name: getattr(arb, name) for name in (
 def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
     """Sign of an expression at a point: exact, or None where it cannot be proved.
 
-    Exact for rational numbers and for algebraic ones written with roots, zero included. With transcendental functions the precision of
-    the enclosure is doubled up to 4096 bits; a value that is zero there without simplifying to 0 stays None.
+    Exact for rational numbers and for algebraic ones written with roots and with sines and cosines of rational multiples of π, zero
+    included. With transcendental numbers the precision of the enclosure is doubled up to 4096 bits, and a value is 0 if its normal
+    form is (gyrostat.transcendental); what is neither stays None.
 
     Parameters
     ----------
@@ -44,10 +47,11 @@ def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
 
 
 class Point(dict[Symbol, Expr]):
-    """Exact numbers by symbol, the rational ones ready for polynomial arithmetic."""
+    """Exact numbers by symbol, the rational ones ready for polynomial arithmetic; doubt says what is not proved of them, "" if nothing."""
 
-    def __init__(self, numbers: Mapping[Symbol, Expr]):
+    def __init__(self, numbers: Mapping[Symbol, Expr], doubt: str = ""):
         super().__init__(numbers)
+        self.doubt = doubt
         self.rational = {s: fmpq(int(x.p), int(x.q)) for s, x in self.items() if isinstance(x, Rational)}
 
 
@@ -56,7 +60,8 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
     given = values if isinstance(values, Point) else Point(values)
     fraction = compiled(expression)
     if fraction is None or not all(s in given.rational for s in fraction[0]):
-        return _inserted(expression, values).doit()
+        placed = _inserted(expression, values)
+        return placed.doit() if placed.has(Derivative, Subs) else placed       # doit factors the polynomial of a root once more
     symbols, top, bottom = fraction
     point = [given.rational[s] for s in symbols]
     value = top(*point)
@@ -86,66 +91,40 @@ def compiled(expression: Expr) -> tuple[tuple[Symbol, ...], fmpq_mpoly, fmpq_mpo
 
 
 def sign_of_constant(constant: Expr) -> int | None:
-    """Sign of a constant, by enclosures of doubled precision; an algebraic number below its separation bound is 0."""
+    """Sign of a constant, by enclosures of doubled precision; 0 by a separation bound or by the normal form of transcendental numbers."""
     if isinstance(constant, Rational):
         return (constant.p > 0) - (constant.p < 0)
     if constant is sympy.nan:
         return None
-    separation, precision = _separation(constant), 64
-    while precision <= (LIMIT if separation is None else min(4 * separation + 256, ALGEBRAIC_LIMIT)):
+    precision, most, least = 64, LIMIT, None               # bits; an algebraic number below 2**-least is 0
+    while precision <= most:
         enclosure = ball(constant, precision)
         if enclosure > 0 or enclosure < 0:
             return 1 if enclosure > 0 else -1
-        if separation is not None and abs(enclosure) < arb(2) ** -separation:
+        if precision == 64 and (least := separation(constant)) is not None:
+            most = min(4 * least + 256, ALGEBRAIC_LIMIT)
+        if least is not None and abs(enclosure) < arb(2) ** -least:
+            return 0
+        if precision == 256 and least is None and enclosure.is_finite() and vanishes(constant, sign_of_constant):
             return 0
         precision *= 2
     return None
 
 
-def is_algebraic(constant: Expr) -> bool:
-    """Whether a constant is written with rationals, + − × ÷, roots and roots of polynomials; SymPy does not know it of all of them."""
-    return _conjugates(constant) is not None
+def is_identically_zero(expression: Expr) -> bool | None:
+    """Whether an expression is 0 at all values of its symbols: every coefficient of its numerator is; None where that is not proved."""
+    ring = Ring([expression])
+    top = ring.reduce(ring.fraction(expression)[0])
+    signs = {sign_of_constant(ring.expression(c)) for c in ring.coefficients(top, expression.free_symbols).values()}
+    return True if signs <= {0} else None if signs <= {0, None} else False
 
 
-def _separation(constant: Expr) -> int | None:
-    """n such that the constant, if it is not 0, is at least 2⁻ⁿ in size; None for a transcendental one.
-
-    Of an expression in rationals, + − × ÷ and roots: |E| ≥ 1/(u^(D−1) l), where u and l bound the conjugates of its numerator
-    and denominator and D is the product of the degrees of its distinct roots.
-
-    Source
-    ------
-    Burnikel, Fleischer, Mehlhorn & Schirra, Algorithmica 27 (2000) 87-99.
-    """
-    roots = {Pow(p.base, Rational(1, p.exp.q)) for p in constant.atoms(Pow) if isinstance(p.exp, Rational) and not p.exp.is_Integer}
-    degree = math.prod([int(r.exp.q) for r in roots] + [r.poly.degree() for r in constant.atoms(CRootOf)])
-    bounds = _conjugates(constant)
-    return None if bounds is None else math.ceil(((degree - 1) * bounds[0] + bounds[1]) * (1 + 1e-9)) + 2
-
-
-def _conjugates(node: Expr) -> tuple[float, float] | None:
-    """log₂ of u and l, each at least 0; None where the expression is not of that form."""
-    if isinstance(node, Rational):
-        return math.log2(abs(int(node.p)) or 1), math.log2(int(node.q))
-    if isinstance(node, CRootOf):
-        coefficients = [abs(int(c)) for c in _polynomial(node).coeffs()]
-        return math.log2(coefficients[-1] + max(coefficients)), math.log2(coefficients[-1])
-    parts = [_conjugates(part) for part in (node.args if isinstance(node, (Add, Mul)) else node.args[:1])]
-    if not parts or None in parts:
-        return None
-    given = [part for part in parts if part]
-    if isinstance(node, Mul):
-        return sum(u for u, _ in given), sum(low for _, low in given)
-    if isinstance(node, Add):
-        (u, low), *rest = given
-        for v, m in rest:
-            u, low = max(u + m, low + v) + 1, low + m
-        return u, low
-    if not isinstance(node, Pow) or not isinstance(node.exp, Rational):
-        return None
-    (u, low), n, k = given[0], abs(int(node.exp.p)), int(node.exp.q)
-    u, low = ((u + (k - 1) * low) / k, low) if u >= low else (u, ((k - 1) * u + low) / k)
-    return (n * u, n * low) if node.exp > 0 else (n * low, n * u)
+def plain(constant: Expr) -> Expr:
+    """0, 1 or -1 in place of a constant that is proved to be that number; anything else as it is."""
+    if constant.free_symbols or isinstance(constant, Rational) or not (near := ball(constant, 64)).is_finite():
+        return constant
+    found = (Integer(n) for n in (0, 1, -1) if near.contains(n) and sign_of_constant(constant - n) == 0)
+    return next(found, constant)
 
 
 def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:
@@ -174,27 +153,31 @@ def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
             result *= _ball(part, values)
         return result
     if isinstance(node, Pow) and isinstance(node.exp, Rational):
-        base, n = _root(_ball(node.base, values), int(node.exp.q)), int(node.exp.p)
-        return math.prod([base] * n, start=arb(1)) if 0 < n <= 64 else base**n     # ** has no power of a ball that contains 0
+        if not values and node.exp.q > 1:
+            return _constant(node, ctx.prec)
+        return _power(node, values)
     if node is sympy.pi or node is sympy.E:
         return arb.pi() if node is sympy.pi else arb(1).exp()
     if isinstance(node, CRootOf):
-        return _enclosure(node, ctx.prec)
-    name = type(node).__name__
-    if name in _FUNCTIONS and len(node.args) == 1:
-        return _FUNCTIONS[name](_ball(node.args[0], values))
+        return real_root(node, ctx.prec)
+    if type(node).__name__ in _FUNCTIONS and len(node.args) == 1:
+        return _function(node, values) if values else _constant(node, ctx.prec)
     return arb("nan")
 
 
 @lru_cache(maxsize=256)
-def _enclosure(root: CRootOf, precision: int) -> arb:
-    real = sorted((x.real for x, _ in _polynomial(root).complex_roots() if x.imag == 0), key=arb.mid)
-    return real[root.index] if root.index < len(real) else arb("nan")          # the real ones come first, in order
+def _constant(node: Expr, precision: int) -> arb:
+    """A root or a function of constants, once at each precision; that is the precision of the moment."""
+    return _power(node, NOTHING) if isinstance(node, Pow) else _function(node, NOTHING)
 
 
-@lru_cache(maxsize=256)
-def _polynomial(root: CRootOf) -> fmpz_poly:
-    return fmpz_poly([int(c) for c in reversed(root.poly.clear_denoms(convert=True)[1].all_coeffs())])
+def _function(node: Expr, values: Mapping[Symbol, arb]) -> arb:
+    return _FUNCTIONS[type(node).__name__](_ball(node.args[0], values))
+
+
+def _power(node: Pow, values: Mapping[Symbol, arb]) -> arb:
+    base, n = _root(_ball(node.base, values), int(node.exp.q)), int(node.exp.p)
+    return math.prod([base] * n, start=arb(1)) if 0 < n <= 64 else base**n         # ** has no power of a ball that contains 0
 
 
 def _root(base: arb, n: int) -> arb:

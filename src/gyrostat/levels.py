@@ -7,8 +7,9 @@ from typing import Any
 from flint import arb, ctx, fmpq
 from sympy import Expr, Poly, Rational, S, sqrt, trigsimp
 
+from .algebraic import is_algebraic
 from .errors import ValuesError
-from .exact import ball, is_algebraic, sign_of_constant
+from .exact import ball, sign_of_constant
 from .notation import symbol
 from .system import System
 

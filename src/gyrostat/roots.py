@@ -6,8 +6,9 @@ from flint import ctx, fmpq, fmpq_mpoly, fmpq_poly
 from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
 
 from .algebra import Ring, by_degree
+from .algebraic import is_algebraic
 from .errors import ScopeError
-from .exact import ONE_AT_A_TIME, ball, is_algebraic, sign_of_constant
+from .exact import ONE_AT_A_TIME, ball, sign_of_constant
 
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
@@ -43,30 +44,44 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr 
                          "its parameters, and a field that is polynomial in k3")
     top, bottom = ring.fraction(expression)
     top, place = ring.reduce(top), ring.generators.index(x)
+    parts = by_degree(top, place, top.degrees()[place])
+    top = sum((c * ring.gens[x] ** n for n, c in enumerate(parts) if c and (c.is_constant() or proved_sign(ring.expression(c)))), ring.zero)
     if not top:
         return None
     norm = top
-    for g in ring.generators:
-        if g != x:
-            minimal = Poly(minimal_polynomial(ring.expression(ring.gens[g]), x), x)
-            relation = sum((ring.one * int(c) * ring.gens[g] ** n for n, c in enumerate(reversed(minimal.all_coeffs()))), ring.zero)
-            norm = norm.resultant(relation, str(norm.context().names()[ring.generators.index(g)]))
+    for n, g in enumerate(ring.generators):                # each root before those inside it
+        if g != x and norm.degrees()[n]:
+            norm = norm.resultant(_relation(ring, g, x), str(norm.context().names()[n]))
     if not norm:
         raise ScopeError(f"the algebraic numbers of {expression} depend on each other: write them in one root")
     nothing = (0,) * len(ring.generators)
     coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
-    found = [r for factor, _ in fmpq_poly(coefficients).factor()[1] for r in _roots_of_factor(factor)]
-    found = [r for r in found if bottom.is_one() or _sign(inserted(ring, bottom, {x: r})) != 0]
+    found = in_order([r for factor, _ in fmpq_poly(coefficients).factor()[1] for r in _roots_of_factor(factor)])
     if norm is not top:
-        found = [r for r in found if _sign(inserted(ring, top, {x: r})) == 0]
-    found = [r for r in found if (low is None or _sign(r - low) == 1) and (high is None or _sign(high - r) == 1)]
-    return in_order(found)
+        found = _kept(ring, top, x, found)
+    found = [r for r in found if bottom.is_one() or proved_sign(inserted(ring, bottom, {x: r})) != 0]
+    return [r for r in found if (low is None or proved_sign(r - low) == 1) and (high is None or proved_sign(high - r) == 1)]
+
+
+def _relation(ring: Ring, g: Expr, x: Symbol) -> fmpq_mpoly:
+    """The polynomial that a generator satisfies, over the generators inside it."""
+    if g in ring.squares:
+        return ring.gens[g] ** 2 - ring.squares[g]
+    coefficients = Poly(minimal_polynomial(g, x), x).all_coeffs()
+    return sum((ring.one * int(c) * ring.gens[g] ** n for n, c in enumerate(reversed(coefficients))), ring.zero)
+
+
+def _kept(ring: Ring, polynomial: fmpq_mpoly, x: Symbol, numbers: list[Expr]) -> list[Expr]:
+    """Of numbers in order, all roots of a polynomial and others: the roots. A change of sign around a number proves that it is one."""
+    midway = [between(a, b) for a, b in zip([-oo, *numbers], [*numbers, oo])]
+    signs = [proved_sign(inserted(ring, polynomial, {x: q})) for q in midway]
+    return [r for r, a, b in zip(numbers, signs, signs[1:]) if a * b < 0 or proved_sign(inserted(ring, polynomial, {x: r})) == 0]
 
 
 def in_order(numbers: Sequence[Expr]) -> list[Expr]:
     """Distinct exact numbers in increasing order."""
     def compared(a: Expr, b: Expr) -> int:
-        return _sign(a - b)
+        return proved_sign(a - b)
 
     return sorted(numbers, key=cmp_to_key(compared))
 
@@ -104,7 +119,7 @@ def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -
                  for exponents, c in polynomial.to_dict().items()))
 
 
-def _sign(constant: Expr) -> int:
+def proved_sign(constant: Expr) -> int:
     """The sign, which nothing may go without here: a root that is left out would be lost."""
     if (sign := sign_of_constant(constant)) is None:
         raise ScopeError(f"the sign of {constant} is not proved: write its algebraic numbers in one root")
@@ -119,5 +134,5 @@ def _roots_of_factor(factor: fmpq_poly) -> list[Expr]:
     if len(c) == 3:
         discriminant = c[1] ** 2 - 4 * c[0] * c[2]
         return [(-c[1] + s * sqrt(discriminant)) / (2 * c[2]) for s in (-1, 1)] if discriminant > 0 else []
-    poly = Poly(c[::-1], Symbol("x"))
-    return [CRootOf(poly, n) for n in range(poly.count_roots())]
+    real = sum(root.imag == 0 for root, _ in factor.numer().complex_roots())
+    return [CRootOf(Poly(c[::-1], Symbol("x")), n) for n in range(real)]

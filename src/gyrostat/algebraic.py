@@ -1,0 +1,143 @@
+"""Algebraic numbers: how near to 0 one can be that is not 0, and real roots of polynomials to any precision."""
+import math
+from collections.abc import Iterable
+from functools import lru_cache
+
+from flint import arb, ctx, fmpz_poly
+from sympy import Add, CRootOf, Expr, Integer, Mul, Pow, Rational, cos, cot, csc, pi, sec, sin, tan, totient
+
+TURNS = (sin, cos, tan, cot, sec, csc)
+
+
+def is_algebraic(constant: Expr) -> bool:
+    """Whether a constant is written with rationals, + − × ÷, roots, roots of polynomials, and sines and cosines of rational multiples of π.
+
+    SymPy does not know it of all of them.
+
+    Examples
+    --------
+    >>> from sympy import sqrt
+    >>> is_algebraic(sqrt(2 + cos(pi/32))), is_algebraic(pi), is_algebraic(cos(1))
+    (True, False, False)
+    """
+    return _conjugates(constant) is not None
+
+
+def separation(constant: Expr) -> int | None:
+    """n such that the constant, if it is not 0, is at least 2⁻ⁿ in size; None for a transcendental one.
+
+    Of an expression in rationals, + − × ÷ and roots: |E| ≥ 1/(u^(D−1) l), where u and l bound the conjugates of its numerator
+    and denominator and D is the degree of a field that holds its roots: the product of their degrees, and φ(n)/2 for all the
+    cosines of multiples of 2π/n together.
+
+    Source
+    ------
+    Burnikel, Fleischer, Mehlhorn & Schirra, Algorithmica 27 (2000) 87-99.
+    """
+    if (bounds := _conjugates(constant)) is None:
+        return None
+    degree = _degree_of_roots(constant) * math.prod(r.poly.degree() for r in constant.atoms(CRootOf))
+    order = math.lcm(*(4 * int(part.q) for f in constant.atoms(*TURNS) if (part := turn(f)) is not None))
+    degree *= max(1, (int(totient(order)) if order < 10**12 else order) // 2)
+    return math.ceil(((degree - 1) * bounds[0] + bounds[1] + math.log2(bounds[2])) * (1 + 1e-9)) + 2
+
+
+def _degree_of_roots(constant: Expr) -> int:
+    """A bound on the degree of a field with all roots: of each base once, and of integers the roots of numbers without common factors."""
+    orders: dict[Expr, int] = {}
+    for p in constant.atoms(Pow):
+        if isinstance(p.exp, Rational):
+            orders[p.base] = math.lcm(orders.get(p.base, 1), int(p.exp.q))
+    whole = {int(base): n for base, n in orders.items() if isinstance(base, Integer) and base > 1}
+    shared = math.prod(math.lcm(*(n for base, n in whole.items() if math.gcd(base, b) > 1)) for b in coprime(whole))
+    others = math.prod(n for base, n in orders.items() if base not in whole)
+    return others * min(shared, math.prod(whole.values()))
+
+
+def coprime(integers: Iterable[int]) -> list[int]:
+    """Numbers without common factors of whose powers all the integers are products: their logarithms are independent."""
+    base: list[int] = []
+    left = [n for n in integers if n > 1]
+    while left:
+        n = left.pop()
+        common = next((b for b in base if math.gcd(n, b) > 1), None)
+        if n > 1 and common is None:
+            base.append(n)
+        elif common is not None:
+            base.remove(common)
+            left += [n // (shared := math.gcd(n, common)), common // shared, shared]
+    return base
+
+
+def turn(function: Expr) -> Rational | None:
+    """r of a sine, cosine, … of r π, None of any other argument."""
+    coefficient, rest = function.args[0].as_coeff_Mul()
+    return coefficient if rest is pi and isinstance(coefficient, Rational) else None
+
+
+def _conjugates(node: Expr) -> tuple[float, float, int] | None:
+    """log₂ of u and v, each at least 0, and w, of the expression as U/(V w) with algebraic integers U and V and a positive integer w.
+
+    None where the expression is not of that form.
+    """
+    if isinstance(node, Rational):
+        return math.log2(abs(int(node.p)) or 1), 0.0, int(node.q)
+    if isinstance(node, CRootOf):
+        coefficients = [abs(int(c)) for c in _polynomial(node).coeffs()]
+        return math.log2(coefficients[-1] + max(coefficients)), 0.0, coefficients[-1]
+    if isinstance(node, TURNS):                            # 2 sin rπ and 2 cos rπ are integers whose conjugates are at most 2
+        return None if turn(node) is None else (1.0, 0.0, 2) if isinstance(node, (sin, cos)) else (1.0, 1.0, 1)
+    parts = [_conjugates(part) for part in (node.args if isinstance(node, (Add, Mul)) else node.args[:1])]
+    if not parts or None in parts:
+        return None
+    given = [part for part in parts if part]
+    if isinstance(node, Mul):
+        return sum(u for u, _, _ in given), sum(v for _, v, _ in given), math.prod(w for _, _, w in given)
+    if isinstance(node, Add):
+        below, whole = sum(v for _, v, _ in given), math.lcm(*(w for _, _, w in given))
+        return max(u + below - v + math.log2(whole // w) for u, v, w in given) + math.log2(len(given)), below, whole
+    if not isinstance(node, Pow) or not isinstance(node.exp, Rational):
+        return None
+    (u, v, w), n, k = given[0], abs(int(node.exp.p)), int(node.exp.q)
+    low = v + math.log2(w)
+    if k > 1 and u < low:                                  # of U/V the root of U V^(k−1) over V, or U over that of U^(k−1) V
+        u, v, w = u, ((k - 1) * u + low) / k, 1
+    elif k > 1:
+        u = (u + (k - 1) * low) / k
+    return (n * u, n * v, w**n) if node.exp > 0 else (n * (v + math.log2(w)), n * u, 1)
+
+
+@lru_cache(maxsize=256)
+def real_root(root: CRootOf, precision: int) -> arb:
+    """Enclosure of a real root of a polynomial, not finite where it is not real; by Newton's method from one of half as many bits."""
+    near = real_root(root, precision // 2) if precision > 128 else _isolated(root, precision)
+    polynomial, slope = _polynomial(root), _polynomial(root).derivative()
+    with ctx.workprec(precision + 32):
+        while near.rad():
+            middle = arb(near.mid())
+            better = middle - _at(polynomial, middle) / _at(slope, near)
+            if not better.is_finite():
+                return _isolated(root, precision)
+            if not 2 * better.rad() < near.rad():
+                break
+            near = better
+    return near
+
+
+def _isolated(root: CRootOf, precision: int) -> arb:
+    with ctx.workprec(precision):
+        real = sorted((x.real for x, _ in _polynomial(root).complex_roots() if x.imag == 0), key=arb.mid)
+    return real[root.index] if root.index < len(real) else arb("nan")          # the real ones come first, in order
+
+
+def _at(polynomial: fmpz_poly, x: arb) -> arb:
+    """The value of a polynomial."""
+    value = arb(0)
+    for coefficient in reversed(polynomial.coeffs()):
+        value = value * x + arb(coefficient)
+    return value
+
+
+@lru_cache(maxsize=256)
+def _polynomial(root: CRootOf) -> fmpz_poly:
+    return fmpz_poly([int(c) for c in reversed(root.poly.clear_denoms(convert=True)[1].all_coeffs())])
