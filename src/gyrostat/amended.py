@@ -11,9 +11,10 @@ from .algebra import Ring, by_degree
 from .equilibria import Equilibrium
 from .errors import ScopeError
 from .exact import evaluate, sign_of_constant
-from .forms import Form, proved_sign, valley, values_of
+from .forms import Form, valley, values_of
 from .notation import jet_name, symbol
 from .potential import DIRECTIONS
+from .roots import proved_sign
 
 HIGHEST = 16                                           # degree up to which the expansion goes
 X, Y, SIZE = Dummy("x", real=True), Dummy("y", real=True), Dummy("size", real=True)

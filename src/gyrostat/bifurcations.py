@@ -10,11 +10,11 @@ from sympy import Expr, S, Symbol, expand
 from .algebra import Ring, by_degree
 from .branches import exact_point, names_of
 from .errors import EquilibriumError, ValuesError
-from .exact import Point, evaluate, sign_of_constant
+from .exact import Point, evaluate
 from .families import hanging, upright
 from .notation import Typeset, jet, symbol
 from .reduction import K3, OMEGA, P, V, expansion, reduce
-from .roots import in_order, inserted, real_roots
+from .roots import in_order, inserted, proved_sign, real_roots
 from .system import System
 from .values import unknown
 
@@ -147,7 +147,7 @@ def _points(b: Bifurcation, scene: System, numbers: Point, free: Symbol) -> list
     folds = len(b.equations) == 2
     found = dict.fromkeys(_folds(placed, free) if folds else ((value, b.at) for value in real_roots(placed, free) or ()))
     return [BifurcationPoint(b.kind, free.name, value, k3) for value, k3 in found
-            if all(sign_of_constant(evaluate(m, {**numbers, free: value})) == 1 for m in positive)]
+            if all(proved_sign(evaluate(m, {**numbers, free: value})) == 1 for m in positive)]
 
 
 def _folds(expression: Expr, free: Symbol) -> Iterator[tuple[Expr, Expr]]:
@@ -166,14 +166,14 @@ def _folds(expression: Expr, free: Symbol) -> Iterator[tuple[Expr, Expr]]:
     lead = by_degree(F, t, F.degrees()[t])[-1]
     for k3 in real_roots(ring.expression(common), K3, S.NegativeOne, S.One) or ():
         below, leading = (inserted(ring, f, {K3: k3}) for f in (bottom, lead))
-        if sign_of_constant(below) and sign_of_constant(leading):          # the common root of F and the slope is that of a t + b
+        if proved_sign(below) and proved_sign(leading):          # the common root of F and the slope is that of a t + b
             yield -inserted(ring, top, {K3: k3}) / below, k3
             continue
         values = real_roots(inserted(ring, F, {K3: k3}), free)
         if values is None:                                 # a tilt that exists at every value: where another branch crosses it
             values = real_roots(inserted(ring, slope, {K3: k3}), free)
         for value in values or []:
-            if sign_of_constant(inserted(ring, slope, {K3: k3, free: value})) == 0:
+            if proved_sign(inserted(ring, slope, {K3: k3, free: value})) == 0:
                 yield value, k3
 
 

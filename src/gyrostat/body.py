@@ -6,6 +6,7 @@ from typing import Any
 from sympy import Add, Expr, Rational, radsimp
 
 from .errors import BodyError, require
+from .exact import plain, sign_of_constant
 from .expressions import exact_expression, shown
 from .notation import Typeset, of_the_motion, symbol
 
@@ -46,9 +47,12 @@ class Gyrostat(Typeset):
             object.__setattr__(self, field, tuple(_without_surds_below(exact_expression(value, field)) for value in given))
         if taken := of_the_motion(s for e in (*self.inertia, *self.gyrostatic_momentum) for s in e.free_symbols):
             raise BodyError(f"the body depends on {', '.join(taken)}, a name of the motion: rename it")
+        object.__setattr__(self, "inertia", _as_first_written(self.inertia))
+        object.__setattr__(self, "gyrostatic_momentum", tuple(map(plain, self.gyrostatic_momentum)))
         for moment in self.inertia:
-            if not moment.free_symbols and not moment.is_positive:
-                raise BodyError(f"inertia = ({', '.join(map(shown, self.inertia))}): {shown(moment)} is not positive, but a body has "
+            if not moment.free_symbols and (sign := sign_of_constant(moment)) != 1:
+                what = "is not proved to be" if sign is None else "is not"
+                raise BodyError(f"inertia = ({', '.join(map(shown, self.inertia))}): {shown(moment)} {what} positive, but a body has "
                                 "mass off every axis; give three positive moments")
 
     def kinetic_energy(self, momentum: Sequence[Expr]) -> Expr:
@@ -69,6 +73,15 @@ def symmetric_gyrostat() -> Gyrostat:
     (I1, I1, I3)
     """
     return Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, symbol("l")))
+
+
+def _as_first_written(values: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Constants that are equal in one spelling, so that a body of revolution is one."""
+    known: list[Expr] = []
+    for value in values:
+        same = (x for x in known if not (apart := x - value).free_symbols and sign_of_constant(apart) == 0)
+        known.append(next(same, value))
+    return tuple(known)
 
 
 def _without_surds_below(value: Expr) -> Expr:

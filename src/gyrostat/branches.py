@@ -9,13 +9,13 @@ from sympy import Expr, Integer, S, Symbol, sqrt
 from .body import symmetric_gyrostat
 from .equilibria import equilibrium
 from .errors import ScopeError, ValuesError, require
-from .exact import Point, evaluate, sign_of_constant
+from .exact import Point, ball, evaluate, sign_of_constant
 from .expressions import exact_number
 from .families import hanging, inclined, upright
 from .notation import Typeset, symbol
 from .potential import Potential
 from .reduction import ENERGY, K3, OMEGA, P, V, reduce, reducible
-from .roots import real_roots
+from .roots import proved_sign, real_roots
 from .stability import Decision, Report, analyze
 from .system import System, assemble
 from .values import unknown
@@ -119,7 +119,7 @@ def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Po
             raise ValuesError(unknown(name, sorted(known), "the scene"))
     numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
     for moment in scene.body.inertia[1:]:
-        if moment.free_symbols <= numbers.keys() and sign_of_constant(value := evaluate(moment, numbers)) != 1:
+        if moment.free_symbols <= numbers.keys() and proved_sign(value := evaluate(moment, numbers)) != 1:
             raise ValuesError(f"{moment} = {value}, but a moment of inertia must be positive: give a positive number")
     return numbers
 
@@ -133,7 +133,7 @@ def _asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...
                           + ", or ".join(" and ".join(names) for names in _ASKED))
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
-    if K3 in numbers and sign_of_constant(1 - numbers[K3] ** 2) != 1:
+    if K3 in numbers and proved_sign(1 - numbers[K3] ** 2) != 1:
         raise ValuesError(f"k3 = {numbers[K3]} is not the tilt of a precession: give −1 < k3 < 1; E1 and E2 are found with omega")
     return asked, numbers
 
@@ -172,7 +172,7 @@ class _Scene:
     def on_level(self, pi3: Expr, c1: Expr) -> list[Branch]:
         level = {P: pi3 + self.l, V: c1}
         tilts = self._solved(self.slope.xreplace({OMEGA: self.motion.rate}), level, K3)
-        first, last = ([b for b in self.pole(s, pi3) if sign_of_constant(c1 - s * level[P]) == 0] for s in (1, -1))
+        first, last = ([b for b in self.pole(s, pi3) if proved_sign(c1 - s * level[P]) == 0] for s in (1, -1))
         if tilts is None:
             return [*first, self.continuum(None, c1 / self.I1, pi3 / self.I3), *last]
         rates = [(self.motion.rate.xreplace({**self.known, **level, K3: k3}), k3) for k3 in reversed(tilts)]
@@ -198,11 +198,11 @@ class _Scene:
 
     def tilted(self, k3: Expr, omega: Expr, sigma: Expr) -> Branch:
         """E3, or the precession that is E3 with the rotor l + I3 σ."""
-        rest = sign_of_constant(omega) == 0
+        rest = proved_sign(omega) == 0
         report = _report(self.potential, "E3 at rest" if rest else "E3")
         given = {"k3": k3, "l": self.l + self.I3 * sigma} if rest else {"k3": k3, "omega": omega}
         asked, pi3 = self._asked(report, given), self.I3 * (omega * k3 + sigma)
-        if sign_of_constant(sigma) == 0:
+        if proved_sign(sigma) == 0:
             return Branch("E3", k3, omega, sigma, pi3, report.verdict(asked), report.itself(asked))
         return Branch("precession", k3, omega, sigma, pi3, report.verdict(asked))
 
@@ -219,7 +219,8 @@ class _Scene:
         return {n: x for n, x in everything.items() if n in report.parameters and n != report.equilibrium.eliminated}
 
     def _defined(self, k3: Expr) -> bool:
-        return sign_of_constant(evaluate(self.potential.expression, {**self.known, K3: k3})) is not None
+        value = evaluate(self.potential.expression, {**self.known, K3: k3})
+        return ball(value, 64).is_finite() or sign_of_constant(value) is not None
 
     def _solved(self, relation: Expr, given: dict[Symbol, Expr], x: Symbol) -> list[Expr] | None:
         """Where a relation vanishes; all numbers are inserted at once, so that none is inserted into another."""

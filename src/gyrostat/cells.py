@@ -6,9 +6,9 @@ from sympy import Expr, Mul, Symbol, oo
 
 from .algebra import Ring
 from .errors import ScopeError
-from .exact import Point, evaluate, sign_of_constant
+from .exact import Point, ball, evaluate, is_identically_zero, sign_of_constant
 from .intervals import EXCLUDED, INCLUDED, Interval
-from .roots import between, real_roots
+from .roots import between, proved_sign, real_roots
 from .sphere import sphere_of
 from .stability import Report, Verdict
 
@@ -20,8 +20,7 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives for c in a]
     expressions = [*(e for c in conditions for e in (c.margin, *c.degenerate)), *report.equilibrium.existence(), *also]
     placed = [e.xreplace(numbers) for e in expressions]
-    ring = Ring(placed)
-    everywhere = not report.sufficient.alternatives or not all(ring.reduce(ring.fraction(e)[0]) for e in placed)
+    everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))
     decider = report.boundary or sphere_of(report.equilibrium)
     if everywhere and decider:                         # on the boundary whatever x is
         placed += [e.xreplace(numbers) for e in decider.ladder()]
@@ -48,14 +47,14 @@ def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
 def _degenerate(report: Report, numbers: Point) -> bool:
     """Whether the determinant of the linearised field vanishes for every value of the parameter."""
     determinant = report.equilibrium.insert(report.linearization.coefficients[-1]).xreplace(numbers)
-    ring = Ring([determinant])
-    return not ring.reduce(ring.fraction(determinant)[0])
+    return bool(is_identically_zero(determinant))
 
 
 def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:
     """Whether the equilibrium exists at a value and is stable there; None where neither is proved."""
     at = Point({**numbers, x: value})
-    if any(sign_of_constant(evaluate(e, at)) != 1 for e in report.equilibrium.existence()):
+    values = [evaluate(e, at) for e in report.equilibrium.existence()]
+    if any(not ball(value, 64).is_finite() or proved_sign(value) != 1 for value in values):
         return False
     decision = report.verdict({s.name: number for s, number in at.items()})
     if any(sign_of_constant(margin) is None for _, margin in decision.margins):

@@ -121,6 +121,7 @@ class _Worker:
             with np.errstate(all="ignore"):            # overflow is a value here
                 nowhere = self._nowhere(block)
                 self._decide(block, out, nowhere)
+                out[np.broadcast_to(self._doubtful(block), out.shape)] = UNDECIDED
             if nowhere is not None:
                 out[np.broadcast_to(nowhere, out.shape)] = INVALID
                 here = _place(block, *np.argwhere(out == INVALID)[0])
@@ -130,10 +131,14 @@ class _Worker:
     def _nowhere(self, block: Block) -> Array | None:
         """Where the equilibrium does not exist, or a number is not finite; None: nowhere in the block."""
         wrong = [last(cut(a, block)) for a in self.unsafe]
-        wrong += [signs(block) != 1 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
-        wrong += [signs(block) != 0 for signs in self.zero]
+        wrong += [signs(block) < 1 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
+        wrong += [abs(signs(block)) == 1 for signs in self.zero]
         found = [w for w in wrong if w.any()]
         return reduce(np.logical_or, found) if found else None
+
+    def _doubtful(self, block: Block) -> Array:
+        """Where it is not proved that the equilibrium exists."""
+        return reduce(np.logical_or, [signs(block) == UNKNOWN for signs in (*self.positive, *self.zero)], np.zeros((1, 1), bool))
 
     def _decide(self, block: Block, out: Array, nowhere: Array | None) -> None:
         """Write the verdicts in a block."""

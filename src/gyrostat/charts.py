@@ -204,7 +204,7 @@ def _check_names(report: Report, varied: Sequence[str], fixed: Sequence[str]) ->
 def _number(name: str, value: Any) -> tuple[str, Expr, str]:
     """A fixed parameter, exact, and the text of it."""
     number = exact_number(value, name)
-    if symbol(name).is_positive and sign_of_constant(number) != 1:
+    if symbol(name).is_positive and sign_of_constant(number) in (0, -1):
         raise ValuesError(f"{name} = {shown(number)}, but it must be positive: give a positive number")
     return name, number, value if isinstance(value, str) else str(number)
 

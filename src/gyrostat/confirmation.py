@@ -105,6 +105,8 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     require(report, Report, "the report")
     eq, decision = report.equilibrium, report.verdict(values)
     numbers = exact_values(eq, values, report.required, report.parameters)
+    if numbers.doubt:
+        raise ValuesError(f"there is nothing to confirm: {numbers.doubt}")
     steps = [exact_number(size, "sizes") for size in sizes]
     if len(steps) < 3 or not all(a > b > 0 for a, b in zip(steps, steps[1:])):
         raise ValuesError(f"sizes = {', '.join(map(str, sizes))}: give at least three, positive and falling")

@@ -99,7 +99,7 @@ class Drift(Typeset):
         body = self.equilibrium.system.body
         linear = self._linear(numbers, margins)
         turning = "relative equilibria near it turn about the axis of the body"
-        if sign_of_constant(evaluate(self.omega, numbers)) == 0:
+        if (moving := sign_of_constant(evaluate(self.omega, numbers))) == 0:
             return False, f"{turning}, at any rate σ; {linear}"
         slopes = [evaluate(rate, numbers) for rate in self.rates]
         if any(sign_of_constant(slope) for slope in slopes):
@@ -111,7 +111,7 @@ class Drift(Typeset):
         if any(signs):
             return False, f"{turning}, at a rate σ of second order; {linear}"
         constant = None if None in signs else self._constant(known)
-        if constant is None:
+        if constant is None or constant and moving is None:
             return None, f"whether {turning} depends on U near k3; {linear}"
         if constant:
             return True, "I1 = I3, l = 0 and U is constant: ω and π are fixed in space, and nothing drifts"

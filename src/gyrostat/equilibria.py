@@ -8,7 +8,7 @@ from sympy import Expr, S, Symbol
 
 from .algebra import Ring
 from .errors import EquilibriumError, require
-from .exact import sign
+from .exact import is_identically_zero, plain, sign
 from .expressions import exact_expression
 from .notation import INTERNAL, Typeset, jet, symbol
 from .potential import smooth_where_positive
@@ -46,22 +46,26 @@ class Equilibrium(Typeset):
     def __post_init__(self) -> None:
         require(self.system, System, "the scene")
         moments = [*self.system.body.inertia, *(value for name, value in self.relations if name.is_positive)]
-        if impossible := [m for m in moments if not m.free_symbols and not m.is_positive]:
-            raise EquilibriumError(f"{self.label} has a relation that makes a moment, or another positive name, {impossible[0]}: "
-                                   "moments of inertia are positive")
+        if impossible := [m for m in moments if not m.free_symbols and sign(m, {}) != 1]:
+            raise EquilibriumError(f"{self.label} has a relation that makes a moment, or another positive name, {impossible[0]}, "
+                                   "which is not proved to be positive: moments of inertia are positive")
         unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive and m not in self.domain]
         object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
         if clash := [s for x in self.point for s in x.free_symbols if s.name in INTERNAL]:
             raise EquilibriumError(f"{self.label} uses {clash[0]}, a name that the derivation introduces: rename it")
         if len(self.point) != (n := len(self.system.space.coordinates)):
             raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give one for each coordinate")
+        object.__setattr__(self, "point", tuple(map(plain, self.point)))         # 0 and ±1 are known by what they are, not by spelling
         left = []
         for coordinate, rate in zip(self.system.space.coordinates, self.at_point(self.system.jet_field)):
             if residual := _residual(rate, self):
-                left.append(f"d{coordinate}/dt = {residual}")
-        if left:
-            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(left)}. Check the point, or pass the relation "
+                left.append((f"d{coordinate}/dt = {residual}", is_identically_zero(residual)))
+        if wrong := [rate for rate, zero in left if zero is False]:
+            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong)}. Check the point, or pass the relation "
                                    "that makes these vanish as relations=((symbol, value),).")
+        if left:
+            raise EquilibriumError(f"{self.label} is not proved to be an equilibrium: whether {', '.join(rate for rate, _ in left)} is 0 "
+                                   "is not decided. Write its numbers with rationals and roots.")
         if self.system.potential:
             self._check_direction()
 
@@ -69,19 +73,21 @@ class Equilibrium(Typeset):
         """k is a unit vector (k = 0, on a singular orbit, is refused by the verbs), the relations hold for U, and U is smooth there."""
         k = self.point[3:]
         if any(k) and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
-            raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}: k is a direction, |k| = 1; "
-                                   "divide it by its length")
+            unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
+            raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}{unknown}: k is a direction, "
+                                   "|k| = 1; divide it by its length")
         for value in (*self.field_values, *self.constraints):
             if value.is_finite is False or value.is_real is False:
                 raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is {value} there, "
                                        "not a finite real number")
         for residual in self.constraints:
             if not residual.free_symbols:
-                raise EquilibriumError(f"{self.label} is not an equilibrium: a relation on the derivatives of U is off by {residual}")
+                what = "is not proved to be" if sign(residual, {}) is None else "is not"
+                raise EquilibriumError(f"{self.label} {what} an equilibrium: a relation on the derivatives of U is off by {residual}")
         for argument in self._inner_arguments():
             if not argument.free_symbols and sign(argument, {}) != 1:
                 raise EquilibriumError(f"{self.label} does not exist: U is not smooth there, the argument of a root, logarithm or inverse "
-                                       f"function is at the end of its range, {argument}")
+                                       f"function is not proved to be inside its range, {argument} > 0")
 
     def _inner_arguments(self) -> tuple[Expr, ...]:
         """What has to be positive for a given U to be smooth at the point: arguments of roots and logarithms, and the like."""
@@ -202,6 +208,6 @@ def _residual(rate: Expr, eq: Equilibrium) -> Expr | None:
     for expression in (rate, eq.insert(rate)):
         ring = Ring([expression])
         residual = ring.quotient(*ring.fraction(expression))
-        if residual == 0 or not residual.free_symbols and sign(residual, {}) == 0:
+        if residual == 0 or is_identically_zero(residual):
             return None
     return residual

@@ -6,6 +6,7 @@ from sympy import Expr, S, Symbol, sqrt
 from .algebra import Ring
 from .equilibria import Equilibrium, equilibrium
 from .errors import EquilibriumError, ScopeError, require
+from .exact import plain, sign_of_constant
 from .notation import symbol
 from .system import System
 
@@ -136,8 +137,9 @@ def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Eq
     point = (I1 * omega * k1, S.Zero, I3 * omega * K3, k1, S.Zero, K3)
     slope = omega * l - omega**2 * K3 * (I1 - I3)
     given = potential.value(DU) if potential.given else DU
-    if (relation := slope - given).is_number and relation != 0:
-        raise EquilibriumError(f"{label} does not exist in U = {potential.expression}: its relation is {relation} = 0")
+    if (relation := plain(slope - given)).is_number and relation != 0:
+        unknown = " (not proved to be true or false)" if sign_of_constant(relation) is None else ""
+        raise EquilibriumError(f"{label} does not exist in U = {potential.expression}: its relation is {relation} = 0{unknown}")
     name, solved, pivot = _eliminate(relation, eliminate, potential.parameters, label)
     relations = [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]
     domain = [1 - K3**2] + ([pivot**2] if pivot.free_symbols else [])

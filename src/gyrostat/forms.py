@@ -6,8 +6,8 @@ from sympy import Dummy, Expr, S, binomial, oo
 
 from .algebra import Ring
 from .errors import ScopeError
-from .exact import ball, sign_of_constant
-from .roots import between, real_roots
+from .exact import ball
+from .roots import between, proved_sign, real_roots
 
 Form = Mapping[tuple[int, int], Expr]                  # coefficients of xⁱ yʲ, none of them 0
 Y, FINEST = Dummy("y", real=True), 10                  # how often a range of directions is halved
@@ -95,10 +95,3 @@ def _power(series: Sequence[Expr], exponent: int, n: int) -> Expr:
 def _tidy(number: Expr) -> Expr:
     ring = Ring([number])
     return ring.quotient(*ring.fraction(number))
-
-
-def proved_sign(number: Expr) -> int:
-    """The sign of a number, ScopeError where it is not proved."""
-    if (sign := sign_of_constant(number)) is None:
-        raise ScopeError(f"the sign of {number} is not proved")
-    return sign

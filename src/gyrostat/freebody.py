@@ -8,9 +8,9 @@ from sympy import Expr, Float, ImmutableMatrix, Max, Min, acos, oo, sqrt
 
 from .body import Gyrostat
 from .errors import BodyError, ScopeError, ValuesError, require
-from .exact import sign_of_constant
 from .expressions import exact_expression, exact_number, parse
 from .notation import symbol
+from .roots import in_order, proved_sign
 
 
 def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "tau3")) -> ImmutableMatrix:
@@ -100,15 +100,16 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
     moments = [exact_number(i, "inertia") for i in inertia]
     M = [exact_number(m, "momentum") for m in momentum]
     Gyrostat(moments, (0, 0, 0))                           # positive, or refused
-    (I1, M1), (I2, M2), (I3, M3) = sorted(zip(moments, M), key=lambda pair: pair[0])
-    if I1 == I2 or I2 == I3:
+    order = in_order(moments)
+    (I1, M1), (I2, M2), (I3, M3) = sorted(zip(moments, M), key=lambda pair: order.index(pair[0]))
+    if 0 in (proved_sign(I2 - I1), proved_sign(I3 - I2)):
         raise ScopeError(f"inertia = {tuple(moments)} has two equal moments: use free_precession")
-    if sum(m != 0 for m in M) < 2:
+    if sum(proved_sign(m) != 0 for m in M) < 2:
         raise ScopeError(f"momentum = {tuple(M)} lies on a principal axis, where it rests: give at least two components")
     above = (I3 - I2) * ((1 - I1 / I2) * M2**2 + (1 - I1 / I3) * M3**2)      # (I3 − I2)(M² − 2 E I1), without cancellation
     below = (I2 - I1) * ((I3 / I1 - 1) * M1**2 + (I3 / I2 - 1) * M2**2)      # (I2 − I1)(2 E I3 − M²)
     gap = (I3 - I1) * ((1 - I2 / I3) * M3**2 - (I2 / I1 - 1) * M1**2)        # their difference, (I3 − I1)(M² − 2 E I2)
-    if (side := sign_of_constant(gap)) == 0:
+    if (side := proved_sign(gap)) == 0:
         return oo
     lead = above if side == 1 else below
     with mpmath.workdps(digits + 10):                      # K(κ) = π / (2 agm(1, κ′)), κ′² = 1 − κ² = |gap| / lead

@@ -9,6 +9,7 @@ from .errors import ValuesError
 from .exact import Point, evaluate, sign_of_constant
 from .expressions import exact_number
 from .notation import Typeset, symbol
+from .values import is_positive
 
 Ladder = tuple[Expr, ...]
 _COMPARED = {">": (1).__eq__, "<": (-1).__eq__, "=": (0).__eq__, "!=": (0).__ne__}
@@ -90,8 +91,8 @@ class Solution(Typeset):
         if self.name not in values:
             raise ValuesError(f"the solution is a set of {self.name}: give a number for it")
         numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
-        if wrong := [s for s, x in numbers.items() if s.is_positive and sign_of_constant(x) != 1]:
-            raise ValuesError(f"{wrong[0]} = {numbers[wrong[0]]}, but it must be positive: give a positive number")
+        if doubtful := [s for s, x in numbers.items() if s.is_positive and not is_positive(s.name, x)]:
+            raise ValuesError(f"whether {doubtful[0]} = {numbers[doubtful[0]]} is positive is not proved: write it with rationals, roots")
         answers = [(part.meaning, _in_part(part, symbol(self.name), numbers)) for part in self.parts]
         if any(answer is False and meaning in ("exists", "necessary") for meaning, answer in answers):
             return False

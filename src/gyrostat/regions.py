@@ -6,11 +6,10 @@ from typing import Any
 import numpy as np
 from sympy import Expr, S
 
-from .algebra import Ring
 from .enclosures import Array, rounded
 from .equilibria import Equilibrium
 from .errors import ScopeError, ValuesError, require
-from .exact import Point, ball, evaluate, sign_of_constant
+from .exact import Point, ball, evaluate, is_identically_zero, sign_of_constant
 from .expressions import exact_number, shown
 from .notation import symbol
 from .stability import Report
@@ -76,21 +75,20 @@ def _ends(value: Any, name: str) -> tuple[Expr, Expr]:
 def _check(eq: Equilibrium, greatest: Mapping[Any, Expr], fixed: Point) -> None:
     """Whether the equilibrium exists anywhere, as far as the numbers that do not vary tell."""
     for name, number in greatest.items():
-        if name.is_positive and sign_of_constant(number) != 1:
+        if name.is_positive and sign_of_constant(number) in (0, -1):
             raise ValuesError(f"{name} is at most {shown(number)} in the region, but it must be positive: choose other ends")
     for expression in eq.existence():
         value = evaluate(expression, fixed)
-        if _undefined(value) or _vanishes(value) or not value.free_symbols and sign_of_constant(value) != 1:
+        if _undefined(value) or is_identically_zero(value) or _not_positive(value):
             raise ValuesError(f"{eq.label} exists only where {expression} > 0, which holds nowhere in the region: choose another one")
     for expression in eq.field_values:
         if _undefined(evaluate(expression, fixed)):
             raise ValuesError(f"U or one of its derivatives, {expression}, is not finite anywhere in the region: choose another one")
 
 
+def _not_positive(value: Expr) -> bool:
+    return not value.free_symbols and (sign_of_constant(value) == -1 or not ball(value, 64).is_finite())
+
+
 def _undefined(value: Expr) -> bool:
     return bool(value.has(S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity))
-
-
-def _vanishes(value: Expr) -> bool:
-    ring = Ring([value])
-    return not ring.reduce(ring.fraction(value)[0])

@@ -127,8 +127,8 @@ class Report(Typeset):
 
         Returns
         -------
-        Decision        STABLE (Lyapunov, modulo what it says), UNSTABLE, or UNDECIDED on the boundary and wherever a
-                        transcendental margin has no proved sign at 4096 bits
+        Decision        STABLE (Lyapunov, modulo what it says), UNSTABLE, or UNDECIDED on the boundary and wherever the sign of a
+                        transcendental margin, or that the point is on the family, is not proved
 
         Raises
         ------
@@ -144,7 +144,7 @@ class Report(Typeset):
         """
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
         margins: dict[Expr, Expr] = {}
-        stable, notion, why = self._decided(numbers, margins)
+        stable, notion, why = (None, "", numbers.doubt) if numbers.doubt else self._decided(numbers, margins)
         verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
         return Decision(verdict, notion, self.sufficient.modulo, why, tuple(margins.items()),
                         inertia_note(self.equilibrium, numbers))

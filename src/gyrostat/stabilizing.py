@@ -11,7 +11,7 @@ from .cells import cut, joined, joined_apart, stable_at
 from .conditions import Condition
 from .equilibria import Equilibrium
 from .errors import ScopeError, ValuesError
-from .exact import Point, evaluate, sign, sign_of_constant
+from .exact import Point, evaluate, is_identically_zero, sign
 from .expressions import exact_number, shown
 from .families import inclined
 from .intervals import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
@@ -156,7 +156,7 @@ def _necessary(report: Report, name: str, fixed: Sequence[Expr]) -> Iterator[Par
 def _where_existing(part: Part, x: Symbol, existence: Sequence[Expr]) -> Part:
     """Without the ends at which the equilibrium does not exist."""
     def outside(end: Expr) -> bool:
-        return any(e.xreplace({x: end}) == 0 for e in existence if x in e.free_symbols)
+        return any(is_identically_zero(e.xreplace({x: end})) for e in existence if x in e.free_symbols and end.is_finite)
 
     cases = []
     for case in part.cases:
@@ -180,8 +180,9 @@ def inserted(report: Report, numbers: Mapping[str, Expr]) -> Report:
 
 def _existing(eq: Equilibrium) -> Equilibrium:
     for domain, value in zip(eq.domain, eq.existence()):
-        if not value.free_symbols and sign_of_constant(value) != 1:
-            raise ValuesError(f"{eq.label} exists only where {domain} > 0, here it is {shown(value)}: choose other numbers")
+        if not value.free_symbols and (known := sign(value, {})) != 1:
+            unknown = ", not proved to be positive" if known is None else ""
+            raise ValuesError(f"{eq.label} exists only where {domain} > 0, here it is {shown(value)}{unknown}: choose other numbers")
     return eq
 
 
@@ -197,7 +198,7 @@ def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
     value = dict(report.equilibrium.relations)[symbol(name)].xreplace(numbers)
     turning = value.diff(k3)
     cells = cut(report, k3, numbers, S.NegativeOne, S.One, [turning] if turning.free_symbols else [])
-    if turning == 0:
+    if is_identically_zero(turning):
         raise ScopeError(f"{name} is the same for every tilt: {value}; ask at that value for all equilibria (relative_equilibria)")
     if any(stable is None for *_, stable in cells):
         raise ScopeError(f"at some tilts nothing is proved, and {name} is not solved for along them: give a number for k3")

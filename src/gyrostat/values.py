@@ -18,7 +18,8 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
 
     Raises
     ------
-    ValuesError     a name is missing or unknown, a number is not exact and finite, or the point is not on the family
+    ValuesError     a name is missing or unknown, a number is not exact and finite, or the point is proved not to be on the family;
+                    where that is not proved, the doubt of the point says so
     """
     given = {str(name): value for name, value in values.items()}
     free_jet = eq.system.potential is not None and not eq.system.potential.given
@@ -31,11 +32,18 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
     for name, number in numbers.items():
         if not isinstance(number, Rational) and not ball(number, 64).is_finite():
             raise ValuesError(f"{name} = {number} cannot be enclosed: write it with rationals, roots, pi, exp, log and the like")
-        if name.is_positive and sign_of_constant(number) != 1:
-            raise ValuesError(f"{name} = {shown(number)}, but {_described(name.name)} must be positive: give a positive number")
-    _exists(eq, numbers)
-    _on_family(eq, numbers)
+        if name.is_positive and not is_positive(name.name, number):
+            numbers.doubt = f"whether {name} = {shown(number)} is positive is not proved"
+    numbers.doubt = numbers.doubt or _exists(eq, numbers) or _on_family(eq, numbers)
     return numbers
+
+
+def is_positive(name: str, number: Expr) -> bool:
+    """Whether a number, for a name that is positive, is proved to be; ValuesError if it is proved not to be."""
+    sign = sign_of_constant(number)
+    if sign in (0, -1):
+        raise ValuesError(f"{name} = {shown(number) if sign else 0}, but {_described(name)} must be positive: give a positive number")
+    return sign == 1
 
 
 def check_names(given: Iterable[str], names: Sequence[str], where: str) -> None:
@@ -68,17 +76,22 @@ def unknown(name: str, known: Sequence[str], where: str) -> str:
     return f"{where} has no parameter {name}: {hint}Its parameters are {', '.join(known)}{spin}"
 
 
-def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
+def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
+    """What is not proved of it, "" if nothing."""
+    doubt = ""
     for expression in eq.existence():
         value = evaluate(expression, numbers)
-        if sign_of_constant(value) != 1:
-            here = "is not defined" if value is S.NaN else f"is {shown(value)}"
+        if (sign := sign_of_constant(value)) is None and ball(value, 64).is_finite():
+            doubt = f"whether {eq.label} exists there is not proved: {expression} is {shown(value)}, and has to be positive"
+        elif sign != 1:
+            here = "is not defined" if value is S.NaN else "is 0" if sign == 0 else f"is {shown(value)}"
             raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: choose a point inside")
     for expression in eq.field_values:
         polynomial = (fraction := compiled(expression)) is not None and fraction[2] is None      # finite and real wherever it is
         if not polynomial and expression.free_symbols <= numbers.keys() and not _may_be_real(value := evaluate(expression, numbers)):
             raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a finite real number: "
                               "choose another point")
+    return doubt
 
 
 def _may_be_real(constant: Expr) -> bool:
@@ -86,21 +99,31 @@ def _may_be_real(constant: Expr) -> bool:
     return bool(constant.is_finite is not False and constant.is_real is not False and constant is not S.NaN)
 
 
-def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> None:
-    """The relation of the family, where a value is given for the eliminated name or no name was eliminated."""
+def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
+    """The relation of the family, where a value is given for the eliminated name or no name was eliminated: what is not proved of it."""
+    doubt = ""
     for residual in eq.constraints:
-        if sign_of_constant(value := evaluate(residual, numbers)) != 0:
-            raise ValuesError(f"the point is not on {eq.label}: {residual} is {value.evalf(8)}, not proved to be 0; correct the numbers")
+        sign = sign_of_constant(value := evaluate(residual, numbers))
+        if sign is None and ball(value, 64).is_finite():
+            doubt = f"whether the point is on {eq.label} is not proved: {residual} is {shown(value)}, and has to be 0"
+        elif sign != 0:
+            raise ValuesError(f"the point is not on {eq.label}: {residual} is {shown(value)}, not 0; correct the numbers")
     name = symbol(eq.eliminated) if eq.eliminated else None
     if name is None or name not in numbers:
-        return
+        return doubt
     needed = dict(eq.relations)[name]
     if missing := [n for n in names_in([needed]) if symbol(n) not in numbers]:
         raise ValuesError(f"to check {name} on {eq.label}, {', '.join(missing)} is needed: give it, or omit {name}")
     value = evaluate(needed, numbers)
-    if sign_of_constant(numbers[name] - value) != 0:
-        raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {shown(value)}, given was "
-                          f"{shown(numbers[name])}; omit {name}, or correct it")
+    sign = sign_of_constant(difference := numbers[name] - value)
+    if sign is None and ball(difference, 64).is_finite():
+        return f"whether the point is on {eq.label} is not proved: it needs {name} = {shown(value)}, given was {shown(numbers[name])}"
+    if sign != 0:
+        given = shown(numbers[name])
+        off = f", off by {shown(difference)}" if given == shown(value) else ""
+        raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {shown(value)}, given was {given}{off}; omit {name}, or "
+                          "correct it")
+    return doubt
 
 
 def inertia_note(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:

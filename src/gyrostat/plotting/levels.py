@@ -7,12 +7,11 @@ from sympy import Add, Expr, Mul, Rational, S, sqrt
 
 from ..body import Gyrostat
 from ..errors import ScopeError
-from ..exact import sign_of_constant
 from ..families import principal_rotation
 from ..grids import Array
 from ..notation import symbol
 from ..numeric import in_floats
-from ..roots import real_roots
+from ..roots import proved_sign, real_roots
 from ..stability import Verdict, analyze
 from ..system import System, assemble
 from ..trajectories import motion
@@ -76,7 +75,7 @@ def rest_points(body: Gyrostat, radius: Expr) -> list[RestPoint]:
             continue
         M = [S.Zero if n in axes else rotor[n] / (1 - inertia[n] / moment) for n in range(3)]
         rest = radius**2 - Add(*(m**2 for m in M))
-        if sign_of_constant(rest) != 1:
+        if proved_sign(rest) != 1:
             continue
         for side in (1, -1)[:3 - len(axes)]:
             M[axes[0]] = side * sqrt(rest)
@@ -90,8 +89,8 @@ def _point(body: Gyrostat, mu: Expr, M: Sequence[Expr], circle: int | None = Non
     if circle is not None:                             # those beside the circle turn about its axis: they drift
         return RestPoint(tuple(M), energy, Verdict.UNSTABLE, circle)
     curvature = [1 / moment - mu for moment in body.inertia]
-    sign = sign_of_constant(Add(*(Mul(M[n] ** 2, *(c for k, c in enumerate(curvature) if k != n)) for n in range(3))))
-    return RestPoint(tuple(M), energy, {1: Verdict.STABLE, -1: Verdict.UNSTABLE}.get(sign or 0) or _degenerate(body, rates))
+    sign = proved_sign(Add(*(Mul(M[n] ** 2, *(c for k, c in enumerate(curvature) if k != n)) for n in range(3))))
+    return RestPoint(tuple(M), energy, {1: Verdict.STABLE, -1: Verdict.UNSTABLE}.get(sign) or _degenerate(body, rates))
 
 
 def _degenerate(body: Gyrostat, rates: Sequence[Expr]) -> Verdict:
