@@ -127,7 +127,7 @@ def reduce(scene: System) -> Reduction:
     I1, across = scene.body.inertia[0], c2 - K3**2
     rate = I1 * scene.space.bracket(K3, kinetic)
     ring = Ring([residual := rate**2 - across * 2 * I1 * (kinetic - axial) + (c1 - aligned) ** 2])
-    if ring.fraction(residual)[0]:
+    if ring.reduce(ring.fraction(residual)[0]):
         raise StructureError(f"I1 dk3/dt = {rate} is not a function of k3 and the integrals")
     spin = {pi3: P - scene.body.gyrostatic_momentum[2]}
     return Reduction(scene, axial.xreplace(spin), across - c2 + 1, V - aligned.xreplace(spin))
