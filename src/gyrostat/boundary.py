@@ -82,20 +82,25 @@ class Boundary(Typeset):
         >>> [rung.condition.margin for rung in islice(boundary.rungs(), 3)]
         [d2U + dU, -3*d2U - 2*d3U, 2*d3U + d4U]
         """
-        power, potential = 3, self.equilibrium.system.potential
+        power, potential = self._first, self.equilibrium.system.potential
         highest = self.last or (HIGHEST if potential and potential.given else None)
         while highest is None or power <= highest:
             yield self.rung(power)
             power += 1
 
+    @property
+    def _first(self) -> int:
+        """The first power that the criteria leave open: of three integrals, where π is fixed, they may leave x² at a tilt."""
+        return 2 if not self.pole and len(self.equilibrium.system.integrals) == 3 else 3
+
     def rung(self, power: int) -> Rung:
-        """The rung of one power of x, from 3 on."""
+        """The rung of one power of x, from 2 on."""
         known: dict[int, Rung] = self.equilibrium.memory.setdefault("rungs", {})
         if power not in known:
             eq, order = self.equilibrium, 5
             while order < power:
                 order *= 2
-            for n, coefficient in enumerate(expansion(eq, order)[3:], 3):
+            for n, coefficient in enumerate(expansion(eq, order)[2:], 2):
                 value = eq.insert(coefficient)
                 ring = Ring([value, *eq.existence()])
                 margin, even = Signs(ring, eq.existence()).split(*ring.fraction(-value))
