@@ -1,5 +1,6 @@
 """System: a space, a Hamiltonian and the integrals found; its equations of motion; assemble."""
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -8,6 +9,7 @@ from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag
 from .algebra import Ring, derivatives
 from .body import Gyrostat
 from .errors import ScopeError, StructureError, require
+from .exact import evaluate
 from .liepoisson import LiePoisson, lie_poisson
 from .matrices import null_space
 from .notation import Typeset, jet, symbol
@@ -126,10 +128,29 @@ def assemble(body: Gyrostat, potential: Potential | None = None) -> System:
     if potential is not None:
         require(potential, Potential, "the potential")
         potential = _of_body(potential, body)
+    return system_of(body, potential)
+
+
+def system_of(body: Gyrostat, potential: Potential | None) -> System:
+    """The scene of a body in a potential whose names are those of the scene: nothing is inserted."""
     space = lie_poisson(("k",) if potential else (), body.gyrostatic_momentum)
     hamiltonian = body.kinetic_energy(space.coordinates[:3]) + (potential.expression if potential else 0)
     candidate = System(body, space, hamiltonian, (), potential)
     return System(body, space, hamiltonian, _linear_integrals(candidate), potential)
+
+
+def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
+    """The scene with numbers, or other expressions, in place of its names."""
+    body, potential = scene.body, scene.potential
+    inertia, rotor = ([evaluate(x, known) for x in vector] for vector in (body.inertia, body.gyrostatic_momentum))
+    field = potential and replace(potential, expression=potential.expression.xreplace(dict(known)))
+    return system_of(Gyrostat(inertia, rotor), field)
+
+
+def names_of_scene(scene: System) -> set[Symbol]:
+    """The symbols of the body and of U."""
+    vectors = (*scene.body.inertia, *scene.body.gyrostatic_momentum)
+    return {s for e in vectors for s in e.free_symbols}.union(scene.potential.parameters if scene.potential else ())
 
 
 def _of_body(potential: Potential, body: Gyrostat) -> Potential:
