@@ -114,6 +114,8 @@ def boundary_blocks(report: Report) -> list[Block]:
         return [Sentence(between + "the energy on the momentum sphere decides to fourth order, at numbers.")]
     if boundary is None:
         return [Sentence(between + "nothing is claimed.")]
+    if report.recognised:
+        between, eq = f"The scene is {report.recognised.sentence}; with that axis for the third: w{between[1:]}", boundary.equilibrium
     rungs, more = ladder(boundary)
     levels = {ENERGY: symbol("h"), V: symbol("C1"), P: eq.system.space.coordinates[2] + eq.system.body.gyrostatic_momentum[2]}
     levels |= {name: value for name, value in eq.relations if not value.free_symbols and name != K3}
@@ -182,7 +184,8 @@ def drift_blocks(report: Report) -> list[Block]:
     growing = Sentence("Where {} and {} are not 0, the linearised flow grows besides, by a Jordan block of the eigenvalue 0:",
                        (symbol("p"), symbol("D")))
     *rates, defect = drift_displays(drift)
-    return [turning, *rates, growing, defect,
+    axes = [Sentence(f"The scene is {report.recognised.sentence}; with that axis for the third:")] if report.recognised else []
+    return [*axes, turning, *rates, growing, defect,
             *([Sentence("The only exception: {} and a constant {}.", (exception, Word("U", "U")))] if drift.omega else [])]
 
 

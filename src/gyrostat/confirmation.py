@@ -16,7 +16,8 @@ from .expressions import exact_number
 from .grids import Array
 from .motions import Motion
 from .routes import motion
-from .stability import Decision, Report, Verdict
+from .stability import Decision, Report, Verdict, analyze
+from .standard import seen_at
 from .values import exact_values
 
 SIZES = tuple(Rational(1, 10**d) for d in range(2, 9))
@@ -203,6 +204,8 @@ def _expected(report: Report, decision: Decision, numbers: Point) -> float | Non
     """The slope that the verdict implies."""
     if decision.verdict is not Verdict.STABLE:
         return 0.0 if decision.verdict is Verdict.UNSTABLE else None
+    if known := seen_at(report.equilibrium, numbers):      # of revolution at these numbers
+        report = analyze(known.equilibrium)
     if holds(report.sufficient, numbers, {}):
         return 1.0
     return _on_boundary(report.boundary, numbers) if report.boundary else None

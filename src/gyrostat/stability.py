@@ -12,12 +12,13 @@ from .boundary import Boundary, boundary_of
 from .conditions import Criterion, formal_criterion, holds, independent, spectral_criterion
 from .drift import Drift
 from .energy_casimir import SecondVariation, second_variation
-from .equilibria import Equilibrium
+from .equilibria import Equilibrium, once
 from .errors import require
 from .exact import Point, sign
 from .linearization import Linearization, linearize
-from .notation import Typeset, jet
+from .notation import Typeset, jet, symbol
 from .sphere import sphere_of
+from .standard import Seen, seen, seen_at
 from .torquefree import torque_free
 from .values import exact_values, inertia_note, names_in
 
@@ -77,11 +78,15 @@ class Report(Typeset):
 
         Modulo the same flows as the sufficient one: they are neutral directions, which a growing mode leaves.
         """
+        if self.recognised:
+            return replace(_kept(self.recognised.equilibrium).necessary, modulo=self.recognised.modulo)
         return replace(independent(spectral_criterion(self.linearization), self.equilibrium), modulo=self.second_variation.modulo)
 
     @cached_property
     def sufficient(self) -> Criterion:
         """Formal criterion with the Casimirs and the integrals, reduced to independent conditions."""
+        if self.recognised:
+            return replace(_kept(self.recognised.equilibrium).sufficient, modulo=self.recognised.modulo)
         return independent(formal_criterion(self.second_variation), self.equilibrium)
 
     @cached_property
@@ -93,13 +98,21 @@ class Report(Typeset):
 
     @cached_property
     def boundary(self) -> Boundary | None:
-        """What decides where necessary holds and sufficient does not, for a body of revolution in U(k3); None for other scenes."""
-        return boundary_of(self.equilibrium)
+        """What decides where necessary holds and sufficient does not, for a body of revolution; None for other scenes.
+
+        About another axis than the third: of the equilibrium in the standard scene, Boundary.equilibrium.
+        """
+        return boundary_of(self.recognised.equilibrium if self.recognised else self.equilibrium)
+
+    @cached_property
+    def recognised(self) -> Seen | None:
+        """The equilibrium in the standard axes, where the scene is recognised as a body of revolution that is not entered in them."""
+        return seen(self.equilibrium)
 
     @cached_property
     def drift(self) -> Drift:
         """What moves near a tilted equilibrium along its orbit under the spin."""
-        return Drift(self.equilibrium)
+        return Drift(self.recognised.equilibrium if self.recognised else self.equilibrium)
 
     @cached_property
     def required(self) -> tuple[str, ...]:
@@ -144,9 +157,12 @@ class Report(Typeset):
         """
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
         margins: dict[Expr, Expr] = {}
-        stable, notion, why = (None, "", numbers.doubt) if numbers.doubt else self._decided(numbers, margins)
+        if numbers.doubt:
+            stable, notion, why, modulo = None, "", numbers.doubt, self.sufficient.modulo
+        else:
+            stable, notion, why, modulo = self._decided(numbers, margins)
         verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
-        return Decision(verdict, notion, self.sufficient.modulo, why, tuple(margins.items()),
+        return Decision(verdict, notion, modulo, why, tuple(margins.items()),
                         inertia_note(self.equilibrium, numbers))
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
@@ -164,27 +180,37 @@ class Report(Typeset):
         ('STABLE', 'UNSTABLE')
         """
         decision = self.verdict(values)
-        if not decision.modulo or self.boundary is None or decision.verdict is not Verdict.STABLE:
-            return replace(decision, modulo=() if decision.verdict is Verdict.UNSTABLE else decision.modulo)
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
+        known = (self.recognised or seen_at(self.equilibrium, numbers)) if decision.modulo else None
+        if not decision.modulo or not (known or self.boundary) or decision.verdict is not Verdict.STABLE:
+            return replace(decision, modulo=() if decision.verdict is Verdict.UNSTABLE else decision.modulo)
         margins: dict[Expr, Expr] = {}
-        stable, why = self.drift.decide(numbers, margins)
+        stable, why = (Drift(known.equilibrium) if known else self.drift).decide(numbers, margins)
+        why = known.worded(why) if known else why
         verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
         return Decision(verdict, "" if stable is None else "Lyapunov", (), why, tuple(margins.items()), decision.note)
 
-    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[bool | None, str, str]:
-        """Whether it is stable, the notion, and why."""
+    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[bool | None, str, str, tuple[Expr, ...]]:
+        """Whether it is stable, the notion, why, and the integrals whose flow is divided out."""
+        modulo = self.sufficient.modulo
         sufficient = holds(self.sufficient, numbers, margins)
         if sufficient:
-            return True, "Lyapunov", "the second variation is definite on the symplectic slice"
+            return True, "Lyapunov", "the second variation is definite on the symplectic slice", modulo
         necessary = holds(self.necessary, numbers, margins)
         if necessary is False:
-            return False, "spectral", "an eigenvalue has a positive real part"
+            return False, "spectral", "an eigenvalue has a positive real part", modulo
+        if known := seen_at(self.equilibrium, numbers):
+            standard = _kept(known.equilibrium)
+            if missing := ", ".join(name for name in standard.required if symbol(name) not in numbers):
+                return None, "", known.worded(f"give {missing} to decide"), known.modulo
+            stable, notion, why, _ = standard._decided(numbers, margins)
+            return stable, notion, known.worded(why), known.modulo
         if None in (sufficient, necessary):
-            return None, "", "a margin has no proved sign"
+            return None, "", "a margin has no proved sign", modulo
         between = self.boundary or sphere_of(self.equilibrium)
         stable, why = between.decide(numbers, margins) if between else self._beyond(numbers)
-        return stable, "" if stable is None else "Lyapunov", why
+        why = self.recognised.worded(why) if self.recognised else why
+        return stable, "" if stable is None else "Lyapunov", why, modulo
 
     def _beyond(self, numbers: Point) -> tuple[bool | None, str]:
         """Whether it is stable between the two criteria, by elementary theorems; and why."""
@@ -195,6 +221,12 @@ class Report(Typeset):
         if free := torque_free(eq, numbers):
             return free.decide(lambda momentum: Report(momentum)._decided(Point({}), {})[::2])
         return Amended(eq, numbers).decide()
+
+
+@once
+def _kept(eq: Equilibrium) -> Report:
+    """The report of an equilibrium in the standard axes, derived once."""
+    return Report(eq)
 
 
 def analyze(eq: Equilibrium) -> Report:

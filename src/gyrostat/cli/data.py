@@ -25,7 +25,7 @@ def report_data(report: Report) -> dict[str, Any]:
     """The whole derivation of one equilibrium."""
     eq, linear = report.equilibrium, report.linearization
     family, criteria = conditions_data(report), {"casimirs_only": criterion_data(report.casimirs_only)}
-    drift = {} if report.boundary is None or report.boundary.pole else {"drift": drift_data(Drift(eq))}
+    drift = {} if report.boundary is None or report.boundary.pole else {"drift": drift_data(report.drift)}
     return family | criteria | drift | {
         "point": strings(eq.point), "relations": {str(name): str(value) for name, value in eq.relations},
         "tangent_basis": [strings(row) for row in linear.basis.T.tolist()],
