@@ -1,53 +1,29 @@
 """All relative equilibria of a given scene, with their decisions: E1, E2, every E3, regular precessions."""
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
 from sympy import Expr, Integer, S, Symbol, sqrt
 
 from .body import symmetric_gyrostat
+from .branch import Branch, asked_about, in_axes_of
 from .equilibria import equilibrium
 from .errors import ScopeError, ValuesError, require
 from .exact import Point, ball, evaluate, sign_of_constant
 from .expressions import exact_number
 from .families import hanging, inclined, upright
-from .notation import Typeset, symbol
+from .notation import symbol
 from .potential import Potential
 from .reduction import ENERGY, K3, OMEGA, P, V, reduce, reducible
 from .roots import proved_sign, real_roots
-from .stability import Decision, Report, analyze
+from .stability import Report, analyze
 from .system import System, assemble
 from .values import unknown
 
 DU, PI3, C1 = symbol("dU"), symbol("pi3_0"), symbol("C1")
 _BODY = frozenset(map(symbol, ("I1", "I2", "I3", "l", "l1", "l2", "l3")))
 _ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
-
-
-@dataclass(frozen=True, repr=False)
-class Branch(Typeset):
-    """One relative equilibrium: ω = omega k + sigma e3.
-
-    Parameters
-    ----------
-    label : str              "E1", "E2", "E3" (sigma = 0), or "precession": a periodic orbit of the Lie-Poisson field, E3 of the body
-                             whose rotor carries l + I3 sigma
-    k3 : Expr or None        None: every k3 between −1 and 1
-    omega : Expr or None     rate about the vertical [1/T]; None: every rate
-    sigma : Expr or None     rate about the axis of the body on top of it [1/T]; None where it varies along a continuum
-    pi3 : Expr or None       axial momentum of the locked body [M L²/T]
-    decision : Decision      E3 and precessions: modulo the spin
-    itself : Decision or None     of an E3, what holds for the point itself
-    """
-
-    label: str
-    k3: Expr | None
-    omega: Expr | None
-    sigma: Expr | None
-    pi3: Expr | None
-    decision: Decision
-    itself: Decision | None = None
 
 
 def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch]:
@@ -60,9 +36,12 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
     - k3: every E3 of that tilt, (I1 − I3) k3 ω² − l ω + U' = 0;
     - k3, pi3_0: every regular precession of that tilt, I1 k3 ω² − (π3 + l) ω + U' = 0.
 
+    A body of revolution about another axis is recognised: of axis 1 it is k1 and pi1_0 in place of k3 and pi3_0, of an oblique axis c
+    kc = k·c and pic_0 = π·c.
+
     Parameters
     ----------
-    scene : System                        U rational in k3
+    scene : System                        a body of revolution, U rational in the component of k along its axis
     values : mapping of name to number    rational or algebraic, as in Report.verdict
 
     Returns
@@ -89,6 +68,9 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
     precession sqrt(6) + 3 STABLE
     """
     require(scene, System, "the scene")
+    if not reducible(scene) and scene.potential and scene.potential.given and (turned := asked_about(scene, values)):
+        found, own = turned
+        return [in_axes_of(found, branch) for branch in relative_equilibria(found.standard, own)]
     asked, numbers = _asked_for(scene, values)
     here = _Scene(scene, numbers)
     if asked == ("omega",):

@@ -7,7 +7,7 @@ from sympy import Abs, CRootOf, Expr, Pow, S, oo, sqrt
 from .bifurcations import KINDS, Bifurcation, BifurcationPoint
 from .blocks import Block, Display, Sentence, Word, drift_displays, existence, ladder, rung_display
 from .boundary import Boundary
-from .branches import Branch
+from .branch import Branch
 from .drift import Drift
 from .intervals import EXCLUDED, INCLUDED, Interval, Ladder, Part, Solution
 from .linearization import rational_root
@@ -149,11 +149,11 @@ def _tidy(value: Expr) -> Expr:
 
 @result_blocks.register
 def _branch(branch: Branch) -> list[Block]:
-    place = [("k3", branch.k3), ("omega", branch.omega), ("sigma", branch.sigma)]
-    given = [(symbol(name), number(value)) for name, value in place if value is not None]
+    place = [(branch.along, branch.k3), (symbol("omega"), branch.omega), (symbol("sigma"), branch.sigma)]
+    given = [(name, number(value)) for name, value in place if value is not None]
     text = ", ".join("{} = {}" for _ in given)
     every = "" if branch.k3 is not None else ", every {}" if given else "every {}"
-    parts = (*(part for pair in given for part in pair), *((symbol("k3"),) if every else ()))
+    parts = (*(part for pair in given for part in pair), *((branch.along,) if every else ()))
     return [Sentence(f"{branch.label} at {text}{every}: {branch.decision.verdict.name.lower()}", parts)]
 
 
