@@ -29,7 +29,9 @@ class Motion:
     precession : float or None         angle gained about the vertical in a period, over 2π the rotation number, a half the apsidal
                                        angle; of a motion without period, the rate [1/T]
     spin : float or None               the same about the axis of a body of revolution
-    limits : (float, float) or None    lowest and highest k3 of a body of revolution in U(k3)
+    limits : (float, float) or None    lowest and highest component of k along the axis of a body of revolution in a field
+    axis : array, shape (3,)           of a body of revolution; else e3
+    recognised : str                   what the scene is, where it is not entered as a body of revolution in U(k3) but is one; else ""
     nodes : int                        of the quadrature, or steps of the integration
     error : float                      of the state, estimated
 
@@ -113,6 +115,14 @@ class Motion:
         return self._route.limits
 
     @property
+    def axis(self) -> Array:
+        return np.array(getattr(self._route, "axis", (0.0, 0.0, 1.0)))
+
+    @property
+    def recognised(self) -> str:
+        return str(getattr(self._route, "recognised", ""))
+
+    @property
     def nodes(self) -> int:
         return int(self._route.nodes)
 
@@ -189,7 +199,8 @@ def facts(motion: Motion) -> dict[str, Any]:
     """What is known of a motion, and the numbers that it is of, exact, as texts."""
     from . import __version__
     gained = {name: getattr(motion._route, name, None) for name in ("period", "precession", "spin")}
-    known = {"route": motion.route, **gained, "energy": motion.energy, "error": motion.error, "nodes": motion.nodes}
+    known = {"route": motion.route, **gained, "energy": motion.energy, "error": motion.error, "nodes": motion.nodes,
+             "recognised": motion.recognised or None}
     body, potential = motion.scene.body, motion.scene.potential
     numbers = {"inertia": body.inertia, "gyrostatic_momentum": body.gyrostatic_momentum, "state": motion.state,
                "potential": potential.expression if potential else "none", "gyrostat_version": __version__}

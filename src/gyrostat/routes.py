@@ -1,5 +1,6 @@
 """Which model a scene moves in: exact where there is one, integrated and monitored where not."""
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import lru_cache
 from typing import Any
 
@@ -7,7 +8,7 @@ from sympy import Expr, Symbol
 
 from .axialmotion import AxialMotion
 from .body import Gyrostat
-from .errors import ScopeError, ValuesError, require
+from .errors import AccuracyError, ScopeError, ValuesError, require
 from .expressions import exact_number
 from .freemotion import FreeMotion
 from .integration import Integration
@@ -16,6 +17,7 @@ from .motions import Motion, bits_of
 from .potential import Potential
 from .reduction import reducible
 from .system import System, assemble
+from .turned import TurnedMotion, of_revolution
 from .values import check_names
 
 
@@ -24,8 +26,8 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     """The motion of a scene from a state on, in the smallest model that has it.
 
     A body of revolution in U(k3) by elliptic functions (U of degree at most 2) or by one spectral quadrature: a state costs the same at
-    any time. A free gyrostat by Jacobi's functions, or from one turn of its momentum. Any other scene is integrated, twice, and
-    monitored.
+    any time; about any other axis it is recognised, and turned. A free gyrostat by Jacobi's functions, or from one turn of its momentum.
+    Any other scene is integrated, twice, and monitored.
 
     Parameters
     ----------
@@ -81,6 +83,9 @@ def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float |
             return AxialMotion(Level(scene, point), bits)
         except ScopeError:                                 # towards a root of higher order, as a power of the time
             pass
+    elif any(point[3:]) and (found := of_revolution(scene, point)):
+        with suppress(AccuracyError, ScopeError, ValuesError):             # it need not be exact: it can be integrated as it is
+            return TurnedMotion(found, point, bits)
     return Integration(scene, point, tolerance)
 
 

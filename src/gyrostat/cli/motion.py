@@ -209,7 +209,8 @@ def _film(moving: Motion, times: Array, path: Path) -> dict[str, float]:
 def _summary(moving: Motion, drift: dict[str, float], digits: int | None) -> str:
     """What is known of the motion, a line each."""
     period = moving.period
-    facts: dict[str, Any] = {"route": moving.route, "period": period if digits is None or period is None else mpmath.nstr(period, digits)}
+    facts: dict[str, Any] = {"scene": moving.recognised or None, "route": moving.route,
+                             "period": period if digits is None or period is None else mpmath.nstr(period, digits)}
     for name, gain in (("precession", moving.precession), ("spin", moving.spin)):
         facts[name] = None if gain is None else f"{gain} {'per unit of time' if period is None else 'in a period'}"
     facts["error"] = f"{moving.error:.1e}, estimated" if digits is None else None

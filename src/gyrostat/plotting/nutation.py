@@ -13,10 +13,11 @@ WIDEST = 0.5                                               # of a chord of the u
 
 
 def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
-    """Draw the path of the axis e3 of the body in space, on the unit sphere, seen as ax.view_init says.
+    """Draw the path of the axis of the body in space, on the unit sphere, seen as ax.view_init says.
 
-    Upwards is the vertical, for a free body the direction of M. Between two limits of k3 the axis nods: its path is a wave, has loops, or
-    has cusps, as the rate φ̇ keeps its sign, changes it, or vanishes at a limit. What is behind is faded.
+    The axis is e3, unless the scene was recognised as of revolution about another. Upwards is the vertical, for a free body the direction
+    of M. Between two limits of its height the axis nods: its path is a wave, has loops, or has cusps, as the rate φ̇ keeps its sign,
+    changes it, or vanishes at a limit. What is behind is faded.
 
     Parameters
     ----------
@@ -62,14 +63,15 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
         curve_on(ax, circle(np.array([0.0, 0.0, 1.0]), float(np.sqrt(1 - height**2)), height), eye, **limit)
     curve_on(ax, path, eye, **style)
     dots_on(ax, path[:1], eye, color=style["color"], marker="o", linestyle="none", markersize=5)
-    legend(ax, [named(style, "axis of the body"), *([named(limit, f"limits of {label('k3')}")] if limits else [])])
+    named_height = label("k3") if motion.axis[2] == 1 else "its height"
+    legend(ax, [named(style, "axis of the body"), *([named(limit, f"limits of {named_height}")] if limits else [])])
     return ax
 
 
 def axis_path(motion: Motion, times: Any) -> Array:
-    """e3 of the body in space, R e3, shape (n, 3)."""
+    """The axis of the body in space, e3 where it has no other, shape (n, 3)."""
     require(motion, Motion, "the motion")
-    return close_enough(motion.attitude(np.asarray(times, dtype=float))[..., :, 2])
+    return close_enough(motion.attitude(np.asarray(times, dtype=float)) @ motion.axis)
 
 
 def close_enough(path: Array) -> Array:
