@@ -10,15 +10,15 @@ import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
 CHAIN = ("start errors notation expressions algebra matrices algebraic transcendental exact signs body potential fields liepoisson "
-         "system equilibria families orbit linearization energy_casimir implication conditions reduction boundary sphere drift roots "
-         "forms amended torquefree values stability branches bifurcations intervals cases solve cells stabilizing attitude freebody "
-         "presentation progress straightline rounding grids tiles kernels numeric arraysigns enclosures regions proofs coverings boxes "
-         "certify blocks results document unicode references files linebreaks latex article contours charts stores periods elliptic "
-         "levels turning nutation spectral spinors precession axialmotion steady polhodes loops freemotion integrators integration "
-         "columns motions routes confirmation trajectories plotting published cli").split()
+         "system equilibria families orbit linearization energy_casimir implication conditions reduction spherical recognition standard "
+         "boundary sphere drift roots forms amended torquefree values stability branch branches bifurcations intervals cases solve "
+         "cells stabilizing attitude freebody presentation progress straightline rounding grids tiles kernels numeric arraysigns "
+         "enclosures regions proofs coverings boxes certify blocks results document unicode references files linebreaks latex article "
+         "contours charts stores periods elliptic levels turning nutation spectral spinors precession axialmotion steady polhodes loops "
+         "freemotion integrators integration columns motions turned routes confirmation trajectories plotting published cli").split()
 PLOTTING = ("looks globe charts scenes levels momentum nutation potentials diagrams energies spectra cones solids animation interactive "
             "__init__").split()
-VIEWS = CHAIN[CHAIN.index("branches"):]
+VIEWS = CHAIN[CHAIN.index("branch"):]
 PUBLISHED = ("jacobi language scenes kinematics names criteria sampling independent independent_kinematics independent_names statements "
              "evidence search formulas claims __init__ listing typesetting errata").split()
 
