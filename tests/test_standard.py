@@ -4,7 +4,7 @@ from fractions import Fraction as F
 
 import oracle
 import pytest
-from sympy import Rational, exp, sqrt
+from sympy import Rational, exp, pi, sqrt
 from turns import OBLIQUE, TURNS, K, scene, turned
 
 import gyrostat as gs
@@ -140,6 +140,15 @@ def test_rotation_that_is_stable_in_no_field_is_not_said_to_leave():
     assert gs.analyze(gs.upright(free)).verdict({"pi3_0": 0}).verdict is Verdict.UNSTABLE
 
 
+def test_moments_equal_in_two_spellings():
+    """√(4 + 2√3) = 1 + √3: recognised, as is the body that has the first of them twice, entered in the standard way or not."""
+    nested, plain = sqrt(4 + 2 * sqrt(3)), 1 + sqrt(3)
+    for inertia in ((nested, plain, 1), (nested, nested, 1)):
+        for field in (gs.general_potential(k3), gs.axial_potential(k3)):
+            this = gs.assemble(gs.Gyrostat(inertia, (0, 0, 0)), field)
+            assert gs.analyze(gs.equilibrium(this, (0, 0, 2 * sqrt(plain), 0, 0, 1))).verdict({}).verdict is Verdict.STABLE
+
+
 @pytest.mark.parametrize(("inertia", "rotor", "U", "point"), [
     ((1, 1, 3), (0, 0, 0), k1, (2, 0, 0, 1, 0, 0)), ((2, 2, 2), (1, 1, 0), k1, (1, 1, 0, 1, 0, 0)),
     ((2, 2, 2), (0, 0, 0), k1 + k2**2 / 10, (4, 0, 0, 1, 0, 0))])
@@ -161,6 +170,18 @@ def test_transcendental_field_about_an_oblique_axis():
         spin = 2 * exp(Rational(1, 2)) * factor / sqrt(3)
         report = gs.analyze(gs.equilibrium(this, (spin, spin, spin, 1 / sqrt(3), 1 / sqrt(3), 1 / sqrt(3))))
         assert report.verdict({}).verdict is expected, report.verdict({})
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("second", [2 ** Rational(1, 3), pi, sqrt(2)])
+def test_axes_of_other_numbers(second):
+    """c along (1, ∛2, 0), (1, π, 0), (1, √2, 0): P² = 4 I1 U', U = c·k."""
+    length = sqrt(1 + second**2)
+    this = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, 0)), gs.general_potential((k1 + second * k2) / length))
+    for spin, expected in ((2, Verdict.STABLE), (Rational(21, 10), Verdict.STABLE), (Rational(19, 10), Verdict.UNSTABLE)):
+        point = (spin / length, spin * second / length, 0, 1 / length, second / length, 0)
+        decision = gs.analyze(gs.equilibrium(this, point)).verdict({})
+        assert decision.verdict is expected and ("on the boundary" in decision.reason) == (spin == 2)
 
 
 @pytest.mark.slow

@@ -82,16 +82,19 @@ class Boundary(Typeset):
         >>> [rung.condition.margin for rung in islice(boundary.rungs(), 3)]
         [d2U + dU, -3*d2U - 2*d3U, 2*d3U + d4U]
         """
-        power, potential = self._first, self.equilibrium.system.potential
+        power, potential = 3, self.equilibrium.system.potential
         highest = self.last or (HIGHEST if potential and potential.given else None)
         while highest is None or power <= highest:
             yield self.rung(power)
             power += 1
 
-    @property
-    def _first(self) -> int:
-        """The first power that the criteria leave open: of three integrals, where π is fixed, they may leave x² at a tilt."""
-        return 2 if not self.pole and len(self.equilibrium.system.integrals) == 3 else 3
+    def decisive(self) -> Iterator[Rung]:
+        """The ladder with the coefficient of x² below it, which is 0 where the criteria are those of g; they may leave more open.
+
+        So where π is fixed, whatever the axis, or numbers stand in the scene whose relations the criteria do not see.
+        """
+        yield self.rung(2)
+        yield from self.rungs()
 
     def rung(self, power: int) -> Rung:
         """The rung of one power of x, from 2 on."""
@@ -122,7 +125,7 @@ class Boundary(Typeset):
         numbers : mapping of Symbol to Expr     exact
         margins : dict                          the margins used are entered
         """
-        for rung in self.rungs():
+        for rung in self.decisive():
             condition = rung.condition
             if wanted := condition.symbols - numbers.keys():
                 missing = ", ".join(sorted(s.name for s in wanted))
@@ -140,7 +143,7 @@ class Boundary(Typeset):
     def _decided(self, rung: Rung, sign: int) -> tuple[bool, str]:
         stable = sign > 0 and not rung.escapes
         kind = (": supercritical" if stable else ": subcritical") if self.pole else ""
-        here = f"on the boundary g = c x^{rung.power} + … with c {'<' if sign > 0 else '>'} 0"
+        here = f"{'on the boundary ' if rung.power > 2 else ''}g = c x^{rung.power} + … with c {'<' if sign > 0 else '>'} 0"
         return stable, f"{here}, {'k3 is held' if stable else 'a motion leaves along x'}{kind}"
 
 

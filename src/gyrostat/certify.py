@@ -170,7 +170,7 @@ class _Worker:
                     for numbers in grid.numbers(grid.values)]
         found = np.full(grid.shape, UNDECIDED, dtype=np.int8)
         left = np.arange(len(found))
-        for rung in boundary.rungs():
+        for rung in boundary.decisive():
             if not rung.condition.symbols <= grid.values.keys():
                 return found
             signs = _signs_of(rung.condition, grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))

@@ -31,6 +31,8 @@ def _reduced(U: Expr, square_radius: Expr) -> Expr:
     """The normal form, free of k1 and k2 where it is proved to be."""
     functions = {f: f.func(*(_reduced(a, square_radius) for a in f.args)) for f in _functions(U)}
     U = U.xreplace(functions)
+    if not U.free_symbols & {K1, K2}:
+        return U
     ring = Ring([U, *DIRECTIONS, square_radius])
     square, below = ring.fraction(square_radius)
     square = square - below * (ring.gens[K2] ** 2 + ring.gens[K3] ** 2)                    # below · k1²
