@@ -301,11 +301,11 @@ def test_the_ladder_ends_where_nothing_new_comes():
 
 
 def test_three_moments_have_no_boundary(asymmetric):
-    """Three moments, a1 = (I3 − I1)(ω² − m1) + l ω − m0 = 0, a2 < 0: q = 0, p > 0, nothing decides between the two criteria."""
+    """Three moments, a1 = (I3 − I1)(ω² − m1) + l ω − m0 = 0, a2 = −3, p > 0, q = 0: no minimum, and nothing decides."""
     report = gs.analyze(gs.upright(asymmetric, spin="omega3_0"))
     assert report.boundary is None
-    decision = report.verdict(values := {"I1": 2, "I2": 1, "I3": 3, "l": 1, "omega3_0": 2, "m1": 1, "m0": 5})
-    assert decision.verdict is Verdict.UNDECIDED and "between the two criteria" in decision.reason and decision.notion == ""
+    decision = report.verdict(values := {"I1": 1, "I2": 2, "I3": 3, "l": 3, "omega3_0": 2, "m1": 1, "m0": 12})
+    assert decision.verdict is Verdict.UNDECIDED and "gyroscopic" in decision.reason and decision.notion == ""
     assert report.itself(values) == decision
 
 

@@ -5,8 +5,9 @@ import numpy as np
 from flint import arb, ctx
 from sympy import Expr, trigsimp
 
+from .algebraic import is_algebraic
 from .axialmotion import AxialMotion
-from .exact import ONE_AT_A_TIME, ball, is_algebraic
+from .exact import ONE_AT_A_TIME, ball
 from .grids import Array
 from .levels import Level
 from .recognition import Recognition, recognise
