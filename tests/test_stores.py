@@ -14,7 +14,7 @@ import xarray as xr
 from sympy import exp
 
 import gyrostat as gs
-from gyrostat import stores
+from gyrostat import layout, stores
 from gyrostat.charts import stability_chart
 from gyrostat.errors import MissingExtraError, StoreError
 
@@ -40,7 +40,7 @@ def small(monkeypatch):
 def written(monkeypatch):
     """The numbers of the blocks that are computed in this process."""
     numbers, write = [], stores.write_block
-    monkeypatch.setattr(stores, "write_block", lambda path, chart, n: numbers.append(n) or write(path, chart, n))
+    monkeypatch.setattr(stores, "write_block", lambda marks, chart, arrays, n: numbers.append(n) or write(marks, chart, arrays, n))
     return numbers
 
 
@@ -77,7 +77,7 @@ def test_further_axes_and_a_chart_without_a_boundary(e1, small, tmp_path):
     ((5, 70, 90), 100, (1, 1, 90)), ((31623, 31623), 2**22, (132, 31623))])
 def test_blocks_are_whole_rows(shape, points, block):
     """As many whole rows as there are points for, then whole planes."""
-    assert stores._block(shape, points) == block
+    assert layout.Layout(Path(), None, tuple(map(np.empty, shape)), points).block == block
 
 
 def test_another_chart_is_refused(e1, e2, small, tmp_path, monkeypatch):
@@ -103,7 +103,7 @@ def test_another_chart_is_refused(e1, e2, small, tmp_path, monkeypatch):
     with pytest.raises(StoreError, match="differ in block"):
         stability_chart(e1, **GRID, store=path)
     monkeypatch.setattr(stores, "BLOCK", 7 * 90)
-    monkeypatch.setattr(stores, "FORMAT", 2)
+    monkeypatch.setattr(layout, "FORMAT", 3)
     with pytest.raises(StoreError, match="differ in format"):
         stability_chart(e1, **GRID, store=path)
     assert contents(path) == before
@@ -118,7 +118,7 @@ def test_what_is_no_store_is_left_alone(e1, tmp_path):
     for name in ("file.zarr", "folder.zarr", "other.zarr"):
         with pytest.raises(StoreError, match=f"{name} exists and is no store of a chart"):
             stability_chart(e1, **GRID, store=tmp_path / name)
-    with pytest.raises(FileNotFoundError):
+    with pytest.raises(StoreError, match="there is no folder .*missing for the store: make it"):
         stability_chart(e1, **GRID, store=tmp_path / "missing" / "chart.zarr")
     assert contents(tmp_path) == before and not (tmp_path / "missing").exists()
 
@@ -172,15 +172,15 @@ def test_a_killed_run_is_continued(e1, small, written, tmp_path):
     the result is the one of memory."""
     path = tmp_path / "chart.zarr"
     run = python(f"""
-import zarr
-stores.BLOCK, write = 7 * 90, zarr.Array.__setitem__
+from gyrostat.marks import Marks
+stores.BLOCK, write = 7 * 90, Marks.write
 done = []
-def killing(self, part, values):
-    if self.path == "complete" and len(done) == 4:
+def killing(self, number):
+    if len(done) == 4:
         os.kill(os.getpid(), signal.SIGKILL)
-    done.extend([part] if self.path == "complete" else [])
-    write(self, part, values)
-zarr.Array.__setitem__ = killing
+    done.append(number)
+    write(self, number)
+Marks.write = killing
 stability_chart(report, **grid, store={str(path)!r})
 """, PYTHONHASHSEED="1")
     assert run.returncode == -signal.SIGKILL, run.stderr
@@ -199,7 +199,7 @@ def test_a_store_is_moved_into_place_whole(e1, small, tmp_path, monkeypatch):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(stores.os, "rename", interrupted)
+        patched.setattr(layout.os, "rename", interrupted)
         with pytest.raises(KeyboardInterrupt):
             stability_chart(e1, **GRID, store=path)
     assert list(tmp_path.iterdir()) == []
@@ -211,7 +211,7 @@ def test_a_store_is_moved_into_place_whole(e1, small, tmp_path, monkeypatch):
             rename(tmp_path / "first.zarr", place)
         rename(new, place)
 
-    monkeypatch.setattr(stores.os, "rename", lambda new, place: (second if place == path else rename)(new, place))
+    monkeypatch.setattr(layout.os, "rename", lambda new, place: (second if place == path else rename)(new, place))
     xr.testing.assert_identical(stability_chart(e1, **GRID, store=path).compute(), stability_chart(e1, **GRID))
     assert list(tmp_path.iterdir()) == [path]
 
@@ -292,7 +292,7 @@ def test_a_store_says_what_it_is_of(e1, small, tmp_path):
     """What is compared is in the attributes of complete, and does not depend on the process."""
     stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
     own = json.loads(xr.open_zarr(tmp_path / "chart.zarr", consolidated=False).complete.attrs["chart"])
-    assert own["axes"] == ["l", "pi3_0"] and own["value of I1"] == "1/3" and own["format"] == stores.FORMAT and own["block"] == [7, 90]
+    assert own["axes"] == ["l", "pi3_0"] and own["value of I1"] == "1/3" and own["format"] == layout.FORMAT and own["block"] == [7, 90]
 
 
 FIELDS = [gs.axial_potential(), gs.uniform_field(), gs.axial_potential(lambda k3: gs.symbol("a") * exp(k3)), gs.newtonian_field(3),
