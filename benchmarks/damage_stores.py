@@ -3,11 +3,11 @@
     python benchmarks/damage_stores.py            200 mutilations, 20 kills, 20 power cuts, 6 pairs of writers
     python benchmarks/damage_stores.py --quick    a seeded part, for breakage; exit status 1 if a store is silently wrong
 
-A mutilation: one to three files of any kind (chunks, marks, descriptions of the group and of its arrays, coordinates, boundary) missing, cut
-off, emptied, zeroed, with a bit flipped, exchanged with another, or a folder missing. A kill: SIGKILL at a random moment of the call, the
-making of the store included, until a call ends by itself. A power cut: the same, and every file that was not flushed to the disk is
-missing, emptied, cut off or zeroed. Each is followed by the call. It ends in the undisturbed store (the bytes of every file), in a
-StoreError, or it is silently wrong.
+A mutilation: one to three files of any kind (chunks, marks, descriptions of the group and of its arrays, coordinates, boundary) missing,
+cut off, emptied, zeroed, with a bit flipped, exchanged with another, or their folder missing. A kill: SIGKILL at a random moment of the
+call, the making of the store included, until a call ends by itself. A power cut: the same, and every file that was not flushed to the
+disk is missing, emptied, cut off or zeroed. Each is followed by the call. It ends in the undisturbed store (the bytes of every file), in
+a StoreError, or it is silently wrong.
 """
 import argparse
 import os
@@ -22,7 +22,7 @@ from collections import Counter
 from datetime import date
 from pathlib import Path
 
-import dask.array                                          # what a call loads is loaded once, before there are processes
+import dask.array
 import numpy as np
 import xarray
 import zarr.codecs
@@ -33,21 +33,24 @@ from gyrostat.charts import stability_chart
 from gyrostat.errors import StoreError
 
 TOP = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
-CHARTS = [{"x": ("pi3_0", np.linspace(-4, 4, 90)), "y": ("l", np.linspace(-2, 2, 68)), "fixed": {"I1": "1/3", "dU": 1}},
-          {"x": ("pi3_0", np.linspace(-4, 4, 30)), "y": ("l", np.linspace(-2, 2, 21)), "axes": {"dU": [0.5, 1.0, 2.0]},
-           "fixed": {"I1": "1/3"}, "margins": True}]
-for ready in CHARTS:
-    stability_chart(TOP, **ready)
-POINTS = {False: 630, True: 8 * 210}                       # of a block, so that there are about ten; the last one is not a full one
-KINDS = {"missing": lambda data, rng: None, "cut off": lambda data, rng: data[:rng.randrange(len(data) + 1)],
-         "emptied": lambda data, rng: b"", "zeroed": lambda data, rng: bytes(len(data)), "bit flipped": lambda data, rng: flipped(data, rng)}
 
 
 def flipped(data, rng):
+    """With one bit altered."""
     if not data:
         return b"\1"
     place = rng.randrange(len(data))
     return data[:place] + bytes([data[place] ^ 1 << rng.randrange(8)]) + data[place + 1:]
+
+
+CHARTS = [{"x": ("pi3_0", np.linspace(-4, 4, 90)), "y": ("l", np.linspace(-2, 2, 68)), "fixed": {"I1": "1/3", "dU": 1}},
+          {"x": ("pi3_0", np.linspace(-4, 4, 30)), "y": ("l", np.linspace(-2, 2, 21)), "axes": {"dU": [0.5, 1.0, 2.0]},
+           "fixed": {"I1": "1/3"}, "margins": True}]
+for ready in CHARTS:                                       # what is loaded and derived is so once, before there are processes
+    stability_chart(TOP, **ready)
+POINTS = {False: 630, True: 8 * 210}                       # of a block, so that there are about ten; the last one is not a full one
+KINDS = {"missing": lambda data, rng: None, "cut off": lambda data, rng: data[:rng.randrange(len(data) + 1)],
+         "emptied": lambda data, rng: b"", "zeroed": lambda data, rng: bytes(len(data)), "bit flipped": flipped}
 
 
 def contents(path):

@@ -54,7 +54,8 @@ def test_every_point_is_the_verdict_there(scenes, case, xs, ys, offset, flip):
     report, (x, y), fixed = scenes[case]
     if "l" in report.required and "l" not in (x, y, *fixed):
         fixed = {**fixed, "l": 1}
-    xs, ys = (xs + offset)[::-1] if flip else xs + offset, ys
+    xs, ys = (np.unique(abs(v) + 1 / 8) if gs.symbol(n).is_positive else v for n, v in ((x, xs + offset), (y, ys)))
+    xs = xs[::-1] if flip else xs
     chart = stability_chart(report, x=(x, xs), y=(y, ys), fixed={n: v for n, v in fixed.items() if n in report.parameters or n == "d2U"})
     assert chart.verdict.dtype == np.int8 and chart.verdict.dims == (y, x)
     for i, j in np.ndindex(chart.verdict.shape):
@@ -66,9 +67,9 @@ def test_the_examples_reach_every_answer(scenes):
     """All four codes occur in these scenes."""
     found = set()
     for report, (x, y), fixed in scenes:
-        grid = np.linspace(-2, 2, 33)
+        grids = {n: np.linspace(1 / 8 if gs.symbol(n).is_positive else -2, 2, 33) for n in (x, y)}
         fixed = {n: v for n, v in fixed.items() if n in report.parameters or n == "d2U"}
-        found |= set(np.unique(stability_chart(report, x=(x, grid), y=(y, grid), fixed=fixed).verdict))
+        found |= set(np.unique(stability_chart(report, x=(x, grids[x]), y=(y, grids[y]), fixed=fixed).verdict))
     assert found == set(CODES.values())
 
 
@@ -149,6 +150,9 @@ GOOD = {"x": ("pi3_0", [0, 1]), "y": ("l", [0, 1]), "fixed": {"I1": 1, "dU": 1}}
     ({"x": ("pi3", [0, 1])}, "no parameter pi3: did you mean pi3_0"), ({"x": ("l", [0, 1])}, "l is given twice"),
     ({"fixed": {"I1": 1, "dU": 1, "l": 1}}, "l is given twice"), ({"fixed": {"I1": 1}}, "E1 needs dU"),
     ({"axes": {"I1": [1, 2]}}, "I1 is given twice"), ({"fixed": {"I1": 0, "dU": 1}}, "I1 = 0, but it must be positive"),
+    ({"x": ("I1", np.linspace(-2, 2, 4)), "fixed": {"pi3_0": 1, "dU": 1}}, "value 0 of I1 is -2.0, but I1 must be positive: give an axis"),
+    ({"axes": {"I1": [1, 0]}, "fixed": {"dU": 1}}, "value 1 of I1 is 0.0, but I1 must be positive"),
+    ({"x": ("pi3_0", np.ma.array([0, 1], mask=[0, 1]))}, r"pi3_0\[1\] is masked"),
     ({"fixed": {"I1": "x", "dU": 1}}, "I1"), ({"store": "chart.nc"}, "call it chart.zarr")])
 def test_what_is_refused(e1, changed, why):
     """What was given, why that is impossible, what to do."""

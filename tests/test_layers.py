@@ -12,7 +12,7 @@ SRC = Path(gyrostat.__file__).parent
 CHAIN = ("start errors notation expressions algebra matrices algebraic transcendental exact signs body potential fields liepoisson "
          "system equilibria families orbit linearization energy_casimir implication conditions reduction spherical recognition standard "
          "boundary sphere drift roots forms amended torquefree values stability branch branches bifurcations intervals cases solve "
-         "cells stabilizing attitude freebody presentation progress straightline rounding grids tiles kernels numeric arraysigns "
+         "cells stabilizing attitude freebody presentation progress straightline rounding labels grids tiles kernels numeric arraysigns "
          "enclosures regions proofs coverings boxes certify blocks results document unicode references files linebreaks latex article "
          "contours charts marks layout stores periods elliptic levels turning nutation spectral spinors precession axialmotion steady "
          "polhodes loops freemotion integrators integration columns motions turned routes confirmation trajectories plotting published "

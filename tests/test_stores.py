@@ -1,4 +1,5 @@
 """Charts in a store: the same as in memory, continued after a kill, on a cluster, in little memory; pickled reports."""
+import errno
 import json
 import os
 import pickle
@@ -14,7 +15,7 @@ import xarray as xr
 from sympy import exp
 
 import gyrostat as gs
-from gyrostat import layout, stores
+from gyrostat import layout, marks, stores
 from gyrostat.charts import stability_chart
 from gyrostat.errors import MissingExtraError, StoreError
 
@@ -141,6 +142,127 @@ def test_the_blocks_that_are_missing_are_computed(e1, small, written, tmp_path):
     written.clear()
     stability_chart(e1, **GRID, store=path)
     assert written == []
+
+
+def damage(path, how):
+    """A file missing, cut off, emptied, zeroed, or with a bit flipped."""
+    data = path.read_bytes()
+    left = {"cut off": data[:-1], "emptied": b"", "zeroed": bytes(len(data)), "flipped": data[:-1] + bytes([data[-1] ^ 4])}
+    path.unlink() if how == "missing" else path.write_bytes(left[how])
+
+
+def test_a_mark_that_does_not_fit_its_chunks_is_none(e1, small, written, tmp_path):
+    """Marks and chunks missing, cut off, emptied, zeroed, altered or exchanged: these blocks are computed again, no other."""
+    path = tmp_path / "chart.zarr"
+    stability_chart(e1, **GRID, store=path)
+    before = contents(path)
+    for number, (name, how) in enumerate((name, how) for how in ("missing", "cut off", "emptied", "zeroed") for name in ("mark", "chunk")):
+        damage(path / "complete" / "c" / str(number) if name == "mark" else path / "verdict" / "c" / str(number) / "0", how)
+    damage(path / "verdict" / "c" / "8" / "0", "flipped")
+    written.clear()
+    stability_chart(e1, **GRID, store=path)
+    assert sorted(written) == list(range(9)) and contents(path) == before
+    for name in ("complete/c/{}", "verdict/c/{}/0"):
+        one, other = (path / name.format(n) for n in (0, 9))
+        data = one.read_bytes(), other.read_bytes()
+        one.write_bytes(data[1]), other.write_bytes(data[0])
+    written.clear()
+    stability_chart(e1, **GRID, store=path)
+    assert sorted(written) == [0, 9] and contents(path) == before
+
+
+def test_descriptions_and_coordinates_are_made_again(e1, small, written, tmp_path):
+    """Of the group, of each array, of the store itself; axes, fixed numbers, curves: as they were, and no block is computed."""
+    path = tmp_path / "chart.zarr"
+    stability_chart(e1, **GRID, store=path)
+    before = contents(path)
+    written.clear()
+    for harm in ({"zarr.json": "missing", "l/c/0": "flipped", "boundary_x/c/0": "cut off"}, {"complete/zarr.json": "cut off"},
+                 {"verdict/zarr.json": "emptied", "I1/zarr.json": "flipped", "complete/zarr.json": "zeroed", "pi3_0/c/0": "missing"}):
+        for name, how in harm.items():
+            damage(path / name, how)
+        xr.testing.assert_identical(stability_chart(e1, **GRID, store=path).compute(), stability_chart(e1, **GRID))
+        assert contents(path) == before and written == []
+
+
+def test_a_damaged_description_whose_chart_no_block_proves_is_refused(e1, small, tmp_path):
+    """Whose it is cannot be known: nothing of it changes."""
+    path = tmp_path / "chart.zarr"
+    stability_chart(e1, **GRID, store=path)
+    damage(path / "complete" / "zarr.json", "flipped")
+    before = contents(tmp_path)
+    with pytest.raises(StoreError, match="complete/zarr.json is damaged and of which no block is one of this chart: give another path, or"):
+        stability_chart(e1, **{**GRID, "fixed": {"I1": "1/4", "dU": 1}}, store=path)
+    assert contents(tmp_path) == before
+
+
+def test_a_store_without_checksums_is_refused(e1, small, tmp_path):
+    """Of the format before: the message says how to convert it; nothing of it changes."""
+    path = tmp_path / "chart.zarr"
+    stability_chart(e1, **GRID, store=path)
+    description = json.loads((path / "complete" / "zarr.json").read_text())
+    own = json.loads(description["attributes"]["chart"])
+    description["attributes"] = {"long_name": "whether a block is written", "chart": json.dumps({**own, "format": 1})}
+    (path / "complete" / "zarr.json").write_text(json.dumps(description))
+    before = contents(path)
+    with pytest.raises(StoreError, match="format 1, of a gyrostat that wrote no checksums.*to convert it to this format, move it away and"):
+        stability_chart(e1, **GRID, store=path)
+    assert contents(path) == before
+
+
+def test_chunks_are_on_the_disk_before_their_mark(e1, small, tmp_path, monkeypatch):
+    """Every file is flushed under its name or before it is moved; a mark after the chunk of its block and the folders above it."""
+    flushed, fsync = [], os.fsync
+    monkeypatch.setattr(os, "fsync", lambda file: flushed.append(os.readlink(f"/proc/self/fd/{file}")) or fsync(file))
+    path = (tmp_path / "chart.zarr").resolve()
+    stability_chart(e1, **GRID, store=path)
+    made = [name.split(".new", 1)[1] for name in flushed if ".new" in name]
+    assert set(made) >= {f"/{name}" for name in contents(path) if not str(name).startswith(("verdict/c", "complete/c"))}
+    for number in range(10):
+        (mark,) = (n for n, name in enumerate(flushed) if name.startswith(f"{path}/complete/c/{number}."))
+        assert {f"{path}/verdict/c/{number}/0", f"{path}/verdict/c/{number}", f"{path}/verdict/c"} <= set(flushed[:mark])
+        assert f"{path}/complete/c" in flushed[mark:]
+
+
+def test_a_full_disk(e1, small, written, tmp_path, monkeypatch):
+    """One sentence; what was written is kept, and the call goes on from there."""
+    write = marks.Marks.write
+
+    def full(self, number):
+        if number == 4:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        write(self, number)
+
+    monkeypatch.setattr(stores, "WAVE", 1)
+    with monkeypatch.context() as patched:
+        patched.setattr(marks.Marks, "write", full)
+        with pytest.raises(StoreError, match="cannot be written: No space left on device; the blocks that are done are kept: make room"):
+            stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
+    written.clear()
+    chart = stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
+    assert written == list(range(4, 10))
+    xr.testing.assert_identical(chart.compute(), stability_chart(e1, **GRID))
+
+
+def test_whoever_reads_is_told_of_a_damaged_chunk(e1, small, tmp_path):
+    """A flipped bit is an error of reading, not another verdict."""
+    chart = stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
+    damage(tmp_path / "chart.zarr" / "verdict" / "c" / "3" / "0", "flipped")
+    with pytest.raises(ValueError, match="checksum"):
+        chart.verdict.compute()
+
+
+def test_what_killed_processes_left_is_removed(e1, small, tmp_path):
+    """Beside the store and in it, after an hour; what is younger may be in use, and what has another name is someone's."""
+    path = tmp_path / "chart.zarr"
+    stability_chart(e1, **GRID, store=path)
+    left = [tmp_path / "chart.zarr.ab.new", path / "verdict" / "c" / "0.ab.partial", tmp_path / "chart.zarr.cd.new", tmp_path / "my.new"]
+    for place in left:
+        place.write_text("") if place.suffix == ".partial" else place.mkdir()
+    for place in (left[0], left[1], left[3]):
+        os.utime(place, (1, 1))
+    stability_chart(e1, **GRID, store=path)
+    assert [place.exists() for place in left] == [False, False, True, True]
 
 
 def test_a_mark_comes_after_its_chunks(e1, small, tmp_path, monkeypatch):

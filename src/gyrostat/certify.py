@@ -42,7 +42,7 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     invalid : str                               "raise", or "mark": where the equilibrium does not exist, or a number is not finite
     backend : str                               "numpy", or "numba" (extra fast)
     threads : int
-    out : array or None                         of int8, to write to
+    out : array or None                         of int8, to write to; it may overlap the arrays given
 
     Returns
     -------
@@ -72,6 +72,7 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     given = {str(name): value for name, value in {**(values or {}), **arrays}.items()}
     grid = grid_for(report, given, finite=invalid == "raise")
     result = prepared(out, grid.shape, np.int8)
+    grid = grid.apart_from(result)
     merged = result.reshape(grid.merged)
     blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
     firsts = in_threads(lambda some: _Worker(report, grid, backend).fill(some, merged), blocks, threads)

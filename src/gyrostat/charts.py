@@ -15,6 +15,7 @@ from .errors import ArgumentError, ValuesError, optional, require
 from .exact import sign_of_constant
 from .expressions import exact_number, shown
 from .grids import Array
+from .labels import check_plain
 from .latex import tex
 from .notation import NOTATION, jet, symbol, typeset, units
 from .numeric import compile_margin
@@ -110,7 +111,8 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
 
     Raises
     ------
-    ValuesError         names are missing, unknown, given twice or expressed by others; values are not finite or not monotonic
+    ValuesError         names are missing, unknown, given twice or expressed by others; values are not finite, not monotonic, or not
+                        positive where the parameter is
     StoreError          the store holds another chart
     MissingExtraError   pip install "gyrostat[charts]"
 
@@ -211,6 +213,7 @@ def _number(name: str, value: Any) -> tuple[str, Expr, str]:
 
 def _axis(name: str, values: Iterable[Any]) -> Array:
     """The values of an axis, checked."""
+    check_plain({name: values})
     try:
         array = np.asarray(values)
         if array.dtype.kind not in "iufO":
@@ -223,6 +226,9 @@ def _axis(name: str, values: Iterable[Any]) -> Array:
     if not np.isfinite(array).all():
         place = int(np.argmin(np.isfinite(array)))
         raise ValuesError(f"the value {place} of {name} is {array[place]}, not finite: remove it")
+    if symbol(name).is_positive and not (array > 0).all():
+        place = int(np.argmin(array > 0))
+        raise ValuesError(f"the value {place} of {name} is {array[place]}, but {name} must be positive: give an axis of positive values")
     on = array[1:] < array[:-1] if array.size > 1 and array[1] < array[0] else array[1:] > array[:-1]
     if not on.all():
         place = int(np.argmin(on)) + 1

@@ -131,7 +131,7 @@ def _between_verdicts(verdict: Array, signs: Array, good: tuple[Array, ...], bad
 
 
 def _zeros(sign: Sign, good: tuple[Array, Array], bad: tuple[Array, Array]) -> Array:
-    """Where the sign stops being 1 between two ends of an edge, shape (2, edges)."""
+    """Where the sign stops being 1 between two ends of an edge, shape (2, edges); so it does where there is none."""
     along = good[0] != bad[0]                          # the edge lies along x
     p, q = np.where(along, good[0], good[1]), np.where(along, bad[0], bad[1])
     other = np.where(along, good[1], good[0])
@@ -142,7 +142,7 @@ def _zeros(sign: Sign, good: tuple[Array, Array], bad: tuple[Array, Array]) -> A
             break
         found = sign(np.where(along, middle, other), np.where(along, other, middle))
         p = np.where(open_ & (found >= 0), middle, p)
-        q = np.where(open_ & (found <= 0), middle, q)
+        q = np.where(open_ & ~(found > 0), middle, q)
     return np.array([np.where(along, q, other), np.where(along, other, q)])
 
 

@@ -1,6 +1,6 @@
 """Named arrays on a common grid: broadcast, with the axes along which each varies, in blocks that fit a cache."""
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
@@ -15,6 +15,7 @@ from sympy import Expr, Rational, Symbol
 from .errors import ValuesError
 from .exact import LIMIT, ball
 from .expressions import exact_number
+from .labels import check_plain
 from .notation import symbol
 from .straightline import Axes
 
@@ -51,6 +52,10 @@ class Grid:
             where = np.frompyfunc(lambda x: isinstance(x, float), 1, 1)(self.exact[name]).astype(bool)
             return where if where.any() else None
         return None if all_finite(self.values[name]) else ~np.isfinite(self.values[name])
+
+    def apart_from(self, out: Array) -> "Grid":
+        """The same grid, of copies where its arrays may lie in the memory of another, so that what is written there is not read."""
+        return replace(self, values={s: a.copy() if np.may_share_memory(a, out) else a for s, a in self.values.items()})
 
     def index(self, place: Sequence[int]) -> tuple[int, ...]:
         """Where in the result a place of the merged grid lies."""
@@ -112,8 +117,9 @@ def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = Tr
 
     Raises
     ------
-    ValuesError      an array is not of real finite numbers, or the shapes do not broadcast
+    ValuesError      an array is not of real finite numbers, has masked ones, or other labels than another; shapes do not broadcast
     """
+    check_plain(values)
     read = {symbol(str(name)): _read(str(name), value, kind, finite) for name, value in values.items()}
     try:
         shape = np.broadcast_shapes(*(floats.shape for floats, _ in read.values()))

@@ -16,6 +16,7 @@ from .conditions import Condition, Criterion
 from .errors import ArgumentError, ValuesError, optional, require
 from .grids import Array, Block, Grid, cut, grid_of
 from .kernels import Finish, Kernel
+from .labels import check_plain
 from .notation import own
 from .rounding import rounded
 from .straightline import program_of
@@ -37,7 +38,8 @@ class CompiledMargin:
     ----------
     **arrays : array-like        one for each name; they broadcast as in NumPy. Arrays of shapes (n, 1) and (m,) make a grid, and nothing
                                  is computed again along an axis on which it does not depend. float32 throughout gives float32
-    out : array or None          where to write; C-contiguous, of the shape of the result
+    out : array or None          where to write; C-contiguous, of the shape of the result; it may overlap the arrays given. Of NumPy and
+                                 Numba
     threads : int                blocks are shared out among them
     """
 
@@ -57,6 +59,9 @@ class CompiledMargin:
     def __call__(self, *, out: Array | None = None, threads: int = 1, **arrays: Any) -> Any:
         check_names(arrays, self.names, "this margin" if self._margin is not None else "this criterion")
         if self._namespace is not None:
+            if out is not None:
+                raise ArgumentError(f"out is written to by NumPy and Numba, not by {self.backend}: leave it out, and keep what is returned")
+            check_plain(arrays)
             return self._everywhere(self._namespace, arrays)
         used = {name: arrays[name] for name in self.names}
         single = bool(used) and all(getattr(a, "dtype", None) == np.float32 for a in used.values() if np.ndim(a))
@@ -64,6 +69,7 @@ class CompiledMargin:
         with np.errstate(all="ignore"):
             grid = grid_of(used, kind)
         result = prepared(out, grid.shape, kind if self._margin is not None else np.bool_)
+        grid = grid.apart_from(result)
         merged = result.reshape(grid.merged)
         blocks = grid.blocks(NUMBA_BLOCK if self.backend == "numba" else NUMPY_BLOCK)
 
