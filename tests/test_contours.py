@@ -10,8 +10,9 @@ from sympy import exp, log, sign, sqrt
 import gyrostat as gs
 from gyrostat import contours
 from gyrostat.charts import stability_chart
-from gyrostat.contours import TwofoldArithmetic, boundary, thinned
+from gyrostat.contours import boundary, thinned
 from gyrostat.notation import symbol
+from gyrostat.twofold import TwofoldArithmetic
 
 
 @pytest.fixture(scope="module")

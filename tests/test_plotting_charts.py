@@ -87,9 +87,9 @@ def test_names_and_legend(wedge, tilted):
     np.testing.assert_array_equal(line.get_ydata(), wedge.boundary_y)
     ax = drawn(tilted)
     assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_title()) == ("$k_3$", "$U''(k_3)$", "")
-    assert legend(ax) == ["stable", "unstable", "no equilibrium", "boundary"]
+    assert legend(ax) == ["stable modulo the spin", "unstable", "no equilibrium", "boundary"]
     ax = drawn(tilted.isel(k3=slice(18, 22), d2U=slice(28, 32)).drop_vars(["boundary_x", "boundary_y"]))
-    assert legend(ax) == ["stable"] and not ax.lines
+    assert legend(ax) == ["stable modulo the spin"] and not ax.lines
 
 
 def test_undecided_is_hatched(wedge):

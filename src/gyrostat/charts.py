@@ -80,7 +80,12 @@ class Chart:
         y, x = arrays[0][rows], arrays[1][columns]
         seen = self.variables([y, x])["verdict"] if verdict is None else verdict[np.ix_(rows, columns)]
         up, across = map(symbol, self.names)
-        return boundary(self.deciding, {symbol(name): number for name, number, _ in self.fixed}, (across, x), (up, y), seen)
+        numbers = {name: number for name, number, _ in self.fixed}
+
+        def verdict_at(at_x: Array, at_y: Array) -> Array:
+            return verdicts(self.report, numbers | {across.name: at_x, up.name: at_y}, invalid="mark")
+
+        return boundary(self.deciding, {symbol(name): number for name, number in numbers.items()}, (across, x), (up, y), seen, verdict_at)
 
 
 def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any] | None = None, axes: Mapping[str, Any] | None = None,

@@ -1,5 +1,6 @@
 """Curves on which a verdict changes: zeros of margins, each point of them on a line of the grid, moved along it to the last bits."""
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,16 +11,17 @@ from .grids import Array
 from .numeric import compile_margin, in_floats
 from .rounding import error_bound
 from .straightline import Program, program_of
+from .twofold import Twofold, TwofoldArithmetic
 
-Twofold = tuple[Any, Any]                              # the sum of two doubles, the second below the last bit of the first
-Sign = Callable[[Array, Array], Array]
+Sign = Callable[[Array, Array], Array]                 # at points, from their x and y
+Verdicts = Callable[[Array, Array], Array]
 FINEST = 2000                                              # values of an axis between which curves are followed
-_SPLIT = 2.0**27 + 1
+NOTHING = 2.0**-100                                        # of an edge: a zero that is no further from 0 is at 0
 _AROUND = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
 
 
 def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[Symbol, Array], y: tuple[Symbol, Array],
-             verdict: Array) -> tuple[Array, Array]:
+             verdict: Array, ask: Verdicts | None = None) -> tuple[Array, Array]:
     """Points of the curves between different verdicts, NaN between the pieces.
 
     Marching squares on the sign of each margin; a vertex is kept where the verdict differs on the two sides of it, and moved along its
@@ -32,6 +34,8 @@ def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[S
     numbers : mapping of Symbol to Expr         the other parameters
     x, y : pairs (symbol, array)                strictly monotonic
     verdict : array, shape (len(y), len(x))
+    ask : callable or None                      the verdict at points: which of several margins that change their sign on one edge it is
+                                                that the verdict changes with
 
     Returns
     -------
@@ -50,7 +54,14 @@ def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[S
     >>> boundary([a**2 - 2], {}, (a, across), (b, up), stable)
     (array([1.41421356, 1.41421356]), array([1., 0.]))
     """
-    pieces = [_curves(margin.xreplace(dict(numbers)), x, y, verdict) for margin in dict.fromkeys(margins)]
+    known = []
+    for margin in dict.fromkeys(margin.xreplace(dict(numbers)) for margin in margins):
+        if {x[0], y[0]} & margin.free_symbols:
+            program = program_of(margin, {})
+            sign = partial(_sign_at, program, x[0], y[0])
+            known.append((sign, _signs(margin, program, x, y, sign)))
+    crowded = _crowded([signs for _, signs in known])
+    pieces = [_curves(sign, signs, (x[1], y[1]), verdict, crowded, ask) for sign, signs in known]
     pieces = [piece for piece in pieces if piece.shape[1]]
     gap = np.full((2, 1), np.nan)
     joined = np.concatenate([part for piece in pieces for part in (piece, gap)][:-1], axis=1) if pieces else np.empty((2, 0))
@@ -62,17 +73,21 @@ def thinned(n: int) -> Array:
     return np.unique(np.linspace(0, n - 1, min(n, FINEST)).round().astype(np.int64))
 
 
-def _curves(margin: Expr, x: tuple[Symbol, Array], y: tuple[Symbol, Array], verdict: Array) -> Array:
+def _sign_at(program: Program, across: Symbol, up: Symbol, x: Array, y: Array) -> Array:
+    return _sign(program, {across: x, up: y})
+
+
+def _crowded(signs: Sequence[Array]) -> tuple[Array, Array]:
+    """Edges of the grid along x, and along y, on which more than one margin may change its sign."""
+    sides = [np.where(np.isnan(s), np.nan, s > 0) for s in signs]
+    return tuple(np.sum([s != t for s, t in pairs], axis=0) > 1 for pairs in (
+        [(s[:, 1:], s[:, :-1]) for s in sides], [(s[1:], s[:-1]) for s in sides]))
+
+
+def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array, crowded: tuple[Array, Array],
+            ask: Verdicts | None) -> Array:
     """The points of one margin, shape (2, points)."""
-    (across, columns), (up, rows) = x, y
-    if not {across, up} & margin.free_symbols:
-        return np.empty((2, 0))
-    program = program_of(margin, {})
-
-    def sign(at_x: Array, at_y: Array) -> Array:
-        return _sign(program, {across: at_x, up: at_y})
-
-    signs = _signs(margin, program, x, y, sign)
+    columns, rows = axes
     vertices = _marched(signs)
     if not len(vertices):
         return np.empty((2, 0))
@@ -86,7 +101,13 @@ def _curves(margin: Expr, x: tuple[Symbol, Array], y: tuple[Symbol, Array], verd
     points = np.full((2, len(vertices)), np.nan)
     places = [tuple(part[kept] for part in end) for end in (good, bad)]
     if kept.any():
-        points[:, kept] = _zeros(sign, *((columns[c], rows[r]) for r, c in places))
+        sides = [(columns[c], rows[r]) for r, c in places]
+        points[:, kept] = found = _zeros(sign, *sides)
+        (row, column), along = (part[kept] for part in ends[0]), (ends[0][0] == ends[1][0])[kept]
+        several = np.array([crowded[0][r, c] if flat else crowded[1][r, c] for r, c, flat in zip(row, column, along)])
+        if ask is not None and several.any():
+            points[:, np.flatnonzero(kept)[several]] = np.where(_parts(ask, found[:, several], *(
+                tuple(part[several] for part in side) for side in sides)), found[:, several], np.nan)
     return _without_empty_pieces(points)
 
 
@@ -135,8 +156,12 @@ def _zeros(sign: Sign, good: tuple[Array, Array], bad: tuple[Array, Array]) -> A
     along = good[0] != bad[0]                          # the edge lies along x
     p, q = np.where(along, good[0], good[1]), np.where(along, bad[0], bad[1])
     other = np.where(along, good[1], good[0])
+    nothing = np.maximum(abs(p), abs(q)) * NOTHING
     while True:
-        middle = np.where(np.sign(p) * np.sign(q) < 0, 0.0, p + (q - p) / 2)         # a zero at 0 would be halved towards for long
+        beside = (p == 0) | (q == 0)                   # a zero at 0 would be halved towards for long, until powers underflow
+        at_zero = beside & (abs(p + q) <= nothing)
+        p, q = np.where(at_zero, 0.0, p), np.where(at_zero, 0.0, q)
+        middle = np.where(np.sign(p) * np.sign(q) < 0, 0.0, np.where(beside, (p + q) * NOTHING, p + (q - p) / 2))
         open_ = (middle != p) & (middle != q)
         if not open_.any():
             break
@@ -144,6 +169,15 @@ def _zeros(sign: Sign, good: tuple[Array, Array], bad: tuple[Array, Array]) -> A
         p = np.where(open_ & (found >= 0), middle, p)
         q = np.where(open_ & ~(found > 0), middle, q)
     return np.array([np.where(along, q, other), np.where(along, other, q)])
+
+
+def _parts(ask: Verdicts, points: Array, good: tuple[Array, Array], bad: tuple[Array, Array]) -> Array:
+    """Whether the verdict differs between points on edges and their two sides, a few units of the last place away."""
+    seen = [ask(*points)]
+    for side in (good, bad):
+        steps = [np.minimum(4 * np.spacing(np.abs(value)), np.abs(end - value)) for value, end in zip(points, side)]
+        seen.append(ask(*(value + np.sign(end - value) * step for value, end, step in zip(points, side, steps))))
+    return (seen[0] != seen[1]) | (seen[0] != seen[2])
 
 
 def _without_empty_pieces(points: Array) -> Array:
@@ -168,61 +202,3 @@ def _sign(program: Program, arrays: Mapping[Symbol, Array]) -> Array:
     with np.errstate(all="ignore"):
         high, low = program.run(leaf, constant, TwofoldArithmetic)[-1]
         return np.sign(np.where(high != 0, high, low))
-
-
-class TwofoldArithmetic:
-    """Sums of two doubles, for straight-line programs; relative errors of some 2⁻¹⁰⁴ where nothing cancels.
-
-    Examples
-    --------
-    >>> third = np.float64(1 / 3), np.float64(1 / 54043195528445952)
-    >>> TwofoldArithmetic.subtract(TwofoldArithmetic.multiply(third, (np.float64(3), np.float64(0))), (np.float64(1), np.float64(0)))
-    (np.float64(0.0), np.float64(0.0))
-    """
-
-    @staticmethod
-    def add(a: Twofold, b: Twofold) -> Twofold:
-        high, error = _sum(a[0], b[0])
-        low, rest = _sum(a[1], b[1])
-        high, error = _quick(high, error + low)
-        return _quick(high, error + rest)
-
-    @staticmethod
-    def subtract(a: Twofold, b: Twofold) -> Twofold:
-        return TwofoldArithmetic.add(a, (-b[0], -b[1]))
-
-    @staticmethod
-    def multiply(a: Twofold, b: Twofold) -> Twofold:
-        high, error = _product(a[0], b[0])
-        return _quick(high, error + (a[0] * b[1] + a[1] * b[0]))
-
-    @staticmethod
-    def negative(a: Twofold) -> Twofold:
-        return -a[0], -a[1]
-
-
-def _sum(a: Any, b: Any) -> Twofold:
-    """a + b = s + e, exactly."""
-    s = a + b
-    t = s - a
-    return s, (a - (s - t)) + (b - t)
-
-
-def _quick(a: Any, b: Any) -> Twofold:
-    """The same where |a| ≥ |b|."""
-    s = a + b
-    return s, b - (s - a)
-
-
-def _product(a: Any, b: Any) -> Twofold:
-    """a b = p + e, exactly."""
-    p = a * b
-    (a1, a2), (b1, b2) = _halves(a), _halves(b)
-    return p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
-
-
-def _halves(a: Any) -> Twofold:
-    """a as the sum of two numbers of 26 bits."""
-    c = _SPLIT * a
-    high = c - (c - a)
-    return high, a - high

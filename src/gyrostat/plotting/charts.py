@@ -1,4 +1,5 @@
 """Pictures of charts: stable light, unstable dark, undecided hatched, the boundary a black line."""
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ from ..grids import Array
 from ..notation import ORDER
 from .looks import INK, LOOKS, axes_of, legend
 
+MODULO = {"the flow of pi3": "the spin"}                   # about the axis of the body
 SHOWN = 2000                                               # values of an axis that are drawn; of more, every second, third, …
 
 
@@ -58,11 +60,11 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     for name, where in occurring.items():
         if LOOKS[name][1]:
             _hatched(ax, x, y, edges, where, name)
-    lined = _line(ax, ds, dims)
+    lined = _line(ax, ds, dims, edges)
     ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]))
     ax.set_xlabel(_label(seen[dims[1]]))
     ax.set_ylabel(_label(seen[dims[0]]))
-    _legend(ax, list(occurring), lined)
+    _legend(ax, {name: name.replace("_", " ") for name in occurring} | _modulo(ds, occurring), lined)
     if title is not None:
         ax.set_title(title, pad=24, fontsize="medium")  # above the legend
     return ax
@@ -97,11 +99,17 @@ def _image(ax: Any, x: Array, y: Array, verdict: Array, edges: tuple[Array, Arra
     order = sorted(LOOKS, key=lambda name: codes[name])
     bounds = [codes[name] - 0.5 for name in order] + [codes[order[-1]] + 0.5]
     given = {"cmap": ListedColormap([LOOKS[name][0] for name in order]), "norm": BoundaryNorm(bounds, len(order)), **kwargs}
-    if all(len(values) < 3 or np.allclose(np.diff(values), values[1] - values[0], rtol=1e-3) for values in (x, y)):
+    if _evenly_spaced(x) and _evenly_spaced(y):
         ax.imshow(verdict, **{"origin": "lower", "aspect": "auto", "interpolation": "nearest", "extent": (
             edges[0][0], edges[0][-1], edges[1][0], edges[1][-1]), **given})
     else:
         ax.pcolormesh(*edges, verdict, **{"rasterized": True, **given})
+
+
+def _evenly_spaced(values: Array) -> bool:
+    """Whether each value is, to a hundredth of a cell, where an image has it."""
+    even = np.linspace(values[0], values[-1], len(values))
+    return bool((abs(values - even) * (len(values) - 1) <= abs(values[-1] - values[0]) / 100).all())
 
 
 def _hatched(ax: Any, x: Array, y: Array, edges: tuple[Array, Array], where: Array, name: str) -> None:
@@ -112,14 +120,18 @@ def _hatched(ax: Any, x: Array, y: Array, edges: tuple[Array, Array], where: Arr
     hatches.set_linewidth(0)
 
 
-def _line(ax: Any, ds: Any, dims: tuple[str, ...]) -> bool:
-    """The boundary, if the dataset has one of these two axes."""
+def _line(ax: Any, ds: Any, dims: tuple[str, ...], edges: Sequence[Array]) -> bool:
+    """The boundary, if the dataset has one of these two axes, and there is a point of it between the ends."""
     if "boundary_x" not in ds:
         return False
     points = {ds[name].attrs["parameter"]: ds[name].values for name in ("boundary_x", "boundary_y")}
-    if set(points) != set(dims) or not np.isfinite(points[dims[0]]).any():
+    if set(points) != set(dims):
         return False
-    ax.plot(points[dims[1]], points[dims[0]], color="black", linewidth=1.2)
+    x, y = (points[name] for name in reversed(dims))
+    (left, right), (bottom, top) = ((ends[0], ends[-1]) for ends in edges)
+    if not ((left <= x) & (x <= right) & (bottom <= y) & (y <= top)).any():           # the dataset may be a part of a chart
+        return False
+    ax.plot(x, y, color="black", linewidth=1.2)
     return True
 
 
@@ -127,11 +139,17 @@ def _label(coordinate: Any) -> str:
     return f"${coordinate.attrs['latex']}$" if "latex" in coordinate.attrs else str(coordinate.name)
 
 
-def _legend(ax: Any, names: list[str], lined: bool) -> None:
+def _modulo(ds: Any, names: Iterable[str]) -> dict[str, str]:
+    """What stable is called where it is so modulo a flow."""
+    modulo = ds.verdict.attrs.get("modulo")
+    return {"stable": f"stable modulo {MODULO.get(modulo, modulo)}"} if modulo and "stable" in names else {}
+
+
+def _legend(ax: Any, names: Mapping[str, str], lined: bool) -> None:
     """What occurs, in a row above the axes, where no data are."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
     handles: list[Any] = [Patch(facecolor=LOOKS[name][0], hatch=LOOKS[name][1], edgecolor=INK.get(name, "black"), linewidth=0.6,
-                                label=name.replace("_", " ")) for name in names]
+                                label=said) for name, said in names.items()]
     handles += [Line2D([], [], color="black", linewidth=1.2, label="boundary")] if lined else []
     legend(ax, handles)
