@@ -177,7 +177,7 @@ def complete(points, expected, xs, ys):
 
 
 @given(charts())
-@settings(max_examples=8)
+@settings(max_examples=4)
 def test_what_is_drawn_is_so(case):
     """Regions, curves and legends of E1, E2, E3 and free gyrostats, in fields of every kind, whatever is on the axes."""
     check(case)
@@ -185,7 +185,7 @@ def test_what_is_drawn_is_so(case):
 
 @pytest.mark.slow
 @given(charts())
-@settings(max_examples=250)
+@settings(max_examples=150)
 def test_what_is_drawn_is_so_many_times(case):
     """The same, more often."""
     check(case)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sympy import exp, log, sign, sqrt
+from sympy import exp, log, sign, sin, sqrt
 
 import gyrostat as gs
 from gyrostat import contours
@@ -138,6 +138,32 @@ def test_functions_to_the_precision_of_doubles():
     with np.errstate(all="ignore"):
         here, there = boundary([log(x) + y], {}, (x, xs), (y, ys - 2), np.where(np.log(xs) > 2 - ys[:, None], 1, -1))
     assert len(here) > 20 and (here > 0).all() and np.allclose(np.log(here), -there, atol=1e-15)
+
+
+def test_a_margin_without_a_sign_in_between():
+    """sin(1/x): where there is no sign, the sign stops; the search ends."""
+    x, y = symbol("a"), symbol("b")
+    xs = np.array([-0.7, 0.7])
+    with np.errstate(all="ignore"):
+        verdict = np.where(np.sin(1 / xs) < 0, 1, -1) * np.ones((2, 1), dtype=int)
+        here, there = boundary([-exp(x) * sin(1 / x)], {}, (x, xs), (y, xs), verdict)
+    assert len(here) == 2 and (abs(here) <= 0.7).all() and set(there) <= set(xs)
+
+
+def test_only_the_margin_that_decides_has_a_curve():
+    """At E3 a zero of the margin beyond |k3| = 1 on the edge that |k3| = 1 crosses is no boundary."""
+    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: gs.symbol("b") * k3 - k3**5 / 5))))
+    chart = stability_chart(report, x=("k3", np.linspace(-1.25, 2.75, 9)), y=("I1", np.linspace(0.0625, 4, 8)), fixed={"b": 2, "omega": 2})
+    at = chart.boundary_x.values[~np.isnan(chart.boundary_x.values)]
+    assert len(at) and (abs(at) <= 1).all()
+
+
+def test_where_an_equilibrium_ends_at_0():
+    """E3 whose l is eliminated needs ω ≠ 0: the boundary is at 0, not where ω² underflows."""
+    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: gs.symbol("a") * k3 + k3**3))))
+    chart = stability_chart(report, x=("a", np.linspace(1, 2, 5)), y=("omega", np.linspace(-1, 1, 9)), fixed={"I1": 1, "k3": "1/2"})
+    at = chart.boundary_y.values[~np.isnan(chart.boundary_y.values)]
+    assert len(at) and 0 in at and (abs(at[at != 0]) > 1e-3).all()
 
 
 def test_a_curve_ends_where_its_margin_does():

@@ -1,5 +1,7 @@
 """Arrays with masks and labels: refused where they would be ignored; memory that is written to while it is read."""
+from contextlib import contextmanager
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 import pandas as pd
@@ -8,6 +10,7 @@ import xarray as xr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gyrostat import certify, numeric
 from gyrostat.certify import certify_box, verdicts
 from gyrostat.charts import stability_chart
 from gyrostat.errors import ArgumentError, ValuesError
@@ -59,6 +62,15 @@ def test_labels_that_differ_are_refused(e1, pair):
             np.testing.assert_array_equal(call(same, same.values), call(same.values, same.values))
 
 
+@contextmanager
+def blocks_of(points):
+    """Many blocks, one written before the next is read."""
+    with pytest.MonkeyPatch.context() as patched:
+        for module, name in product((numeric, certify), ("NUMPY_BLOCK", "NUMBA_BLOCK")):
+            patched.setattr(module, name, points)
+        yield
+
+
 numbers = st.integers(-12, 12).map(lambda n: n / 4)
 
 
@@ -75,8 +87,9 @@ def test_what_is_written_may_overlap_what_is_read(e1, backend, numbers, shift, w
 
     margin = compile_margin(e1.sufficient.alternatives[0][0].margin, backend)
     given = {"I1": 1.0, "dU": 1.0, "pi3_0": 0.5}
-    expected = margin(**given, l=view(40 + shift).copy())
-    np.testing.assert_array_equal(margin(**given, l=view(40 + shift), out=view(40)), expected)
+    with blocks_of(64):
+        expected = margin(**given, l=view(40 + shift).copy())
+        np.testing.assert_array_equal(margin(**given, l=view(40 + shift), out=view(40)), expected)
 
 
 def test_overlapping_verdicts(e1):
@@ -86,7 +99,8 @@ def test_overlapping_verdicts(e1):
     for place in (0, 800, 14000):
         some = memory.copy()
         out = some.view(np.int8)[place:place + 2000]
-        np.testing.assert_array_equal(verdicts(e1, FIXED, l=some, pi3_0=0.5, out=out), expected)
+        with blocks_of(64):
+            np.testing.assert_array_equal(verdicts(e1, FIXED, l=some, pi3_0=0.5, out=out), expected)
 
 
 def test_out_in_another_namespace_is_refused(e1):

@@ -92,6 +92,22 @@ def test_names_and_legend(wedge, tilted):
     assert legend(ax) == ["stable modulo the spin"] and not ax.lines
 
 
+@pytest.mark.parametrize("scale", [1e-12, 1.0, 1e12])
+def test_spacing_is_seen_at_every_scale(e1, scale):
+    """Cells of values that are not evenly spaced are where their values are, however small these are."""
+    xs = widening(-4, 4, 33) * scale
+    ax = drawn(stability_chart(e1, x=("pi3_0", xs), y=("l", np.linspace(-2, 2, 9) * scale), fixed={"I1": 1, "dU": scale**2}))
+    (mesh,) = (c for c in ax.collections if isinstance(c, QuadMesh))
+    corners = mesh.get_coordinates()[0, :, 0]
+    assert not ax.images and ((corners[:-1] < xs) & (xs < corners[1:])).all()
+
+
+def test_the_legend_has_no_boundary_that_is_not_seen(e1):
+    """Of a part of a chart in which there is none."""
+    chart = stability_chart(e1, x=("pi3_0", np.linspace(-4, 4, 41)), y=("l", np.linspace(-2, 2, 9)), fixed={"I1": 1, "dU": 1})
+    assert legend(drawn(chart.isel(pi3_0=slice(None, 3), l=slice(None, 3)))) == ["stable"]
+
+
 def test_undecided_is_hatched(wedge):
     """By a hatch, not by colour alone."""
     hatched = [c for c in drawn(wedge).collections if "////" in (getattr(c, "hatches", None) or [])]
