@@ -92,7 +92,7 @@ def test_output_file(capsys, tmp_path):
     (["--potential", "__import__('os').system('true')"], "cannot read"), (["--potential", "9**9**9"], "exponent"),
     (["--potential", "k3.real"], "grammar"), (["--potential", "m0"], "does not depend on k3"), (["--potential", "k1*k3"], "depends on k1"),
     (["--potential", ""], "too early"), (["--set", "I1"], "NAME=VALUE"), (["--set", "I1=1", "--set", "I1=2"], "twice"),
-    (["--set", "I1=nan"], "contains the names"), (["--set", "I1=__import__('os')"], "cannot read"),
+    (["--set", "I1=nan"], "not finite"), (["--set", "I1=__import__('os')"], "cannot read"),
     (["--set", "mass=1"], "no parameter mass"), (["--set", "I1=1"], "not enough"), (["--set", "I1=-1", *TOP[4:], "--set", "pi3_0=1",
      "--set", "dU=1"], "no parameter m0"), (["--set", "pi3_0=1", "--set", "omega3_0=1"], "both"),
     (["--potential", "none", "--equilibrium", "E1"], "needs a field"),

@@ -13,8 +13,10 @@ from hypothesis import strategies as st
 from sympy import Expr, Rational, Symbol
 
 from gyrostat.errors import ExpressionError, ValuesError
-from gyrostat.expressions import FUNCTIONS, exact_expression, exact_number, parse
+from gyrostat.expressions import exact_expression, exact_number
+from gyrostat.grammar import parse
 from gyrostat.notation import symbol
+from gyrostat.parts import FUNCTIONS
 
 LEAVES = st.one_of(st.integers(0, 99).map(str), st.decimals(0, 9, places=2).map(str), st.sampled_from(["x", "y", "k3"]))
 

@@ -10,6 +10,8 @@ from typing import Any
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cos, cosh, exp, sin, sinh, tanh
 
+from .errors import ExpressionError
+
 Row = list[fmpq_mpoly]
 _HYPERBOLIC = (sinh, cosh, tanh)
 
@@ -158,6 +160,8 @@ def _exponential(node: exp) -> list[tuple[Expr, int]]:
 
 def _power(part: tuple[fmpq_mpoly, fmpq_mpoly], n: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
     top, bottom = part if n >= 0 else part[::-1]
+    if not bottom:
+        raise ExpressionError("an expression divides by 0: one of its denominators vanishes identically; check the denominators")
     return top ** abs(n), bottom ** abs(n)
 
 

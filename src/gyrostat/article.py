@@ -47,7 +47,7 @@ def conditions_table(reports: Iterable[Report], fragment: bool = False, after: S
     rows = []
     for report in reports:
         eq = report.equilibrium
-        exists = [("exists where", display(existence(d, eq.at))) for d in eq.existence()]
+        exists = [("exists where", display(existence(d, eq.at))) for d in eq.existence() if d.free_symbols]
         lines = [*exists, ("necessary (spectral)", formula(report.necessary)), ("sufficient (formal)", formula(report.sufficient)),
                  *_between(report)]
         rows += [rf"{eq.label if n == 0 else ''} & {name} & ${_inline(line)}$ \\" for n, (name, line) in enumerate(lines)] + [r"\hline"]

@@ -87,14 +87,22 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any) -> list[Block]:
     blocks: list[Block] = []
     for n, alternative in enumerate(criterion.alternatives):
         blocks.append(Sentence(f"{title}{modulo}:" if n == 0 else "or", criterion.modulo if n == 0 else ()))
-        blocks += [comparison(condition) for condition in alternative]
-        blocks += [Sentence("(also where {} = 0)" if not c.strict else "and {} ≠ 0", (readable(e),), at)
-                   for c in alternative for e in c.degenerate]
+        telling = [c for c in alternative if not trivial(c)]
+        blocks += [comparison(condition) for condition in telling]
+        for c in alternative:
+            for e in c.degenerate:
+                blocks.append(Display(readable(e), S.Zero, at, "≠") if c.strict and not telling else
+                              Sentence("and {} ≠ 0" if c.strict else "(also where {} = 0)", (readable(e),), at))
     for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
         name, by = Word(proof.source, proof.source.replace("²", "^2").replace("−", "-")), readable(proof.by)
         blocks.append(Sentence("Here {} is, up to a positive factor, {} + {} ({}): it adds nothing.",
                                (name, readable(proof.square), readable(proof.factor), by), at))
     return blocks
+
+
+def trivial(condition: Condition) -> bool:
+    """Whether it only says that a positive number is one, as beside l ≠ 0."""
+    return bool(condition.margin.is_number and condition.margin.is_positive)
 
 
 def comparison(condition: Condition) -> Display:

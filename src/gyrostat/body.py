@@ -5,7 +5,7 @@ from typing import Any
 
 from sympy import Add, Expr, Rational, radsimp
 
-from .errors import BodyError, require
+from .errors import ArgumentError, BodyError, article, brief
 from .exact import plain, sign_of_constant
 from .expressions import exact_expression, shown
 from .notation import Typeset, of_the_motion, symbol
@@ -23,7 +23,8 @@ class Gyrostat(Typeset):
     inertia : (I1, I2, I3)                   principal moments of the locked body [M L²], positive
     gyrostatic_momentum : (l1, l2, l3)       angular momentum of the rotor relative to the body [M L²/T]
 
-    Each entry is a number (made exact) or a SymPy expression; the default is the general body, in symbols.
+    Each entry is a number (made exact) or a SymPy expression; the default is the general body, in symbols. Arrays are sequences too, and a
+    diagonal matrix has its moments on the diagonal.
 
     Raises
     ------
@@ -40,10 +41,7 @@ class Gyrostat(Typeset):
 
     def __post_init__(self) -> None:
         for field in ("inertia", "gyrostatic_momentum"):
-            require(getattr(self, field), Sequence, field)
-            given = tuple(getattr(self, field))
-            if len(given) != 3:
-                raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")
+            given = _entries(getattr(self, field), field)
             object.__setattr__(self, field, tuple(_without_surds_below(exact_expression(value, field)) for value in given))
         if taken := of_the_motion(s for e in (*self.inertia, *self.gyrostatic_momentum) for s in e.free_symbols):
             raise BodyError(f"the body depends on {', '.join(taken)}, a name of the motion: rename it")
@@ -82,6 +80,29 @@ def _as_first_written(values: Sequence[Expr]) -> tuple[Expr, ...]:
         same = (x for x in known if not (apart := x - value).free_symbols and sign_of_constant(apart) == 0)
         known.append(next(same, value))
     return tuple(known)
+
+
+def _entries(given: Any, field: str) -> tuple[Any, ...]:
+    """Three entries, of a sequence or an array; of a diagonal matrix those on the diagonal."""
+    rows = given.tolist() if hasattr(given, "tolist") else given
+    if isinstance(rows, str | bytes) or not isinstance(rows, Sequence):
+        raise ArgumentError(f"{field} = {brief(given)} is {article(type(given))}, not a sequence: give three numbers, "
+                            f"{field}=({'2, 2, 1' if field == 'inertia' else '0, 0, 1'})")
+    entries = tuple(rows)
+    if len(entries) == 3 and all(isinstance(row, Sequence) and not isinstance(row, str) and len(row) == 3 for row in entries):
+        if field != "inertia":
+            raise BodyError(f"{field} is a matrix: give three numbers, one for each principal axis")
+        if any(exact_expression(row[j], field) != 0 for i, row in enumerate(entries) for j in range(3) if i != j):
+            raise BodyError("inertia is a matrix with products of inertia: give the three principal moments, its eigenvalues, and state "
+                            "everything else in the principal axes, its eigenvectors")
+        entries = tuple(row[i] for i, row in enumerate(entries))
+    if len(entries) == 1 and isinstance(entries[0], Sequence):             # a matrix of one row, or of one column
+        entries = tuple(entries[0])
+    if hasattr(given, "tolist") and all(isinstance(row, Sequence) and len(row) == 1 for row in entries):
+        entries = tuple(row[0] for row in entries)
+    if len(entries) != 3:
+        raise BodyError(f"{field} has {len(entries)} entries: give three, one for each principal axis")
+    return entries
 
 
 def _without_surds_below(value: Expr) -> Expr:

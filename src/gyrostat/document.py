@@ -76,9 +76,9 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
     if eq.relations:
         blocks.append(Sentence("On the family:"))
         blocks += [Display(name, value if jet(name.name) else readable(value), eq.at) for name, value in eq.relations]
-    if eq.domain:
+    if open_ones := [d for d in eq.existence() if d.free_symbols]:
         blocks.append(Sentence("It exists where:"))
-        blocks += [existence(d, eq.at) for d in eq.existence()]
+        blocks += [existence(d, eq.at) for d in open_ones]
     if (tilt := solved_tilt(eq)) is not None:
         blocks += [Sentence("Solved for the tilt:"), Display(symbol("k3"), readable(tilt)),
                    Sentence("which exists where:"), existence(1 - tilt**2, eq.at)]

@@ -9,7 +9,7 @@ from sympy import Expr, S, Symbol
 from .algebra import Ring
 from .errors import EquilibriumError, require
 from .exact import is_identically_zero, plain, sign
-from .expressions import exact_expression
+from .expressions import exact_expression, shown
 from .notation import INTERNAL, Typeset, jet, symbol
 from .potential import smooth_where_positive
 from .system import System
@@ -78,7 +78,7 @@ class Equilibrium(Typeset):
                                    "|k| = 1; divide it by its length")
         for value in (*self.field_values, *self.constraints):
             if value.is_finite is False or value.is_real is False:
-                raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is {value} there, "
+                raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is {shown(value)} there, "
                                        "not a finite real number")
         for residual in self.constraints:
             if not residual.free_symbols:

@@ -1,10 +1,40 @@
 """Every exception that gyrostat raises on purpose; each is also a builtin."""
 from importlib import import_module
+from importlib.util import find_spec
 from types import ModuleType
+from unicodedata import category
+
+_STEERING = ("Cc", "Cf", "Cs", "Zl", "Zp")             # controls, marks of direction, halves of pairs, separators of lines
 
 
 class GyrostatError(Exception):
     """Base of all of them: ``except GyrostatError`` catches what the library refuses, and nothing else."""
+
+    def __str__(self) -> str:
+        return printable(super().__str__())
+
+
+def printable(text: str) -> str:
+    r"""The text with what would steer a terminal escaped; lines and tabs stay.
+
+    Examples
+    --------
+    >>> print(printable("top\x1b[2J"))
+    top\u001b[2J
+    """
+    return text if text.isprintable() else "".join(
+        c if category(c) not in _STEERING or c in "\n\t" else f"\\u{ord(c):04x}" if ord(c) < 0x10000 else f"\\U{ord(c):08x}" for c in text)
+
+
+def brief(value: object) -> str:
+    """A value as a message quotes it, at most 60 characters long."""
+    if isinstance(value, str):
+        return repr(value if len(value) <= 60 else value[:57] + "...")
+    try:
+        text = repr(value)
+    except ValueError:                                 # an int of more than 4300 digits
+        return f"a {type(value).__name__}"
+    return text if len(text) <= 60 else text[:57] + "..."
 
 
 class ArgumentError(GyrostatError, TypeError):
@@ -14,7 +44,12 @@ class ArgumentError(GyrostatError, TypeError):
 def require(value: object, kind: type, what: str) -> None:
     """Raise ArgumentError unless the value is of the kind wanted."""
     if not isinstance(value, kind):
-        raise ArgumentError(f"{what} is a {type(value).__name__}, not a {kind.__name__}: check the order and kind of the arguments")
+        raise ArgumentError(f"{what} is {article(type(value))}, not {article(kind)}: check the order and kind of the arguments")
+
+
+def article(kind: type) -> str:
+    """The name of a kind with its article."""
+    return f"a{'n' if kind.__name__[0] in 'AEIOUaeiou' else ''} {kind.__name__}"
 
 
 class BodyError(GyrostatError, ValueError):
@@ -65,10 +100,18 @@ class MissingExtraError(GyrostatError, ImportError):
     """A package that only an extra of gyrostat brings is not installed; the message has the pip command."""
 
 
+_EXTRAS = {
+    "fast": ("numba",), "charts": ("xarray", "dask", "distributed", "zarr", "netCDF4", "contourpy"), "plot": ("matplotlib",),
+    "interactive": ("plotly",), "trajectories": ("scipy",), "heyoka": ("heyoka",)}
+
+
 def optional(module: str, extra: str) -> ModuleType:
-    """A module that the extra brings, imported when it is first used."""
+    """A module that the extra brings, imported when it is first used; where it is missing, all that is missing of the extra is named."""
     try:
         return import_module(module)
     except ImportError as error:
-        raise MissingExtraError(f"{module} cannot be imported ({error}): it is an optional package; "
-                                f'install it with pip install "gyrostat[{extra}]"') from error
+        missing = [name for name in _EXTRAS[extra] if find_spec(name) is None] or [module]
+        several = len(missing) > 1
+        raise MissingExtraError(f"{', '.join(missing)} cannot be imported ({error}): {'they are' if several else 'it is an'} optional "
+                                f'package{"s" if several else ""}; install {"them" if several else "it"} with '
+                                f'pip install "gyrostat[{extra}]"') from error

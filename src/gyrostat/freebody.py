@@ -8,7 +8,8 @@ from sympy import Expr, Float, ImmutableMatrix, Max, Min, acos, oo, sqrt
 
 from .body import Gyrostat
 from .errors import BodyError, ScopeError, ValuesError, require
-from .expressions import exact_expression, exact_number, parse
+from .expressions import exact_expression, exact_number
+from .grammar import parse
 from .notation import symbol
 from .roots import in_order, proved_sign
 

@@ -9,8 +9,8 @@ import numpy as np
 from sympy import Add, Expr, Mul, Pow, Rational, Symbol
 
 from .errors import AccuracyError, ScopeError, optional
-from .expressions import FUNCTIONS
 from .grids import Array
+from .parts import FUNCTIONS
 
 Rates = Sequence[tuple[Symbol, Expr]]
 Rounding = Callable[[Expr], float]

@@ -6,11 +6,12 @@ from typing import Any
 from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Symbol
 from sympy.printing.latex import LatexPrinter
 
-from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word, comparison
+from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word, comparison, trivial
 from .body import Gyrostat
 from .conditions import Condition, Criterion
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
+from .expressions import double
 from .liepoisson import LiePoisson
 from .linearization import Linearization
 from .linebreaks import width
@@ -173,10 +174,15 @@ def _modulo(integrals: tuple[Expr, ...]) -> str:
 
 def _aligned(rows: Iterable[tuple[Word, Any]]) -> str:
     def right(value: Any) -> str:
-        return rf"\left({', '.join(map(tex, value))}\right)" if isinstance(value, tuple) else formula(value)
+        return rf"\left({', '.join(map(_entered, value))}\right)" if isinstance(value, tuple) else formula(value)
 
     lines = [f"{name.latex} & {'' if isinstance(value, Criterion) else '= '}{right(value)}" for name, value in rows]
     return r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}"
+
+
+def _entered(value: Any) -> str:
+    """A number that was given as a decimal with it."""
+    return tex(value) + (rf" \; ({decimal})" if (decimal := double(value)) else "")
 
 
 def _condition(condition: Condition) -> str:
@@ -185,7 +191,7 @@ def _condition(condition: Condition) -> str:
     for factor in condition.degenerate:
         found += (r" \;\land\; " if condition.strict else r" \;\lor\; ") + tex(readable(factor), condition.at) + (
             r" \neq 0" if condition.strict else " = 0")
-    return found
+    return found.partition(r" \;\land\; ")[2] if condition.strict and condition.degenerate and trivial(condition) else found
 
 
 def display(block: Display) -> str:

@@ -2,7 +2,7 @@
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
-from functools import cache
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
@@ -87,7 +87,7 @@ def of_the_motion(symbols: Iterable[Symbol]) -> list[str]:
     return sorted(s.name for s in symbols if jet(s.name) or (s.name in NOTATION and s.name not in PARAMETERS))
 
 
-@cache
+@lru_cache(maxsize=4096)                                # a second symbol of one name is equal to the first
 def symbol(name: str) -> Symbol:
     """The one symbol of that name; names that are not in the table are real parameters."""
     return Symbol(name, positive=True) if name in NOTATION and NOTATION[name].positive else Symbol(name, real=True)

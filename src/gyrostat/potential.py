@@ -1,18 +1,22 @@
 """Potentials U(k3), unspecified or given, and U(k1, k2, k3); their jets."""
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, log
+from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, cos, log
 from sympy.core.function import AppliedUndef
 
-from .errors import PotentialError
+from . import magnitudes
+from .algebra import Ring
+from .errors import PotentialError, ValuesError, brief
 from .expressions import exact_expression
 from .notation import Typeset, jet, jet_name, of_the_motion, symbol
+from .parts import BITS, enclosure, immoderate
 
 _NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.Piecewise, sympy.Max, sympy.Min, sympy.floor,
                sympy.ceiling, sympy.frac, sympy.Mod, sympy.re, sympy.im, sympy.arg, sympy.conjugate)
+_ANGLES, _HEIGHTS = ("theta", "Theta", "th"), ("z", "Z", "K3", "k_3", "kz", "k_z", "zeta", "gamma3", "gamma_3", "costheta", "cos_theta")
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
 U = Function("U", real=True)
 U.__module__ = __name__                                # pickle finds it by this name
@@ -42,9 +46,12 @@ class Potential(Typeset):
                                  f"potential in {', '.join(map(str, self.variables))}: rename it, or use general_potential")
         if self.expression.free_symbols and not self.expression.free_symbols & set(self.variables):
             raise PotentialError(f"U = {self.expression} does not depend on {', '.join(map(str, self.variables))}: "
-                                 "write it in the components of k")
+                                 f"write it in the components of k{_meant(self.expression)}")
         if self.expression.is_real is False or self.expression.is_finite is False:
             raise PotentialError(f"U = {self.expression} is not a finite real number: check roots, logarithms and denominators")
+        for power in self.expression.atoms(Pow):
+            if power.exp.is_negative and not (ring := Ring([power.base])).reduce(ring.fraction(power.base)[0]):
+                raise PotentialError(f"U = {self.expression} divides by {power.base}, which is 0 identically: check the denominators")
 
     @property
     def given(self) -> bool:
@@ -60,6 +67,18 @@ class Potential(Typeset):
     def parameters(self) -> tuple[Symbol, ...]:
         """The symbols of U other than k, by name."""
         return tuple(sorted(self.expression.free_symbols - set(self.variables), key=str))
+
+    def check_size(self, numbers: Mapping[Symbol, Expr]) -> None:
+        """Refuse numbers at which a function in U would be asked at one of more than 4000 bits.
+
+        Raises
+        ------
+        ValuesError      U = tan(exp(a*k3)) at a = 10⁸, which asks for the tangent of a number of 43 million digits
+        """
+        known = {s: magnitudes.at_most_one() for s in self.variables}
+        known |= {s: ball for s, x in numbers.items() if s not in known and (ball := enclosure(x)) is not None}
+        if (function := immoderate(self.expression, known)) is not None:
+            raise ValuesError(f"{function} in U is asked at a number of more than {BITS} bits there: give smaller numbers")
 
     def gradient(self) -> tuple[Expr, ...]:
         """∇U in the symbols of the jet, shape (3,)."""
@@ -77,6 +96,13 @@ class Potential(Typeset):
         order, axes = jet(derivative.name) or (0, "")
         along = self.variables * order if self.axial else tuple(DIRECTIONS[int(a) - 1] for a in axes)
         return self.expression.diff(*along)
+
+
+def _meant(expression: Expr) -> str:
+    """What is likely to have been meant for a component of k."""
+    meant = [f for f in sorted(expression.atoms(cos), key=str) if str(f.args[0]) in _ANGLES]
+    meant += sorted((s for s in expression.free_symbols if s.name in _HEIGHTS), key=str)
+    return f"; k3 for {meant[0]}, as in U = {expression.xreplace(dict.fromkeys(meant, DIRECTIONS[2]))}" if meant else ""
 
 
 def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -> Potential:
@@ -123,9 +149,14 @@ def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
     if given is None:
         return Potential(variables, U(*variables))
     if callable(given) and not isinstance(given, Expr):
-        given = given(*variables)
+        try:
+            given = given(*variables)
+        except (AttributeError, TypeError, ValueError) as error:
+            names = ", ".join(map(str, variables))
+            raise PotentialError(f"U = {brief(given)} cannot be asked at the symbols {names} ({brief(str(error))}): "
+                                 "give an expression, or a function that makes one, with sympy.cos for numpy.cos") from error
     if isinstance(given, (str, bool)):
-        raise PotentialError(f"U = {given!r} is not an expression: build it from symbol('k3'), or give a function of "
+        raise PotentialError(f"U = {brief(given)} is not an expression: build it from symbol('k3'), or give a function of "
                              f"{', '.join(map(str, variables))}")
     expression = exact_expression(given, "U")
     if rough := expression.atoms(*_NOT_SMOOTH):

@@ -95,7 +95,10 @@ def _with_numbers(scene: System, values: Mapping[str, Any]) -> System:
     if scene.potential is not None and not scene.potential.given:
         raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
     check_names(values, sorted(s.name for s in free), "the scene")
-    return _inserted(scene, tuple((s, exact_number(values[s.name], s.name)) for s in sorted(free, key=str))) if values else scene
+    numbers = {s: exact_number(values[s.name], s.name) for s in sorted(free, key=str)}
+    if scene.potential is not None:
+        scene.potential.check_size(numbers)
+    return _inserted(scene, tuple(numbers.items())) if values else scene
 
 
 @lru_cache(maxsize=64)

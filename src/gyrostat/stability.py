@@ -13,12 +13,13 @@ from .conditions import Criterion, formal_criterion, holds, independent, spectra
 from .drift import Drift
 from .energy_casimir import SecondVariation, second_variation
 from .equilibria import Equilibrium, once
-from .errors import require
+from .errors import ArgumentError, require
 from .exact import Point, sign
 from .linearization import Linearization, linearize
 from .notation import Typeset, jet, symbol
 from .sphere import sphere_of
 from .standard import Seen, seen, seen_at
+from .system import System
 from .torquefree import torque_free
 from .values import exact_values, inertia_note, names_in
 
@@ -60,6 +61,9 @@ class Report(Typeset):
     equilibrium: Equilibrium
 
     def __post_init__(self) -> None:
+        if isinstance(self.equilibrium, System):
+            raise ArgumentError("the equilibrium is a System, a scene: choose one of its equilibria, upright(scene), hanging(scene), "
+                                "inclined(scene), static_tilt(scene), principal_rotation(scene, axis) or equilibrium(scene, point)")
         require(self.equilibrium, Equilibrium, "the equilibrium")
 
     @cached_property

@@ -59,6 +59,8 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     """
     numbers = Point({symbol(n): exact_number(x, n) for n, x in (values or {}).items()})
     eq, known = report.equilibrium, {*report.parameters, *report.required}
+    if eq.system.potential is not None:
+        eq.system.potential.check_size(numbers)
     if foreign := sorted({name, *(s.name for s in numbers)} - known):
         raise ValuesError(unknown(foreign[0], sorted(known), eq.label))
     if symbol(name) in numbers:

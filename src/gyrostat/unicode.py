@@ -7,13 +7,13 @@ from typing import Any
 from sympy import Add, Expr, MatrixBase, Mul, Pow, Symbol
 from sympy.printing.str import StrPrinter
 
-from .blocks import Block, Display, Heading, Sentence, Word, comparison
+from .blocks import Block, Display, Heading, Sentence, Word, comparison, trivial
 from .body import Gyrostat
 from .conditions import Condition, Criterion
 from .document import point_blocks, report_blocks, scene_blocks
 from .energy_casimir import SecondVariation
 from .equilibria import Equilibrium
-from .expressions import shown
+from .expressions import double, shown
 from .liepoisson import LiePoisson
 from .linearization import Linearization
 from .notation import SUBSCRIPTS, SUPERSCRIPTS, jet_name, typeset
@@ -114,7 +114,7 @@ def plain(obj: Any) -> str:
     if isinstance(obj, (Linearization, SecondVariation)):
         return "\n".join(matrix_lines(entries(obj.equilibrium.insert_field(obj.matrix)).tolist(), obj.equilibrium.at)) or "()"
     if isinstance(obj, Gyrostat):
-        return f"gyrostat with inertia ({_row(obj.inertia)}) and gyrostatic momentum ({_row(obj.gyrostatic_momentum)})"
+        return f"gyrostat with inertia ({_entered(obj.inertia)}) and gyrostatic momentum ({_entered(obj.gyrostatic_momentum)})"
     if isinstance(obj, Potential):
         return f"U = {unicode(obj.expression)}"
     if isinstance(obj, Decision):
@@ -126,6 +126,8 @@ def plain(obj: Any) -> str:
         sides = comparison(obj)
         joint, relation = ("and", "≠") if obj.strict else ("or", "=")
         factors = [f" {joint} {unicode(readable(e), obj.at)} {relation} 0" for e in obj.degenerate]
+        if obj.strict and factors and trivial(obj):
+            return "".join(factors).removeprefix(" and ")
         return f"{unicode(sides.name, obj.at)} {sides.relation} {unicode(sides.value, obj.at)}" + "".join(factors)
     return _criterion(obj)
 
@@ -135,6 +137,11 @@ def _criterion(criterion: Criterion) -> str:
         return "never" if criterion.notion == "spectral" else "no information"
     text = " or ".join(" and ".join(map(plain, alternative)) or "always" for alternative in criterion.alternatives)
     return text + (f", modulo the flow of {_row(criterion.modulo)}" if criterion.modulo else "")
+
+
+def _entered(values: Iterable[Expr]) -> str:
+    """As in a row; a number that was given as a decimal with it."""
+    return ", ".join(shown(x).replace("-", "−") if double(x) else unicode(x) for x in values)
 
 
 def _row(values: Iterable[Expr]) -> str:

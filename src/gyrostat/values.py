@@ -12,6 +12,8 @@ from .exact import Point, ball, compiled, evaluate, sign_of_constant
 from .expressions import exact_number, shown
 from .notation import NOTATION, jet, symbol
 
+K3 = symbol("k3")
+
 
 def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[str], known: Sequence[str]) -> Point:
     """The values as exact numbers, every one of them checked.
@@ -34,6 +36,8 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
             raise ValuesError(f"{name} = {number} cannot be enclosed: write it with rationals, roots, pi, exp, log and the like")
         if name.is_positive and not is_positive(name.name, number):
             numbers.doubt = f"whether {name} = {shown(number)} is positive is not proved"
+    if eq.system.potential is not None:
+        eq.system.potential.check_size(numbers)
     numbers.doubt = numbers.doubt or _exists(eq, numbers) or _on_family(eq, numbers)
     return numbers
 
@@ -70,7 +74,8 @@ def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str],
 
 def unknown(name: str, known: Sequence[str], where: str) -> str:
     """What to say of a name that is not a parameter."""
-    close = get_close_matches(name, [*known, *(["omega3_0"] if "pi3_0" in known else ["pi3_0"] if "omega3_0" in known else [])], 1)
+    other = {"pi3_0": "omega3_0", "omega3_0": "pi3_0"}
+    close = [other[name]] if other.get(name) in known else get_close_matches(name, [*known, *(other[n] for n in known if n in other)], 1)
     hint = f"did you mean {close[0]}? " if close else ""
     spin = ' (with spin="omega3_0" in place of pi3_0)' if "omega3_0" in (name, *close) and "omega3_0" not in known else ""
     return f"{where} has no parameter {name}: {hint}Its parameters are {', '.join(known)}{spin}"
@@ -85,7 +90,8 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
             doubt = f"whether {eq.label} exists there is not proved: {expression} is {shown(value)}, and has to be positive"
         elif sign != 1:
             here = "is not defined" if value is S.NaN else "is 0" if sign == 0 else f"is {shown(value)}"
-            raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: choose a point inside")
+            todo = f"k3 = {shown(numbers[K3])}, give −1 < k3 < 1" if expression == 1 - K3**2 and K3 in numbers else "choose a point inside"
+            raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: {todo}")
     for expression in eq.field_values:
         polynomial = (fraction := compiled(expression)) is not None and fraction[2] is None      # finite and real wherever it is
         if not polynomial and expression.free_symbols <= numbers.keys() and not _may_be_real(value := evaluate(expression, numbers)):

@@ -1,25 +1,24 @@
 """The lines of a batch: as they come, what each asks, and where the answers are kept."""
 import argparse
 import contextlib
-import json
 import os
 import stat
 import sys
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, BinaryIO, NoReturn
+from typing import Any, BinaryIO
 
 from sympy import Expr
 
-from ..errors import GyrostatError, ValuesError
+from ..errors import ValuesError, brief
 from ..expressions import exact_number
 from ..files import moved, replaceable
+from ..inputs import LINE, is_name, json_object
 from .output import printed
 from .scenes import LABELS, one_spin
 
 SPINS = {"pi3_0", "omega3_0"}
-READ, LONGEST_LINE = 2**16, 10**6                      # bytes that are read at a time; of a line
+READ = 2**16                                           # bytes that are read at a time
 Numbered = tuple[int, bytes]
 
 
@@ -55,7 +54,7 @@ def numbered(file: Any) -> Iterator[list[Numbered]]:
     n, parts, length = 1, list[bytes](), 0
     while data := _read(file):
         first, *rest = data.split(b"\n")
-        parts, length = [*parts, first[:LONGEST_LINE + 1 - length]] if length <= LONGEST_LINE else parts, length + len(first)
+        parts, length = [*parts, first[:LINE + 1 - length]] if length <= LINE else parts, length + len(first)
         if not rest:
             continue
         whole = [b"".join(parts), *rest[:-1]]
@@ -75,57 +74,17 @@ def _read(file: Any) -> bytes:
 
 def question(line: bytes, given: argparse.Namespace, defaults: Mapping[str, Expr]) -> tuple[str | None, str | None, dict[str, Expr]]:
     """Potential, equilibrium and numbers of a line."""
-    own = _object(line)
+    own = json_object(line)
     potential, label = own.pop("potential", given.potential), own.pop("equilibrium", given.equilibrium)
     if not isinstance(potential, str | None) or not isinstance(label, str | None) or label not in (None, *LABELS):
-        raise ValuesError(f"potential = {_short(potential)}, equilibrium = {_short(label)}: a potential is a text in the grammar of "
+        raise ValuesError(f"potential = {brief(potential)}, equilibrium = {brief(label)}: a potential is a text in the grammar of "
                           f"--potential, an equilibrium one of {', '.join(LABELS)}")
-    if wrong := [name for name in own if not name.isidentifier()]:
-        raise ValuesError(f"{_short(wrong[0])} is not a name: write {{\"I1\": 1.6}}")
+    if wrong := [name for name in own if not is_name(name)]:
+        raise ValuesError(f"{brief(wrong[0])} is not a name: write {{\"I1\": 1.6}}")
     numbers = {name: exact_number(value, name) for name, value in own.items()}
     one_spin(numbers)
     kept = {name: x for name, x in defaults.items() if not (name in SPINS and SPINS & numbers.keys())}
     return potential, label, kept | numbers
-
-
-def _short(value: Any) -> str:
-    """A value as it can stand in a message."""
-    return f"'{_plain(value)}'" if isinstance(value, str) else f"a {type(value).__name__}"
-
-
-def _plain(text: str) -> str:
-    """A text without what a terminal would obey."""
-    text = ascii(text)[1:-1]
-    return text if len(text) <= 60 else text[:60] + "…"
-
-
-def _object(line: bytes) -> dict[str, Any]:
-    """The object of a line, its numbers as the text that they are written as."""
-    if len(line) > LONGEST_LINE:
-        raise ValuesError(f"it is longer than {LONGEST_LINE} bytes: write an object of numbers, {{\"I1\": 1.6}}")
-    try:
-        own = json.loads(line, object_pairs_hook=_once, parse_float=str, parse_int=str, parse_constant=_refused)
-    except GyrostatError:
-        raise
-    except json.JSONDecodeError as error:
-        raise ValuesError(f"it is not JSON: {error.msg} at character {error.pos + 1}; write an object, {{\"I1\": 1.6}}") from None
-    except (UnicodeDecodeError, RecursionError) as error:
-        raise ValuesError(f"it is not JSON: {error}") from None
-    if not isinstance(own, dict):
-        raise ValuesError(f"it is not an object: write {{\"I1\": 1.6}}, not {line[:20].decode(errors='replace').strip()}")
-    return own
-
-
-def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    own = dict(pairs)
-    if len(own) < len(pairs):
-        times = Counter(name for name, _ in pairs)
-        raise ValuesError(f"{_plain(times.most_common(1)[0][0])} is given twice: give it once")
-    return own
-
-
-def _refused(constant: str) -> NoReturn:
-    raise ValuesError(f"{constant} is not a number: give a finite number")
 
 
 class Kept:

@@ -9,9 +9,11 @@ from sympy import Expr
 
 from ..blocks import Block, Heading, prose
 from ..body import Gyrostat, symmetric_gyrostat
-from ..errors import EquilibriumError, GyrostatError, ValuesError
-from ..expressions import exact_number, parse
+from ..errors import EquilibriumError, GyrostatError, ValuesError, brief
+from ..expressions import exact_number
 from ..families import hanging, inclined, principal_rotation, static_tilt, upright
+from ..grammar import parse
+from ..inputs import is_name
 from ..notation import jet, symbol
 from ..potential import axial_potential, general_potential
 from ..stability import Report, analyze
@@ -33,8 +35,8 @@ def numbers_of(settings: Sequence[str]) -> dict[str, Expr]:
     for setting in settings:
         name, equals, value = setting.partition("=")
         name = name.strip()
-        if not equals or not name.isidentifier():
-            raise ValuesError(f"--set {setting} is not NAME=VALUE: write, for example, --set I1=1.6")
+        if not equals or not is_name(name):
+            raise ValuesError(f"--set {brief(setting)[1:-1]} is not NAME=VALUE: write, for example, --set I1=1.6")
         if name in numbers:
             raise ValuesError(f"--set gives {name} twice: give it once")
         numbers[name] = exact_number(value, name)
@@ -80,10 +82,10 @@ def axis_of(option: str, text: str, form: str = "NAME=LOW:HIGH:COUNT", count: in
     """Name, ends and number of values of an axis; its COUNT may be left out where the form has it in brackets."""
     name, equals, values = text.partition("=")
     name, ends = name.strip(), [value.strip() for value in values.split(":")]
-    if not equals or not name.isidentifier() or len(ends) not in {form.count(":") + 1, 2 if "[" in form else 0}:
-        raise ValuesError(f"{option} {text} is not {form}: write, for example, {option} l=-2:2{':400' if 'COUNT' in form else ''}")
-    if ends[2:] and (not ends[2].isdecimal() or not 2 <= int(ends[2]) <= LONGEST):
-        raise ValuesError(f"{option} {text} has the COUNT {ends[2]}: give a whole number from 2 to {LONGEST}; one value goes to --set")
+    if not equals or not is_name(name) or len(ends) not in {form.count(":") + 1, 2 if "[" in form else 0}:
+        raise ValuesError(f"{option} {brief(text)} is not {form}: write, for example, {option} l=-2:2{':400' if 'COUNT' in form else ''}")
+    if ends[2:] and (not ends[2].isdecimal() or len(ends[2]) > 20 or not 2 <= int(ends[2]) <= LONGEST):
+        raise ValuesError(f"{option} has the COUNT {brief(ends[2])[1:-1]}: give a whole number, 2 to {LONGEST}; one value goes to --set")
     low, high = (exact_number(end, name) for end in ends[:2])
     return name, low, high, int(ends[2]) if ends[2:] else count
 

@@ -1,5 +1,5 @@
 """Published formulas: load them, exactly as printed, and check each against what the library derives."""
-import tomllib
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
@@ -8,13 +8,15 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
-from ..errors import GyrostatError, PublishedError
+from ..errors import GyrostatError, PublishedError, brief
+from ..inputs import is_name, toml_of
 from . import claims, evidence, formulas
 from .scenes import Scene
 from .statements import KINDS, Counterexample, Doubt, Outcome, Reading, Statement
 
 SOURCES = ("VV2003", "N2025", "EA", "AR", "literature")
 _HERE = resources.files(__package__)                     # a folder, or part of an archive
+MOST = 40                                              # abbreviations, values or constants of a formula
 _REQUIRED = ("key", "where", "quantity", "printed", "kind")
 _OPTIONAL: Mapping[str, Any] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str, "constants": list,
                                        "corrected": (str, list)}
@@ -22,6 +24,8 @@ _CHECKS: Mapping[str, Callable[[Reading], Outcome | Doubt]] = {
     "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium, "solution": formulas.solution,
     "number": formulas.rounded, "condition": claims.condition, "statement": claims.statement}
 _STATUS = {True: "confirmed", False: "misprint", None: "unchecked"}
+
+_COMPUTING = (ArithmeticError, AttributeError, LookupError, NotImplementedError, RecursionError, TypeError, ValueError)
 
 
 @dataclass(frozen=True)
@@ -86,17 +90,12 @@ def load(source: str | Path) -> Source:
 
 @cache
 def _own(name: str) -> Source:
-    expected = tomllib.loads((_HERE / "expected.toml").read_text(encoding="utf-8"))
+    expected = toml_of(_HERE / "expected.toml")
     return _read(_HERE / f"{name}.toml", expected[name])
 
 
 def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Source:
-    try:
-        data = tomllib.loads(path.read_text(encoding="utf-8").removeprefix("\ufeff"))
-    except (OSError, UnicodeDecodeError) as error:
-        raise PublishedError(f"{path}: cannot be read ({error}): give a text file in UTF-8") from None
-    except tomllib.TOMLDecodeError as error:
-        raise PublishedError(f"{path}: is not TOML: {error}") from None
+    data = toml_of(path)
     header = data.get("source")
     if not isinstance(header, dict) or not all(isinstance(header.get(field), str) for field in ("name", "title")):
         raise PublishedError(f"{path}: has no [source] table with name and title: see the README for an example")
@@ -113,7 +112,7 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
             scenes[name] = Scene(table)
     statements = [_statement(path, header, scenes, entry) for entry in listed]
     keys = [s.key for s in statements]
-    if twice := {key for key in keys if keys.count(key) > 1}:
+    if twice := {key for key, times in Counter(keys).items() if times > 1}:
         raise PublishedError(f"{path}: the keys {', '.join(sorted(twice))} occur twice: give each formula its own")
     table = status if expected is None else expected
     if not set(table) <= {"misprint", "unchecked"} or not all(
@@ -136,7 +135,10 @@ class _at:
 
     def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
         if isinstance(error, GyrostatError):
-            raise PublishedError(f"{self.path}: {self.key}: {error}") from None
+            raise PublishedError(f"{self.path}: {brief(self.key)[1:-1]}: {error}") from None
+        if isinstance(error, _COMPUTING):
+            why = f"it cannot be computed ({brief(str(error))}): simplify it"
+            raise PublishedError(f"{self.path}: {brief(self.key)[1:-1]}: {why}") from error
 
 
 def _texts(value: Any) -> bool:
@@ -158,14 +160,18 @@ def _statement(path: Path | Traversable, header: Mapping[str, Any], scenes: Mapp
                 raise PublishedError(f"has the unknown entry {field}: there are {', '.join((*_REQUIRED, *_OPTIONAL))}")
             wanted = _OPTIONAL.get(field, (str, list) if field in ("quantity", "printed") else str)
             if not isinstance(value, wanted) or not _texts(value):
-                raise PublishedError(f"{field} = {value!r} is a {type(value).__name__}: write it as in the README's example")
+                raise PublishedError(f"{field} = {brief(value)} is a {type(value).__name__}: write it as in the README's example")
+        if not key.isprintable():
+            raise PublishedError("key has more than one line: write a name")
         if entry["kind"] not in KINDS:
-            raise PublishedError(f"kind = {entry['kind']!r}: the kinds are {', '.join(KINDS)}")
+            raise PublishedError(f"kind = {brief(entry['kind'])}: the kinds are {', '.join(KINDS)}")
         name = entry.get("scene", header.get("scene", ""))
-        if not all(abbreviation.isidentifier() for abbreviation in entry.get("let", ())):
-            raise PublishedError(f"let = {entry['let']}: abbreviations are names")
+        if not all(map(is_name, entry.get("let", ()))):
+            raise PublishedError(f"let = {brief(entry['let'])}: abbreviations are names")
+        if many := [field for field in ("let", "at", "constants") if len(entry.get(field, ())) > MOST]:
+            raise PublishedError(f"{many[0]} has more than {MOST} entries: split the formula")
         if not isinstance(name, str) or name not in scenes:
-            raise PublishedError(f"scene = {name!r} is not in the file: its scenes are {', '.join(filter(None, scenes))}")
+            raise PublishedError(f"scene = {brief(name)} is not in the file: its scenes are {', '.join(filter(None, scenes))}")
         fields = {**entry, "scene": scenes[name], "constants": tuple(entry.get("constants", ()))}
         return Statement(source=header["name"], file=str(path), **fields)
 

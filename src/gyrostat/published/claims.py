@@ -2,7 +2,7 @@
 from itertools import islice
 
 from ..conditions import Criterion
-from ..errors import PublishedError
+from ..errors import PublishedError, brief
 from ..notation import symbol
 from .criteria import K3, Claim, agree, criterion, free_symbols
 from .language import comparisons
@@ -58,7 +58,7 @@ def statement(r: Reading) -> Outcome | Doubt:
         return Outcome(None, s.printed)
     if s.quantity == "stability":
         if s.printed not in ("stable", "orbitally stable", "unstable"):
-            raise PublishedError(f"printed = {s.printed!r}: a verdict is stable, orbitally stable (modulo the spin), or unstable")
+            raise PublishedError(f"printed = {brief(s.printed)}: a verdict is stable, orbitally stable (modulo the spin), or unstable")
         verdict = r.claim.verdict()
         if verdict == s.printed or s.printed == "orbitally stable" and verdict.startswith("stable"):
             return Outcome(True, s.printed, verdict)
@@ -66,7 +66,7 @@ def statement(r: Reading) -> Outcome | Doubt:
         return Doubt(islice(r.points({s for c in criteria for s in free_symbols(c)}), 40), s.printed, verdict)
     if s.quantity == "second variation, Casimirs alone":
         if s.printed != "semidefinite" or r.scene.potential is None:
-            raise PublishedError(f"printed = {s.printed!r}: in a field, the form is called semidefinite or it is not a statement")
+            raise PublishedError(f"printed = {brief(s.printed)}: in a field, the form is called semidefinite or it is not a statement")
         if r.scene.equilibrium is None:
             raise PublishedError("the second variation needs a scene with an equilibrium")
         return Doubt(islice(r.points([symbol("d2U")]), 40), s.printed, "indefinite")

@@ -5,11 +5,17 @@ from typing import Any
 import mpmath
 from sympy import Expr, Float, Function, I
 
+from ..errors import ScopeError
+
+LARGEST = 1000
+
 
 @lru_cache(maxsize=4096)
 def _value(letters: str, u: Expr, m: Expr, prec: int) -> Expr:
     """The number; SymPy asks for it many times over."""
     with mpmath.workprec(prec + 20):
+        if max(abs(float(a.evalf(5))) for a in (u, m)) > LARGEST:
+            raise ScopeError(f"sn, cn and dn are computed of arguments up to {LARGEST}: give smaller numbers")
         at, modulus = (mpmath.mpmathify(a.evalf(int(prec / 3.3) + 10)) for a in (u, m))
         value = mpmath.ellipfun(letters, at, m=modulus)
         parts = [Float._new(mpmath.mpf(part)._mpf_, prec) for part in (mpmath.re(value), mpmath.im(value))]

@@ -1,16 +1,20 @@
 """The formulas of published files: the whitelist grammar with vectors, functions of the motion and comparisons."""
 import re
 from collections import ChainMap
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import reduce
+from operator import add
 from typing import Any
 
-from sympy import Abs, Add, Expr, ImmutableMatrix, MatrixBase, Rational, nan, oo, zoo
+from sympy import Abs, Expr, ImmutableMatrix, MatrixBase, Rational, nan, oo, zoo
 from sympy.matrices.exceptions import MatrixError
 
-from ..errors import ExpressionError, GyrostatError, ValuesError
+from ..errors import ExpressionError, GyrostatError, ValuesError, brief
 from ..exact import sign_of_constant
-from ..expressions import FUNCTIONS, Parser, Part
+from ..grammar import CALLS, Parser
+from ..parts import FUNCTIONS, Cost, Part, enclosure, of_expression
 
+SIDE, COMPARISONS = 12, 30
 _COMPARISON = re.compile(r"\s*(<=|>=|<|>)\s*")
 
 
@@ -18,6 +22,7 @@ class Formula(Parser):
     """Names come from a scene; a function may be one of its functions and take several arguments."""
 
     TOKEN = re.compile(Parser.TOKEN.pattern.replace("-+*/()", "-+*/(),"), re.ASCII)
+    TERMS = 10_000                                         # of an entry: a tensor in Euler angles has some thousands
     HINT = "allowed are names, numbers, + - * / ** , and parentheses; matrices are lists of texts"
 
     def __init__(self, text: str, names: Mapping[str, Any]):
@@ -29,32 +34,38 @@ class Formula(Parser):
             return super().named(token) if token in FUNCTIONS else self.fail(
                 f"{token} is not a name of this scene", "its names are " + ", ".join(sorted(self.names)))
         value = self.names[token]
+        if isinstance(value, Part):                        # an abbreviation costs what it stands for
+            return value
         if callable(value) and not isinstance(value, (Expr, MatrixBase)):
             self.fail(f"the function {token} has no argument", f"write {token}(...)")
-        terms = len(Add.make_args(value)) if isinstance(value, Expr) else 4
-        return Part(value, terms, 2 if terms > 1 else 1)
+        return self.bounded(value, _cost(value), 0, None)
+
+    def total(self, values: Sequence[Any]) -> Any:
+        return reduce(add, values) if any(isinstance(value, MatrixBase) for value in values) else super().total(values)
 
     def power(self, base: Part, exponent: Rational) -> Part:
         if isinstance(base.value, MatrixBase) and exponent not in (2, 3):
             self.fail(f"a vector or matrix is raised to the power {exponent}", "matrices have the powers 2 and 3, and inverse(…)")
-        if abs(exponent) > 12 and not (base.value.is_Symbol or base.value.is_number):
+        if abs(exponent) > 12 and isinstance(base.value, Expr) and not (base.value.is_Symbol or base.value.is_number):
             self.fail(f"an expression is raised to the power {exponent}", "those of names and numbers go up to 100, others to 12")
         return super().power(base, exponent)
 
     def call(self, token: str) -> Part:
         function = self.names.get(token)
-        if token in FUNCTIONS or function is None or isinstance(function, (Expr, MatrixBase)):
+        if token in FUNCTIONS or function is None or isinstance(function, (Expr, MatrixBase, Part)):
             if token not in FUNCTIONS:
-                offered = [n for n, v in self.names.items() if callable(v) and not isinstance(v, (Expr, MatrixBase))]
-                self.fail(f"{token} is not a function of this scene", "its functions are " + ", ".join(sorted({*offered, *FUNCTIONS})))
+                offered = [n for n, v in self.names.items() if callable(v) and not isinstance(v, (Expr, MatrixBase, Part))]
+                self.fail(f"{token} is not a function of this scene", self.guess(token, sorted({*offered, *FUNCTIONS})))
             (inner, *others) = self.arguments()
-            if others or isinstance(inner.value, MatrixBase) or inner.nesting >= 4:
-                self.fail(f"{token} takes one number, nested at most 4 deep", "check its argument")
-            return self.bounded(FUNCTIONS[token](inner.value), 1, 1, inner.bits, inner.nesting + 1)
+            if others or isinstance(inner.value, MatrixBase):
+                self.fail(f"{token} takes one number", "check its argument")
+            return self.apply(token, inner)
         arguments = self.arguments()
         if token in ("sn", "cn", "dn", "polhode_period") and any(isinstance(part.value, MatrixBase) for part in arguments):
             self.fail(f"{token} takes numbers", "check its arguments")
-        return Part(function(*(part.value for part in arguments)), nesting=max(part.nesting for part in arguments) + 1)
+        value = function(*(part.value for part in arguments))
+        nesting = max(part.nesting for part in arguments) + (token in ("sn", "cn", "dn"))
+        return self.bounded(value, _cost(value), nesting, None)
 
     def arguments(self) -> list[Part]:
         """What stands between the parentheses of a function."""
@@ -65,14 +76,22 @@ class Formula(Parser):
         if not self.take(")"):
             self.fail("a closing parenthesis is missing", "close what you opened")
         self.calls += 1
-        if self.calls > 30:
-            self.fail("it has more than 30 functions", "write it as several formulas")
+        if self.calls > CALLS:
+            self.fail(f"it has more than {CALLS} functions", "write it as several formulas")
         return found
 
-    def bounded(self, value: Any, terms: int, degree: int, bits: int, nesting: int) -> Part:
+    def bounded(self, value: Any, cost: Cost, nesting: int, ball: Any) -> Part:
         if isinstance(value, MatrixBase):
-            return Part(ImmutableMatrix(value), terms, degree, bits, nesting)
-        return super().bounded(value, terms, degree, bits, nesting)
+            value, cost = ImmutableMatrix(value), _cost(value)
+        elif ball is None and isinstance(value, Expr) and value.is_number:
+            ball = enclosure(value)
+        return super().bounded(value, cost, nesting, ball)
+
+
+def _cost(value: Any) -> Cost:
+    """The largest of the entries of a matrix, or of an expression."""
+    costs = [of_expression(entry) for entry in (value if isinstance(value, MatrixBase) else [value])]
+    return Cost(*map(max, zip(*costs)))
 
 
 def read(printed: Any, names: Mapping[str, Any]) -> Any:
@@ -94,19 +113,26 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
     Matrix([[2*a, 1]])
     """
     if isinstance(printed, list):
+        if max(len(printed), *(len(row) for row in printed if isinstance(row, list)), 0) > SIDE:
+            raise ExpressionError(f"cannot read a list of {len(printed)} rows: vectors and matrices have up to {SIDE} rows and columns")
         rows = [[read(entry, names) for entry in row] if isinstance(row, list) else [read(row, names)] for row in printed]
         if not rows or any(len(row) != len(rows[0]) for row in rows):
             raise ExpressionError(f"cannot read a list of {len(rows)} rows of lengths {[len(r) for r in rows]}: rows have one length")
         return ImmutableMatrix(rows)
+    return part_of(printed, names).value
+
+
+def part_of(printed: Any, names: Mapping[str, Any]) -> Part:
+    """What one text stands for, with its bounds: so an abbreviation costs as much as what it is short for."""
     if not isinstance(printed, str):
-        raise ExpressionError(f"cannot read {printed!r}, a {type(printed).__name__}: formulas are texts, write \"...\"")
+        raise ExpressionError(f"cannot read {brief(printed)}, a {type(printed).__name__}: formulas are texts, write \"...\"")
     try:
         return Formula(printed, names).whole()
     except GyrostatError:
         raise
-    except (TypeError, AttributeError, MatrixError, NotImplementedError, ValueError, IndexError) as error:
-        raise ExpressionError(f"cannot read {printed!r}: vectors, matrices and numbers do not fit together there"
-                              f"{f' ({error})' if str(error) else ''}") from None
+    except (ArithmeticError, AttributeError, IndexError, MatrixError, NotImplementedError, RecursionError, TypeError, ValueError) as error:
+        raise ExpressionError(f"cannot read {brief(printed)}: vectors, matrices and numbers do not fit together there"
+                              f"{f' ({brief(str(error))})' if str(error) else ''}") from None
 
 
 def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool]]:
@@ -143,7 +169,11 @@ def holds_as_printed(printed: str, names: Mapping[str, Any]) -> tuple[bool | Non
     """
     answers: list[bool | None] = []
     equal = False
-    for sides, signs in _chains(printed, names):
+    try:
+        chains = _chains(printed, names)
+    except ExpressionError:                                # where it divides by 0, or is not real
+        return None, False
+    for sides, signs in chains:
         for left, right, relation in zip(sides, sides[1:], signs):
             known = sign_of_constant((right - left).expand()) if all(_is_real(side) for side in (left, right)) else None
             equal = equal or known == 0
@@ -158,16 +188,18 @@ def _is_real(value: Expr) -> bool:
 def _chains(printed: str, names: Mapping[str, Any]) -> list[tuple[list[Expr], list[str]]]:
     """The sides and the signs of each chain of comparisons, in the order in which they are printed."""
     found = []
+    if len(_COMPARISON.findall(printed)) > COMPARISONS:
+        raise ExpressionError(f"cannot read {brief(printed)}: it has more than {COMPARISONS} comparisons")
     for part in re.split(r"\band\b", printed):
         pieces = _COMPARISON.split(part)
         if len(pieces) < 3:
-            raise ExpressionError(f"cannot read {part.strip()!r} as a condition: write left > right, with >, >=, < or <=")
+            raise ExpressionError(f"cannot read {brief(part.strip())} as a condition: write left > right, with >, >=, < or <=")
         sides = [read(piece, ChainMap({"abs": Abs}, names)) for piece in pieces[::2]]  # type: ignore[arg-type]
         if any(isinstance(side, MatrixBase) for side in sides):
-            raise ExpressionError(f"cannot read {part.strip()!r} as a condition: a vector or matrix is compared")
+            raise ExpressionError(f"cannot read {brief(part.strip())} as a condition: a vector or matrix is compared")
         signs = pieces[1::2]
         if len({sign[0] for sign in signs}) > 1:
-            raise ExpressionError(f"cannot read the chain {part.strip()!r}: all its signs point one way")
+            raise ExpressionError(f"cannot read the chain {brief(part.strip())}: all its signs point one way")
         found.append((sides, signs))
     return found
 
@@ -189,8 +221,8 @@ def decimal(printed: str) -> tuple[Expr, Expr]:
     (7/25, 1/200)
     """
     match = re.fullmatch(r"[-+]?\d*\.?(\d*)", printed)
-    if match is None or not any(c.isdigit() for c in printed):
-        raise ValuesError(f"{printed!r} is not a decimal number: write it with the digits that are printed")
+    if match is None or len(printed) > 400 or not any(c.isdigit() for c in printed):
+        raise ValuesError(f"{brief(printed)} is not a decimal number: write it with the digits that are printed")
     return Rational(printed), Rational(1, 2 * 10 ** len(match[1]))
 
 

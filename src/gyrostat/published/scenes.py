@@ -8,9 +8,10 @@ from sympy import Expr
 
 from ..body import Gyrostat
 from ..equilibria import Equilibrium
-from ..errors import PublishedError
-from ..expressions import parse
+from ..errors import PublishedError, brief
 from ..families import hanging, inclined, principal_rotation, upright
+from ..grammar import parse
+from ..inputs import is_name
 from ..notation import jet, symbol
 from ..potential import Potential, axial_potential, general_potential
 from ..system import System, assemble
@@ -36,10 +37,10 @@ class Scene:
             listed = name in ("inertia", "gyrostatic_momentum", "parameters")
             texts = value if listed and isinstance(value, list) else [value]
             if isinstance(value, list) != listed or not all(isinstance(text, str) for text in texts):
-                raise PublishedError(f"{name} = {value!r}: write {'a list of texts' if listed else 'a text'}, in quotation marks")
+                raise PublishedError(f"{name} = {brief(value)}: write {'a list of texts' if listed else 'a text'}, in quotation marks")
         for name in self.table.get("parameters", ()):
-            if not name.isidentifier():
-                raise PublishedError(f"the parameter {name!r} is not a name: letters, digits and _ make one")
+            if not is_name(name):
+                raise PublishedError(f"the parameter {brief(name)} is not a name: letters, digits and _ make one")
 
     @cached_property
     def body(self) -> Gyrostat:
@@ -75,7 +76,7 @@ class Scene:
             return inclined(self.system, self.table.get("eliminate"))
         if label in ("axis 1", "axis 2", "axis 3"):
             return principal_rotation(self.system, int(label[-1]))
-        raise PublishedError(f"equilibrium = {label!r}: give E1, E2, E3, axis 1, axis 2 or axis 3")
+        raise PublishedError(f"equilibrium = {brief(label)}: give E1, E2, E3, axis 1, axis 2 or axis 3")
 
     @property
     def point(self) -> tuple[Expr, ...]:

@@ -11,7 +11,7 @@ from ..errors import PublishedError
 from ..notation import symbol
 from . import independent_names
 from .criteria import Claim
-from .language import comparisons, read
+from .language import comparisons, part_of, read
 from .names import names
 from .sampling import points
 from .scenes import Scene
@@ -181,7 +181,7 @@ class _Abbreviated(Mapping[str, Any]):
 
     @cached_property
     def _value(self) -> Any:
-        return read(self._text, self._outer)
+        return part_of(self._text, self._outer)
 
     def __getitem__(self, name: str) -> Any:
         return self._value if name == self._name else self._outer[name]

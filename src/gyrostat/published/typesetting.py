@@ -1,12 +1,15 @@
 """A printed text in LaTeX, its terms and factors in the order in which they are printed."""
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import add
 from typing import Any
 
 from sympy import Rational
 
-from ..expressions import FUNCTIONS, Part
 from ..notation import typeset
+from ..parts import FUNCTIONS, Part
 from .language import Formula
 
 _NAMES = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l": r"\boldsymbol{l}",
@@ -30,16 +33,11 @@ class _Tex:
     under: str | None = None
     negated: "_Tex | None" = None
 
-    free_symbols = ("something",)                          # no number is checked here
-
     def closed(self) -> str:
         return rf"\left({self.text}\right)" if self.sum else self.text
 
     def __add__(self, other: "_Tex") -> "_Tex":
         return _Tex(f"{self.text} - {other.text[1:].lstrip()}" if other.text.startswith("-") else f"{self.text} + {other.text}", True)
-
-    def __sub__(self, other: "_Tex") -> "_Tex":
-        return _Tex(f"{self.text} - {other.closed()}", True)
 
     def __mul__(self, other: "_Tex") -> "_Tex":
         if self.negated:
@@ -59,15 +57,21 @@ class _Typesetter(Formula):
         super().__init__(text, {})
 
     def factor(self) -> Part:
+        self.deeper()
         if sign := self.take("+", "-"):
             part = self.factor()
-            return part if sign == "+" else Part(-part.value)
-        base = self.atom()
-        if not self.take("**"):
-            return base
-        simple = not base.value.sum and re.fullmatch(r"[\w\\]+(_\{?\w+\}?)?", base.value.text)
-        inner = base.value.text if simple else rf"\left({base.value.text}\right)"
-        return Part(_Tex(f"{inner}^{{{self.factor().value.text}}}"))
+            base = part if sign == "+" else Part(-part.value)
+        else:
+            base = self.atom()
+            if self.take("**"):
+                simple = not base.value.sum and re.fullmatch(r"[\w\\]+(_\{?\w+\}?)?", base.value.text)
+                inner = base.value.text if simple else rf"\left({base.value.text}\right)"
+                base = Part(_Tex(f"{inner}^{{{self.factor().value.text}}}"))
+        self.depth -= 1
+        return base
+
+    def total(self, values: Sequence[Any]) -> Any:
+        return reduce(add, values)
 
     def number(self, token: str) -> Part:
         return Part(_Tex(token))
@@ -102,7 +106,7 @@ def formula_of(printed: str, at: Any = None) -> str:
     words = []
     for part in re.split(r"\band\b", printed):
         pieces = re.split(r"\s*(<=|>=|<|>)\s*", part.strip())
-        sides = [_Typesetter(piece, at).whole().text for piece in pieces[::2]]
+        sides = [_Typesetter(piece, at).whole().value.text for piece in pieces[::2]]
         relations = [{"<=": r"\leq", ">=": r"\geq"}.get(sign, sign) for sign in pieces[1::2]]
         words.append(" ".join(x for pair in zip(sides, [*relations, ""]) for x in pair).strip())
     return r" \text{ and } ".join(words)
