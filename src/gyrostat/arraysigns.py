@@ -6,10 +6,10 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 from sympy import Expr, Rational, Symbol
 
-from .exact import ONE_AT_A_TIME, ball, compiled, sign
+from .exact import ONE_AT_A_TIME, ball, compiled, own_precision, sign
 from .grids import Array, Block, Grid, cut, places
 from .kernels import Kernel
 from .rounding import error_bound, rounded
@@ -127,7 +127,7 @@ class ExactSign:
         """The sign at the numbers of the symbols, in their order."""
         if not all(isfinite(x) for x in numbers if isinstance(x, float)):
             return UNKNOWN
-        with ctx.workprec(PRECISION):
+        with own_precision(PRECISION):
             values = dict(zip(self.symbols, map(_ball_of, numbers)))
             enclosure = self.program.run(lambda leaf: values[leaf] if leaf in values else ball(leaf, PRECISION, values),
                                          lambda c: arb(fmpq(int(c.p), int(c.q))), _BALLS)[-1]

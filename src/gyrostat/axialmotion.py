@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from flint import arb, ctx
 
-from .exact import ONE_AT_A_TIME, ball
+from .exact import ball, own_precision
 from .grids import Array
 from .levels import K3, Level, enclosed, known
 from .periods import double, pair, reduced, turns
@@ -64,7 +64,7 @@ class AxialMotion:
     @cached_property
     def _pairs(self) -> dict[str, Any]:
         """Periods and turns in two doubles."""
-        with ONE_AT_A_TIME, ctx.workprec(self.exact.precision):
+        with own_precision(self.exact.precision):
             turn, (time, *means), (jump, *jumps) = 2 * arb.pi(), self.exact.integrals.means, self.exact.integrals.jumps
             pairs: dict[str, Any] = {"drift": pair(self.exact.drift / (2 * turn))}
             if self.exact.integrals.quarter is None:             # of what the angles grow by in a unit of time, before and after
@@ -143,7 +143,7 @@ class AxialMotion:
     def error(self) -> float:
         """Of a state in doubles, estimated: the rounding of what turns within a period."""
         exact = self.exact
-        with ONE_AT_A_TIME, ctx.workprec(exact.precision):
+        with own_precision(exact.precision):
             across = [abs(double(ball(exact.level.kinetic, ctx.prec, {K3: end}))) ** 0.5 for end in (exact.lower, exact.upper)]
             largest = max(across + [abs(double(enclosed(x))) for x in exact.level.numbers[3:]])
         fastest = max(across + [abs(double(x)) for x in exact.momenta]) / double(exact.I1)

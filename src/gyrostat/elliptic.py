@@ -4,7 +4,7 @@ import math
 import numpy as np
 from flint import acb, arb, ctx
 
-from .exact import ONE_AT_A_TIME
+from .exact import own_precision
 from .grids import Array
 from .periods import pair, reduced
 
@@ -31,7 +31,7 @@ def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:
     if complement == 0:
         sech = 1 / np.cosh(np.clip(u, -710, 710))
         return np.tanh(u), sech, sech
-    with ONE_AT_A_TIME, ctx.workprec(128):
+    with own_precision(128):
         half = pair(2 * quarter_period(arb(complement)))
     n, v = reduced(u, half)
     levels, a, b = [], 1.0, math.sqrt(complement)

@@ -6,10 +6,10 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 from sympy import Expr, Pow, Rational, Symbol, diff
 
-from .exact import ONE_AT_A_TIME, ball, sign_of_constant
+from .exact import ball, own_precision, sign_of_constant
 from .straightline import program_of
 
 Array = np.ndarray[Any, Any]
@@ -217,7 +217,7 @@ def _at(name: str, low: float, high: float) -> tuple[float, float]:
     """Bounds of a function on one interval: from its ends where it is monotone, else from the ball that contains the interval."""
     if not (math.isfinite(low) and math.isfinite(high)):
         return -np.inf, np.inf
-    with ONE_AT_A_TIME, ctx.workprec(PRECISION):
+    with own_precision(PRECISION):
         a, b = arb(low), arb(high)
         if name.isdigit():
             return _bounds(a.root(int(name)), b.root(int(name)))

@@ -1,7 +1,8 @@
 """The sign of an expression at exact numbers: by rational arithmetic, or by proved enclosures and a separation bound."""
 import math
 import threading
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -127,6 +128,22 @@ def plain(constant: Expr) -> Expr:
     return next(found, constant)
 
 
+@contextmanager
+def own_precision(bits: int) -> Iterator[None]:
+    """Every enclosure that is computed inside has so many bits, whatever other threads compute; python-flint has one precision for all.
+
+    A computation of ours waits for those of other threads. Whoever calls python-flint besides has to hold ONE_AT_A_TIME as well.
+
+    Examples
+    --------
+    >>> with own_precision(100):
+    ...     ctx.prec
+    100
+    """
+    with ONE_AT_A_TIME, ctx.workprec(bits):
+        yield
+
+
 def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:
     """Enclosure of a real expression in ball arithmetic of the precision given (not finite where it is undefined).
 
@@ -136,7 +153,7 @@ def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHIN
     precision : int                       bits
     values : mapping of Symbol to arb     enclosures of its symbols
     """
-    with ONE_AT_A_TIME, ctx.workprec(precision):
+    with own_precision(precision):
         return +_ball(expression, values)
 
 

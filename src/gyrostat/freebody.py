@@ -8,7 +8,8 @@ from sympy import Expr, Float, ImmutableMatrix, Max, Min, acos, oo, sqrt
 
 from .body import Gyrostat
 from .errors import BodyError, ScopeError, ValuesError, require
-from .expressions import exact_expression, exact_number
+from .exact import ONE_AT_A_TIME
+from .expressions import exact_expression, exact_number, parse
 from .grammar import parse
 from .notation import symbol
 from .roots import in_order, proved_sign
@@ -113,7 +114,7 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
     if (side := proved_sign(gap)) == 0:
         return oo
     lead = above if side == 1 else below
-    with mpmath.workdps(digits + 10):                      # K(κ) = π / (2 agm(1, κ′)), κ′² = 1 − κ² = |gap| / lead
+    with ONE_AT_A_TIME, mpmath.workdps(digits + 10):       # K(κ) = π / (2 agm(1, κ′)), κ′² = 1 − κ² = |gap| / lead
         complement, scale = (mpmath.sqrt(mpmath.mpf(x.evalf(digits + 10)._mpf_)) for x in (side * gap / lead, I1 * I2 * I3 / lead))
         return Float(2 * mpmath.pi / mpmath.agm(1, complement) * scale, digits)
 

@@ -6,10 +6,10 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 
 from .errors import AccuracyError, ScopeError, ValuesError, require
-from .exact import ONE_AT_A_TIME, ball
+from .exact import ball, own_precision
 from .expressions import exact_number
 from .grids import Array
 from .loops import Loop, Rates, loop
@@ -61,7 +61,7 @@ class Turning:
     @cached_property
     def angle(self) -> arb:
         """By which R̃ is turned about M at the end of a turn."""
-        with ONE_AT_A_TIME, ctx.workprec(CONSTANT):
+        with own_precision(CONSTANT):
             u, k = frame(self.momentum, CONSTANT)
             end = self.loops(ROWS)[0].end[3:]
             return arb.atan2(dot(end, cross(u, k)), dot(end, u))
@@ -82,12 +82,12 @@ class Turning:
 
     def values(self, t: Array) -> Array:
         """M at a row of times."""
-        with ONE_AT_A_TIME, ctx.workprec(CONSTANT):
+        with own_precision(CONSTANT):
             return double(self.size(CONSTANT)) * self.rows(t, M_ONLY)[0]
 
     def attitude(self, t: Array) -> Array:
         """R at a row of times."""
-        with ONE_AT_A_TIME, ctx.workprec(CONSTANT):
+        with own_precision(CONSTANT):
             rows, cycle = self.rows(t, ROWS)
             return turned(np.roll(rows, 3, axis=1), turns(t, cycles(self.common(CONSTANT))) + cycle)
 
@@ -117,7 +117,7 @@ class Turning:
         rows = turn.values(np.append((starts[:, None] + lengths[:, None] * np.arange(16) / 16).ravel(), self.period))
         phi = np.unwrap(np.arctan2(rows[:, 5], rows[:, 1] * rows[:, 3] - rows[:, 0] * rows[:, 4]))
         whole = round((phi[-1] - phi[0] - double(self.angle)) / (2 * math.pi))
-        with ONE_AT_A_TIME, ctx.workprec(CONSTANT):
+        with own_precision(CONSTANT):
             return double(self.common(CONSTANT) * self.path.period(CONSTANT)[0] + self.angle + 2 * arb.pi() * whole)
 
     @property
@@ -136,12 +136,12 @@ class Turning:
 def _loops(turning: Turning, components: int, bits: int) -> tuple[Loop, Loop | None]:
     periodic, lost = turning.path.periodic, bits + 64
     if periodic:
-        with ONE_AT_A_TIME, ctx.workprec(64):
+        with own_precision(64):
             lost = 2 * max(0, math.ceil(-float(turning.path.period(64)[1].log()) / math.log(2)))
     if lost > MOST_LOST and periodic:
         raise AccuracyError(f"the turn of M is only 2^−{lost // 2} away from a separatrix, too close to be integrated: give other numbers")
     for precision in (bits + lost + 32, bits + 2 * lost + 96, 2 * (bits + 2 * lost + 96)):
-        with ONE_AT_A_TIME, ctx.workprec(precision + 64):
+        with own_precision(precision + 64):
             u, k = frame(turning.momentum, precision + 64)
             start, rates = [*k, *u][:components], turning.rates(precision + 64)
             if not periodic:
@@ -219,7 +219,7 @@ class FreeMotion:
     def ball_state(self, t: arb, bits: int) -> list[arb]:
         """π at a time, enclosures of about so many bits; estimated ones where a turn is integrated."""
         precision = bits + 64 + math.ceil(math.log2(1 + abs(float(t)) * self.fastest))
-        with ONE_AT_A_TIME, ctx.workprec(precision + 64):
+        with own_precision(precision + 64):
             return [x - ball(y, precision) for x, y in zip(self.path.at(t, bits, precision), self.rotor)]
 
     def exact_period(self, bits: int) -> arb | None:
@@ -228,7 +228,7 @@ class FreeMotion:
             return None
         if not isinstance(self.turning, Steady):
             return self.turning.path.period(bits)[0]
-        with ONE_AT_A_TIME, ctx.workprec(bits + 64):
+        with own_precision(bits + 64):
             return 2 * arb.pi() / abs(ball(self.turning.about, bits + 64))
 
     @property

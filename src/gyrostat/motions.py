@@ -183,8 +183,7 @@ class Motion:
 
     def _shown(self, x: arb) -> mpmath.mpf:
         mantissa, exponent = map(int, x.mid().man_exp())
-        with mpmath.workdps(self._digits):
-            return +mpmath.mpf((mantissa, exponent))
+        return mpmath.mpf((mantissa, exponent), dps=self._digits)
 
 
 def turns_of(motion: Motion, times: Array) -> Array | None:

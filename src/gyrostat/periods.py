@@ -2,10 +2,10 @@
 from typing import NamedTuple
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 
 from .errors import ValuesError
-from .exact import ONE_AT_A_TIME
+from .exact import own_precision
 from .grids import Array
 
 LONGEST = 2.0**49                                          # periods: their number is exact, and so is their product with a turn, mod 1
@@ -27,7 +27,7 @@ def pair(x: arb) -> Pair:
     >>> pair(arb(1) / 3)[0] == 1 / 3
     True
     """
-    with ONE_AT_A_TIME, ctx.workprec(256):
+    with own_precision(256):
         high = double(x)
         return Pair(high, double(x - arb(high)))
 
@@ -63,7 +63,7 @@ def reduced(t: Array, period: Pair) -> tuple[Array, Array]:
 
     Examples
     --------
-    >>> with ctx.workprec(128):
+    >>> with own_precision(128):
     ...     pi = arb.pi()
     >>> n, r = reduced(np.array([1e15]), pair(pi))
     >>> bool(abs(np.sin(1e15) - (-1)**n * np.sin(r))[0] < 1e-15)

@@ -4,12 +4,12 @@ from functools import lru_cache
 from itertools import permutations
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 from sympy import Expr, Integer
 
 from .elliptic import argument, jacobi, jacobi_ball, quarter_period
 from .errors import AccuracyError
-from .exact import ONE_AT_A_TIME, ball
+from .exact import ball, own_precision
 from .grids import Array
 from .periods import double, pair, reduced
 from .steady import CONSTANT, CYCLIC, ROUNDING, Triple, accurate, decided
@@ -44,7 +44,7 @@ class Polhode:
     def period(self, bits: int) -> list[arb]:
         """The period and m1, which says how near the separatrix is."""
         *_, rate, complement, _ = constants(self, bits)
-        with ONE_AT_A_TIME, ctx.workprec(bits + 64):
+        with own_precision(bits + 64):
             return [4 * quarter_period(complement) / rate, complement]
 
     @property

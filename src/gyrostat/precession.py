@@ -7,7 +7,7 @@ from flint import acb, arb, ctx
 
 from .elliptic import quarter_period
 from .errors import AccuracyError
-from .exact import ONE_AT_A_TIME, ball
+from .exact import ball, own_precision
 from .levels import K3, Level, enclosed
 from .nutation import Nutation, nutation
 from .periods import double
@@ -44,7 +44,7 @@ class Precession:
         precision = bits + 128
         while True:
             try:
-                with ONE_AT_A_TIME, ctx.workprec(precision):
+                with own_precision(precision):
                     self._prepare()
                 self.precision = precision
                 return
@@ -159,7 +159,7 @@ class Precession:
 
     def state(self, t: arb) -> list[arb]:
         """(π, k) at a time, to as many bits as it was built for."""
-        with ONE_AT_A_TIME, ctx.workprec(self.precision):
+        with own_precision(self.precision):
             n, late = 0, t + self.t0
             time, quarter = self.integrals.means[0], self.integrals.quarter
             if quarter is not None:
@@ -191,7 +191,7 @@ class Precession:
     @cached_property
     def gains(self) -> tuple[arb | None, arb, arb]:
         """Period, and what φ and ψ gain in it; without a period None and their rates, on a separatrix those at its end."""
-        with ONE_AT_A_TIME, ctx.workprec(self.precision):
+        with own_precision(self.precision):
             last = -1 if self.backward else 1
             time, *means = (mean + last * jump for mean, jump in zip(self.integrals.means, self.integrals.jumps))
             if (quarter := self.integrals.quarter) is None:

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 from sympy import Expr, Integer, sqrt
 
 from .errors import AccuracyError, ValuesError
-from .exact import ONE_AT_A_TIME, ball, sign_of_constant
+from .exact import ball, own_precision, sign_of_constant
 from .expressions import shown
 from .grids import Array
 from .periods import Pair, double, pair, turns
@@ -38,7 +38,7 @@ def accurate(compute: Callable[[int], list[arb]], bits: int) -> list[arb]:
     """Enclosures of at least so many correct bits each, by doubling the precision at which they are computed."""
     precision = bits + 64
     while precision <= MOST:
-        with ONE_AT_A_TIME, ctx.workprec(precision):
+        with own_precision(precision):
             found = compute(precision)
         if all(x == 0 or x.rel_accuracy_bits() >= bits for x in found):
             return found
@@ -102,7 +102,7 @@ class Steady:
     @cached_property
     def constants(self) -> tuple[Array, Array, Array, Pair, Pair]:
         """In doubles: M, the rows x and z of R(0), the axis; cycles about z and about the axis."""
-        with ONE_AT_A_TIME, ctx.workprec(CONSTANT):
+        with own_precision(CONSTANT):
             M, n = (np.array([double(ball(x, CONSTANT)) for x in v]) for v in (self.momentum, self.axis))
             rows = np.array([[double(x) for x in v] for v in frame(self.up, CONSTANT)])
             return M, rows, n, cycles(ball(self.rate, CONSTANT)), cycles(ball(self.about, CONSTANT))
