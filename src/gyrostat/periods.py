@@ -4,7 +4,7 @@ from typing import NamedTuple
 import numpy as np
 from flint import arb
 
-from .errors import ValuesError
+from .errors import AccuracyError, ValuesError
 from .exact import own_precision
 from .grids import Array
 
@@ -33,7 +33,14 @@ def pair(x: arb) -> Pair:
 
 
 def double(x: arb) -> float:
-    """The middle of an enclosure, correctly rounded; float(arb) truncates."""
+    """The middle of an enclosure, correctly rounded; float(arb) truncates.
+
+    Raises
+    ------
+    AccuracyError    it encloses nothing: it is not finite
+    """
+    if not x.is_finite():
+        raise AccuracyError("a constant of the motion is not enclosed at this precision: ask for fewer digits, or give other numbers")
     mantissa, exponent = map(int, x.mid().man_exp())
     return mantissa / (1 << -exponent) if exponent < 0 else float(mantissa << exponent)
 

@@ -141,7 +141,7 @@ def over_a_period(sample: Callable[[arb], Sequence[arb]], quarter: arb, nodes: i
     def values(n: int) -> list[Sequence[arb]]:
         return list(zip(*(sample(quarter * fmpq(2 * j + 1, 2 * n)) for j in range(n))))
 
-    rows, spectra = _converged(values, nodes, bits)
+    rows, spectra = _converged(values, _sizes([arb(0)] * len(sample(quarter))), nodes, bits)
     series = [[c * quarter / (arb.pi() * j) for j, c in enumerate(s[1:], 1)] for s in spectra]
     return Integrals(tuple(sum(row, arb(0)) / len(row) for row in rows), (arb(0),) * len(rows), series, quarter, len(rows[0]))
 
@@ -157,17 +157,26 @@ def to_infinity(sample: Callable[[arb], Sequence[arb]], limits: tuple[Sequence[a
         return [[2 * (x - mean - jump * y) / ((1 - y) * (1 + y)) for x, y in zip(row, places)]
                 for row, mean, jump in zip(found, means, jumps)]
 
-    rows, spectra = _converged(values, 2 * FEWEST, bits)
+    rows, spectra = _converged(values, _sizes([_size(pair) for pair in zip(*limits)]), 2 * FEWEST, bits)
     return Integrals(tuple(means), tuple(jumps), [_antiderivative(s) for s in spectra], None, len(rows[0]))
 
 
-def _converged(values: Callable[[int], list[Sequence[arb]]], nodes: int, bits: int) -> tuple[list[Sequence[arb]], list[list[arb]]]:
+def _sizes(sizes: Sequence[arb]) -> list[arb]:
+    """By what the accuracy of each function is measured, unless it is larger: of the first, a time, by itself; of angles, by 1."""
+    first, *angles = sizes
+    return [first, *(_size([size, arb(1)]) for size in angles)]
+
+
+def _converged(values: Callable[[int], list[Sequence[arb]]], least: Sequence[arb], nodes: int,
+               bits: int) -> tuple[list[Sequence[arb]], list[list[arb]]]:
     """Values at so many nodes that their series is exhausted, and the series."""
     while nodes <= MOST:
-        rows = _enclosed(values(nodes), bits)
+        rows = values(nodes)
+        sizes = [_size([size, *row]) for size, row in zip(least, rows)]
+        rows = [_enclosed(row, size, bits) for row, size in zip(rows, sizes)]
         spectra = _spectra(rows)
-        if _exhausted(rows, spectra, bits):
-            return rows, _trimmed(rows, spectra, bits)
+        if _exhausted(sizes, spectra, bits):
+            return rows, _trimmed(rows, sizes, spectra, bits)
         nodes *= 2
     raise AccuracyError(f"{MOST} nodes do not reach the accuracy of {bits} bits: other roots of g are too close to the motion")
 
@@ -179,31 +188,30 @@ def _spectra(rows: Sequence[Sequence[arb]]) -> list[list[arb]]:
     return [[(x * shift).real / n for x, shift in zip(acb.dft([*row, *reversed(row)]), shifts)] for row in rows]
 
 
-def _enclosed(rows: Sequence[Sequence[arb]], bits: int) -> list[Sequence[arb]]:
-    """The rows, one that may be 0 throughout as 0, if they are known well enough for means in two doubles."""
-    rows = [[arb(0)] * len(row) if all(v.contains(0) for v in row) else row for row in rows]
-    for row in rows:
-        if float(max(x.rad() for x in row)) > float(_size(row)) * 2.0 ** -(bits + GUARD):
-            raise AccuracyError(f"the integrands are not known to {bits + GUARD} bits")
-    return rows
+def _enclosed(row: Sequence[arb], size: arb, bits: int) -> Sequence[arb]:
+    """The row, one that may be 0 throughout as 0, if it is known well enough for means in two doubles."""
+    if not all(x.is_finite() and x.rad() <= size * arb(2) ** -(bits + GUARD) for x in row):
+        raise AccuracyError(f"the integrands are not known to {bits + GUARD} bits")
+    return [arb(0)] * len(row) if all(x.contains(0) for x in row) else row
 
 
-def _exhausted(rows: Sequence[Sequence[arb]], spectra: Sequence[Sequence[arb]], bits: int) -> bool:
-    """Whether the last terms are below 2^−bits of the largest value."""
-    last = -max(len(rows[0]) // 6, 2)
-    return all(max(map(abs, s[last:]), key=float) <= _size(row) * arb(2) ** -bits for row, s in zip(rows, spectra))
+def _exhausted(sizes: Sequence[arb], spectra: Sequence[Sequence[arb]], bits: int) -> bool:
+    """Whether the last terms are below 2^−bits of the size."""
+    last = -max(len(spectra[0]) // 6, 2)
+    return all(max(map(abs, s[last:]), key=float) <= size * arb(2) ** -bits for size, s in zip(sizes, spectra))
 
 
-def _trimmed(rows: Sequence[Sequence[arb]], spectra: list[list[arb]], bits: int) -> list[list[arb]]:
+def _trimmed(rows: Sequence[Sequence[arb]], sizes: Sequence[arb], spectra: list[list[arb]], bits: int) -> list[list[arb]]:
     """Without the terms at the end that are below the rounding error; of a constant, without any but the first."""
     spectra = [[s[0], *[arb(0)] * (len(s) - 1)] if all(v.overlaps(row[0]) for v in row) else s for row, s in zip(rows, spectra)]
-    floors = [_size(row) * arb(2) ** -bits for row in rows]
+    floors = [size * arb(2) ** -bits for size in sizes]
     needed = max((j for floor, s in zip(floors, spectra) for j, c in enumerate(s) if abs(c) > floor), default=0)
     return [[s[0] / 2, *s[1:max(needed, 1) + 1]] for s in spectra]
 
 
 def _size(row: Sequence[arb]) -> arb:
-    return max(map(abs, row), key=float)
+    """The largest modulus, of the middle."""
+    return max((abs(x.mid()) for x in row), key=float)
 
 
 def _antiderivative(a: Sequence[arb]) -> list[arb]:
