@@ -3,11 +3,11 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 
-from .exact import ball, own_precision
+from .exact import own_precision
 from .grids import Array
-from .levels import K3, Level, enclosed, known
+from .levels import Level, enclosed, known
 from .periods import double, pair, reduced, turns
 from .precession import Precession
 from .spinors import momentum, rotation, structure
@@ -127,7 +127,10 @@ class AxialMotion:
             point = dict(zip(self.exact.level.scene.space.coordinates, self.exact.level.state))
             rests = all(known(rate.xreplace(point)) == 0 for rate in self.exact.level.scene.vector_field())
             return "equilibrium" if rests else "steady precession"
-        return "separatrix" if any(self.exact.path.roots.double) else "elliptic" if self.exact.integrals.constant[0] else "quadrature"
+        roots = self.exact.path.roots
+        if any(roots.double):
+            return "separatrix"
+        return "elliptic" if roots.leading is not None and not self.exact.path.rest else "quadrature"
 
     @property
     def limits(self) -> tuple[float, float]:
@@ -144,7 +147,7 @@ class AxialMotion:
         """Of a state in doubles, estimated: the rounding of what turns within a period."""
         exact = self.exact
         with own_precision(exact.precision):
-            across = [abs(double(ball(exact.level.kinetic, ctx.prec, {K3: end}))) ** 0.5 for end in (exact.lower, exact.upper)]
+            across = [abs(double(exact.profile.kinetic(end))) ** 0.5 for end in (exact.lower, exact.upper)]
             largest = max(across + [abs(double(enclosed(x))) for x in exact.level.numbers[3:]])
         fastest = max(across + [abs(double(x)) for x in exact.momenta]) / double(exact.I1)
         return 2.0**-52 * (4 + (self.period or 0.0) * fastest) * max(1.0, largest)

@@ -92,15 +92,22 @@ class Level:
         return expression(self.across) + 2 * expression(self.inertia) * moved
 
     @cached_property
-    def square(self) -> Expr:
-        """g as a function of k3."""
-        turned = expression(self.twist) + expression(self.axial) * (expression(self.height) - K3)
-        return self.kinetic * (expression(self.square_radius) - K3**2) - turned**2
+    def slope(self) -> Expr:
+        """g′ as a function of k3, by the rule of products: SymPy takes long over numbers of many digits."""
+        fall, turned = self._fall, expression(self.twist) + expression(self.axial) * (expression(self.height) - K3)
+        return fall * (expression(self.square_radius) - K3**2) - 2 * K3 * self.kinetic + 2 * expression(self.axial) * turned
 
     @cached_property
-    def slope(self) -> Expr:
-        """g′ as a function of k3."""
-        return self.square.diff(K3)
+    def curvature(self) -> Expr:
+        """g″ as a function of k3."""
+        fall = self._fall
+        return (fall.diff(K3) * (expression(self.square_radius) - K3**2) - 4 * K3 * fall - 2 * self.kinetic
+                - 2 * expression(self.axial) ** 2)
+
+    @property
+    def _fall(self) -> Expr:
+        """The derivative of |p|²."""
+        return -2 * expression(self.inertia) * self.potential.diff(K3)
 
     @cached_property
     def polynomial(self) -> list[Any] | None:
@@ -151,7 +158,7 @@ class Level:
         pole = side * sqrt(expression(self.square_radius))
         if known(self.kinetic.xreplace({K3: pole})):
             return 1
-        return 2 if known(self.slope.diff(K3).xreplace({K3: pole})) else 3
+        return 2 if known(self.curvature.xreplace({K3: pole})) else 3
 
     @cached_property
     def at_pole(self) -> int:

@@ -7,15 +7,17 @@ from flint import acb, arb, ctx
 
 from .elliptic import quarter_period
 from .errors import AccuracyError
-from .exact import ball, own_precision
-from .levels import K3, Level, enclosed
+from .exact import own_precision
+from .levels import Level, enclosed
 from .nutation import Nutation, nutation
 from .periods import double
+from .profiles import Profile
 from .spectral import FEWEST, Integrals, over_a_period, to_infinity
 from .spinors import momentum, structure
 from .turning import roots_of
 
 MOST_BITS = 4096
+MARGIN = 20                                                # bits by which a constant is better known than the results
 
 
 class Precession:
@@ -56,6 +58,7 @@ class Precession:
         """Every constant, at the precision of the moment."""
         level = self.level
         numbers = [enclosed(x) for x in level.numbers]
+        self.profile = Profile(level)
         self.I1, self.pi3, self.r = numbers[0], numbers[5], enclosed(level.square_radius).sqrt()
         v, P = enclosed(level.level) / self.r, enclosed(level.axial)
         self.momenta = [arb(0) if sign == 0 else v + side * P for side, sign in zip((1, -1), level.poles)]
@@ -67,6 +70,22 @@ class Precession:
         self.u0 = self._start(numbers[8])
         (self.t0, *self.angles), rates = self.integrals.at(self.u0)
         self._place(acb(numbers[3], numbers[4]), acb(numbers[6], numbers[7]), rates)
+        self._check()
+
+    def _check(self) -> None:
+        """That every constant is known: a length relatively, an angle by the radian, a time by the period.
+
+        Raises
+        ------
+        AccuracyError     it is not, at this precision
+        """
+        of_one = [*self.angles, *(x for factor in self.factors for x in (factor.real, factor.imag))]
+        relative = [x for gap in self.gaps for x in gap if x != 0] + [self.I1, self.r, *self.momenta]
+        time = self.integrals.means[0] * (1 if self.integrals.quarter is None else self.integrals.quarter)
+        pairs = [(x, abs(x)) for x in relative if x != 0] + [(x, arb(1)) for x in of_one]
+        pairs += [(self.t0, abs(time) + abs(self.t0)), (self.drift, abs(self.drift) + abs(self.pi3 / self.I1))]
+        if not all(x.is_finite() and x.rad() <= size * arb(2) ** -(self.bits + MARGIN) for x, size in pairs):
+            raise AccuracyError(f"the constants of the motion are not known to {self.bits + MARGIN} bits")
 
     def _measure(self, height: arb) -> None:
         """√(1 ± z) at the lower and the upper end, exactly 0 where an end is a pole."""
@@ -110,7 +129,7 @@ class Precession:
             return prod((abs(z - x) ** m for x, m in path.rest), start=abs(path.roots.leading))
         if turned := (c == 0 or s == 0):
             z = self.lower if s == 0 else self.upper
-        value = ball(self.level.slope.diff(K3) / 2 if turned else self.level.square, ctx.prec, {K3: z})
+        value = self.profile(z, 2) / 2 if turned else self.profile(z)
         return abs(value) / path.quartic(z, turned)
 
     @cached_property

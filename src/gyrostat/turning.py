@@ -4,13 +4,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_poly
-from sympy import Expr, sqrt
+from sympy import sqrt
 
 from .errors import AccuracyError, ScopeError
-from .exact import ball
-from .levels import K3, Level, enclosed
+from .levels import Level, enclosed
+from .profiles import Profile
 
 FOLLOWED = 24                                              # coefficients of a polynomial that stands for g
+KNOWN = 64                                                 # bits of g from which they come
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ def roots_of(level: Level) -> Roots:
         near = [x for x, _ in found if x.imag == 0 and x.real.overlaps(z)]
         if not beyond or len(near) > at_start:
             raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
-        ends.append(min(beyond, key=lambda pair: abs(float(pair[0] - z))))
+        ends.append(min(beyond, key=lambda pair: abs(pair[0] - z).mid()))
     (lower, m), (upper, n) = ends
     if max(m, n) > 2:
         raise ScopeError(f"k3 approaches a root of order {max(m, n)} of g: its motion is neither periodic nor exponential")
@@ -101,41 +102,42 @@ def _simple(polynomial: arb_poly) -> list[acb]:
 
 def _of_function(level: Level) -> list[tuple[acb, int]]:
     """The turning points, and the roots of a polynomial that follows g closely between them and around."""
-    z, found = enclosed(level.height), list[tuple[acb, int]]()
+    g, z, found = Profile(level), enclosed(level.height), list[tuple[acb, int]]()
     for side, m in zip((-1, 1), level.contact):
         if level.direction == 0 and level.turn == -side:
             found.append((acb(z), 1))
-        elif (root := _first(level, side, m)) is not None:
+        elif (root := _first(level, g, side, m)) is not None:
             found.append((acb(root), 1))
         else:
-            found.append((acb(side * enclosed(level.square_radius).sqrt()), m))
-    near = _around(level, *(x.real for x, _ in found))
+            found.append((acb(side * g.radius), m))
+    near = _around(g, found)
     for x, m in found:                                     # those that stand for the turning points themselves
-        near = sorted(near, key=lambda y: float(abs(y - x)))[m:]
+        near = sorted(near, key=lambda y: abs(y - x).mid())[m:]
     return found + [(x, 1) for x in near]
 
 
-def _first(level: Level, side: int, m: int) -> arb | None:
+def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
     """The root of g nearest to the start on the way to a pole; None: there is none before the pole, a root itself of order m."""
-    radius = sqrt(level.square_radius)
-    g = level.square if m == 0 else level.kinetic * (radius + side * K3) - level.axial**2 * (radius - side * K3)
-    slope = g.diff(K3)
+    def value(x: arb) -> arb:
+        return g(x) if m == 0 else g.divided(x, side)
 
-    def at(expression: Expr, x: arb) -> arb:
-        return ball(expression, ctx.prec, {K3: x})
+    def slope(x: arb) -> arb:
+        return g(x, 1) if m == 0 else g.divided(x, side, 1)
 
-    start, way = enclosed(level.height), enclosed(side * radius - level.height)
+    start, way = enclosed(level.height), enclosed(side * sqrt(level.square_radius) - level.height)
     cells = [(fmpq(0), fmpq(1))]
     while cells:
         low, high = cells.pop()
-        x, middle = start + way * arb(low).union(arb(high)), start + way * (low + high) / 2
-        steep = side * at(slope, x)                        # > 0: g grows on the way
-        positive = at(g, middle) + at(slope, x) * (x - middle) > 0 or (steep < 0 and at(g, start + way * high) > 0)
+        x, middle, end = start + way * arb(low).union(arb(high)), start + way * (low + high) / 2, start + way * high
+        steep = side * slope(x)                            # > 0: g grows on the way
+        positive = value(middle) + side * steep * (x - middle) > 0 or (steep < 0 and value(end) > 0)
         if positive or (low == 0 and level.direction == 0 and steep > 0) or (high == 1 and m == 2 and steep < 0):
             continue
-        if steep < 0 and at(g, start + way * high) < 0:
+        if steep < 0 and value(end) < 0:
             for _ in range(2 * ctx.prec.bit_length()):
-                x = x.intersection(x.mid() - at(g, arb(x.mid())) / at(slope, x))
+                x = x.intersection(x.mid() - value(arb(x.mid())) / slope(x))
+            if x.overlaps(side * g.radius):
+                raise AccuracyError(f"a turning point is not told apart from the pole k3 = {side * g.radius}")
             return x
         if high - low < fmpq(1, 2 ** (ctx.prec // 2)):
             raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
@@ -143,26 +145,34 @@ def _first(level: Level, side: int, m: int) -> arb | None:
     return None
 
 
-def _around(level: Level, lower: arb, upper: arb) -> list[acb]:
-    """Roots of the polynomial that interpolates g on an interval a little larger."""
-    reach, r = (upper - lower) / 8, enclosed(level.square_radius).sqrt()
-    low, high = max(lower - reach, -r, key=float), min(upper + reach, r, key=float)
+def _around(g: Profile, ends: Sequence[tuple[acb, int]]) -> list[acb]:
+    """Roots of the polynomial that interpolates g on an interval a little larger, and those next to the turning points."""
+    lower, upper = (x.real for x, _ in ends)
+    reach = (upper - lower) / 8
+    low, high = max(lower - reach, -g.radius, key=arb.mid), min(upper + reach, g.radius, key=arb.mid)
     middle, half = ((low + high) / 2).mid(), ((high - low) / 2).mid()
     nodes = [arb.cos_pi_fmpq(fmpq(2 * j + 1, 2 * FOLLOWED)) for j in range(FOLLOWED)]
-    values = [ball(level.square, ctx.prec, {K3: middle + half * y}) for y in nodes]
-    fitted = arb_poly([c.mid() for c in arb_poly.interpolate(nodes, values).coeffs()])
+    values = [g(middle + half * y) for y in nodes]
+    if max(x.rel_accuracy_bits() for x in values) < KNOWN:
+        raise AccuracyError(f"g is not known between its roots {lower} and {upper}")
+    fitted = arb_poly([0 if c.contains(0) else c.mid() for c in arb_poly.interpolate(nodes, values).coeffs()])
     near = [middle + half * y for y in _simple(fitted)]
-    return [_sharpened(level, x, lower, upper) for x in near]
+    for x, m in ends:
+        beyond = x - 2 * g(x.real, 1) / g(x.real, 2)       # of the parabola
+        if m == 1 and beyond.is_finite() and 100 * abs(beyond - x) < upper - lower and not any(abs(beyond - y) < abs(y - x) for y in near):
+            near.append(beyond)
+    return [_sharpened(g, x, lower, upper) for x in near]
 
 
-def _sharpened(level: Level, x: acb, lower: arb, upper: arb) -> acb:
+def _sharpened(g: Profile, x: acb, lower: arb, upper: arb) -> acb:
     """An approximate root that almost meets another: by the parabola at the extremum of g between the two."""
-    g, slope, curvature = (level.square, level.slope, level.slope.diff(K3))
-    end = min(lower, upper, key=lambda y: float(abs(x - y)))
-    if float(abs(x.imag) if x.imag != 0 else abs(x.real - end)) > float(upper - lower) / 100:
+    end = min(lower, upper, key=lambda y: abs(x - y).mid())
+    if not 100 * (abs(x.imag) if x.imag != 0 else abs(x.real - end)) < upper - lower:
         return x
     at = (x.real if x.imag != 0 else (x.real + end) / 2).mid()
     for _ in range(ctx.prec.bit_length()):
-        at = (at - ball(slope, ctx.prec, {K3: at}) / ball(curvature, ctx.prec, {K3: at})).mid()
-    offset = acb(-2 * ball(g, ctx.prec, {K3: at}) / ball(curvature, ctx.prec, {K3: at})).sqrt()
+        at = (at - g(at, 1) / g(at, 2)).mid()
+    offset = acb(-2 * g(at) / g(at, 2)).sqrt()
+    if not offset.is_finite():
+        return x
     return acb(at) + (offset if (x.imag if x.imag != 0 else x.real - at) > 0 else -offset)
