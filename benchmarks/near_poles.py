@@ -6,7 +6,7 @@
 Starts: 10⁻⁴ to 10⁻¹⁴ from either pole, at rest, with a momentum of that size or with any; U a polynomial, exponential, rational or
 trigonometric; l of both signs; oblate and prolate. Hard starts: fields with a singularity near the pole, roots and logarithms, scales
 from 10⁻⁶ to 10⁶, starts close to separatrices and to steady precessions, at the pole itself. The reference: Taylor series to 40 digits
-(axial_reference.py), at ten times over three periods. The deviation is that of the worst coordinate, over the largest of the state.
+(axial_reference.py), at ten times over three periods. The deviation is that of the worst coordinate, over the size of momenta.
 """
 import argparse
 import platform
@@ -52,7 +52,8 @@ def field(rng, kind):
     elif kind == "singular":
         terms = [("power", a / 1000, rng.choice((-1, 1)) * (1 + F(1, 10 ** rng.randint(1, 4))), -1)]
     elif kind == "root":
-        terms = [rng.choice((("power", a, fraction(rng, 2, 3), F(rng.choice((1, 3, -1)), 2)), ("log", a, fraction(rng, 2, 3)), ("tan", a, F(1, 2))))]
+        c = fraction(rng, 2, 3)
+        terms = [rng.choice((("power", a, c, F(rng.choice((1, 3, -1)), 2)), ("log", a, c), ("tan", a, F(1, 2))))]
     else:
         terms = [("exp", a, b), ("polynomial", 0, fraction(rng), fraction(rng)), ("sin", fraction(rng), b, 0)]
     if kind in ("rational", "exponential") and rng.random() < 0.3:
@@ -93,8 +94,7 @@ def scaled(rng, kind):
     """Moments of 10⁻⁶ to 10⁶, U and momenta so that times are of order one."""
     terms, I1, I3, l, x = start(rng, rng.choice(KINDS))
     unit = F(10) ** rng.choice((-6, -3, 3, 6))
-    place = {"polynomial": slice(0, None), "exp": slice(0, 1), "sin": slice(0, 1), "power": slice(0, 1)}
-    terms = [(name, *(c * unit if i in range(*place[name].indices(len(given))) else c for i, c in enumerate(given))) for name, *given in terms]
+    terms = [(name, *(c * unit if i == 0 or name == "polynomial" else c for i, c in enumerate(given))) for name, *given in terms]
     return terms, I1 * unit, I3 * unit, l * unit, (*(c * unit for c in x[:3]), *x[3:])
 
 
@@ -147,7 +147,7 @@ def near_separatrix(rng, kind):
             return terms, I1, I3, l, (first, second, spin, k1, F(0), k3)
 
 
-FAMILIES = {**{kind: start for kind in (*KINDS, *HARD)}, "scaled": scaled, "at the pole": at_pole, "through a pole": through_pole,
+FAMILIES = {**dict.fromkeys((*KINDS, *HARD), start), "scaled": scaled, "at the pole": at_pole, "through a pole": through_pole,
             "near a steady precession": near_steady, "near a separatrix": near_separatrix}
 
 
@@ -187,11 +187,83 @@ def starts(seed, count, kinds, precision=None):
             worst = max(worst, (off, (n, case)), key=lambda pair: pair[0])
         allowed = ALLOWED if precision is None else 10.0 ** (2 - precision)
         well = well and not failed and worst[0] <= allowed
-        print(f"{kind:26}{count - len(failed)} of {count} answered, worst {worst[0]:.1e}, {dict(routes)}, {time.time() - began:.0f} s", flush=True)
+        answered = f"{count - len(failed)} of {count} answered, worst {worst[0]:.1e}, {dict(routes)}"
+        print(f"{kind:26}{answered}, {time.time() - began:.0f} s", flush=True)
         if worst[0] > allowed:
             print("    ", worst)
         print(*(f"     {text}\n" for text in failed), sep="", end="")
     return well
+
+
+def of_revolution(rng):
+    """E1, E2 or E3 of a body of revolution, inside a criterion or on its boundary."""
+    terms = field(rng, rng.choice((*KINDS, *HARD[1:])))
+    U, I3 = expression(terms), number(F(rng.randint(1, 24), 8))
+    family, boundary = rng.choice((gs.upright, gs.hanging, gs.inclined)), rng.random() < 0.4
+    if family is gs.inclined:
+        I1, omega, k3 = number(fraction(rng, 1, 3)), number(nonzero(rng)), rng.choice((number(fraction(rng, 0, 0) + F(3, 5)), *map(number, (
+            0, F(-4, 5), F(1, 3), F(999, 1000), F(-9999, 10000)))))
+        if boundary:                                   # the curvature of U that makes the margin 0
+            slope, A = U.diff(K3).subs(K3, k3), I1 * omega**2
+            wanted = -(A**2 + slope**2 - 2 * k3 * slope * A) / ((1 - k3**2) * A)
+            U += (wanted - U.diff(K3, 2).subs(K3, k3)) * (K3 - k3) ** 2 / 2
+        eq = family(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U)))
+        return eq, {"I1": I1, "I3": I3, "omega": omega, "k3": k3}, "E3" + " on a boundary" * boundary
+    pole = 1 if family is gs.upright else -1
+    P, l, slope = number(nonzero(rng)), number(fraction(rng)), U.diff(K3).subs(K3, pole) * pole
+    boundary = boundary and bool(slope > 0)
+    I1 = P**2 / (4 * slope) if boundary else number(fraction(rng, 1, 4))
+    eq = family(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U)))
+    return eq, {"I1": I1, "I3": I3, "l": l, "pi3_0": P - l}, ("E1" if pole == 1 else "E2") + " on a boundary" * boundary
+
+
+def free(rng):
+    """A free gyrostat turning about a principal axis along which the rotor lies."""
+    inertia, axis = [number(fraction(rng, 1, 4)) for _ in range(3)], rng.randrange(3)
+    if rng.random() < 0.3:
+        inertia[rng.randrange(3)] = inertia[0]
+    rotor, point = [0, 0, 0], [0, 0, 0]
+    rotor[axis], point[axis] = number(fraction(rng) * rng.choice((0, 1))), number(nonzero(rng))
+    if rng.random() < 0.3:                             # the rate that makes the body as if it had an equal moment
+        other = inertia[(axis + 1) % 3]
+        rotor[axis] = point[axis] * (other / inertia[axis] - 1)
+    return gs.equilibrium(gs.assemble(gs.Gyrostat(inertia, rotor)), point), {}, "free"
+
+
+def general(rng):
+    """A body without symmetry, spinning about the vertical, which is a principal axis and an axis of its field."""
+    inertia = [number(fraction(rng, 1, 4)) for _ in range(3)]
+    c = [number(fraction(rng, -2, 2)) for _ in range(4)]
+    (m, n), c[3] = rng.choice(((2, 2), (2, 4), (4, 4))), c[3] * rng.choice((0, 1))
+    U = gs.general_potential(lambda x, y, z: c[0] * x**m + c[1] * y**n + c[2] * z + c[3] * sympy.exp(z))
+    l, spin = number(fraction(rng)), number(fraction(rng))
+    return gs.equilibrium(gs.assemble(gs.Gyrostat(inertia, (0, 0, l)), U), (0, 0, spin, 0, 0, rng.choice((1, -1)))), {}, "general"
+
+
+def confirmations(seed, count, sizes):
+    """Print how many verdicts the motions confirm; whether none is contradicted and none raises."""
+    rng, outcome, failed, began = random.Random(f"{seed} confirm"), Counter(), [], time.time()
+    for n in range(count):
+        made = rng.choices((of_revolution, free, general), (6, 2, 2))[0]
+        try:
+            eq, values, name = made(rng)
+        except GyrostatError:                          # a field without derivatives there, moments that are none
+            outcome["no equilibrium"] += 1
+            continue
+        try:
+            found = confirm(gs.analyze(eq), values, sizes)
+        except Exception as error:
+            failed.append(f"{n}: {name}: {type(error).__name__}: {error}: {eq.system.potential}, {eq.system.body}, {values}")
+            continue
+        answer = {True: "agrees", False: "contradicts", None: found.why}[found.agrees]
+        outcome[name, found.decision.verdict.name, answer] += 1
+        if found.agrees is False or not answer:
+            failed.append(f"{n}: {name}: {found}: {eq.system.potential}, {eq.system.body}, {values}")
+    for key, number_of in sorted(outcome.items(), key=str):
+        print(f"{number_of:5}  {key}")
+    print(*(f"     {text}\n" for text in failed), sep="", end="")
+    print(f"{count} equilibria, {len(failed)} contradicted, without a reason or not answered, {time.time() - began:.0f} s")
+    return not failed
 
 
 def main():
@@ -200,10 +272,14 @@ def main():
     parser.add_argument("--seed", default=1)
     parser.add_argument("--count", type=int)
     parser.add_argument("--kinds", nargs="*", default=list(FAMILIES))
-    parser.add_argument("--precision", type=int)
+    parser.add_argument("--precision", type=int, help="decimal digits of the motions")
+    parser.add_argument("--equilibria", type=int)
     given = parser.parse_args()
     print(platform.processor() or platform.machine(), "Python", platform.python_version(), "gyrostat", gs.__version__)
     well = starts(given.seed, given.count or (12 if given.quick else 500), given.kinds, given.precision)
+    sizes = [F(1, 10**d) for d in ((3, 5, 7) if given.quick else range(2, 9))]
+    many = given.equilibria if given.equilibria is not None else 12 if given.quick else 200
+    well = confirmations(given.seed, many, sizes) and well
     sys.exit(0 if well else 1)
 
 

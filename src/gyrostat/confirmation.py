@@ -10,12 +10,12 @@ from sympy import Expr, ImmutableMatrix, Rational
 from .boundary import Boundary
 from .conditions import holds, sign_at
 from .equilibria import Equilibrium
-from .errors import ValuesError, require
+from .errors import AccuracyError, ValuesError, require
 from .exact import Point, evaluate, sign_of_constant
 from .expressions import exact_number
 from .grids import Array
 from .motions import Motion
-from .routes import motion
+from .routes import motion, with_numbers
 from .stability import Decision, Report, Verdict, analyze
 from .standard import seen_at
 from .values import exact_values
@@ -42,6 +42,7 @@ class Confirmation:
                                         boundary, 0 where it is unstable; None where no theorem says
     routes : tuple of str               how the motions were found
     complete : bool                     whether every motion was followed over a whole orbit
+    failure : str                       why a motion could not be followed, if one could not; the sizes end there
     """
 
     decision: Decision
@@ -51,6 +52,7 @@ class Confirmation:
     expected: float | None
     routes: tuple[str, ...]
     complete: bool
+    failure: str = ""
 
     @property
     def agrees(self) -> bool | None:
@@ -59,13 +61,25 @@ class Confirmation:
         Close to a boundary they have to be smaller than the distance from it.
         """
         verdict = self.decision.verdict
-        if verdict is Verdict.UNDECIDED:
+        if verdict is Verdict.UNDECIDED or math.isnan(self.slope):
             return None
         if verdict is Verdict.UNSTABLE:
             return True if self.slope < FLAT else False if self.slope > STEEP else None
         if self.slope < FLAT:
             return False
         return True if self.expected is None or abs(self.slope / self.expected - 1) < CLOSE else None
+
+    @property
+    def why(self) -> str:
+        """Why agrees is None; "" where it is not."""
+        if self.agrees is not None:
+            return ""
+        if self.decision.verdict is Verdict.UNDECIDED:
+            return "the verdict is undecided"
+        if self.failure:
+            return self.failure
+        return (f"the excursions go as the power {self.slope:.2f} of the perturbation, {self.expected} is expected for small ones: "
+                "the equilibrium is too close to a boundary for these sizes, give smaller ones")
 
 
 def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SIZES) -> Confirmation:
@@ -89,7 +103,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     ------
     ScopeError           U is unspecified: there is no motion
     ValuesError          as for a verdict; a name is missing that the motion needs; sizes that are none
-    AccuracyError        a motion cannot be followed as far as needed
+    MissingExtraError    a motion is to be integrated, and neither SciPy nor heyoka is installed
 
     Source
     ------
@@ -112,22 +126,27 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     if len(steps) < 3 or not all(a > b > 0 for a, b in zip(steps, steps[1:])):
         raise ValuesError(f"sizes = {', '.join(map(str, sizes))}: give at least three, positive and falling")
     point = [evaluate(eq.insert(x), numbers) for x in eq.point]
-    scene = motion(eq.system, point, _scene_numbers(eq, numbers)).scene
+    scene = with_numbers(eq.system, _scene_numbers(eq, numbers))
     rate, growth = _rates(eq, numbers)
     distance = _Distance(eq, decision, point)
-    far, routes, complete = [], set(), True
+    far, routes, complete, failure = [], set(), True, ""
     for step in steps:
         here = []
-        for turn, change in zip(TURNS, CHANGES):
-            for sign in (1, -1):
-                moving = motion(scene, moved(point, sign * step * turn, sign * step * change))
-                routes.add(moving.route)
-                complete = complete and moving.period is not None
-                here.append(_excursion(moving, distance, rate, growth, float(step)))
+        try:
+            for turn, change in zip(TURNS, CHANGES):
+                for sign in (1, -1):
+                    moving = motion(scene, moved(point, sign * step * turn, sign * step * change))
+                    routes.add(moving.route)
+                    complete = complete and moving.period is not None
+                    here.append(_excursion(moving, distance, rate, growth, float(step)))
+        except (AccuracyError, ValuesError) as error:
+            failure = f"from a perturbation of size {float(step):.0e} a motion is not followed: {error}"
+            break
         far.append(max(here))
-    small = [float(step) for step in steps]
-    slope = float(np.polyfit(np.log(small[-3:]), np.log(far[-3:]), 1)[0])
-    return Confirmation(decision, tuple(small), tuple(far), slope, _expected(report, decision, numbers), tuple(sorted(routes)), complete)
+    small = [float(step) for step in steps[:len(far)]]
+    slope = float(np.polyfit(np.log(small[-3:]), np.log(far[-3:]), 1)[0]) if len(far) > 2 else math.nan
+    return Confirmation(decision, tuple(small), tuple(far), slope, _expected(report, decision, numbers), tuple(sorted(routes)), complete,
+                        failure)
 
 
 def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix) -> tuple[Expr, ...]:

@@ -92,6 +92,10 @@ class AccuracyError(GyrostatError, ArithmeticError):
     """A motion is not known to the accuracy asked for: too chaotic, too long, or too many nodes."""
 
 
+class ResolutionError(AccuracyError):
+    """A series is not exhausted by as many nodes as are taken: something else is too close to the motion for it."""
+
+
 class StoreError(GyrostatError, ValueError):
     """A path holds something else than the chart that is to be written to it, or resumed there."""
 

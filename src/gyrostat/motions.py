@@ -1,4 +1,5 @@
 """Motion: the state, attitude, periods and invariants of a scene at any time."""
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
@@ -8,10 +9,11 @@ from flint import arb
 from sympy import Add, Expr
 
 from .columns import columns, euler
-from .errors import ValuesError, optional
-from .exact import ball
-from .expressions import exact_number
+from .errors import AccuracyError, ValuesError, optional
+from .exact import ball, own_precision
+from .expressions import exact_number, shown
 from .grids import Array
+from .notes import state_note
 from .numeric import in_floats
 from .system import System
 
@@ -34,6 +36,7 @@ class Motion:
     recognised : str                   what the scene is, where it is not entered as a body of revolution in U(k3) but is one; else ""
     nodes : int                        of the quadrature, or steps of the integration
     error : float                      of the state, estimated
+    note : str                         what is unusual about the numbers, if anything
 
     Calling it
     ----------
@@ -53,8 +56,11 @@ class Motion:
         times = np.asarray(t, dtype=object)
         found = np.empty((*times.shape, len(self.state)), dtype=object)
         for place in np.ndindex(times.shape):
-            moment = exact_number(times[place], "t")
-            found[place] = [self._shown(x) for x in self._route.ball_state(ball(moment, 2 * bits_of(self._digits)), bits_of(self._digits))]
+            moment, bits = exact_number(times[place], "t"), bits_of(self._digits)
+            state = self._route.ball_state(ball(moment, 2 * bits), bits)
+            if not _known(state, self._digits):
+                raise AccuracyError(f"at t = {shown(moment)} the state is not known to {self._digits} digits: so late, ask for more")
+            found[place] = [self._shown(x) for x in state]
         return found
 
     def attitude(self, t: Any) -> Array:
@@ -129,6 +135,26 @@ class Motion:
     @property
     def error(self) -> float:
         return float(self._route.error)
+
+    @cached_property
+    def note(self) -> str:
+        return state_note(self.scene, self.state)
+
+    def __repr__(self) -> str:
+        """What is known of the motion, a line each."""
+        each = "in a period" if self._route.period else "per unit of time"
+        lines = [f"Motion: {self.route}"]
+        if self._route.period:
+            lines.append(f"period {float(self._route.period):.12g}")
+        lines += [f"{name} {float(gain):.12g} {each}" for name, gain in (("precession", self.precession), ("spin", self.spin))
+                  if gain is not None]
+        if self.limits:
+            lines.append("k3 from {:.12g} to {:.12g}".format(*self.limits))
+        if self.error:
+            lines.append(f"error {self.error:.1e}, estimated")
+        if self.note:
+            lines.append(f"note: {self.note}")
+        return "\n  ".join(lines)
 
     @cached_property
     def invariants(self) -> dict[str, Expr]:
@@ -212,6 +238,13 @@ def dataset(motion: Motion, times: Array, states: Array, turns: Array | None) ->
                  for c in columns(motion.scene, states, turns)}
     time = "time", times, {"units": "s", "long_name": "time from the state given"}
     return optional("xarray", "charts").Dataset(variables, {"time": time}, facts(motion))
+
+
+def _known(state: Sequence[arb], digits: int) -> bool:
+    """Whether every number is enclosed to so many digits of the largest, or of 1."""
+    with own_precision(64):
+        allowed = max([abs(x) for x in state] + [arb(1)], key=arb.mid) * arb(10) ** -digits
+        return all(x.is_finite() and x.rad() <= allowed for x in state)
 
 
 def bits_of(digits: int) -> int:

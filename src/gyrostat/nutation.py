@@ -107,12 +107,12 @@ def nutation(roots: Roots) -> Nutation:
         used = nearest, nearest.conjugate()
         return Nutation(roots, "pair", complement, (B / A).sqrt(), 2 / (A * B).sqrt(), used, _without(roots, used))
     below, above = [x for x in real if x < lower], [x for x in real if x > upper]
-    before = lower if roots.double[0] else max(below, key=float, default=None)
-    after = upper if roots.double[1] else min(above, key=float, default=None)
+    before = lower if roots.double[0] else max(below, key=arb.mid, default=None)
+    after = upper if roots.double[1] else min(above, key=arb.mid, default=None)
     if before is None and len(above) > 1:                  # the line closes at infinity
-        before = max(above, key=float)
+        before = max(above, key=arb.mid)
     if after is None and len(below) > 1:
-        after = min(below, key=float)
+        after = min(below, key=arb.mid)
     first = abs((lower - before) / (upper - before)) if before is not None else arb(1)
     last = abs((after - upper) / (after - lower)) if after is not None else arb(1)
     scale = 2 / ((abs(upper - before) if before is not None else arb(1)) * (abs(after - lower) if after is not None else arb(1))).sqrt()
@@ -122,9 +122,9 @@ def nutation(roots: Roots) -> Nutation:
     return Nutation(roots, kind, complement, ratio, scale, used, _without(roots, used))
 
 
-def _distance(x: arb | acb, lower: arb, upper: arb) -> float:
-    """The size of the ellipse with foci at the turning points through x."""
-    return float(abs(x - lower) + abs(x - upper))
+def _distance(x: arb | acb, lower: arb, upper: arb) -> arb:
+    """The size of the ellipse with foci at the turning points through x, less that of the least: what is left next to them."""
+    return (abs(x - lower) + abs(x - upper) - (upper - lower)).mid()
 
 
 def _without(roots: Roots, used: tuple[acb, ...]) -> list[tuple[acb, int]]:

@@ -6,7 +6,7 @@ import numpy as np
 from flint import acb, arb, ctx
 
 from .elliptic import quarter_period
-from .errors import AccuracyError
+from .errors import AccuracyError, ResolutionError
 from .exact import own_precision
 from .levels import Level, enclosed
 from .nutation import Nutation, nutation
@@ -50,6 +50,8 @@ class Precession:
                     self._prepare()
                 self.precision = precision
                 return
+            except ResolutionError:                        # more bits are no more nodes
+                raise
             except AccuracyError:
                 if (precision := 2 * precision) > MOST_BITS:
                     raise

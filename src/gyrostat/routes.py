@@ -8,7 +8,7 @@ from sympy import Expr, Symbol
 
 from .axialmotion import AxialMotion
 from .body import Gyrostat
-from .errors import AccuracyError, ScopeError, ValuesError, require
+from .errors import AccuracyError, ResolutionError, ScopeError, ValuesError, require
 from .expressions import exact_number
 from .freemotion import FreeMotion
 from .integration import Integration
@@ -60,7 +60,7 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     True
     """
     require(scene, System, "the scene")
-    scene = _with_numbers(scene, values or {})
+    scene = with_numbers(scene, values or {})
     if len(state) != len(scene.space.coordinates):
         raise ValuesError(f"the state has {len(state)} numbers, the scene {len(scene.space.coordinates)} coordinates: give "
                           f"{', '.join(map(str, scene.space.coordinates))}")
@@ -81,7 +81,7 @@ def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float |
     if reducible(scene) and any(point[3:]):
         try:
             return AxialMotion(Level(scene, point), bits)
-        except ScopeError:                                 # towards a root of higher order, as a power of the time
+        except (ScopeError, ResolutionError):              # towards a root of higher order, as a power of the time; past a singularity
             pass
     elif any(point[3:]) and (found := of_revolution(scene, point)):
         with suppress(AccuracyError, ScopeError, ValuesError):             # it need not be exact: it can be integrated as it is
@@ -89,7 +89,7 @@ def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float |
     return Integration(scene, point, tolerance)
 
 
-def _with_numbers(scene: System, values: Mapping[str, Any]) -> System:
+def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
     """The scene with numbers for its names."""
     free = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs)) - set(scene.space.coordinates)
     if scene.potential is not None and not scene.potential.given:

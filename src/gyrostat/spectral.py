@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 from flint import acb, arb, fmpq
 
-from .errors import AccuracyError
+from .errors import AccuracyError, ResolutionError
 from .grids import Array
 from .periods import double
 
@@ -132,7 +132,7 @@ def over_a_period(sample: Callable[[arb], Sequence[arb]], quarter: arb, nodes: i
 
     Raises
     ------
-    AccuracyError                    8192 nodes do not reach it
+    ResolutionError                  8192 nodes do not reach it
 
     Source
     ------
@@ -178,7 +178,7 @@ def _converged(values: Callable[[int], list[Sequence[arb]]], least: Sequence[arb
         if _exhausted(sizes, spectra, bits):
             return rows, _trimmed(rows, sizes, spectra, bits)
         nodes *= 2
-    raise AccuracyError(f"{MOST} nodes do not reach the accuracy of {bits} bits: other roots of g are too close to the motion")
+    raise ResolutionError(f"{MOST} nodes do not reach the accuracy of {bits} bits: other roots of g are too close to the motion")
 
 
 def _spectra(rows: Sequence[Sequence[arb]]) -> list[list[arb]]:

@@ -17,11 +17,12 @@ from .errors import ArgumentError, require
 from .exact import Point, sign
 from .linearization import Linearization, linearize
 from .notation import Typeset, jet, symbol
+from .notes import scene_note
 from .sphere import sphere_of
 from .standard import Seen, seen, seen_at
 from .system import System
 from .torquefree import torque_free
-from .values import exact_values, inertia_note, names_in
+from .values import exact_values, names_in
 
 
 class Verdict(Enum):
@@ -166,8 +167,7 @@ class Report(Typeset):
         else:
             stable, notion, why, modulo = self._decided(numbers, margins)
         verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
-        return Decision(verdict, notion, modulo, why, tuple(margins.items()),
-                        inertia_note(self.equilibrium, numbers))
+        return Decision(verdict, notion, modulo, why, tuple(margins.items()), scene_note(self.equilibrium.system, numbers))
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
         """The decision on the point itself, where verdict speaks of it modulo a flow; otherwise the same as verdict.

@@ -11,6 +11,7 @@ from .levels import Level, enclosed
 from .profiles import Profile
 
 FOLLOWED = 24                                              # coefficients of a polynomial that stands for g
+CLOSE = 50                                                 # times closer than the size of an interval: not known well from it
 KNOWN = 64                                                 # bits of g from which they come
 
 
@@ -41,7 +42,21 @@ def roots_of(level: Level) -> Roots:
     ScopeError        the motion approaches a root of third or higher order, so slowly that no exponential describes it
     AccuracyError     two roots are not told apart at this precision
     """
-    found = _of_function(level) if level.polynomial is None else _of_polynomial(level, level.polynomial)
+    if level.polynomial is None:
+        found, ends = _of_function(level)
+    else:
+        found = _of_polynomial(level, level.polynomial)
+        ends = _ends(level, found)
+    (lower, m), (upper, n) = ends
+    if max(m, n) > 2:
+        raise ScopeError(f"k3 approaches a root of order {max(m, n)} of g: its motion is neither periodic nor exponential")
+    others = [(x, k) for x, k in found if not (x.imag == 0 and (x.real.overlaps(lower) or x.real.overlaps(upper)))]
+    leading = None if level.polynomial is None else enclosed(next(c for c in reversed(level.polynomial) if c != 0))
+    return Roots(lower, upper, (m == 2, n == 2), others, leading)
+
+
+def _ends(level: Level, found: Sequence[tuple[acb, int]]) -> list[tuple[arb, int]]:
+    """Of all roots those between which the motion is."""
     z = enclosed(level.height)
     at_start = level.direction == 0
     ends: list[tuple[arb, int]] = []
@@ -54,12 +69,7 @@ def roots_of(level: Level) -> Roots:
         if not beyond or len(near) > at_start:
             raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
         ends.append(min(beyond, key=lambda pair: abs(pair[0] - z).mid()))
-    (lower, m), (upper, n) = ends
-    if max(m, n) > 2:
-        raise ScopeError(f"k3 approaches a root of order {max(m, n)} of g: its motion is neither periodic nor exponential")
-    others = [(x, k) for x, k in found if not (x.imag == 0 and (x.real.overlaps(lower) or x.real.overlaps(upper)))]
-    leading = None if level.polynomial is None else enclosed(next(c for c in reversed(level.polynomial) if c != 0))
-    return Roots(lower, upper, (m == 2, n == 2), others, leading)
+    return ends
 
 
 def _of_polynomial(level: Level, g: Sequence[Any]) -> list[tuple[acb, int]]:
@@ -100,20 +110,19 @@ def _simple(polynomial: arb_poly) -> list[acb]:
     return found
 
 
-def _of_function(level: Level) -> list[tuple[acb, int]]:
-    """The turning points, and the roots of a polynomial that follows g closely between them and around."""
-    g, z, found = Profile(level), enclosed(level.height), list[tuple[acb, int]]()
+def _of_function(level: Level) -> tuple[list[tuple[acb, int]], list[tuple[arb, int]]]:
+    """Other roots, approximately; and the turning points."""
+    g, ends = Profile(level), list[tuple[arb, int]]()
     for side, m in zip((-1, 1), level.contact):
         if level.direction == 0 and level.turn == -side:
-            found.append((acb(z), 1))
+            ends.append((enclosed(level.height), 1))
         elif (root := _first(level, g, side, m)) is not None:
-            found.append((acb(root), 1))
+            ends.append((root, 1))
         else:
-            found.append((acb(side * g.radius), m))
-    near = _around(g, found)
-    for x, m in found:                                     # those that stand for the turning points themselves
-        near = sorted(near, key=lambda y: abs(y - x).mid())[m:]
-    return found + [(x, 1) for x in near]
+            ends.append((side * g.radius, m))
+    if not ends[0][0] < ends[1][0]:
+        raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
+    return [(x, 1) for x in _around(g, ends)], ends
 
 
 def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
@@ -145,34 +154,39 @@ def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
     return None
 
 
-def _around(g: Profile, ends: Sequence[tuple[acb, int]]) -> list[acb]:
-    """Roots of the polynomial that interpolates g on an interval a little larger, and those next to the turning points."""
-    lower, upper = (x.real for x, _ in ends)
-    reach = (upper - lower) / 8
-    low, high = max(lower - reach, -g.radius, key=arb.mid), min(upper + reach, g.radius, key=arb.mid)
+def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
+    """Other roots, approximately: of polynomials that interpolate g around the motion, and around what it almost meets."""
+    (lower, _), (upper, _) = ends
+    width = upper - lower
+    others = _interpolated(g, lower - width / 8, upper + width / 8)
+    for x, m in ends:                                      # those that stand for the turning points themselves
+        others = sorted(others, key=lambda y: abs(y - x).mid())[m:]
+    for x in [y.real for y in others if y.imag > 0 and 8 * y.imag < min(y.real - lower, upper - y.real, key=arb.mid)]:
+        others = _closer(g, x, 0, others, width)
+    for x, m in ends:
+        beyond = x - 2 * g(x, 1) / g(x, 2)       # of the parabola there
+        if m == 1 and CLOSE * abs(beyond - x) < width and not any(abs(beyond - y) < abs(beyond - x) for y in others):
+            others.append(acb(beyond))
+        others = _closer(g, x, m, others, width)
+    return [x for x in others if not (x.imag == 0 and lower < x.real < upper)]
+
+
+def _closer(g: Profile, x: arb, m: int, others: list[acb], width: arb) -> list[acb]:
+    """The others, those next to x found again: on smaller and smaller intervals, until they are as far from it as an interval is long."""
+    while CLOSE * (least := min((abs(y - x).mid() for y in others), default=width)) < width:
+        width = max(8 * least, width / CLOSE, key=arb.mid).mid()
+        around = sorted(_interpolated(g, x - width, x + width), key=lambda y: abs(y - x).mid())[m:]
+        others = [y for y in others if abs(y - x).mid() > width / 2] + [y for y in around if abs(y - x).mid() <= width / 2]
+    return others
+
+
+def _interpolated(g: Profile, low: arb, high: arb) -> list[acb]:
+    """Roots of the polynomial that interpolates g on an interval, as far as k3 can be there."""
+    low, high = max(low, -g.radius, key=arb.mid), min(high, g.radius, key=arb.mid)
     middle, half = ((low + high) / 2).mid(), ((high - low) / 2).mid()
     nodes = [arb.cos_pi_fmpq(fmpq(2 * j + 1, 2 * FOLLOWED)) for j in range(FOLLOWED)]
     values = [g(middle + half * y) for y in nodes]
     if max(x.rel_accuracy_bits() for x in values) < KNOWN:
-        raise AccuracyError(f"g is not known between its roots {lower} and {upper}")
+        raise AccuracyError(f"g is not known between {low} and {high}")
     fitted = arb_poly([0 if c.contains(0) else c.mid() for c in arb_poly.interpolate(nodes, values).coeffs()])
-    near = [middle + half * y for y in _simple(fitted)]
-    for x, m in ends:
-        beyond = x - 2 * g(x.real, 1) / g(x.real, 2)       # of the parabola
-        if m == 1 and beyond.is_finite() and 100 * abs(beyond - x) < upper - lower and not any(abs(beyond - y) < abs(y - x) for y in near):
-            near.append(beyond)
-    return [_sharpened(g, x, lower, upper) for x in near]
-
-
-def _sharpened(g: Profile, x: acb, lower: arb, upper: arb) -> acb:
-    """An approximate root that almost meets another: by the parabola at the extremum of g between the two."""
-    end = min(lower, upper, key=lambda y: abs(x - y).mid())
-    if not 100 * (abs(x.imag) if x.imag != 0 else abs(x.real - end)) < upper - lower:
-        return x
-    at = (x.real if x.imag != 0 else (x.real + end) / 2).mid()
-    for _ in range(ctx.prec.bit_length()):
-        at = (at - g(at, 1) / g(at, 2)).mid()
-    offset = acb(-2 * g(at) / g(at, 2)).sqrt()
-    if not offset.is_finite():
-        return x
-    return acb(at) + (offset if (x.imag if x.imag != 0 else x.real - at) > 0 else -offset)
+    return [middle + half * y for y in _simple(fitted)]

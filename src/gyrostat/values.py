@@ -1,10 +1,9 @@
 """The numbers at which a report is asked: named, exact, positive where they must be, and on the family."""
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
-from functools import lru_cache
 from typing import Any
 
-from sympy import Add, Expr, Rational, S, Symbol
+from sympy import Expr, Rational, S, Symbol
 
 from .equilibria import Equilibrium
 from .errors import ValuesError
@@ -130,23 +129,6 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
         raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {shown(value)}, given was {given}{off}; omit {name}, or "
                           "correct it")
     return doubt
-
-
-def inertia_note(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
-    """A sentence if the moments break the triangle inequality, as no rigid body's do; "" otherwise."""
-    inertia = eq.system.body.inertia
-    if any(s not in numbers for m in inertia for s in m.free_symbols):
-        return ""
-    if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(inertia)):
-        moments = [evaluate(m, numbers) for m in inertia]
-        return f"no rigid body has the moments {', '.join(map(str, moments))}: one exceeds the sum of the others (a body in a fluid may)"
-    return ""
-
-
-@lru_cache(maxsize=256)
-def _excesses(inertia: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """By how much each moment falls short of the sum of the others."""
-    return tuple(Add(*inertia) - 2 * m for m in dict.fromkeys(inertia))
 
 
 def names_in(expressions: Iterable[Expr]) -> tuple[str, ...]:

@@ -217,4 +217,5 @@ def _summary(moving: Motion, drift: dict[str, float], digits: int | None) -> str
     if drift:
         worst = max(drift, key=lambda name: drift[name])
         facts["drift"] = f"{drift[worst]:.1e}, of {worst}, the largest"
+    facts["note"] = moving.note or None
     return "".join(f"{name:<12}{fact}\n" for name, fact in facts.items() if fact is not None)
