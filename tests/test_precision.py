@@ -22,7 +22,8 @@ def states(scene, *start):
     """At three times, with the period, in doubles and to 25 digits."""
     def found():
         doubles, digits = motion(scene, start), motion(scene, start, precision=25)
-        return doubles([0.0, 1.5, 1e4]).tolist(), doubles.period, doubles.attitude(2.5).tolist(), str(digits([0, "7/3"])), str(digits.period)
+        return [doubles([0.0, 1.5, 1e4]).tolist(), doubles.period, doubles.attitude(2.5).tolist(), str(digits([0, "7/3"])),
+                str(digits.period)]
     return found
 
 
