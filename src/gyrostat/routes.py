@@ -81,8 +81,11 @@ def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float |
     if reducible(scene) and any(point[3:]):
         try:
             return AxialMotion(Level(scene, point), bits)
-        except (ScopeError, ResolutionError):              # towards a root of higher order, as a power of the time; past a singularity
+        except ScopeError:                                 # towards a root of higher order, as a power of the time
             pass
+        except ResolutionError:                            # past a singularity of U
+            if bits > 53:
+                raise
     elif any(point[3:]) and (found := of_revolution(scene, point)):
         with suppress(AccuracyError, ScopeError, ValuesError):             # it need not be exact: it can be integrated as it is
             return TurnedMotion(found, point, bits)
