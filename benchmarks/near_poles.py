@@ -276,9 +276,9 @@ def main():
     parser.add_argument("--equilibria", type=int)
     given = parser.parse_args()
     print(platform.processor() or platform.machine(), "Python", platform.python_version(), "gyrostat", gs.__version__)
-    well = starts(given.seed, given.count or (12 if given.quick else 500), given.kinds, given.precision)
+    well = starts(given.seed, given.count or (2 if given.quick else 500), given.kinds, given.precision)
     sizes = [F(1, 10**d) for d in ((3, 5, 7) if given.quick else range(2, 9))]
-    many = given.equilibria if given.equilibria is not None else 12 if given.quick else 200
+    many = given.equilibria if given.equilibria is not None else 4 if given.quick else 200
     well = confirmations(given.seed, many, sizes) and well
     sys.exit(0 if well else 1)
 
