@@ -169,5 +169,5 @@ def test_what_cannot_be_confirmed_is_refused(scene, top):
     for sizes in ([0.1, 0.01], [0.01, 0.1, 1], [0.1, 0.01, -1]):
         with pytest.raises(ValuesError, match="at least three, positive and falling"):
             confirm(top["upright"], TOP | {"pi3_0": 2}, sizes)
-    with pytest.raises(ArgumentError, match="the report is a Equilibrium"):
+    with pytest.raises(ArgumentError, match="the report is an Equilibrium"):
         confirm(top["upright"].equilibrium, {})

@@ -9,7 +9,8 @@ import pytest
 import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
-CHAIN = ("start errors notation inputs magnitudes parts scanner grammar expressions algebra matrices algebraic transcendental exact "
+CHAIN = ("start errors precision notation "
+         "inputs magnitudes parts scanner grammar expressions algebra matrices algebraic transcendental exact "
          "signs body potential fields liepoisson system equilibria families orbit linearization energy_casimir implication conditions "
          "reduction spherical recognition standard boundary sphere drift roots forms amended torquefree values notes stability branch "
          "branches bifurcations intervals cases solve cells stabilizing attitude freebody presentation progress straightline rounding "

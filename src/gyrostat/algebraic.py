@@ -3,8 +3,10 @@ import math
 from collections.abc import Iterable
 from functools import lru_cache
 
-from flint import arb, ctx, fmpz_poly
+from flint import arb, fmpz_poly
 from sympy import Add, CRootOf, Expr, Integer, Mul, Pow, Rational, cos, cot, csc, pi, sec, sin, tan, totient
+
+from .precision import own_precision
 
 TURNS = (sin, cos, tan, cot, sec, csc)
 
@@ -112,7 +114,7 @@ def real_root(root: CRootOf, precision: int) -> arb:
     """Enclosure of a real root of a polynomial, not finite where it is not real; by Newton's method from one of half as many bits."""
     near = real_root(root, precision // 2) if precision > 128 else _isolated(root, precision)
     polynomial, slope = _polynomial(root), _polynomial(root).derivative()
-    with ctx.workprec(precision + 32):
+    with own_precision(precision + 32):
         while near.rad():
             middle = arb(near.mid())
             better = middle - _at(polynomial, middle) / _at(slope, near)
@@ -125,7 +127,7 @@ def real_root(root: CRootOf, precision: int) -> arb:
 
 
 def _isolated(root: CRootOf, precision: int) -> arb:
-    with ctx.workprec(precision):
+    with own_precision(precision):
         real = sorted((x.real for x, _ in _polynomial(root).complex_roots() if x.imag == 0), key=arb.mid)
     return real[root.index] if root.index < len(real) else arb("nan")          # the real ones come first, in order
 

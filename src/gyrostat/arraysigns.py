@@ -9,9 +9,10 @@ import numpy as np
 from flint import arb, fmpq
 from sympy import Expr, Rational, Symbol
 
-from .exact import ONE_AT_A_TIME, ball, compiled, own_precision, sign
+from .exact import ball, compiled, sign
 from .grids import Array, Block, Grid, cut, places
 from .kernels import Kernel
+from .precision import ONE_AT_A_TIME, own_precision
 from .rounding import error_bound, rounded
 from .straightline import Program, program_of
 from .tiles import Tiles

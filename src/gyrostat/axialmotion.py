@@ -5,11 +5,11 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from .exact import own_precision
 from .grids import Array
 from .levels import Level, enclosed, known
 from .periods import double, pair, reduced, turns
 from .precession import Precession
+from .precision import own_precision
 from .spinors import momentum, rotation, structure
 
 BLOCK = 4096                                               # times that a cache holds

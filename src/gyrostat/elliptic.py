@@ -4,9 +4,9 @@ import math
 import numpy as np
 from flint import acb, arb, ctx
 
-from .exact import own_precision
 from .grids import Array
 from .periods import pair, reduced
+from .precision import own_precision
 
 
 def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:

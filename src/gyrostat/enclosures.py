@@ -9,7 +9,8 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Pow, Rational, Symbol, diff
 
-from .exact import ball, own_precision, sign_of_constant
+from .exact import ball, sign_of_constant
+from .precision import own_precision
 from .straightline import program_of
 
 Array = np.ndarray[Any, Any]

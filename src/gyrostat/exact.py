@@ -1,8 +1,6 @@
 """The sign of an expression at exact numbers: by rational arithmetic, or by proved enclosures and a separation bound."""
 import math
-import threading
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -12,10 +10,10 @@ from sympy import Add, CRootOf, Derivative, Dummy, Expr, Integer, Mul, Pow, Rati
 
 from .algebra import Ring
 from .algebraic import real_root, separation
+from .precision import own_precision
 from .transcendental import vanishes
 
 LIMIT, ALGEBRAIC_LIMIT = 4096, 2**20                   # bits; a sign that is not proved by then is not known
-ONE_AT_A_TIME = threading.RLock()                      # the precision of python-flint is one for the whole process
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 _FUNCTIONS = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
@@ -126,22 +124,6 @@ def plain(constant: Expr) -> Expr:
         return constant
     found = (Integer(n) for n in (0, 1, -1) if near.contains(n) and sign_of_constant(constant - n) == 0)
     return next(found, constant)
-
-
-@contextmanager
-def own_precision(bits: int) -> Iterator[None]:
-    """Every enclosure that is computed inside has so many bits, whatever other threads compute; python-flint has one precision for all.
-
-    A computation of ours waits for those of other threads. Whoever calls python-flint besides has to hold ONE_AT_A_TIME as well.
-
-    Examples
-    --------
-    >>> with own_precision(100):
-    ...     ctx.prec
-    100
-    """
-    with ONE_AT_A_TIME, ctx.workprec(bits):
-        yield
 
 
 def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:

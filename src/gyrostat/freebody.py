@@ -8,10 +8,10 @@ from sympy import Expr, Float, ImmutableMatrix, Max, Min, acos, oo, sqrt
 
 from .body import Gyrostat
 from .errors import BodyError, ScopeError, ValuesError, require
-from .exact import ONE_AT_A_TIME
-from .expressions import exact_expression, exact_number, parse
+from .expressions import exact_expression, exact_number
 from .grammar import parse
 from .notation import symbol
+from .precision import ONE_AT_A_TIME
 from .roots import in_order, proved_sign
 
 

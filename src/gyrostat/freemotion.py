@@ -9,12 +9,13 @@ import numpy as np
 from flint import arb
 
 from .errors import AccuracyError, ScopeError, ValuesError, require
-from .exact import ball, own_precision
+from .exact import ball
 from .expressions import exact_number
 from .grids import Array
 from .loops import Loop, Rates, loop
 from .periods import double, pair, reduced, turns
 from .polhodes import Meeting, Polhode, meeting, polhode
+from .precision import own_precision
 from .steady import CONSTANT, ROUNDING, Steady, Triple, cross, cycles, decided, dot, frame, steady, turned
 from .system import System
 

@@ -1,15 +1,15 @@
 """How large a constant is, known before it is computed: enclosures of 512 bits, by operations that none of them can keep busy."""
 import operator
-import threading
 from collections.abc import Callable
 from math import prod
 from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 from sympy import Rational
 
+from .precision import own_precision
+
 PRECISION = 512                                        # bits; what two enclosures of it do not tell apart is not told apart
-ONE_AT_A_TIME = threading.RLock()                      # the precision of python-flint is one for the whole process
 FUNCTIONS: dict[str, Callable[[arb], arb]] = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
 
@@ -18,13 +18,13 @@ def enclosed(operation: Callable[..., arb], *enclosures: arb | None) -> arb | No
     """What an operation makes of enclosures (not finite where it may be undefined); None where one of them is not known."""
     if any(x is None for x in enclosures):
         return None
-    with ONE_AT_A_TIME, ctx.workprec(PRECISION):
+    with own_precision(PRECISION):
         return operation(*enclosures)
 
 
 def number(value: Rational) -> arb:
     """Enclosure of a rational number."""
-    with ONE_AT_A_TIME, ctx.workprec(PRECISION):
+    with own_precision(PRECISION):
         return arb(fmpq(int(value.p), int(value.q)))
 
 
@@ -71,7 +71,7 @@ def raised(x: arb | None, exponent: Rational) -> arb | None:
 
 def extent(x: arb) -> tuple[int, int | None]:
     """Powers of 2 that a finite enclosure lies between in size; the lower one None where it may be 0."""
-    with ONE_AT_A_TIME, ctx.workprec(PRECISION):
+    with own_precision(PRECISION):
         ends: list[Any] = [x.abs_upper(), x.abs_lower()]
         high, low = (_exponent(end) for end in ends)
     return 0 if high is None else high, None if low is None else low - 1

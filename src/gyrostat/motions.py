@@ -10,11 +10,12 @@ from sympy import Add, Expr
 
 from .columns import columns, euler
 from .errors import AccuracyError, ValuesError, optional
-from .exact import ball, own_precision
+from .exact import ball
 from .expressions import exact_number, shown
 from .grids import Array
 from .notes import state_note
 from .numeric import in_floats
+from .precision import own_precision
 from .system import System
 
 

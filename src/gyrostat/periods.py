@@ -5,8 +5,8 @@ import numpy as np
 from flint import arb
 
 from .errors import AccuracyError, ValuesError
-from .exact import own_precision
 from .grids import Array
+from .precision import own_precision
 
 LONGEST = 2.0**49                                          # periods: their number is exact, and so is their product with a turn, mod 1
 SPLIT = 2.0**27 + 1

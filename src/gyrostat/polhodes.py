@@ -9,9 +9,10 @@ from sympy import Expr, Integer
 
 from .elliptic import argument, jacobi, jacobi_ball, quarter_period
 from .errors import AccuracyError
-from .exact import ball, own_precision
+from .exact import ball
 from .grids import Array
 from .periods import double, pair, reduced
+from .precision import own_precision
 from .steady import CONSTANT, CYCLIC, ROUNDING, Triple, accurate, decided
 
 SMALLEST = 1e-300                                          # m1 that doubles hold

@@ -7,10 +7,10 @@ from flint import acb, arb, ctx
 
 from .elliptic import quarter_period
 from .errors import AccuracyError, ResolutionError
-from .exact import own_precision
 from .levels import Level, enclosed
 from .nutation import Nutation, nutation
 from .periods import double
+from .precision import own_precision
 from .profiles import Profile
 from .spectral import FEWEST, Integrals, over_a_period, to_infinity
 from .spinors import momentum, structure

@@ -2,13 +2,14 @@
 from collections.abc import Mapping, Sequence
 from functools import cmp_to_key
 
-from flint import ctx, fmpq, fmpq_mpoly, fmpq_poly
+from flint import fmpq, fmpq_mpoly, fmpq_poly
 from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
 
 from .algebra import Ring, by_degree
 from .algebraic import is_algebraic
 from .errors import ScopeError
-from .exact import ONE_AT_A_TIME, ball, sign_of_constant
+from .exact import ball, sign_of_constant
+from .precision import own_precision
 
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
@@ -106,7 +107,7 @@ def between(a: Expr, b: Expr) -> Rational:
 
 def _side(number: Expr, precision: int, side: int) -> Rational:
     """The upper or lower end of an enclosure, exact: the ends of balls are rounded to the precision of the context."""
-    with ONE_AT_A_TIME, ctx.workprec(precision):
+    with own_precision(precision):
         enclosure = ball(number, precision)
         mantissa, exponent = (enclosure.upper() if side > 0 else enclosure.lower()).man_exp()
         return Rational(int(mantissa)) * Rational(2) ** int(exponent)

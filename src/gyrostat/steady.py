@@ -9,10 +9,11 @@ from flint import arb
 from sympy import Expr, Integer, sqrt
 
 from .errors import AccuracyError, ValuesError
-from .exact import ball, own_precision, sign_of_constant
+from .exact import ball, sign_of_constant
 from .expressions import shown
 from .grids import Array
 from .periods import Pair, double, pair, turns
+from .precision import own_precision
 
 Triple = tuple[Expr, Expr, Expr]
 CONSTANT = 192                                             # bits of what results in doubles are made of

@@ -2,14 +2,15 @@
 from collections.abc import Sequence
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 from sympy import Expr, trigsimp
 
 from .algebraic import is_algebraic
 from .axialmotion import AxialMotion
-from .exact import ONE_AT_A_TIME, ball
+from .exact import ball
 from .grids import Array
 from .levels import Level
+from .precision import own_precision
 from .recognition import Recognition, recognise
 from .spherical import lowest
 from .system import System
@@ -55,7 +56,7 @@ class TurnedMotion:
         """(π, k) at a time, to as many bits as the motion was built for."""
         x, precision = self._standard.ball_state(t, bits), self._standard.exact.precision + GUARD
         entries = [[ball(entry, precision) for entry in row] for row in self._exact.T.tolist()]
-        with ONE_AT_A_TIME, ctx.workprec(precision):
+        with own_precision(precision):
             return [sum((a * b for a, b in zip(row, v)), arb(0)) for v in (x[:3], x[3:]) for row in entries]
 
     def exact_period(self, bits: int) -> arb | None:

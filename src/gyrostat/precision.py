@@ -1,0 +1,24 @@
+"""How many bits the enclosures of python-flint have, which is one number for the whole process."""
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from flint import ctx
+
+ONE_AT_A_TIME = threading.RLock()                      # held by every computation of ours with enclosures
+
+
+@contextmanager
+def own_precision(bits: int) -> Iterator[None]:
+    """Every enclosure that is computed inside has so many bits, whatever other threads compute.
+
+    A computation of ours waits for those of other threads. Whoever calls python-flint besides has to hold ONE_AT_A_TIME as well.
+
+    Examples
+    --------
+    >>> with own_precision(100):
+    ...     ctx.prec
+    100
+    """
+    with ONE_AT_A_TIME, ctx.workprec(bits):
+        yield
