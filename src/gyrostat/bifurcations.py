@@ -1,20 +1,20 @@
-"""Where relative equilibria of a body of revolution meet: E3 leaves E1 or E2, two tilts meet in a fold. Equations, and numbers."""
+"""Where relative equilibria of a body of revolution meet: E3 leaves E1 or E2, tilts meet in folds and pitchforks. Equations, and numbers."""
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
-from flint import fmpq_mpoly
 from sympy import Expr, S, Symbol, expand
 
-from .algebra import Ring, by_degree
 from .branches import exact_point, names_of
 from .errors import EquilibriumError, ValuesError
 from .exact import Point, evaluate
 from .families import hanging, upright
 from .notation import Typeset, jet, symbol
+from .planecurves import PlaneCurve
 from .reduction import K3, OMEGA, P, V, expansion, reduce
-from .roots import in_order, inserted, proved_sign, real_roots
+from .roots import in_order, proved_sign, real_roots
+from .stations import Place, critical_points, stations
 from .system import System
 from .values import unknown
 
@@ -26,6 +26,13 @@ KINDS = {
     "precessions leave E2": "the boundary of E2, on the levels of E2; Report.boundary decides whether they are stable",
     "fold on a level": "two precessions meet on a level of both momenta; one is stable, the other is not",
 }
+MEETINGS = {
+    "fold": "branches meet that exist on one side only",
+    "pitchfork": "one branch on one side, three or more on the other",
+    "crossing": "as many branches on one side as on the other, two or more",
+    "isolated": "there is a tilt at this value, and none beside it",
+}
+AT_RATE, ON_LEVEL = "at fixed rate", "on a level"
 
 
 @dataclass(frozen=True, repr=False)
@@ -46,7 +53,10 @@ class Bifurcation(Typeset):
 
 @dataclass(frozen=True, repr=False)
 class BifurcationPoint(Typeset):
-    """The value of the free name at which a bifurcation takes place, and the k3 where."""
+    """The value of the free name at which a bifurcation takes place, and the k3 where.
+
+    Its kind is a key of KINDS; where branches meet between the poles "at fixed rate" or "on a level", it starts with a key of MEETINGS.
+    """
 
     kind: str
     name: str
@@ -72,7 +82,7 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     precessions leave E1: 4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2
     precessions leave E2: -4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2
     """
-    relation, motion = _relation(scene), reduce(scene)
+    relation, motion = relation_at_rate(scene), reduce(scene)
     slope = relation.diff(K3) + symbol("d2U")
     found: list[tuple[str, tuple[Expr, ...], Expr]] = [
         ("E3 leaves E1", (relation.xreplace({K3: S.One}),), S.One), ("E3 leaves E2", (relation.xreplace({K3: -S.One}),), -S.One),
@@ -118,86 +128,75 @@ def bifurcation_points(scene: System, values: Mapping[str, Any], name: str) -> l
         raise ValuesError(unknown(name, sorted(known), "the scene"))
     free, numbers = symbol(name), exact_point(scene, values, known)
     given = {OMEGA, symbol("pi3_0"), symbol("C1")} & {free, *numbers}
-    kinds = {frozenset({OMEGA}): ("E3 leaves E1", "E3 leaves E2", "fold at fixed rate"),
-             frozenset({symbol("pi3_0")}): ("precessions leave E1", "precessions leave E2"),
-             frozenset({symbol("pi3_0"), symbol("C1")}): ("fold on a level",)}.get(frozenset(given))
+    kinds = {frozenset({OMEGA}): AT_RATE, frozenset({symbol("pi3_0")}): "precessions leave",
+             frozenset({symbol("pi3_0"), symbol("C1")}): ON_LEVEL}.get(frozenset(given))
     if kinds is None or free in numbers:
         raise ValuesError(f"given were {', '.join(map(str, values))}, free is {name}: of omega, or pi3_0, or pi3_0 and C1, give each or "
                           "leave it free, and give a number for every other name")
-    found = [point for b in bifurcations(scene) if b.kind in kinds for point in _points(b, scene, numbers, free)]
+    found = [point for point in (_at_poles if kinds == "precessions leave" else _meetings)(scene, numbers, free, kinds)
+             if positive(scene, numbers, free, point.value)]
     order = {value: n for n, value in enumerate(in_order(list(dict.fromkeys(point.value for point in found))))}
     return sorted(found, key=lambda point: order[point.value])
 
 
-def _points(b: Bifurcation, scene: System, numbers: Point, free: Symbol) -> list[BifurcationPoint]:
+def positive(scene: System, numbers: Point, free: Symbol, value: Expr) -> bool:
+    """Whether every moment of inertia is positive at a value of a free name."""
+    moments = [m for m in scene.body.inertia[1:] if free in m.free_symbols] + [free] * bool(free.is_positive)
+    return all(proved_sign(evaluate(m, {**numbers, free: value})) == 1 for m in moments)
+
+
+def _at_poles(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterator[BifurcationPoint]:
+    for b in bifurcations(scene):
+        if b.kind.startswith(kinds):
+            placed = insert(scene, b.equations[0], b.at, numbers, {free}, b.kind)
+            if not placed.has(S.ComplexInfinity, S.NaN):                   # U is infinite at the pole: there is no E1 or E2
+                yield from (BifurcationPoint(b.kind, free.name, value, b.at) for value in real_roots(placed, free) or ())
+
+
+def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterator[BifurcationPoint]:
+    motion = reduce(scene)
+    relation = relation_at_rate(scene)
+    if kinds == ON_LEVEL:
+        level = {P: symbol("pi3_0") + scene.body.gyrostatic_momentum[2], V: symbol("C1")}
+        relation = motion.precession().xreplace({OMEGA: motion.rate.xreplace(level)}).xreplace(level)
+    first = "E3 leaves E1" if kinds == AT_RATE else f"fold {kinds}"
+    curve = PlaneCurve(insert(scene, relation, K3, numbers, {free, K3}, first), K3, free)
+    points = critical_points(curve)
+    infinite = {point for F in curve.components for pole in curve.poles for point in curve.common(F, pole)}
+    for station in stations(curve, points):
+        for place in station.places:
+            if (station.t, place.x) not in infinite and (kind := kind_of(place, kinds)):
+                if place.x**2 != 1 or (kinds == AT_RATE and defined(curve, station.t, place.x)):
+                    yield BifurcationPoint(kind, free.name, station.t, place.x)
+
+
+def kind_of(place: Place, kinds: str) -> str:
+    """The name of what happens at a place of the curve of E3, or of the precessions of a level, by the branches that come to it."""
+    few, many = sorted((len(place.left), len(place.right)))
+    if place.x**2 == 1:
+        return f"E3 leaves E{1 if place.x == 1 else 2}" if many else ""
+    if few == many == 1:                                   # one branch passes
+        return ""
+    meeting = "isolated" if not many else "fold" if not few else "crossing" if few == many else "pitchfork" if few == 1 else "crossing"
+    return f"{meeting} {kinds}"
+
+
+def defined(curve: PlaneCurve, t: Expr, x: Expr) -> bool:
+    """Whether U' is finite at a point."""
+    return all(curve.sign(pole, t, x) != 0 for pole in curve.poles)
+
+
+def insert(scene: System, expression: Expr, at: Expr, numbers: Point, allowed: set[Symbol], what: str) -> Expr:
+    """With the derivatives of U at a k3, and numbers for all names but those allowed."""
     assert scene.potential is not None
-    motion, body = reduce(scene), scene.body
-    first = b.equations[0]
-    if b.kind == "fold on a level":
-        level = {P: symbol("pi3_0") + body.gyrostatic_momentum[2], V: symbol("C1")}
-        first = first.xreplace({OMEGA: motion.rate.xreplace(level)}).xreplace(level)
-    jets = {d: scene.potential.value(d).xreplace({K3: b.at}) for d in first.free_symbols if jet(d.name)}
-    placed = first.xreplace(jets).xreplace(numbers)
-    allowed = {free, K3} if len(b.equations) == 2 else {free}
+    jets = {d: scene.potential.value(d).xreplace({K3: at}) for d in expression.free_symbols if jet(d.name)}
+    placed = expression.xreplace(jets).xreplace(numbers)
     if missing := sorted(s.name for s in placed.free_symbols - allowed):
-        raise ValuesError(f"{b.kind} needs {', '.join(missing)}: give a number for each")
-    if placed.has(S.ComplexInfinity, S.NaN):               # U is infinite at the pole: there is no E1 or E2
-        return []
-    positive = [m for m in body.inertia[1:] if free in m.free_symbols] + [free] * bool(free.is_positive)
-    folds = len(b.equations) == 2
-    found = dict.fromkeys(_folds(placed, free) if folds else ((value, b.at) for value in real_roots(placed, free) or ()))
-    return [BifurcationPoint(b.kind, free.name, value, k3) for value, k3 in found
-            if all(proved_sign(evaluate(m, {**numbers, free: value})) == 1 for m in positive)]
+        raise ValuesError(f"{what} needs {', '.join(missing)}: give a number for each")
+    return placed
 
 
-def _folds(expression: Expr, free: Symbol) -> Iterator[tuple[Expr, Expr]]:
-    """(value, k3) where the numerator F and its slope in k3 vanish: k3 from their resultant, the value as a function of k3."""
-    ring = Ring([expression, K3, free])
-    k, t = ring.generators.index(K3), ring.generators.index(free)
-    F = ring.one
-    for factor, _ in ring.reduce(ring.fraction(expression)[0]).factor()[1]:
-        if factor.degrees()[k] and factor not in (ring.gens[K3] - 1, ring.gens[K3] + 1):
-            F *= factor                                    # each once; one that vanishes at a pole only, or at every tilt, is no fold
-    slope = F.derivative(k)
-    if not slope:
-        return
-    common = F.resultant(slope, F.context().names()[t]) if slope.degrees()[t] and F.degrees()[t] else slope
-    bottom, top = _linear(F, slope, t)
-    lead = by_degree(F, t, F.degrees()[t])[-1]
-    for k3 in real_roots(ring.expression(common), K3, S.NegativeOne, S.One) or ():
-        below, leading = (inserted(ring, f, {K3: k3}) for f in (bottom, lead))
-        if proved_sign(below) and proved_sign(leading):          # the common root of F and the slope is that of a t + b
-            yield -inserted(ring, top, {K3: k3}) / below, k3
-            continue
-        values = real_roots(inserted(ring, F, {K3: k3}), free)
-        if values is None:                                 # a tilt that exists at every value: where another branch crosses it
-            values = real_roots(inserted(ring, slope, {K3: k3}), free)
-        for value in values or []:
-            if proved_sign(inserted(ring, slope, {K3: k3, free: value})) == 0:
-                yield value, k3
-
-
-def _linear(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-    """(a, b) of a combination a t + b of two polynomials in t, by pseudo-division; (0, 0) where none is found."""
-    while G.degrees()[place] > 1 and F.degrees()[place] > 1:
-        F, G = (G, _remainder(F, G, place)) if F.degrees()[place] >= G.degrees()[place] else (F, _remainder(G, F, place))
-    for f in (G, F):
-        if f.degrees()[place] == 1:
-            b, a = by_degree(f, place, 1)
-            return a, b
-    return G * 0, G * 0
-
-
-def _remainder(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> fmpq_mpoly:
-    """Pseudo-remainder of F by G in one generator."""
-    n, t = G.degrees()[place], F.context().gens()[place]
-    lead = by_degree(G, place, n)[n]
-    while F and (m := F.degrees()[place]) >= n:
-        F = lead * F - by_degree(F, place, m)[m] * t ** (m - n) * G
-    return F
-
-
-def _relation(scene: System) -> Expr:
+def relation_at_rate(scene: System) -> Expr:
     """U' − ω l + ω² k3 (I1 − I3), the precession without spin about the axis."""
     total = scene.body.inertia[2] * OMEGA * K3 + scene.body.gyrostatic_momentum[2]
     return expand(reduce(scene).precession().xreplace({P: total}))

@@ -17,7 +17,7 @@ from .notation import symbol
 from .potential import Potential
 from .reduction import ENERGY, K3, OMEGA, P, V, reduce, reducible
 from .roots import proved_sign, real_roots
-from .stability import Report, analyze
+from .stability import Report, Verdict, analyze
 from .system import System, assemble
 from .values import unknown
 
@@ -80,6 +80,35 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
     if asked == ("k3",):
         return here.at_tilt(numbers[K3])
     return here.at_tilt(numbers[K3], numbers[PI3])
+
+
+def pole_at(scene: System, values: Mapping[str, Any], s: int) -> Branch | None:
+    """E1 (s = 1) or E2 (s = −1) at a rate about the vertical; None where U is infinite. Values as in relative_equilibria, with omega."""
+    _, numbers = _asked_for(scene, values)
+    here = _Scene(scene, numbers)
+    return next(iter(here.pole(s, s * here.I3 * numbers[OMEGA])), None)
+
+
+def tilt_at(scene: System, values: Mapping[str, Any], k3: Expr) -> Branch:
+    """E3 at an exact tilt at which it is known to exist. Values as in relative_equilibria, with omega."""
+    _, numbers = _asked_for(scene, values)
+    return _Scene(scene, numbers).tilted(k3, numbers[OMEGA], S.Zero)
+
+
+def critical_tilt(scene: System, values: Mapping[str, Any], k3: Expr) -> Verdict:
+    """The verdict of an E3 at a fixed rate whose margin is known to vanish: what the first higher derivative of g says.
+
+    Parameters
+    ----------
+    scene, values      as in relative_equilibria, with omega
+    k3 : Expr          exact, an E3 at these numbers
+    """
+    _, numbers = _asked_for(scene, values)
+    here = _Scene(scene, numbers)
+    report = _report(here.potential, "E3 at rest" if sign_of_constant(numbers[OMEGA]) == 0 else "E3")
+    assert report.boundary is not None
+    stable, _ = report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {})
+    return Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
 
 
 def names_of(scene: System) -> set[str]:
