@@ -10,7 +10,7 @@ from ..stability import Verdict
 from ..system import System
 from .looks import DARK, axes_of, label, legend, line, marker, named
 
-CHANGES = {"fold on a level": "o", "precessions leave E1": "s", "precessions leave E2": "s"}
+CHANGES = {"fold on a level": "o", "precessions leave E1": "s", "precessions leave E2": "p"}
 MEETINGS = {"E3 leaves E1": "^", "E3 leaves E2": "v", "fold at fixed rate": "D", "pitchfork at fixed rate": "P",
             "crossing at fixed rate": "X", INFINITE: "x"}
 CLEARANCE = 0.11                                           # of the names, in k3
@@ -68,7 +68,7 @@ def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter
     for name, height in _names(found, high):
         ax.annotate(name, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(), textcoords="offset points", va="center")
     for piece in _unnamed(found, high):
-        n = len(piece.k3) // 2
+        n = int(np.argmin(np.abs(piece.parameter - piece.parameter.mean())))
         ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5), textcoords="offset points")
     ax.set_xlabel(label(parameter))
     ax.set_ylabel(label("k3"))
