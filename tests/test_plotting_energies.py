@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.plotting import draw_energy_momentum
-from gyrostat.plotting.energies import energy_momentum
+from gyrostat.plotting.energies import bands, energy_momentum
 
 TOP = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
 WELLS = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: 6 * k3**4 - 5 * k3**2 + k3 / 2))
@@ -67,7 +67,7 @@ def test_the_slow_curve_goes_through_k3_0_and_the_fast_one_does_not(P):
     """At k3 = 0 the slow rate is U'/p_ψ, the fast one infinite."""
     curves = energy_momentum(TOP, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": P}).curves
     (slow,) = [c for c in curves if c.k3.min() < 0 < c.k3.max()]
-    assert np.interp(0, slow.k3, slow.omega) == pytest.approx(P, abs=1e-6) and np.abs(slow.omega).max() < 3
+    assert np.interp(0, slow.k3, slow.omega) == pytest.approx(P, abs=1e-4) and np.abs(slow.omega).max() < 3
 
 
 def test_poles(found):
@@ -86,7 +86,7 @@ def test_regions_count_the_bands_of_motion(found):
     rng = np.random.default_rng(1)
     v, h = np.append(rng.uniform(-2, 2, 8), values["p_psi"]), rng.uniform(-1.5, 4, 9)     # the last reaches E1
     z = np.cos(np.linspace(0, np.pi, 3001))[1:-1]
-    ours = diagram.bands(v, h)
+    ours = bands(diagram, v, h)
     for i, energy in enumerate(h):
         for j, momentum in enumerate(v):
             inside = np.concatenate([[False], np.polynomial.polynomial.polyval(z, g_of(values, U, momentum, energy)) > 0])
@@ -104,9 +104,10 @@ def test_the_picture():
         np.testing.assert_array_equal(line.get_xydata().T, [curve.momentum, curve.energy])
         assert (line.get_linestyle() == "-") == (curve.verdict is gs.Verdict.STABLE) and line.get_alpha() == 0.5
     points = [line.get_xydata()[0].tolist() for line in ax.lines if line.get_marker() == "o"]
-    assert points == [[v, h] for v, h, _ in diagram.poles] and {text.get_text() for text in ax.texts} == {"E1", "E2"}
+    assert points == [[v, h] for v, h, _ in diagram.poles] and {text.get_text() for text in ax.texts} == {"E1 (focus)", "E2 (focus)"}
     assert (*ax.get_xlim(), *ax.get_ylim()) == window and (ax.get_xlabel(), ax.get_ylabel()) == ("$C_{1}$", "$h$")
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["stable", "unstable", "one band of $k_3$", "two bands"]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == [
+        "stable", "unstable", "changes: fold on a level", "one band of $k_3$", "two bands"]
 
 
 def test_what_cannot_be_drawn_is_refused():
