@@ -1,4 +1,4 @@
-"""Where relative equilibria of a body of revolution meet: E3 leaves E1 or E2, tilts meet in folds and pitchforks. Equations, and numbers."""
+"""Where relative equilibria of a body of revolution meet: E3 leaves E1 or E2, tilts meet. Equations, and numbers."""
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
@@ -165,9 +165,9 @@ def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterat
     infinite = {point for F in curve.components for pole in curve.poles for point in curve.common(F, pole)}
     for station in stations(curve, points):
         for place in station.places:
-            if (station.t, place.x) not in infinite and (kind := kind_of(place, kinds)):
-                if place.x**2 != 1 or (kinds == AT_RATE and defined(curve, station.t, place.x)):
-                    yield BifurcationPoint(kind, free.name, station.t, place.x)
+            kind = kind_of(place, kinds) if (station.t, place.x) not in infinite else ""
+            if kind and (place.x**2 != 1 or (kinds == AT_RATE and defined(curve, station.t, place.x))):
+                yield BifurcationPoint(kind, free.name, station.t, place.x)
 
 
 def kind_of(place: Place, kinds: str) -> str:
@@ -177,7 +177,7 @@ def kind_of(place: Place, kinds: str) -> str:
         return f"E3 leaves E{1 if place.x == 1 else 2}" if many else ""
     if few == many == 1:                                   # one branch passes
         return ""
-    meeting = "isolated" if not many else "fold" if not few else "crossing" if few == many else "pitchfork" if few == 1 else "crossing"
+    meeting = "isolated" if not many else "fold" if not few else "pitchfork" if few == 1 else "crossing"
     return f"{meeting} {kinds}"
 
 

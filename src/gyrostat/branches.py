@@ -83,16 +83,9 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
 
 
 def pole_at(scene: System, values: Mapping[str, Any], s: int) -> Branch | None:
-    """E1 (s = 1) or E2 (s = −1) at a rate about the vertical; None where U is infinite. Values as in relative_equilibria, with omega."""
-    _, numbers = _asked_for(scene, values)
-    here = _Scene(scene, numbers)
+    """E1 (s = 1) or E2 (s = −1) at values with omega; None where U is infinite."""
+    here = _Scene(scene, numbers := _asked_for(scene, values)[1])
     return next(iter(here.pole(s, s * here.I3 * numbers[OMEGA])), None)
-
-
-def tilt_at(scene: System, values: Mapping[str, Any], k3: Expr) -> Branch:
-    """E3 at an exact tilt at which it is known to exist. Values as in relative_equilibria, with omega."""
-    _, numbers = _asked_for(scene, values)
-    return _Scene(scene, numbers).tilted(k3, numbers[OMEGA], S.Zero)
 
 
 def critical_tilt(scene: System, values: Mapping[str, Any], k3: Expr) -> Verdict:
@@ -103,8 +96,7 @@ def critical_tilt(scene: System, values: Mapping[str, Any], k3: Expr) -> Verdict
     scene, values      as in relative_equilibria, with omega
     k3 : Expr          exact, an E3 at these numbers
     """
-    _, numbers = _asked_for(scene, values)
-    here = _Scene(scene, numbers)
+    here = _Scene(scene, numbers := _asked_for(scene, values)[1])
     report = _report(here.potential, "E3 at rest" if sign_of_constant(numbers[OMEGA]) == 0 else "E3")
     assert report.boundary is not None
     stable, _ = report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {})

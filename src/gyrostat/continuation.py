@@ -9,7 +9,7 @@ import numpy as np
 from sympy import Expr, S
 
 from .bifurcations import AT_RATE, defined, kind_of
-from .branches import critical_tilt, pole_at, relative_equilibria, tilt_at
+from .branches import critical_tilt, pole_at, relative_equilibria
 from .critical import Critical, critical_of
 from .errors import ScopeError
 from .exact import ball
@@ -69,7 +69,6 @@ class Span:
 
     low: Expr
     high: Expr
-    middle: Fraction
     tilts: tuple[Verdict, ...]
     poles: dict[int, Verdict]
 
@@ -92,13 +91,11 @@ def continuation(scene: System, values: Mapping[str, Any], parameter: str, ends:
     ----------
     scene : System                        a body of revolution in a U rational in k3
     values : mapping of name to number    the moments, l, the parameters of U and omega, without the one that is free
-    parameter : str
-    ends : pair of numbers                of its range
+    parameter, ends                       its name, and the pair of numbers of its range
 
     Raises
     ------
-    ScopeError        the body is not of revolution, U is unspecified, not rational in k3, or of too high a degree; every point is an
-                      equilibrium
+    ScopeError        the body is not of revolution, U is unspecified, not rational in k3, of too high a degree, or everything is E3
     ValuesError       numbers are missing, unknown or not admissible, or the range is empty
 
     Examples
@@ -128,7 +125,7 @@ def _span(scene: System, values: Mapping[str, Any], parameter: str, curve: Plane
     if len(tilts) != len(curve.roots(middle)):
         raise ScopeError(f"at {parameter} = {middle} there are {len(tilts)} tilts, and {len(curve.roots(middle))} branches were followed: "
                          "write the numbers as fractions")
-    return Span(a, b, middle, tilts, {s: x.decision.verdict for s, name in LABELS.items() for x in found if x.label == name})
+    return Span(a, b, tilts, {s: x.decision.verdict for s, name in LABELS.items() for x in found if x.label == name})
 
 
 @dataclass(frozen=True)
@@ -143,15 +140,14 @@ class _Scene:
     spans: list[Span]
 
     def at(self, t: Expr) -> dict[str, Any]:
-        """The values, with one of the parameter."""
         return {**self.values, self.parameter: t}
 
     def pole(self, s: int) -> list[Piece]:
         """E1 or E2, cut where its verdict changes or U is infinite."""
         found: list[Piece] = []
-        for before, span in pairwise([None, *self.spans]):
+        for n, span in enumerate(self.spans):
             ends = np.array([float(span.low), float(span.high)]), np.full(2, float(s))
-            if before is not None and s in before.poles and self.changed(s, span.low) is False:
+            if n and s in self.spans[n - 1].poles and self.changed(s, span.low) is False:
                 found[-1].extend(*ends)
             elif s in span.poles:
                 found.append(Piece(LABELS[s], *ends, span.poles[s]))
@@ -162,7 +158,7 @@ class _Scene:
         verdicts = {span.poles.get(s) for span in self.spans if t in (span.low, span.high)}
         if t in self.critical.poles[s]:
             here = pole_at(self.scene, self.at(t), s)
-            verdicts.add(here and here.decision.verdict)
+            verdicts.add(here.decision.verdict if here else None)
         return None if None in verdicts else len(verdicts) > 1
 
     def tilts(self) -> list[Piece]:
@@ -230,13 +226,15 @@ class _Scene:
         """Of E3 at a place."""
         if (station.t, place.x) in self.critical.margins:
             return critical_tilt(self.scene, self.at(station.t), place.x)
-        beside_it = self.sides(station, place)
-        return beside_it[0] if beside_it else tilt_at(self.scene, self.at(station.t), place.x).decision.verdict
+        if sides := self.sides(station, place):
+            return sides[0]
+        alone = [branch for branch in relative_equilibria(self.scene, self.at(station.t)) if branch.k3 is not None]
+        return min(alone, key=lambda branch: abs(float(branch.k3 - place.x))).decision.verdict
 
     def sides(self, station: Station, place: Place) -> list[Verdict]:
         """Verdicts of the branches that come to a place."""
         return [span.tilts[n] for span in self.spans for n in (
-            place.right if station.t is span.low else place.left if station.t is span.high else ())]
+            place.right if station.t == span.low else place.left if station.t == span.high else ())]
 
     def marks(self, station: Station) -> Iterator[Mark]:
         """What happens at a station."""

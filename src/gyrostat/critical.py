@@ -87,7 +87,8 @@ def _admissible(scene: System, numbers: Point, free: Symbol, low: Expr, high: Ex
         zeros = real_roots(placed, free) or []
         at_end = evaluate(placed, {free: low})
         if sign_of_constant(at_end) != 1 or any(_within(zero, low, high) for zero in zeros):
-            raise ValuesError(f"{free} goes from {low} to {high}, and {moment} is a moment of inertia: give a range in which it is positive")
+            raise ValuesError(f"{free} goes from {low} to {high}, and {moment} is a moment of inertia: give a range in which it is "
+                              "positive")
 
 
 def _margin(scene: System, numbers: Point, free: Symbol) -> tuple[Expr, Expr]:

@@ -141,15 +141,16 @@ class _Scene:
             return -(_values(b, k3) + np.where(_values(b, k3) < 0, -1, 1) * np.sqrt(square)) / 2
 
         if not b:                                          # of one size
-            return [part for s in (-1, 1) for part in self._branch(component, margins, lambda k3, s=s: s * half(k3) / _values(a, k3),
-                                                                   infinite | steep, double)]
-        slow = self._branch(component, margins, lambda k3: _values(c, k3) / half(k3), infinite, double)
+            slow = self._branch(component, margins, lambda k3: -half(k3) / _values(a, k3), infinite | steep, double)
+        else:
+            slow = self._branch(component, margins, lambda k3: _values(c, k3) / half(k3), infinite, double)
         return slow + self._branch(component, margins, lambda k3: half(k3) / _values(a, k3), infinite | steep, double)
 
     def _zeros(self, *expressions: Expr) -> set[Expr]:
         return {root for e in expressions for root in real_roots(e, K3, S.NegativeOne, S.One) or ()}
 
-    def _branch(self, component: fmpq_mpoly, margins: list[tuple[Expr, Expr]], rate: Callable[[Array], Array], infinite: set[Expr], double: set[Expr]) -> list[_Part]:
+    def _branch(self, component: fmpq_mpoly, margins: list[tuple[Expr, Expr]], rate: Callable[[Array], Array],
+                infinite: set[Expr], double: set[Expr]) -> list[_Part]:
         """One root over −1 < k3 < 1, cut where it ends or its verdict changes."""
         found: list[_Part] = []
         for a, b in pairwise([S.NegativeOne, *in_order(list(infinite | double | {k3 for _, k3 in margins})), S.One]):
@@ -191,7 +192,7 @@ class _Scene:
     def _verdict(self, k3: Fraction, omega: float) -> Verdict:
         """Of the precession at a tilt whose rate is that, in doubles; the rates there are simple."""
         found = relative_equilibria(self.scene, {**self.given, "k3": k3})
-        return min(found, key=lambda branch: abs(float(branch.omega) - omega)).decision.verdict
+        return min(found, key=lambda branch: abs(float(branch.omega or 0) - omega)).decision.verdict
 
     def ends_at(self, part: _Part, omega: Expr, k3: Expr) -> bool:
         """Whether a part has its end at a precession where stability may change."""

@@ -9,6 +9,7 @@ from flint import arb, arb_poly, ctx, fmpq, fmpq_mpoly, fmpq_poly
 from sympy import Expr, Rational, S, Symbol
 
 from .algebra import Ring, by_degree, cancel
+from .elimination import deflated, inflated, linear
 from .errors import ScopeError
 from .exact import ONE_AT_A_TIME, ball, is_algebraic, sign_of_constant
 from .roots import inserted, real_roots
@@ -71,7 +72,7 @@ class PlaneCurve:
         top, bottom = self.ring.fraction(expression)
         top, bottom = cancel(self.ring.reduce(top), bottom)
         if not top:
-            raise ScopeError(f"{expression} vanishes at every {x} and {t}: everything is an equilibrium, and there are no branches to follow")
+            raise ScopeError(f"{expression} vanishes at every {x} and {t}: everything is an equilibrium, there are no branches to follow")
         self.rational = not others
         self.components, self.lines = [], []
         ends = self.ring.gens[x] - 1, self.ring.gens[x] + 1
@@ -106,9 +107,9 @@ class PlaneCurve:
         """(t, x) of every common zero with −1 < x < 1 of a component and a polynomial that it does not divide; each t is canonical."""
         x, t = self.place
         n = math.gcd(*(int(e[t]) for f in (F, G) for e in f.to_dict())) or 1
-        F, G = (_deflated(f, t, n) for f in (F, G))
+        F, G = (deflated(f, t, n) for f in (F, G))
         if self.degree(F, 0) * self.degree(G, 1) + self.degree(G, 0) * self.degree(F, 1) > LARGEST:
-            raise ScopeError(f"the points of a curve of degree {self.degree(self.whole, 0)} in {self.x} and {self.degree(self.whole, 1) * n} "
+            raise ScopeError(f"the points of a curve of degree {self.degree(self.whole, 0)} in {self.x} and {self.degree(self.whole, 1)} "
                              f"in {self.t} are the roots of polynomials of degree over {LARGEST}: give a field of lower degree")
         over_x = self._resultant(F, G, 1)
         if over_x.is_constant() and over_x:
@@ -122,7 +123,7 @@ class PlaneCurve:
         pairs = [(s, x0) for x0 in across for s in self._above(F, G, x0, along)]
         if n == 1:
             return pairs
-        powers = real_roots(self.ring.expression(_inflated(over_t, t, n)), self.t) or []
+        powers = real_roots(self.ring.expression(inflated(over_t, t, n)), self.t) or []
         return [(root, x0) for s, x0 in pairs for root in powers if _nearest(root, along, n) == s]
 
     def _resultant(self, F: fmpq_mpoly, G: fmpq_mpoly, which: int) -> fmpq_mpoly:
@@ -133,7 +134,7 @@ class PlaneCurve:
 
     def _above(self, F: fmpq_mpoly, G: fmpq_mpoly, x0: Expr, along: list[Expr]) -> list[Expr]:
         """The t among those given at which both polynomials vanish at x0."""
-        a, b = _linear(F, G, self.place[1])
+        a, b = linear(F, G, self.place[1])
         lead = by_degree(F, self.place[1], self.degree(F, 1))[-1]
         if a and sign_of_constant(below := inserted(self.ring, a, {self.x: x0})) and (
                 sign_of_constant(inserted(self.ring, lead, {self.x: x0}))):
@@ -217,15 +218,6 @@ class PlaneCurve:
         return inside if count is None or len(inside) == count else None
 
 
-def _deflated(polynomial: fmpq_mpoly, place: int, n: int) -> fmpq_mpoly:
-    """With s for tⁿ."""
-    return polynomial.context().from_dict({(*e[:place], e[place] // n, *e[place + 1:]): c for e, c in polynomial.to_dict().items()})
-
-
-def _inflated(polynomial: fmpq_mpoly, place: int, n: int) -> fmpq_mpoly:
-    return polynomial.context().from_dict({(*e[:place], e[place] * n, *e[place + 1:]): c for e, c in polynomial.to_dict().items()})
-
-
 def _nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
     """The one of some distinct numbers that a power of the value, which is among them, is."""
     precision = 64
@@ -235,26 +227,6 @@ def _nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
         if len(left) == 1:
             return left[0]
         precision *= 2
-
-
-def _linear(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-    """(a, b) of a combination a t + b of two polynomials in t, by pseudo-division; (0, 0) where none is found."""
-    while G.degrees()[place] > 1 and F.degrees()[place] > 1:
-        F, G = (G, _remainder(F, G, place)) if F.degrees()[place] >= G.degrees()[place] else (F, _remainder(G, F, place))
-    for f in (G, F):
-        if f.degrees()[place] == 1:
-            b, a = by_degree(f, place, 1)
-            return a, b
-    return G * 0, G * 0
-
-
-def _remainder(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> fmpq_mpoly:
-    """Pseudo-remainder of F by G in one generator."""
-    n, t = G.degrees()[place], F.context().gens()[place]
-    lead = by_degree(G, place, n)[n]
-    while F and (m := F.degrees()[place]) >= n:
-        F = lead * F - by_degree(F, place, m)[m] * t ** (m - n) * G
-    return F
 
 
 def _interval(low: Fraction, high: Fraction | None = None) -> arb:

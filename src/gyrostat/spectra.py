@@ -132,13 +132,14 @@ def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symb
 
 def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array, cuts: Sequence[Expr]) -> tuple[Array, Array]:
     """The samples with the collisions between them, and the eigenvalues, each column continuous."""
-    nodes, rows = [], []
+    nodes: list[Array] = []
+    rows: list[Array] = []
     for a, b in pairwise(cuts):
         here = np.unique([float(a), *at[(at > float(a)) & (at < float(b))], float(b)])
         roots = _roots(coefficients, free, here, _inner(a, b))
         if rows:                                           # the columns go on as those that have their values at the collision
-            orders = list(permutations(range(roots.shape[1])))
-            roots = roots[:, min(orders, key=lambda order: np.abs(roots[0][list(order)] - rows[-1][-1]).sum())]
+            orders = np.array(list(permutations(range(roots.shape[1]))))
+            roots = roots[:, orders[np.abs(roots[0][orders] - rows[-1][-1]).sum(axis=1).argmin()]]
             here, roots = here[1:], roots[1:]
         nodes.append(here)
         rows.append(roots)

@@ -118,7 +118,8 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any], window: tuple
 
 def _name(branch: Branch) -> str:
     """E1 or E2; below the critical spin it is a focus-focus point of (C1, h): its eigenvalues are a complex quadruple."""
-    return f"{branch.label} (focus)" if branch.decision.verdict is Verdict.UNSTABLE and branch.decision.notion == "spectral" else branch.label
+    decision = branch.decision
+    return f"{branch.label} (focus)" if decision.verdict is Verdict.UNSTABLE and decision.notion == "spectral" else branch.label
 
 
 def _areas(most: int) -> list[Any]:
@@ -134,7 +135,7 @@ def _window(found: EnergyMomentum) -> tuple[float, float, float, float]:
         return -1.0, 1.0, -1.0, 1.0
     tilted = [curve for curve in found.curves if np.ptp(curve.k3)]
     evenly = [np.abs(np.interp(np.linspace(curve.k3[0], curve.k3[-1], CELLS), curve.k3, curve.momentum)) for curve in tilted]
-    marked = [abs(v) for v, *_ in (*found.poles, *found.cusps)]
+    marked = [*(abs(v) for v, _, _ in found.poles), *(abs(v) for v, _ in found.cusps)]
     width = 1.5 * max([float(np.median(np.concatenate(evenly))) if evenly else 0.0, *marked]) or 1.0
     near = np.concatenate([[h for _, h, _ in found.poles], *(curve.energy[np.abs(curve.momentum) < width] for curve in found.curves)])
     low, high = float(near.min()), float(near.max())

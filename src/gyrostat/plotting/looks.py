@@ -63,8 +63,8 @@ def label(name: str) -> str:
 def legend(ax: Any, handles: Sequence[Any], columns: int | None = None) -> None:
     """A row, or columns, where no data are: above flat axes, below a view of space."""
     where = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.03)} if ax.name == "3d" else {"loc": "lower left", "bbox_to_anchor": (0, 1)}
-    ax.legend(handles=handles, ncols=columns or len(handles), fontsize="small", frameon=False, borderaxespad=0.2, columnspacing=1.2, handlelength=1.6,
-              **where)
+    ax.legend(handles=handles, ncols=columns or len(handles), fontsize="small", frameon=False, borderaxespad=0.2, columnspacing=1.2,
+              handlelength=1.6, **where)
 
 
 def named(style: dict[str, Any], name: str) -> Any:

@@ -16,8 +16,8 @@ def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
                      **kwargs: Any) -> Any:
     """Draw the eigenvalues of the linearised field in the complex plane, along a parameter.
 
-    The colour is the parameter, arrows point the way the samples go. Where eigenvalues collide there is a mark, with the name of what happens
-    and the value; "changes" says that spectral stability does.
+    The colour is the parameter, arrows point the way the samples go. Where eigenvalues collide there is a mark, with the name of what
+    happens and the value; "changes" says that spectral stability does.
 
     Parameters
     ----------
