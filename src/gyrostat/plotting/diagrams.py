@@ -72,7 +72,7 @@ def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter
         ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5), textcoords="offset points")
     ax.set_xlabel(label(parameter))
     ax.set_ylabel(label("k3"))
-    legend(ax, handles, 3)
+    legend(ax, handles, 2)
     return ax
 
 

@@ -101,7 +101,9 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any], window: tuple
         ax.plot([v], [h], zorder=4, **marker(branch.decision.verdict))
         names.setdefault((v, h), []).append(_name(branch))
     for (v, h), several in names.items():
-        ax.annotate(", ".join(several), (v, h), xytext=(7, -4), textcoords="offset points", va="top")
+        inside = any("focus" in name for name in several)  # the curves are below
+        ax.annotate(", ".join(several), (v, h), xytext=(7, 3 if inside else -4), textcoords="offset points",
+                    va="bottom" if inside else "top")
     handles = []
     if found.cusps:
         style = {"color": DARK, "marker": "D", "markersize": 4.5, "linestyle": "none"}
