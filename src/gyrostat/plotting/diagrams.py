@@ -50,7 +50,7 @@ def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> ax = draw_bifurcation_diagram(top, {"I1": 2, "I3": 1, "l": 0, "m0": -1}, "omega", (0, 3), Figure().subplots())
     >>> ax.get_xlabel(), [text.get_text() for text in ax.get_legend().get_texts()]
-    ('$\\\\omega$', ['stable (E3: modulo the spin)', 'unstable', 'E3 leaves E2', 'changes: precessions leave E2'])
+    ('$\\\\omega$', ['stable (E3: modulo the spin)', 'unstable', 'E3 leaves E1', 'changes: precessions leave E2'])
     """
     found = continuation(scene, values, parameter, ends)
     ax = axes_of(ax)
