@@ -275,7 +275,8 @@ def test_a_tilt_that_exists_at_every_rate_is_crossed():
     """U = k3⁴ − k3²/2, l = 0: k3 = 0 is E3 at every ω; 4 k3² = 1 − (I1 − I3) ω² branches from it where ω² = 1."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(k3**4 - k3**2 / 2))
     points = bifurcation_points(scene, {"I1": 2, "I3": 1, "l": 0}, "omega")
-    assert [(p.value, p.k3) for p in points if p.kind == "fold at fixed rate"] == [(-1, 0), (1, 0)]
+    assert [(p.value, p.k3) for p in points if p.kind == "pitchfork at fixed rate"] == [(-1, 0), (1, 0)]
+    assert not [p for p in points if p.kind == "fold at fixed rate"]
 
 
 def test_every_kind_says_what_happens(scene):

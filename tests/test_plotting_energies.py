@@ -116,5 +116,8 @@ def test_what_cannot_be_drawn_is_refused():
         draw_energy_momentum(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()), {})
     with pytest.raises(ValuesError, match="the picture needs p_psi"):
         draw_energy_momentum(TOP, {"I1": 1, "I3": 1, "l": 0, "m0": 1})
+    with pytest.raises(ScopeError, match="U is constant and p_psi = 0"):
+        flat = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: 0 * k3))
+        draw_energy_momentum(flat, {"I1": 1, "I3": 1, "l": 0, "p_psi": 0})
     with pytest.raises(ScopeError, match="body of revolution"):
         draw_energy_momentum(gs.assemble(gs.Gyrostat()), {})

@@ -11,7 +11,8 @@ from sympy import Expr, Rational, S
 
 from .algebra import by_degree
 from .branches import Branch, relative_equilibria
-from .exact import Point, evaluate
+from .errors import ScopeError
+from .exact import Point, evaluate, sign_of_constant
 from .grids import Array
 from .notation import symbol
 from .numeric import in_floats
@@ -81,11 +82,17 @@ def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
     ----------
     scene : System         a body of revolution in a U rational in k3
     numbers : Point        for all its parameters, and p_psi
+
+    Raises
+    ------
+    ScopeError             U is not rational in k3, of too high a degree, or constant with p_psi = 0
     """
     assert scene.potential is not None
     motion = reduce(scene)
     level, height, margin = (e.xreplace(numbers) for e in on_precessions(motion))
     curve = PlaneCurve(motion.precession().xreplace(_jets(motion)).xreplace(numbers), K3, OMEGA, (margin,))
+    if curve.lines and sign_of_constant(numbers[P]) == 0:
+        raise ScopeError("U is constant and p_psi = 0: every tilt at rest has the same C1 and h, and there are no curves; give p_psi a value")
     here = _Scene(scene, numbers, curve, curve.polynomial(margin))
     parts = [part for n, component in enumerate((*curve.components, *curve.lines)) for part in here.parts(component, here.margins[n])]
     curves, cusps = [], []
