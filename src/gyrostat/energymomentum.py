@@ -92,7 +92,7 @@ def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
     level, height, margin = (e.xreplace(numbers) for e in on_precessions(motion))
     curve = PlaneCurve(motion.precession().xreplace(_jets(motion)).xreplace(numbers), K3, OMEGA, (margin,))
     if curve.lines and sign_of_constant(numbers[P]) == 0:
-        raise ScopeError("U is constant and p_psi = 0: every tilt at rest has the same C1 and h, and there are no curves; give p_psi a value")
+        raise ScopeError("U is constant and p_psi = 0: every tilt at rest has the same C1 and h; give p_psi a value")
     here = _Scene(scene, numbers, curve, curve.polynomial(margin))
     parts = [part for n, component in enumerate((*curve.components, *curve.lines)) for part in here.parts(component, here.margins[n])]
     curves, cusps = [], []
