@@ -20,7 +20,7 @@ from .stability import Verdict
 from .stations import Place, Station, beside, between, stations
 from .system import System
 
-NODES = 96                                                 # between two stations, closer together at the ends
+NODES, HALVINGS, LONGEST = 96, 12, 0.05                    # between two stations; of steps in k3 that are longer
 LABELS = {1: "E1", -1: "E2"}
 INFINITE = "U is infinite"
 
@@ -192,9 +192,12 @@ class _Scene:
         small = (last - first) / 2**40
         nodes = [Fraction(x) for x in ((a + b) / 2 - (b - a) / 2 * np.cos(np.pi * np.arange(1, NODES) / NODES)).tolist()]
         nodes = [x for x in nodes if first + small < x < last - small]
-        inside = [[float(root.mid()) for root in self.critical.curve.roots(x, count)] for x in nodes]
-        k3 = np.array([self.limits(span, span.low), *inside, self.limits(span, span.high)])
-        x = np.array([a, *map(float, nodes), b])
+        at = {x: [float(root.mid()) for root in self.critical.curve.roots(x, count)] for x in nodes}
+        for _ in range(HALVINGS):                          # where a branch is steep
+            steep = [(x, y) for x, y in pairwise(sorted(at)) if np.max(np.abs(np.subtract(at[x], at[y]))) > LONGEST]
+            at |= {x: [float(root.mid()) for root in self.critical.curve.roots(x, count)] for x in ((x + y) / 2 for x, y in steep)}
+        k3 = np.array([self.limits(span, span.low), *(at[x] for x in sorted(at)), self.limits(span, span.high)])
+        x = np.array([a, *map(float, sorted(at)), b])
         return [(x, k3[:, n]) for n in range(count)]
 
     def limits(self, span: Span, t: Expr) -> list[float]:
