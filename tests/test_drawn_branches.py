@@ -29,6 +29,7 @@ def drawn_at_random(seed):
         "I1": Fraction(rng.randint(1, 24), 8), "I3": Fraction(rng.randint(1, 24), 8), "l": rng.choice([Fraction(0), fraction(rng)]),
         "omega": fraction(rng, 2)}
     pole = rng.choice([None, None, (fraction(rng) / 2, rng.choice([Fraction(-3), Fraction(2), Fraction(1, 3), Fraction(-1, 2)]))])
+    pole = pole if pole and pole[0] else None
     name = rng.choice([axis for axis in AXES if axis in values])
     low, high = (Fraction(1, 4), Fraction(4)) if name in ("I1", "I3") else (-fraction(rng) ** 2 - 2, fraction(rng) ** 2 + 1)
     return {n: x for n, x in values.items() if n != name}, pole, name, (low, high)
