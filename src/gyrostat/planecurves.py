@@ -9,9 +9,11 @@ from flint import arb, arb_poly, ctx, fmpq, fmpq_mpoly, fmpq_poly
 from sympy import Expr, Rational, S, Symbol
 
 from .algebra import Ring, by_degree, cancel
+from .algebraic import is_algebraic
 from .elimination import deflated, inflated, linear
 from .errors import ScopeError
-from .exact import ONE_AT_A_TIME, ball, is_algebraic, sign_of_constant
+from .exact import ball, sign_of_constant
+from .precision import own_precision
 from .roots import inserted, real_roots
 
 LARGEST = 150                                          # degree of the polynomials whose roots are the points of a curve
@@ -160,7 +162,7 @@ class PlaneCurve:
         order = next(n for n in range(first, self.degree(self.whole, 0) + 1) if self.sign(self._slope(n), t0, x0))
         precision, size = 128, min(gap, Fraction(1, 8)) / 2
         while True:
-            with ONE_AT_A_TIME, ctx.workprec(precision):
+            with own_precision(precision):
                 step = min(reach / 2, size ** (order + 1))
                 middle, at = (_dyadic(ball(value, precision), small) for value, small in ((x0, size / 16), (t0, step / 16)))
                 if middle is not None and at is not None:
@@ -193,7 +195,7 @@ class PlaneCurve:
             count = len(real_roots(placed, self.x, S.NegativeOne, S.One) or ())
         precision = 96
         while True:
-            with ONE_AT_A_TIME, ctx.workprec(precision):
+            with own_precision(precision):
                 found = self._simple(t, count)
             if found is not None:
                 return found
