@@ -34,6 +34,9 @@ def beside(e, l, momentum):
 
 FOUND = {"exponential": ([("exp", F(-1), F(1))], F(1), F(1), *beside("1e-8", F(0), 1)),
          "rational": ([("power", F(1), F(2), -1)], F(1), F(1), *beside("1e-14", F(0), "5/2")),
+         "almost at rest in a growing field": (
+             [("exp", F(3, 2), F(-3, 8))], F(29, 8), F(1, 8), F(-1, 4),
+             (F(-13, 80000), F(-1, 20000), F(-9, 4), F(-100000, 1300000013), F(240000, 1300000013), F(99999999, 100000001))),
          "falling": ([("power", F(-1, 4), F(2), -1)], F(5, 2), F(13, 10), *beside("1e-6", F(3, 4), "7/4"))}
 
 

@@ -145,9 +145,10 @@ def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
         if steep < 0 and value(end) < 0:
             for _ in range(2 * ctx.prec.bit_length()):
                 x = x.intersection(x.mid() - value(arb(x.mid())) / slope(x))
-            if x.overlaps(side * g.radius):
-                raise AccuracyError(f"a turning point is not told apart from the pole k3 = {side * g.radius}")
-            return x
+            if x.is_finite() and x.overlaps(side * g.radius):
+                raise AccuracyError(f"a turning point is not told apart from the pole k3 = {float(side * g.radius):g}")
+            if x.is_finite():                              # the slope keeps its sign in the smaller balls, too
+                return x
         if high - low < fmpq(1, 2 ** (ctx.prec // 2)):
             raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
         cells += [((low + high) / 2, high), (low, (low + high) / 2)]
