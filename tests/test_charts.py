@@ -174,7 +174,7 @@ def test_arguments_of_another_kind(e1):
     for changed in ({"x": ["pi3_0", [0, 1]]}, {"x": ("pi3_0",)}, {"x": (gs.symbol("l"), [0, 1])}, {"backend": "fortran"}):
         with pytest.raises(ArgumentError):
             stability_chart(e1, **{**GOOD, **changed})
-    with pytest.raises(ArgumentError, match="the report is a Equilibrium"):
+    with pytest.raises(ArgumentError, match="the report is an Equilibrium"):
         stability_chart(e1.equilibrium, **GOOD)
 
 

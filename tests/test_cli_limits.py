@@ -116,7 +116,7 @@ def test_a_full_disk_keeps_whole_lines(capsys, monkeypatch, tmp_path):
 def test_a_long_line_is_refused_and_forgotten(capsys, monkeypatch):
     """Of a line without an end only the beginning is held."""
     status, found, err = batch(monkeypatch, capsys, [b"[" * 3_000_000, GOOD])
-    assert status == 2 and "longer than 1000000 bytes" in found[0]["error"] and "equilibria" in found[1]
+    assert status == 2 and "not JSON of less than 100000 bytes" in found[0]["error"] and "equilibria" in found[1]
 
 
 @pytest.mark.parametrize(("raised", "status", "said"), [

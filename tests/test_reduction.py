@@ -197,7 +197,7 @@ def test_only_a_body_of_revolution_in_an_axial_field_is_reduced(asymmetric, free
             reduce(refused)
     with pytest.raises(ScopeError, match="revolution"):
         expansion(gs.upright(asymmetric), 3)
-    with pytest.raises(ArgumentError, match="is a .*, not a"):
+    with pytest.raises(ArgumentError, match="is an? .*, not a"):
         reduce(gs.upright(scene))
 
 

@@ -10,8 +10,8 @@ from sympy import CRootOf, Expr, Float, Rational, S
 from .errors import ExpressionError, ValuesError, brief
 from .grammar import parse
 from .notation import own, symbol
-from .parts import BITS
 
+LONGEST = 2**17                                        # bits of a number that is no text
 _UNDEFINED = (S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity)
 _NO_NUMBERS = frozenset({"nan", "inf", "infinity", "oo", "zoo"})
 
@@ -102,12 +102,12 @@ def _text(text: str, name: str) -> Expr:
 def _dyadic(value: Any, name: str) -> Rational:
     """The number that a float of any precision is."""
     _, mantissa, exponent, bits = value._mpf_
-    if abs(exponent) + bits > BITS:
-        raise ValuesError(f"{name} = {value} is too long: numbers have up to {BITS} bits")
+    if abs(exponent) + bits > LONGEST:
+        raise ValuesError(f"{name} = {value} is too long: numbers have up to {LONGEST} bits")
     return Rational(*map(int, mpmath.libmp.to_rational(value._mpf_)))
 
 
 def _bounded(value: Expr, name: str) -> Expr:
-    if isinstance(value, Rational) and max(int(value.p).bit_length(), int(value.q).bit_length()) > BITS:
-        raise ValuesError(f"{name} = {shown(value)} is too long: numbers have up to {BITS} bits")
+    if isinstance(value, Rational) and max(int(value.p).bit_length(), int(value.q).bit_length()) > LONGEST:
+        raise ValuesError(f"{name} = {shown(value)} is too long: numbers have up to {LONGEST} bits")
     return value
