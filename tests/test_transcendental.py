@@ -20,6 +20,11 @@ HIDDEN = "16*atan(1/5) - 4*atan(1/239)"                # π, by Machin: equal, a
 TINY = Rational(1, 10**30)
 
 
+def of_120(n):
+    """cos(nπ/120), which SymPy writes with nested square roots."""
+    return cos(n * pi / 120)
+
+
 @pytest.fixture(scope="module")
 def campaign():
     """The identities of the benchmark, true by construction."""
@@ -70,7 +75,8 @@ def test_polynomials_in_pi_vanish_only_identically(a, b, c, d):
     sqrt(1 - sin(4) ** 2) + cos(4), tanh(1) - (exp(2) - 1) / (exp(2) + 1), sqrt(pi**2 + 2 * pi + 1) - pi - 1,
     sqrt(1 + sqrt(pi**2 + 2 * pi + 1)) - sqrt(2 + pi), cos(pi / 32) ** 2 - (1 + cos(pi / 16)) / 2,
     cos(pi / 7) * cos(2 * pi / 7) * cos(3 * pi / 7) - Rational(1, 8), cos(pi / 119) ** 2 + sin(pi / 119) ** 2 - 1,
-    (pi + exp(1)) ** 2 - pi**2 - 2 * exp(1) * pi - exp(1) ** 2, pi * (sqrt(2 + sqrt(3)) - (sqrt(6) + sqrt(2)) / 2)])
+    (pi + exp(1)) ** 2 - pi**2 - 2 * exp(1) * pi - exp(1) ** 2, pi * (sqrt(2 + sqrt(3)) - (sqrt(6) + sqrt(2)) / 2),
+    (1 / (of_120(7) + of_120(11) + pi) + of_120(13)) ** 3 - (1 / (2 * of_120(9) * of_120(2) + pi) + of_120(13)) ** 3])
 def test_zeros_by_name(zero):
     """Those of the documentation, mixed kinds that vanish identically, roots of transcendental numbers."""
     assert zero != 0 and sign_of_constant(zero) == 0

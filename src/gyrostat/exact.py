@@ -13,7 +13,7 @@ from .algebraic import real_root, separation
 from .precision import own_precision
 from .transcendental import vanishes
 
-LIMIT, ALGEBRAIC_LIMIT = 4096, 2**20                   # bits; a sign that is not proved by then is not known
+LIMIT, ALGEBRAIC_LIMIT, FAR = 4096, 2**20, 2**14       # bits: a sign that is not proved by then is not known; the normal form is sooner
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 _FUNCTIONS = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
@@ -104,7 +104,7 @@ def sign_of_constant(constant: Expr) -> int | None:
             most = min(4 * least + 256, ALGEBRAIC_LIMIT)
         if least is not None and abs(enclosure) < arb(2) ** -least:
             return 0
-        if precision == 256 and least is None and enclosure.is_finite() and vanishes(constant, sign_of_constant):
+        if precision == 256 and (least is None or least > FAR) and enclosure.is_finite() and vanishes(constant, sign_of_constant):
             return 0
         precision *= 2
     return None

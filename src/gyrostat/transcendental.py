@@ -12,14 +12,13 @@ from math import gcd, lcm
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, cos, cosh, exp, expand_log, log, multiplicity, sin, sinh, tanh
+from sympy import Add, CRootOf, Expr, Integer, Mul, Pow, Rational, S, cos, cosh, exp, expand_log, log, multiplicity, sin, sinh, tanh
 
 from .algebra import by_degree
 from .algebraic import TURNS, coprime, is_algebraic, separation, turn
+from .quotients import Fraction, Quotients
 
-WORK, DEGREE, MULTIPLE = 200_000, 5000, 256              # products of terms; of a polynomial; n of cos(n x)
-SEPARATION, SMALL = 2**22, 2500                          # bits, of all coefficients together; products of terms in a common factor
-Fraction = tuple[fmpq_mpoly, fmpq_mpoly]
+MULTIPLE, SEPARATION = 256, 2**22                        # n of cos(n x); bits, of all coefficients together
 Root = tuple[int, Fraction, fmpq_mpoly, Expr]            # q, N/D, g, its meaning: g^q = N/D
 
 
@@ -46,7 +45,8 @@ def vanishes(constant: Expr, sign: Callable[[Expr], int | None]) -> bool:
     """
     try:
         form = _Form(constant := expand_log(constant), sign)
-        return form.is_zero(form.numerator(constant), form.roots)
+        top = form.numerator(constant)
+        return form.is_zero(top, form.roots) if top and not is_algebraic(constant) else not top
     except OverflowError:                                  # more work than it is worth
         return False
 
@@ -64,17 +64,32 @@ class _Form:
         self._units = {key: Rational(gcd(*(int(r.p) for r in angles)), lcm(*(int(r.q) for r in angles)))
                        for key, angles in self._angles.items()}
         self._base = coprime(self._integers)
-        meaning: dict[Any, Expr] = {node: node for node in self._plain} | {(log, n): log(n) for n in self._base}
+        meaning: dict[Any, Expr] = {node: node for node in reversed(self._plain)} | {(log, n): log(n) for n in self._base}
         for (kind, rest), unit in self._units.items():
             meaning |= {(f, rest): f(unit * rest) for f in ((cos, sin) if kind is cos else (exp,))}
         context = fmpq_mpoly_ctx.get(tuple(f"x{n}" for n in range(len(meaning))), Ordering.lex)
         self._one, self._zero = context.constant(1), context.constant(0)
         self._gens, self._meaning = dict(zip(meaning, context.gens())), list(meaning.values())
         self._algebraic = [isinstance(key, Expr) and is_algebraic(key) for key in meaning]
+        self._ring = Quotients()
+        for place, node in zip(reversed(range(len(self._plain))), self._plain):
+            if is_algebraic(node):
+                self._relate(place, node)
         outer = [(int(v.exp.q), self.fraction(v.base), self._gens[v], v) for v in reversed(self._plain)
                  if isinstance(v, Pow) and isinstance(v.exp, Rational) and not is_algebraic(v)]
         turned = [(self._gens[cos, rest], self._gens[sin, rest], meaning[sin, rest]) for kind, rest in self._units if kind is cos]
         self.roots: list[Root] = outer + [(2, (self._one - c**2, self._one), s, value) for c, s, value in turned]
+
+    def _relate(self, place: int, node: Expr) -> None:
+        """Reduce by what a root satisfies over those inside it, if that has no denominator."""
+        g = self._gens[node]
+        if isinstance(node, CRootOf):
+            coefficients = enumerate(reversed(node.poly.monic().all_coeffs()))
+            self._ring.relate(place, node.poly.degree(), sum((self.fraction(c)[0] * g**n for n, c in coefficients), self._zero))
+        elif isinstance(node, Pow):
+            top, bottom = self.fraction(node.base)
+            if bottom.is_constant():
+                self._ring.relate(place, int(node.exp.q), g ** int(node.exp.q) - top / bottom)
 
     def _collect(self, node: Expr, seen: set[Expr]) -> None:
         """Enter what the variables are of, each root after those inside it."""
@@ -88,8 +103,7 @@ class _Form:
             for part in node.args:
                 self._collect(part, seen)
         elif isinstance(node, Pow) and isinstance(node.exp, Rational):
-            if not is_algebraic(node.base):
-                self._collect(node.base, seen)
+            self._collect(node.base, seen)
             self._plain[Pow(node.base, Rational(1, node.exp.q))] = None
         elif isinstance(node, TURNS) and turn(node) is None:
             for coefficient, rest in _terms(node):
@@ -110,12 +124,12 @@ class _Form:
         if isinstance(node, Rational):
             return self._one * fmpq(int(node.p), int(node.q)), self._one
         if isinstance(node, Add):
-            return reduce(_sum, map(self.fraction, node.args))
+            return reduce(self._ring.sum, map(self.fraction, node.args))
         if isinstance(node, Mul):
-            return reduce(_product, map(self.fraction, node.args))
+            return reduce(self._ring.product, map(self.fraction, node.args))
         if node is S.Exp1 or isinstance(node, exp):
             powers = ((self._gens[exp, rest], int(r / self._units[exp, rest])) for r, rest in _terms(node))
-            return reduce(_product, (self._power((g, self._one), n) for g, n in powers))
+            return reduce(self._ring.product, (self._power((g, self._one), n) for g, n in powers))
         if isinstance(node, Pow):
             base = node.base if node.exp.q == 1 else Pow(node.base, Rational(1, node.exp.q))
             return self._power(self.fraction(base), int(node.exp.p))
@@ -126,13 +140,13 @@ class _Form:
             return self.fraction(node.rewrite(exp))
         c, s = self._turned(node)
         above, below = self._power(c, -1), self._power(s, -1)
-        return (s, c, _product(s, above), _product(c, below), above, below)[TURNS.index(type(node))]
+        return (s, c, self._ring.product(s, above), self._ring.product(c, below), above, below)[TURNS.index(type(node))]
 
     def _power(self, part: Fraction, n: int) -> Fraction:
         top, bottom = part if n >= 0 else part[::-1]
         if n < 0:
             self._below.append(bottom)
-        return _raised(top, abs(n)), _raised(bottom, abs(n))
+        return self._ring.power((top, bottom), abs(n))
 
     def numerator(self, constant: Expr) -> fmpq_mpoly:
         """What has to vanish, without the denominators that divide it."""
@@ -151,7 +165,8 @@ class _Form:
             else:
                 x, y = self._multiple(rest, int(coefficient / self._units[cos, rest]))
             minus = (-y[0], y[1])
-            c, s = _sum(_product(c, x), _product(s, minus)), _sum(_product(c, y), _product(s, x))
+            parts = [self._ring.product(a, b) for a, b in ((c, x), (s, minus), (c, y), (s, x))]
+            c, s = self._ring.sum(*parts[:2]), self._ring.sum(*parts[2:])
         return c, s
 
     def _multiple(self, rest: Expr, n: int) -> tuple[Fraction, Fraction]:
@@ -172,14 +187,15 @@ class _Form:
         place = list(self._gens.values()).index(g)
         parts = by_degree(polynomial, place, degree := polynomial.degrees()[place])
         most = degree // q
-        by_power = [_times(_times(c, _raised(top, n // q)), _raised(bottom, most - n // q)) for n, c in enumerate(parts)]
+        times, raised = self._ring.times, self._ring.raised
+        by_power = [times(times(c, raised(top, n // q)), raised(bottom, most - n // q)) for n, c in enumerate(parts)]
         residues = [sum(by_power[n::q], self._zero) for n in range(q)]
         if all(self.is_zero(part, rest) for part in residues):
             return True
         if q != 2:
             return False
         a, b = residues                                     # a + b g, with g² = N/D
-        if not self.is_zero(_times(_times(a, a), bottom) - _times(_times(b, b), top), rest):
+        if not self.is_zero(times(times(a, a), bottom) - times(times(b, b), top), rest):
             return False
         first, second, root = (self._sign(x) for x in (self._expression(a.to_dict()), self._expression(b.to_dict()), meaning))
         return first is not None and second is not None and root is not None and first == -second * root
@@ -207,37 +223,3 @@ def _terms(function: Expr) -> list[tuple[Rational, Expr]]:
     argument = S.One if function is S.Exp1 else function.args[0].expand()
     pairs = (term.as_coeff_Mul() for term in Add.make_args(argument))
     return [(r, rest) if isinstance(r, Rational) else (S.One, r * rest) for r, rest in pairs]
-
-
-def _sum(a: Fraction, b: Fraction) -> Fraction:
-    common = _common(a[1], b[1])
-    above, below = a[1] / common, b[1] / common
-    return _times(a[0], below) + _times(b[0], above), _times(a[1], below)
-
-
-def _product(a: Fraction, b: Fraction) -> Fraction:
-    first, second = _common(a[0], b[1]), _common(b[0], a[1])
-    return _times(a[0] / first, b[0] / second), _times(a[1] / second, b[1] / first)
-
-
-def _common(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
-    """A common factor, the greatest where it is soon found."""
-    if a == b:
-        return a
-    simple = a.is_constant() or b.is_constant() or len(a) * len(b) > SMALL
-    return a.context().constant(1) if simple else a.gcd(b)
-
-
-def _raised(a: fmpq_mpoly, n: int) -> fmpq_mpoly:
-    result = a.context().constant(1)
-    while n:
-        result = _times(result, a) if n % 2 else result
-        n //= 2
-        a = _times(a, a) if n else a
-    return result
-
-
-def _times(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
-    if len(a) * len(b) > WORK or a and b and max(a.total_degree() + b.total_degree(), 0) > DEGREE:
-        raise OverflowError
-    return a * b
