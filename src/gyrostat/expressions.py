@@ -10,6 +10,7 @@ from sympy import CRootOf, Expr, Float, Rational, S
 from .errors import ExpressionError, ValuesError, brief
 from .grammar import parse
 from .notation import own, symbol
+from .parts import enclosure
 
 LONGEST = 2**17                                        # bits of a number that is no text
 _UNDEFINED = (S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity)
@@ -73,7 +74,8 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     if isinstance(value, Expr):
         if value.free_symbols:
             raise ValuesError(f"{name} = {value} contains the names {', '.join(sorted(map(str, value.free_symbols)))}: give a number")
-        if value.has(Float) or not (value.is_finite and value.is_real):
+        known = enclosure(value)                           # SymPy takes many seconds to tell a sum of nested roots from 0
+        if value.has(Float) or not (known is not None and known.is_finite() or value.is_finite and value.is_real):
             raise ValuesError(f"{name} = {value} is not an exact finite real number: give an integer, fraction or closed form")
         return _bounded(value, name)
     if isinstance(value, bool) or not (isinstance(value, numbers.Real) or hasattr(value, "as_integer_ratio")):

@@ -219,8 +219,10 @@ class Report(Typeset):
     def _beyond(self, numbers: Point) -> tuple[bool | None, str]:
         """Whether it is stable between the two criteria, by elementary theorems; and why."""
         eq = self.equilibrium
-        determinant = self.linearization.coefficients[-1]
-        if eq.system.potential is None or sign(eq.insert(determinant), numbers) != 0:
+        determinant = eq.insert(self.linearization.coefficients[-1])
+        if missing := [name for name in names_in([determinant]) if symbol(name) not in numbers]:
+            return None, f"the point lies between the two criteria; give {', '.join(missing)} to decide"
+        if eq.system.potential is None or sign(determinant, numbers) != 0:
             return None, "the point lies between the two criteria"
         if free := torque_free(eq, numbers):
             return free.decide(lambda momentum: Report(momentum)._decided(Point({}), {})[::2])
