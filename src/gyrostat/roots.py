@@ -11,16 +11,19 @@ from .errors import ScopeError
 from .exact import ball, sign_of_constant
 from .precision import own_precision
 
+FEW = 3                                                # numbers of which a norm is soon taken
+
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
     """The distinct real roots of the numerator of a rational function of x, in increasing order, strictly between low and high.
 
     Complete: the polynomial is factored over ℚ and the real roots of each factor are counted. Algebraic coefficients are eliminated
-    by resultants with their minimal polynomials, and of the roots of that norm those of the polynomial are kept.
+    by resultants with their minimal polynomials, and of the roots of that norm those of the polynomial are kept. With transcendental
+    coefficients, or algebraic ones that depend on each other, factors of degree 1 and 2 are solved by formula.
 
     Parameters
     ----------
-    expression : Expr          rational in x, with rational or algebraic coefficients
+    expression : Expr          rational in x, with coefficients that are exact numbers
     x : Symbol
     low, high : Expr or None   exact numbers; None: unbounded
 
@@ -30,7 +33,8 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr 
 
     Raises
     ------
-    ScopeError                 the expression is not rational in x, or has a coefficient that is not algebraic and real
+    ScopeError                 the expression is not rational in x, or has a coefficient that is not real, or is not algebraic in a
+                               factor of higher degree
 
     Examples
     --------
@@ -40,28 +44,66 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr 
     ([-sqrt(2), 1/3, sqrt(2)], [CRootOf(x**3 - x - 1, 0)], [CRootOf(x**4 - 2, 1)])
     """
     ring = Ring([expression, x])
-    if any(g != x and (g.free_symbols or not is_algebraic(g) or g.is_real is False) for g in ring.generators):
-        raise ScopeError(f"{expression} is not a polynomial in {x} with algebraic coefficients: its roots are not found; give numbers for "
-                         "its parameters, and a field that is polynomial in k3")
+    constants = [g for g in ring.generators if g != x]
+    if any(g.free_symbols or g.is_real is False for g in constants):
+        raise _beyond(expression, x)
     top, bottom = ring.fraction(expression)
     top, place = ring.reduce(top), ring.generators.index(x)
     parts = by_degree(top, place, top.degrees()[place])
     top = sum((c * ring.gens[x] ** n for n, c in enumerate(parts) if c and (c.is_constant() or proved_sign(ring.expression(c)))), ring.zero)
     if not top:
         return None
-    norm = top
+    ways = (_by_norm, _by_formulas) if len(constants) <= FEW else (_by_formulas, _by_norm)
+    found = next((roots for way in ways if (roots := way(ring, top, x)) is not None), None)
+    if found is None and all(map(is_algebraic, constants)):
+        raise ScopeError(f"the algebraic numbers of {expression} depend on each other: write them in one root")
+    if found is None:
+        raise _beyond(expression, x)
+    found = [r for r in found if bottom.is_one() or proved_sign(inserted(ring, bottom, {x: r})) != 0]
+    return [r for r in found if (low is None or proved_sign(r - low) == 1) and (high is None or proved_sign(high - r) == 1)]
+
+
+def _beyond(expression: Expr, x: Symbol) -> ScopeError:
+    return ScopeError(f"{expression} is not a polynomial in {x} with algebraic coefficients: its roots are not found; give numbers for "
+                      "its parameters, and a field that is polynomial in k3")
+
+
+def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
+    """The real roots in order, from the product of the conjugates; None where that is 0, or a coefficient is not algebraic."""
+    if not all(g == x or is_algebraic(g) for g in ring.generators):
+        return None
+    norm, place = polynomial, ring.generators.index(x)
     for n, g in enumerate(ring.generators):                # each root before those inside it
         if g != x and norm.degrees()[n]:
             norm = norm.resultant(_relation(ring, g, x), str(norm.context().names()[n]))
     if not norm:
-        raise ScopeError(f"the algebraic numbers of {expression} depend on each other: write them in one root")
+        return None
     nothing = (0,) * len(ring.generators)
     coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
     found = in_order([r for factor, _ in fmpq_poly(coefficients).factor()[1] for r in _roots_of_factor(factor)])
-    if norm is not top:
-        found = _kept(ring, top, x, found)
-    found = [r for r in found if bottom.is_one() or proved_sign(inserted(ring, bottom, {x: r})) != 0]
-    return [r for r in found if (low is None or proved_sign(r - low) == 1) and (high is None or proved_sign(high - r) == 1)]
+    return found if norm is polynomial else _kept(ring, polynomial, x, found)
+
+
+def _by_formulas(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
+    """The real roots in order, None where a factor is of a degree above 2."""
+    found: list[Expr] = []
+    place = ring.generators.index(x)
+    for factor, _ in polynomial.factor()[1]:
+        if (degree := factor.degrees()[place]) > 2:
+            return None
+        found += _solved([ring.expression(c) for c in by_degree(factor, place, degree)]) if degree else []
+    ordered = in_order(found)
+    return [r for n, r in enumerate(ordered) if not n or proved_sign(r - ordered[n - 1])]
+
+
+def _solved(c: Sequence[Expr]) -> list[Expr]:
+    """The real roots of a polynomial of degree 1 or 2, c[0] its constant term."""
+    if len(c) == 2:
+        return [-c[0] / c[1]]
+    sign = proved_sign(discriminant := c[1] ** 2 - 4 * c[0] * c[2])
+    if sign == 0:
+        return [-c[1] / (2 * c[2])]
+    return [(-c[1] + s * sqrt(discriminant)) / (2 * c[2]) for s in (-1, 1)] if sign > 0 else []
 
 
 def _relation(ring: Ring, g: Expr, x: Symbol) -> fmpq_mpoly:
@@ -130,10 +172,7 @@ def proved_sign(constant: Expr) -> int:
 def _roots_of_factor(factor: fmpq_poly) -> list[Expr]:
     """The real roots of an irreducible polynomial."""
     c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
-    if len(c) == 2:
-        return [-c[0] / c[1]]
-    if len(c) == 3:
-        discriminant = c[1] ** 2 - 4 * c[0] * c[2]
-        return [(-c[1] + s * sqrt(discriminant)) / (2 * c[2]) for s in (-1, 1)] if discriminant > 0 else []
+    if len(c) <= 3:
+        return _solved(c)
     real = sum(root.imag == 0 for root, _ in factor.numer().complex_roots())
     return [CRootOf(Poly(c[::-1], Symbol("x")), n) for n in range(real)]
