@@ -158,7 +158,7 @@ def _side(number: Expr, precision: int, side: int) -> Rational:
 def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:
     """The polynomial with numbers for generators; never inside a number, where a CRootOf has a variable of its own."""
     meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
-    return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, e) for g, e in zip(meaning, exponents) if e))
+    return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
                  for exponents, c in polynomial.to_dict().items()))
 
 

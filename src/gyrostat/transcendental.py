@@ -214,7 +214,7 @@ class _Form:
         return all(self._sign(c) == 0 for c in coefficients)
 
     def _expression(self, terms: dict[tuple[int, ...], fmpq]) -> Expr:
-        return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(v, e) for v, e in zip(self._meaning, exponents) if e))
+        return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(v, int(e)) for v, e in zip(self._meaning, exponents) if e))
                      for exponents, c in terms.items()))
 
 
