@@ -186,8 +186,8 @@ def holds(given: Criterion, values: dict[Symbol, Expr]) -> bool:
 
 
 def _holds(condition: Condition, values: dict[Symbol, Expr]) -> bool:
-    value = condition.margin.subs(values)
-    if any(e.subs(values) == 0 for e in condition.degenerate):
+    value = condition.margin.xreplace(values)
+    if any(e.xreplace(values) == 0 for e in condition.degenerate):
         value = S.Zero
     if not value.is_finite or not value.is_real:           # where it divides by zero or is not real it says nothing
         return False

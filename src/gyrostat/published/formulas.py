@@ -1,6 +1,6 @@
 """Checks of printed formulas: identities, equilibria, solutions of the equations of motion, numbers."""
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import islice
+from itertools import chain, islice
 from typing import Any
 
 from sympy import Expr, ImmutableMatrix, Integer, Matrix, MatrixBase, Pow, Symbol
@@ -28,11 +28,12 @@ def identity(r: Reading) -> Outcome | Doubt:
 
 def _where_they_differ(r: Reading, p: Expr, d: Expr, functions: Sequence[Expr] = ()) -> Iterator[Mapping[Symbol, Expr]]:
     """Points at which both sides are defined and different; first, if a printed function is never real, those at which it is not."""
+    drawn = r.points([p, d])
+    tried = list(islice(drawn, 12)) if any(f.atoms(Pow) for f in functions or (p,)) else []
     for f in (f for f in functions or (p,) if f.atoms(Pow)):
-        tried = list(islice(r.points([p, d]), 12))
         if all(f.subs(values).evalf(20).is_real is False for values in tried):
             yield from (values for values in tried if functions or d.subs(values).evalf(20).is_real is True)
-    yield from (values for values in r.points([p, d]) if _differ(p, d, values))
+    yield from (values for values in chain(tried, drawn) if _differ(p, d, values))
 
 
 def _entries(printed: Any, derived: Any) -> tuple[list[tuple[Expr, Expr]], list[Any]]:

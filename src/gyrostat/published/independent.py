@@ -3,6 +3,7 @@
 Nothing here uses the bracket, the linearisation or the criteria of the library, nor any published formula.
 """
 from collections.abc import Mapping
+from functools import cached_property
 
 import mpmath
 from sympy import Expr, Float, Integer, Matrix, Poly, PolynomialError, Symbol, hessian, linsolve, sqrt
@@ -60,18 +61,19 @@ class Model:
         axis = int(str(self.label)[-1])
         return [self.inertia[axis - 1] * self.values[symbol(f"omega{i}_0")] if i == axis else Integer(0) for i in (1, 2, 3)]
 
-    @property
+    @cached_property
     def omega(self) -> Matrix:
         """Angular velocity."""
         return Matrix([p / moment for p, moment in zip(PI, self.inertia)])
 
-    @property
+    @cached_property
     def field(self) -> Matrix:
         """π̇ = (π + l) × ω + k × ∇U, k̇ = k × ω."""
         torque = K.cross(Matrix([self.U.diff(x) for x in K])) if self.U else Matrix([0, 0, 0])
         turning = (PI + self.rotor).cross(self.omega) + torque
         return Matrix([*turning, *K.cross(self.omega)]) if len(self.coordinates) == 6 else turning
 
+    @cached_property
     def jacobian(self) -> Matrix:
         """∂f/∂x at the point."""
         return self.field.jacobian(self.coordinates).subs(dict(zip(self.coordinates, self.point)))
@@ -79,19 +81,20 @@ class Model:
     def growth(self) -> mpmath.mpf:
         """Largest real part of an eigenvalue, to 50 digits."""
         with mpmath.workdps(2 * DIGITS):
-            J = self.jacobian()
+            J = self.jacobian
             values, _ = mpmath.eig(mpmath.matrix([[mpmath.mpf(Float(x.evalf(2 * DIGITS))._mpf_) for x in J.row(i)] for i in range(J.rows)]))
             return max(mpmath.re(v) for v in values)
 
+    @cached_property
     def polynomial(self) -> Expr:
         """Characteristic polynomial on the orbit: each Casimir gives a factor λ of that of the whole field."""
         lamda = symbol("lamda")
         casimirs = 2 if len(self.coordinates) == 6 else 1
-        return Poly(self.jacobian().charpoly().all_coeffs()[:-casimirs], lamda).as_expr()
+        return Poly(self.jacobian.charpoly().all_coeffs()[:-casimirs], lamda).as_expr()
 
     def grows(self) -> bool:
         """Whether an eigenvalue is proved to have a positive real part: λ⁴ + pλ² + q, or λ² + q, on the orbit."""
-        *_, p, _, q = [Integer(0)] * 3 + Poly(self.polynomial(), symbol("lamda")).all_coeffs()
+        *_, p, _, q = [Integer(0)] * 3 + Poly(self.polynomial, symbol("lamda")).all_coeffs()
         if len(self.coordinates) == 3:
             return sign_of_constant(q) == -1
         return -1 in [sign_of_constant(e) for e in (p, q, p**2 - 4 * q)]
@@ -175,6 +178,7 @@ class Model:
         rows = Matrix([[f.diff(x) for x in self.coordinates] for f in (h, *C)])
         return h, C, rows.subs(dict(zip(self.coordinates, self.point)))
 
+    @cached_property
     def multipliers(self) -> tuple[Expr, Expr]:
         """ν with ∇h + ν1 ∇(M·k) + ν2 ∇|k|² = 0 at the point."""
         _, _, gradients = self._gradients()
@@ -185,7 +189,7 @@ class Model:
     def inertia_of_second_variation(self) -> tuple[int, int, int]:
         """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC1 ∩ ker dC2."""
         h, C, gradients = self._gradients()
-        nu1, nu2 = self.multipliers()
+        nu1, nu2 = self.multipliers
         form = hessian(h + nu1 * C[0] + nu2 * C[1], self.coordinates).subs(dict(zip(self.coordinates, self.point)))
         kernel = Matrix.hstack(*gradients[1:, :].nullspace())
         roots = Poly((kernel.T * form * kernel).charpoly().all_coeffs(), symbol("lamda"))

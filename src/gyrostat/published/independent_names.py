@@ -8,6 +8,7 @@ from sympy import Expr, Float, Integer, Matrix, MatrixBase, Rational, Symbol, di
 from ..notation import jet, symbol
 from .independent import DIGITS, PI, K, Model, Values
 from .independent_kinematics import turning
+from .kinematics import Later
 from .names import FUNCTIONS, Names
 from .scenes import Scene
 
@@ -38,14 +39,15 @@ def _moving(model: Model) -> dict[str, Any]:
         named |= {f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}
     if model.label:
         place = dict(zip(x, model.point))
-        named = {name: v.subs(place) if isinstance(v, (Expr, MatrixBase)) else v for name, v in named.items()}
-        J, polynomial, lamda = model.jacobian(), model.polynomial(), symbol("lamda")
+        named = {name: Later(lambda v=v: v.subs(place)) if isinstance(v, (Expr, MatrixBase)) else v for name, v in named.items()}
+        lamda = symbol("lamda")
         four = [0, 1, 3, 4] if len(x) == 6 else [i for i in range(3) if i + 1 != int(str(model.label)[-1])]
-        named |= {"jacobian": J, "linearization": J.extract(four, four), "identity": diag(*[1] * len(four)),
-                  "polynomial": polynomial.subs(model.values), "lamda": model.values.get(lamda, lamda), "q": polynomial.coeff(lamda, 0)}
+        named |= {"jacobian": Later(lambda: model.jacobian), "linearization": Later(lambda: model.jacobian.extract(four, four)),
+                  "identity": diag(*[1] * len(four)), "polynomial": Later(lambda: model.polynomial.subs(model.values)),
+                  "lamda": model.values.get(lamda, lamda), "q": Later(lambda: model.polynomial.coeff(lamda, 0))}
         if len(x) == 6 and all(e.is_Rational for e in model.point):
-            named |= dict(zip(("nu1", "nu2"), model.multipliers()))
-        return named | ({"p": polynomial.coeff(lamda, 2)} if len(x) == 6 else {})
+            named |= {f"nu{n + 1}": Later(lambda n=n: model.multipliers[n]) for n in (0, 1)}    # type: ignore[misc]
+        return named | ({"p": Later(lambda: model.polynomial.coeff(lamda, 2))} if len(x) == 6 else {})
 
     def along(direction: Matrix) -> Callable[[Any], Any]:
         def one(f: Expr) -> Expr:
@@ -57,7 +59,7 @@ def _moving(model: Model) -> dict[str, Any]:
         c, d = (Matrix([g.diff(s) for s in part]) for part in (PI, K))
         return along(Matrix([*(M.cross(c) + K.cross(d)), *K.cross(c)]))(f)
 
-    named["B"] = Matrix([[bracket(a, b) for b in x] for a in x])
+    named["B"] = Later(lambda: Matrix([[bracket(a, b) for b in x] for a in x]))
     delta = Matrix([model.values.get(symbol(f"delta_{s}"), Integer(0)) for s in x])
     named |= {"delta_pi": Matrix(delta[:3]), "delta_k": Matrix(delta[3:]), "dt": along(field), "variation": along(delta),
               "bracket": bracket, "gradient_pi": lambda f: Matrix([f.diff(s) for s in PI]),

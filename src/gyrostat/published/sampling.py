@@ -2,7 +2,7 @@
 import random
 from collections.abc import Iterable, Iterator, Mapping
 
-from sympy import Expr, Rational, Symbol
+from sympy import Expr, Integer, Rational, Symbol, sqrt
 
 from ..attitude import ANGLES
 from ..exact import sign_of_constant
@@ -26,7 +26,8 @@ def unknowns(scene: Scene, expressions: Iterable[Expr]) -> list[Symbol]:
     elif eq is None:
         found |= set(scene.system.space.coordinates)
     else:
-        found |= {s for e in (*scene.point, *eq.existence()) for s in e.free_symbols}
+        turned = {s for e in (*scene.point, *eq.existence()) for s in e.free_symbols}
+        found |= turned - {*K} if K[2] in dict(eq.relations) else turned      # where k3 is solved for, any k1 and k2 on its circle
         found -= {name for name, _ in eq.relations if not jet(name.name) or not (scene.potential and scene.potential.given)}
     return sorted(found - {symbol("t")} if "angles" in scene.table else found, key=str)
 
@@ -43,7 +44,7 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
             return
         values = {s: chance.choice(_SIZES) * (1 if s.is_positive or chance.random() < 0.7 else -1) for s in names}
         values |= {s: x for s, x in zip(K, chance.choice(directions)) if s in values}
-        values |= {name: value.subs(values) for name, value in at.items()}
+        values |= {name: value.xreplace(values) for name, value in at.items()}
         values = on_family(scene, values)
         if all(_positive(e.xreplace(values)) for e in positive) and is_a_body(scene, values) and all(x.is_finite for x in values.values()):
             yield values
@@ -54,7 +55,9 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
 def on_family(scene: Scene, values: dict[Symbol, Expr]) -> dict[Symbol, Expr]:
     """The values with what the relations of the equilibrium make of them."""
     for name, value in scene.equilibrium.relations if scene.equilibrium else ():
-        values = values | {name: value.subs(values)}
+        values = values | {name: value.xreplace(values)}
+        if name == K[2] and not values.keys().isdisjoint(K[:2]):
+            values |= {K[0]: sqrt(1 - values[name] ** 2), K[1]: Integer(0)}
     return values
 
 

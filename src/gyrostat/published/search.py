@@ -45,7 +45,7 @@ def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) ->
 
 def _settled(r: Reading, values: Values) -> Values:
     """With what `at` and the family make of the others."""
-    return on_family(r.scene, values | {name: value.subs(values) for name, value in r.at.items() if name in values})
+    return on_family(r.scene, values | {name: value.xreplace(values) for name, value in r.at.items() if name in values})
 
 
 def _admissible(r: Reading, values: Values) -> bool:
