@@ -1,21 +1,30 @@
 """How many one-symbol misprints does the check of published formulas find?
 
-    python benchmarks/mutate_published.py [SOURCE ...] [--show]
+    python benchmarks/mutate_published.py [SOURCE ...] [--count N | --quick] [--jobs N] [--show]
 
 Each confirmed formula is changed in one place: a sign, an index, an exponent, a prime, a coefficient, a relation, a verdict.
 Every mutant has to be reported as a misprint, with a counterexample, or a point at which it is not sharp;
-those that are true as well are listed, with the reason.
+those that are true as well are listed, with the reason. The numbers shown are read again, from the JSON output, by tests/shown.py,
+which uses nothing of gyrostat: the evidence is false if they do not show what they are shown for. --count takes a seeded sample.
 """
 import argparse
+import platform
+import random
 import re
 import sys
 import time
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
+from importlib.metadata import version
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests"))
+import shown  # noqa: E402
 
 from gyrostat.errors import GyrostatError
-from gyrostat.published import SOURCES, load, outcome_of
+from gyrostat.published import SOURCES, Finding, load, outcome_of
+from gyrostat.published.listing import to_json
 
 # Mutants that are as true as the original: a pattern of source:key: mutant, and why.
 EQUIVALENT = (
@@ -105,52 +114,91 @@ def reason(result):
     return next((why for pattern, why in EQUIVALENT if re.match(pattern, name)), None)
 
 
+def evidence(mutant, outcome):
+    """What is shown: true, false, unread (of a kind that nothing here reads again) or none; and numbers."""
+    (data,) = to_json([Finding(mutant, "misprint", "confirmed", outcome)])
+    example = data["counterexample"] or data["not_sharp"]
+    if not example:
+        return "none", ""
+    entries = data["difference"] or [{"entry": None}]
+    statement = {"entry": entries[0]["entry"], "let": dict(mutant.let), "at": dict(mutant.at), "given": mutant.given,
+                 **{key: data[key] for key in ("quantity", "printed", "kind")}}
+    try:
+        answer = shown.is_true(statement, dict(mutant.scene.table), example, weaker=not data["counterexample"])
+    except (ArithmeticError, AssertionError, IndexError, LookupError, TypeError, ValueError) as error:
+        return "unread", f"{type(error).__name__}: {error}"
+    return {True: "true", False: "false", None: "unread"}[answer], "" if answer else str(example)
+
+
 def tried(task):
-    """killed, survived, refused (an index that the scene does not have, a division by zero), or stuck (another error)."""
-    source, key = task
-    (statement,) = (s for s in load(source).statements if s.key == key)
-    if outcome_of(statement).agrees is not True:
-        return []
-    results = []
-    for kind, label, mutant in mutants(statement):
-        start = time.perf_counter()
-        try:
-            outcome = outcome_of(mutant)
-            result = "killed" if outcome.agrees is False and (outcome.counterexample or outcome.not_sharp) else "survived"
-        except GyrostatError as error:                     # anything else is a defect, and stops the run
-            quoted = re.search(r"cannot read (?:the chain )?'(.*?)(?:\.\.\.)?'", str(error))
-            texts = [t for _, t in placed(mutant.printed)] + list(mutant.let.values())
-            refused = quoted and any(quoted[1].strip() in t for t in texts)
-            result = "refused" if refused else f"stuck: {error}"
-        results.append((source, key, kind, label, result, time.perf_counter() - start))
-    return results
+    """killed, weaker, survived, refused (an index the scene does not have, a division by zero), or stuck (another error); the evidence."""
+    source, key, kind, label, mutant = task
+    start, seen = time.process_time(), ("none", "")
+    try:
+        outcome = outcome_of(mutant)
+        result = "survived"
+        if outcome.agrees is False:
+            result = "killed" if outcome.counterexample else "weaker" if outcome.not_sharp else "survived"
+        seconds = time.process_time() - start
+        seen = evidence(mutant, outcome)
+    except GyrostatError as error:                         # anything else is a defect, and stops the run
+        quoted = re.search(r"cannot read (?:the chain )?'(.*?)(?:\.\.\.)?'", str(error))
+        texts = [t for _, t in placed(mutant.printed)] + list(mutant.let.values())
+        refused = quoted and any(quoted[1].strip() in t for t in texts)
+        result, seconds = "refused" if refused else f"stuck: {error}", time.process_time() - start
+    return source, key, kind, label, result, seconds, *seen
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("sources", nargs="*", default=SOURCES)
+    parser.add_argument("--count", type=int, help="a seeded sample of so many mutants")
+    parser.add_argument("--quick", action="store_true", help="a sample of 60")
+    parser.add_argument("--jobs", type=int, help="processes")
     parser.add_argument("--show", action="store_true", help="every mutant")
-    given = parser.parse_args()
-    tasks = [(source, s.key) for source in given.sources for s in load(source).statements]
+    given, start = parser.parse_args(), time.perf_counter()
+    statements = [s for source in given.sources for s in load(source).statements]
+    expected = {source: load(source).expected for source in given.sources}
+    tasks = [(s.source, s.key, *mutant) for s in statements if expected[s.source].get(s.key, "confirmed") == "confirmed"
+             for mutant in mutants(s)]
+    whole, count = len(tasks), 60 if given.quick else given.count
+    if count and count < whole:
+        tasks = random.Random(1).sample(tasks, count)
     results = []
-    with ProcessPoolExecutor() as pool:
-        for found in pool.map(tried, tasks):
-            results += found
-            for source, key, kind, label, result, seconds in found if given.show else ():
-                print(f"{source}:{key}: {kind}: {label}: {result} ({seconds:.2f} s)", flush=True)
+    with ProcessPoolExecutor(given.jobs) as pool:
+        for found in pool.map(tried, tasks, chunksize=4):
+            results.append(found)
+            if given.show:
+                source, key, kind, label, result, seconds, proof, _ = found
+                print(f"{source}:{key}: {kind}: {label}: {result}, evidence {proof} ({seconds:.2f} s)", flush=True)
+    return report(results, whole, time.perf_counter() - start)
+
+
+def report(results, whole, seconds):
+    """Print the counts; 1 if a mutant is neither reported nor equivalent, or evidence is false."""
     read = [r for r in results if r[4] != "refused"]
-    killed = [r for r in read if r[4] == "killed"]
+    counted, proofs = Counter(r[4] for r in read), Counter(r[6] for r in read)
     equivalent = [(r, why) for r in read if r[4] == "survived" for why in [reason(r)] if why]
-    left = [r for r in read if r not in killed and r not in [e for e, _ in equivalent]]
+    left = [r for r in read if r[4] not in ("killed", "weaker") and r not in [e for e, _ in equivalent]]
     kinds = ", ".join(f"{n} {kind}" for kind, n in Counter(r[2] for r in read).most_common())
-    print(f"{len(results)} mutants, {len(results) - len(read)} refused as no formula of their scene; the others: {len(read)} ({kinds})")
-    print(f"{len(killed)} reported as misprints, {len(equivalent)} equivalent, {len(left)} neither: "
-          f"kill rate {100 * len(killed) / max(1, len(read) - len(equivalent)):.1f} %")
-    for (source, key, _, label, _, _), why in equivalent:
+    reported = counted["killed"] + counted["weaker"]
+    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {version('sympy')}, python-flint {version('python-flint')}; "
+          f"{seconds:.0f} s, of CPU at most {max(r[5] for r in results):.1f} s and in the mean {sum(r[5] for r in results) / len(results):.2f} s "
+          "for each mutant")
+    print(f"{len(results)} mutants of {whole}, {len(results) - len(read)} refused as no formula of their scene; "
+          f"the others: {len(read)} ({kinds})")
+    print(f"{reported} reported as misprints, {counted['killed']} with a counterexample, {counted['weaker']} not sharp; "
+          f"{len(equivalent)} equivalent, {len(left)} neither: kill rate {100 * reported / max(1, len(read) - len(equivalent)):.1f} %")
+    print(f"evidence read again: {proofs['true']} true, {proofs['false']} false; {proofs['unread']} not read again, "
+          f"{proofs['none']} without numbers")
+    for (source, key, _, label, *_), why in equivalent:
         print(f"  equivalent: {source}:{key}: {label}: {why}")
-    for source, key, kind, label, result, _ in left:
+    for source, key, kind, label, result, *_ in left:
         print(f"  NOT REPORTED: {source}:{key}: {kind}: {label}: {result}")
-    return 1 if left else 0
+    for source, key, kind, label, _, _, proof, why in read:
+        if proof in ("false", "unread"):
+            print(f"  {'FALSE EVIDENCE' if proof == 'false' else 'not read again'}: {source}:{key}: {kind}: {label}: {why}")
+    return 1 if left or proofs["false"] else 0
 
 
 if __name__ == "__main__":

@@ -45,7 +45,7 @@ def stability(scene, v):
     I1, I3, l = v["I1"], v["I3"], v.get("l", Fraction(0))
     k3 = {"E1": Fraction(1), "E2": Fraction(-1)}.get(label, v.get("k3"))
     if coefficients is not None:
-        jets = [_derivative(coefficients(v), n, k3) for n in range(1, 5)]
+        jets = [derivative(coefficients(v), n, k3) for n in range(1, 5)]
     else:
         jets = [v.get("dU"), v.get("d2U", Fraction(0)), v.get("d3U", Fraction(0)), Fraction(0)]
     if label == "E3":
@@ -76,7 +76,7 @@ def stability(scene, v):
     return (-1 if sign[1] > 0 or label == "E3" and sign[0] % 2 else 1), names
 
 
-def _derivative(coefficients, order, z):
+def derivative(coefficients, order, z):
     for _ in range(order):
         coefficients = [n * c for n, c in enumerate(coefficients)][1:]
     return sum((c * z**n for n, c in enumerate(coefficients)), Fraction(0))

@@ -44,7 +44,7 @@ def _stable_at_equality(r: Reading, derived: Criterion) -> bool:
     margin = derived.alternatives[0][0].margin
     for s in sorted(margin.free_symbols, key=str):
         slope = margin.diff(s)
-        if not slope.has(s) and s not in K and all(e.is_positive for e in slope.free_symbols):
+        if not slope.has(s) and s not in K and slope.is_nonzero:      # the whole boundary, also where a difference of masses is 0
             on = {s: (s - margin / slope).expand()}
             given = tuple(e.xreplace(on) for e in r.claim.given) + ((on[s],) if s.is_positive else ())
             return Claim(r.scene, given, {**r.at, **on}).verdict() == "stable"

@@ -71,11 +71,10 @@ def is_of_the_scene(r: Reading, values: Values) -> bool:
     if any(v.is_number and sign_of_constant(v - values[s]) != 0 for s, v in on_family(scene, dict(values)).items() if s in values):
         return False
     try:
-        names = r.independent(values)
+        names = r.without_let(values)
     except GyrostatError:                                  # no equilibrium there
         return False
-    given = [text for text in (scene.table.get("given", ""), r.statement.given) if text]
-    if any(holds_as_printed(text, names)[0] is not True for text in given):
+    if any(text and holds_as_printed(text, names)[0] is not True for text in (scene.table.get("given"), r.statement.given)):
         return False
     stale = [s for s, v in values.items() if s.name in names and isinstance(names[s.name], Expr)
              and names[s.name].is_number and abs((names[s.name] - v).evalf(30)) > 1e-25 * (1 + abs(v))]
@@ -84,8 +83,7 @@ def is_of_the_scene(r: Reading, values: Values) -> bool:
 
 def _has_a_direction(r: Reading, values: Values) -> bool:
     """Whether k is a unit vector at the point of the equilibrium, which is one of Newton and Euler's equations."""
-    model = _model(r, values)
-    return model is not None and (len(model.point) == 3 or sign_of_constant(sum(x**2 for x in model.point[3:]) - 1) == 0)
+    return (model := _model(r, values)) is not None and (len(model.point) == 3 or sign_of_constant(sum(x**2 for x in model.point[3:]) - 1) == 0)
 
 
 def _condition(r: Reading, values: Values, doubt: Doubt) -> Seen | None:

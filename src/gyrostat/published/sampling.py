@@ -54,7 +54,7 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
 
 def on_family(scene: Scene, values: dict[Symbol, Expr]) -> dict[Symbol, Expr]:
     """The values with what the relations of the equilibrium make of them."""
-    for name, value in scene.equilibrium.relations if scene.equilibrium else ():
+    for name, value in reversed(scene.equilibrium.relations) if scene.equilibrium else ():     # U' uses what is solved for
         values = values | {name: value.xreplace(values)}
         if name == K[2] and not values.keys().isdisjoint(K[:2]):
             values |= {K[0]: sqrt(1 - values[name] ** 2), K[1]: Integer(0)}

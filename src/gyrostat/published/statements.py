@@ -150,10 +150,13 @@ class Reading:
 
     @cached_property
     def mentioned(self) -> set[Symbol]:
-        """Every symbol behind the names in the texts, also those that cancel."""
+        """Every symbol behind the names in the texts, also those that cancel; not those that an abbreviation hides."""
         s = self.statement
-        texts = str([s.printed, s.quantity, s.given, self.scene.table.get("given", ""), s.let, s.at])
-        values = [self.names[name] for name in dict.fromkeys(_NAME.findall(texts)) if name in self.names]
+        found = set(_NAME.findall(str([s.given, self.scene.table.get("given", ""), s.at])))
+        own = list(s.let)
+        for n, text in enumerate([*s.let.values(), str([s.printed, s.quantity])]):
+            found |= set(_NAME.findall(text)) - set(own[:n])
+        values = [self.names[name] for name in found if name in self.names]
         return {x for value in values if isinstance(value, (Expr, MatrixBase)) for x in self.finish(value).free_symbols}
 
     def independently(self, text: Any, values: Mapping[Symbol, Expr]) -> Any:
@@ -162,7 +165,11 @@ class Reading:
 
     def independent(self, values: Mapping[Symbol, Expr]) -> Mapping[str, Any]:
         """The names from Newton and Euler's equations at numbers, with the source's own."""
-        return _with_let(independent_names.names(self.scene, values), self.statement.let)
+        return _with_let(self.without_let(values), self.statement.let)
+
+    def without_let(self, values: Mapping[Symbol, Expr]) -> Mapping[str, Any]:
+        """The same of the scene alone, as `given` and `at` are read."""
+        return independent_names.names(self.scene, values)
 
 
 def _with_let(scene_names: Mapping[str, Any], let: Mapping[str, str]) -> Mapping[str, Any]:

@@ -1,0 +1,169 @@
+"""Whether the numbers shown against a printed formula or claim show what they are shown for: from the output alone. No gyrostat here."""
+from fractions import Fraction
+
+import mpmath as mp
+import oracle
+import refuted
+import reread
+
+
+def is_true(statement, scene, shown, weaker=False):
+    """True or False; None where nothing here reads that kind.
+
+    Parameters
+    ----------
+    statement : dict       quantity, printed, kind, let, at, given, and the entry (from 1) where the sides of a matrix differ, or None
+    scene : dict           the table of the file
+    shown : dict           counterexample or not_sharp of the JSON output
+    weaker : bool          the claim does not fail there
+    """
+    values, kind = shown["values"], statement["kind"]
+    if kind not in ("condition", "statement"):
+        return not weaker and bool(_inserted(statement, values) and reread.differs(
+            kind, statement["quantity"], statement["printed"], scene, {**statement["at"], **values}, statement["let"], statement["entry"])[0])
+    v = {name: Fraction(text) for name, text in values.items()}
+    texts = [t for t in (scene.get("given", ""), statement["given"]) if t]
+    own, plain = Own(v, statement["let"], scene), Own(v, {}, scene)
+    if not all(compared(t, plain) for t in texts) or not _inserted(statement, values):
+        return False
+    if statement["quantity"] == "second variation, Casimirs alone":
+        return None
+    fails = _fails(statement, scene, v, own)
+    return None if fails is None else fails != weaker
+
+
+def _inserted(statement, values):
+    """Whether what is inserted has been inserted."""
+    with mp.workdps(40):
+        n = {name: reread.Texts({}).value(text, None) for name, text in values.items()}
+        return all(abs(reread.Texts(n).value(text, None) - n[name]) < 1e-25 for name, text in statement["at"].items() if name in n)
+
+
+class Own(dict):
+    """Numbers by name, with abbreviations, each of which may use those before it, and p, q of the differenced field."""
+
+    def __init__(self, numbers, let, scene):
+        super().__init__(numbers)
+        self.numbers, self.scene = numbers, scene
+        for name, text in let.items():
+            self[name] = refuted.value(text, self)
+
+    def __missing__(self, name):
+        if name in ("p", "q"):
+            return _spectrum(self.scene, self.numbers)[name == "q"]
+        return refuted.stability(scene_of(self.scene), self.numbers)[1][name]
+
+
+def _spectrum(scene, v):
+    """p and q of λ⁴ + p λ² + q, of a body of revolution."""
+    label, coefficients = scene_of(scene)
+    names = refuted.stability((label, coefficients), v)[1]
+    if label == "E3":
+        second = v.get("d2U", Fraction(0)) if coefficients is None else refuted.derivative(coefficients(v), 2, names["k3"])
+        x, field = oracle.inclined(v["I1"], v["I3"], v.get("l", 0), v["omega"], (v["k1"], v["k2"], v["k3"]), second)
+    else:
+        spin = v["pi3_0"] if "pi3_0" in v else v["I3"] * v["omega3_0"]
+        x, field = oracle.vertical(v["I1"], v["I3"], v.get("l", Fraction(0)), spin, {"E1": 1, "E2": -1}[label], names["dU"], Fraction(0))
+    c = oracle.characteristic(oracle.jacobian(field, x))
+    return c[2], c[4]
+
+
+def scene_of(table):
+    """Label, and the coefficients of U(k3) at numbers, or None where U is not given."""
+    U = table.get("potential")
+    label = table.get("equilibrium")
+    return label, None if U in (None, "none", "U(k3)") else lambda v: _coefficients(U, v)
+
+
+def _coefficients(text, v, size=5):
+    """Of a polynomial of degree below size, in powers of k3, through its values at 0, 1, 2, …"""
+    points = [Fraction(i) for i in range(size)]
+    rows = [refuted.value(text, {**v, "k3": x, "k1": Fraction(0), "k2": Fraction(0)}) for x in points]
+    found = [Fraction(0)] * size
+    for i, x in enumerate(points):
+        basis = [Fraction(1)]
+        for y in (y for y in points if y != x):
+            basis = oracle.product(basis, [-y / (x - y), 1 / (x - y)])
+        found = [a + rows[i] * b for a, b in zip(found, basis)]
+    return found
+
+
+def compared(text, own):
+    """A text of comparisons joined by and."""
+    return text != "never" and refuted.value(text.replace("\n", " "), own)
+
+
+def _fails(statement, scene, v, own):
+    """Whether the claim, read as it is, fails at the numbers; None where nothing is decided here."""
+    claim, printed = statement["quantity"], statement["printed"]
+    if claim == "existence":
+        return compared(printed, own) != _exists(scene, v)
+    if claim == "sufficient for periodic motion":
+        E2, L2 = 2 * v["E"], v["L2"]
+        return compared(printed, own) and not (L2 != E2 * v["I2"] and E2 * v["I1"] < L2 < E2 * v["I3"])
+    if not _is_body(scene, v):
+        return False
+    if claim.endswith("Casimirs alone"):
+        sign = _form(scene, v)
+        return None if sign is None else compared(printed, own) and sign != 1
+    sign = _triaxial(scene, v) if "k1" in scene.get("potential", "") else refuted.stability(scene_of(scene), v)[0]
+    if claim == "stability":
+        return sign == (1 if printed == "unstable" else -1)
+    says = compared(printed, own)
+    if claim.startswith("necessary and sufficient"):
+        return says and sign == -1 or not says and sign == 1
+    if claim.startswith("necessary"):
+        return not says and sign == 1
+    return says and sign == (1 if "instability" in claim else -1)
+
+
+def _is_body(scene, v):
+    inertia = [refuted.value(t, v) for t in scene.get("inertia", ["I1", "I2", "I3"])]
+    unit = not {"k1", "k2", "k3"} <= v.keys() or v["k1"]**2 + v["k2"]**2 + v["k3"]**2 == 1
+    return unit and min(inertia) > 0 and all(2 * m <= sum(inertia) for m in inertia) and abs(v.get("k3", 0)) <= 1
+
+
+def _exists(scene, v):
+    """Whether the numbers are those of an equilibrium inclined, or nothing but what is given is claimed."""
+    if "equilibrium" not in scene:
+        return True
+    k3, omega = v["k3"], v["omega"]
+    coefficients = scene_of(scene)[1]
+    slope = v.get("dU") if coefficients is None else refuted.derivative(coefficients(v), 1, k3)
+    balance = omega * v.get("l", 0) - omega**2 * k3 * (v["I1"] - v["I3"])
+    unit = not {"k1", "k2"} <= v.keys() or v["k1"]**2 + v["k2"]**2 + k3**2 == 1
+    return k3**2 <= 1 and unit and slope in (None, balance)
+
+
+def _form(scene, v):
+    """1 if D²(h + ν·C) is definite at a pole of a body of revolution, else -1; None elsewhere."""
+    label, coefficients = scene_of(scene)
+    if label not in ("E1", "E2"):
+        return None
+    s, slope = (1 if label == "E1" else -1), refuted.stability((label, coefficients), v)[1]["dU"]
+    omega = v["omega3_0"] if "omega3_0" in v else v["pi3_0"] / v["I3"]
+    nu1, nu2 = -s * omega, s * (s * omega * (v["I3"] * omega + v.get("l", 0)) - slope)    # ν2 doubled
+    return 1 if nu2 / v["I1"] > nu1**2 else -1
+
+
+def _triaxial(scene, v):
+    """At k = (0, 0, 1), U of the second degree in k without products: 1 definite, -1 an eigenvalue grows, 0 neither."""
+    def U(*k):
+        return refuted.value(scene["potential"], {**v, **dict(zip(("k1", "k2", "k3"), map(Fraction, k)))})
+
+    inertia, omega = [v[f"I{i}"] for i in (1, 2, 3)], v["omega3_0"]
+    bends = [U(1, 0, 1) + U(-1, 0, 1) - 2 * U(0, 0, 1), U(0, 1, 1) + U(0, -1, 1) - 2 * U(0, 0, 1)]
+    slope = (U(0, 0, 2) - U(0, 0, 0)) / 2
+    M = inertia[2] * omega + v.get("l", 0)
+    excess = [(omega * M - slope + bend) / moment - omega**2 for bend, moment in zip(bends, inertia)]
+    if min(excess) > 0:
+        return 1
+    rotor = oracle.exact([0, 0, v.get("l", 0)])
+    mid = (U(0, 0, 2) + U(0, 0, 0) - 2 * U(0, 0, 1))
+
+    def gradient(k):
+        return oracle.exact([bends[0] * k[0], bends[1] * k[1], slope + mid * (k[2] - 1)])
+
+    x = oracle.exact([0, 0, inertia[2] * omega, 0, 0, 1])
+    field = lambda x: oracle.field(x, oracle.exact(inertia), rotor, gradient)    # noqa: E731
+    return -1 if oracle.growth(field, x) else 0
