@@ -183,8 +183,8 @@ def report(results, whole, seconds):
     kinds = ", ".join(f"{n} {kind}" for kind, n in Counter(r[2] for r in read).most_common())
     reported = counted["killed"] + counted["weaker"]
     print(f"{platform.machine()}, Python {platform.python_version()}, sympy {version('sympy')}, python-flint {version('python-flint')}; "
-          f"{seconds:.0f} s, of CPU at most {max(r[5] for r in results):.1f} s and in the mean {sum(r[5] for r in results) / len(results):.2f} s "
-          "for each mutant")
+          f"{seconds:.0f} s; of CPU for each mutant at most {max(r[5] for r in results):.1f} s, in the mean "
+          f"{sum(r[5] for r in results) / len(results):.2f} s")
     print(f"{len(results)} mutants of {whole}, {len(results) - len(read)} refused as no formula of their scene; "
           f"the others: {len(read)} ({kinds})")
     print(f"{reported} reported as misprints, {counted['killed']} with a counterexample, {counted['weaker']} not sharp; "

@@ -5,6 +5,7 @@ import mpmath as mp
 import oracle
 import refuted
 import reread
+import turned
 
 
 def is_true(statement, scene, shown, weaker=False):
@@ -19,8 +20,7 @@ def is_true(statement, scene, shown, weaker=False):
     """
     values, kind = shown["values"], statement["kind"]
     if kind not in ("condition", "statement"):
-        return not weaker and bool(_inserted(statement, values) and reread.differs(
-            kind, statement["quantity"], statement["printed"], scene, {**statement["at"], **values}, statement["let"], statement["entry"])[0])
+        return not weaker and _inserted(statement, values) and differs(statement, scene, {**statement["at"], **values})
     v = {name: Fraction(text) for name, text in values.items()}
     texts = [t for t in (scene.get("given", ""), statement["given"]) if t]
     own, plain = Own(v, statement["let"], scene), Own(v, {}, scene)
@@ -37,6 +37,44 @@ def _inserted(statement, values):
     with mp.workdps(40):
         n = {name: reread.Texts({}).value(text, None) for name, text in values.items()}
         return all(abs(reread.Texts(n).value(text, None) - n[name]) < 1e-25 for name, text in statement["at"].items() if name in n)
+
+
+def differs(statement, scene, numbers):
+    """Whether the two sides of a formula differ at numbers, which are texts, and what is given holds there."""
+    kind, printed, entry = statement["kind"], statement["printed"], statement["entry"]
+    with mp.workdps(40):
+        n = {name: reread.Texts({}).value(text, None) for name, text in numbers.items()}
+        if not all(reread.Texts(n).value(text, None) for text in (scene.get("given"), statement["given"]) if text):
+            return False
+        world = (turned.Turning if "angles" in scene else reread.Motion)(scene, n, statement["let"].items())
+        if kind == "solution":
+            return _leaves(world, statement["quantity"], printed, n, entry)
+        if kind == "equilibrium":
+            return max(map(abs, world.field(list(world.value(printed, world.start))))) > 1e-15
+        sides = [world.value(text, world.start) for text in (printed, statement["quantity"])]
+        if kind == "number":
+            return abs(sides[0] - sides[1]) > mp.mpf(10) ** -len(printed.partition(".")[2]) / 2
+        if entry:
+            sides = [side[entry[0] - 1, entry[1] - 1] for side in sides]
+        return abs(mp.im(sides[0])) > 0 or abs(sides[0] - sides[1]) > 1e-15 * (1 + abs(sides[1]))   # of 40 digits, differences keep 20
+
+
+def _leaves(world, quantity, printed, n, entry):
+    """Whether printed functions are no solution: at a time, or because a start is not reached."""
+    texts = reread.Texts(n, world.let)
+
+    def at(t):
+        texts.numbers = {**n, "t": t}
+        return [texts.value(text, None) for text in printed]
+
+    if not entry:
+        return any(abs(world.base(name, world.start) - f) > 1e-15 for name, f in zip(quantity, at(mp.mpf(0))))
+    turn = [m if quantity[0].startswith("omega") else 1 for m in world.inertia]
+    t, i = n.get("t", mp.mpf(0)), entry[0] - 1
+    if any(mp.im(f) for f in at(t)):
+        return True
+    field = world.field([m * f for m, f in zip(turn, at(t))])[i] / turn[i]
+    return abs(mp.diff(lambda s: at(s)[i], t) - field) > 1e-15 * (1 + abs(field))
 
 
 class Own(dict):

@@ -70,6 +70,7 @@ STALE = "I1**2*omega**4 + dU**2 - 2*k3*dU*I1*omega**2 + (1-k3**2)*d2U*I1*omega**
     ("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 3.999996*I1*m0", ("misprint", True)),
     pytest.param("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 4.000004*I1*m0", ("misprint", False), marks=pytest.mark.slow),
     ("heavy", CLAIMS[1], "(I3*omega3_0+l)**2 > 4*I1*m0", ("misprint", True)),
+    ("solved", CLAIMS[0], TILT.format(c=3, u="a", r=">="), ("misprint", True)),                # k3 from the others, k a unit vector
     pytest.param("E1", CLAIMS[0], "abs(pi3_0 + l) < 0 - 1", ("misprint", False), marks=pytest.mark.slow)])
 def test_what_is_shown_refutes(tmp_path, scene, claim, printed, expected):
     """At a tilt with U' in the print, at equality, in a wedge of 10⁻⁶; a claim that is true but not sharp has no counterexample."""

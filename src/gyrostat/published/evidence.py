@@ -66,7 +66,7 @@ def is_of_the_scene(r: Reading, values: Values) -> bool:
         positive += scene.equilibrium.existence()
     if any(sign_of_constant(e.xreplace(dict(values))) != 1 for e in positive if e.xreplace(dict(values)).is_number):
         return False
-    if scene.equilibrium and not claims_existence and not _has_a_direction(r, values):
+    if scene.equilibrium and not claims_existence and not ((model := _model(r, values)) and model.has_a_unit_k()):
         return False
     if any(v.is_number and sign_of_constant(v - values[s]) != 0 for s, v in on_family(scene, dict(values)).items() if s in values):
         return False
@@ -79,11 +79,6 @@ def is_of_the_scene(r: Reading, values: Values) -> bool:
     stale = [s for s, v in values.items() if s.name in names and isinstance(names[s.name], Expr)
              and names[s.name].is_number and abs((names[s.name] - v).evalf(30)) > 1e-25 * (1 + abs(v))]
     return not stale and all(abs((values[s] - v.subs(dict(values))).evalf(30)) < 1e-25 for s, v in r.at.items() if s in values)
-
-
-def _has_a_direction(r: Reading, values: Values) -> bool:
-    """Whether k is a unit vector at the point of the equilibrium, which is one of Newton and Euler's equations."""
-    return (model := _model(r, values)) is not None and (len(model.point) == 3 or sign_of_constant(sum(x**2 for x in model.point[3:]) - 1) == 0)
 
 
 def _condition(r: Reading, values: Values, doubt: Doubt) -> Seen | None:

@@ -61,6 +61,10 @@ class Model:
         axis = int(str(self.label)[-1])
         return [self.inertia[axis - 1] * self.values[symbol(f"omega{i}_0")] if i == axis else Integer(0) for i in (1, 2, 3)]
 
+    def has_a_unit_k(self) -> bool:
+        """Whether k is a unit vector at the point; on so(3)* there is none."""
+        return len(self.point) == 3 or sign_of_constant(sum(x**2 for x in self.point[3:]) - 1) == 0
+
     @cached_property
     def omega(self) -> Matrix:
         """Angular velocity."""

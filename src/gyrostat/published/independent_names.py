@@ -39,7 +39,8 @@ def _moving(model: Model) -> dict[str, Any]:
         named |= {f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}
     if model.label:
         place = dict(zip(x, model.point))
-        named = {name: Later(lambda v=v: v.subs(place)) if isinstance(v, (Expr, MatrixBase)) else v for name, v in named.items()}
+        named = {name: Later(lambda v=v: v.subs(place)) if isinstance(v, (Expr, MatrixBase)) else v    # type: ignore[misc]
+                 for name, v in named.items()}
         lamda = symbol("lamda")
         four = [0, 1, 3, 4] if len(x) == 6 else [i for i in range(3) if i + 1 != int(str(model.label)[-1])]
         named |= {"jacobian": Later(lambda: model.jacobian), "linearization": Later(lambda: model.jacobian.extract(four, four)),
