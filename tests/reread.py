@@ -103,7 +103,7 @@ class Motion(Texts):
 
     def __init__(self, table, numbers, let=()):
         super().__init__(numbers, let)
-        plain = Texts(numbers)
+        plain = Texts({"I1": mp.mpf(1), "I2": mp.mpf(1), "I3": mp.mpf(1), **numbers})     # any, where no formula has them
         self.inertia = [plain.value(t, None) for t in table.get("inertia", ["I1", "I2", "I3"])]
         self.rotor = mp.matrix([plain.value(t, None) for t in table.get("gyrostatic_momentum", ["0", "0", "0"])])
         self.label, self.potential = table.get("equilibrium"), table.get("potential")

@@ -170,7 +170,9 @@ MUTANTS = [
     ("literature", "S13", {"printed": "pi3_0**2 >= 4*I1*A"}),                           # mass1 = mass3 and no spin: unstable
     ("literature", "S5-frequency", {"printed": "(omega - m0/(I1*omega))**2 + 3*(1 - k3)*m0/I1"}),         # l is solved for, dU has l
     ("literature", "S4-relation", {"let": {"P": "I3*omega*k3 - l"}}),                   # a parameter P of the scene is hidden
-    ("N2025", "precession", {"let": {"I2": "-I1"}}),
+    ("N2025", "precession", {"let": {"I2": "-I1"}}), ("literature", "F1-value-2", {"printed": "0.217732421583"}),      # moments of no body
+    ("literature", "S1-E1", {"let": {**BY_KEY["literature", "S1-E1"].let, "a": "pi3_0/I3 + P/(2*I1)"}}),    # r is not real everywhere
+    ("literature", "S12-stable", {"printed": "dU + d2U >= 0"}),
     ("literature", "A1-Energy-Casimir", {"printed": "(I3 - I1)*(omega3_0**2 - m1) + l*omega3_0 - m0 > 0"}),
 ]
 

@@ -70,6 +70,7 @@ STALE = "I1**2*omega**4 + dU**2 - 2*k3*dU*I1*omega**2 + (1-k3**2)*d2U*I1*omega**
     ("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 3.999996*I1*m0", ("misprint", True)),
     pytest.param("heavy", CLAIMS[0], "(I3*omega3_0+l)**2 > 4.000004*I1*m0", ("misprint", False), marks=pytest.mark.slow),
     ("heavy", CLAIMS[1], "(I3*omega3_0+l)**2 > 4*I1*m0", ("misprint", True)),
+    ("rigid", CLAIMS[0], "(I2 - I1)*(4.000004/4*I2 - I3) >= 0", ("misprint", True)),           # holds at many points that are equal
     ("solved", CLAIMS[0], TILT.format(c=3, u="a", r=">="), ("misprint", True)),                # k3 from the others, k a unit vector
     pytest.param("E1", CLAIMS[0], "abs(pi3_0 + l) < 0 - 1", ("misprint", False), marks=pytest.mark.slow)])
 def test_what_is_shown_refutes(tmp_path, scene, claim, printed, expected):

@@ -6,7 +6,7 @@ from typing import Any
 
 from sympy import Expr, MatrixBase, Symbol
 
-from ..errors import GyrostatError, PublishedError
+from ..errors import ExpressionError, GyrostatError, PublishedError
 from ..exact import sign_of_constant
 from ..notation import symbol
 from . import independent
@@ -40,7 +40,11 @@ def decided(r: Reading, doubt: Doubt) -> Outcome:
     look = {"condition": _condition, "statement": _words, "number": _rounded, "equilibrium": _at_rest}.get(r.statement.kind, _formula)
     weaker = None
     for values in islice(doubt.points, MOST):
-        if not is_of_the_scene(r, values) or (seen := look(r, values, doubt)) is None:
+        try:
+            seen = look(r, values, doubt) if is_of_the_scene(r, values) else None
+        except ExpressionError:                            # not defined there, as the root of a negative number
+            seen = None
+        if seen is None:
             continue
         shown = Counterexample(named(values), seen.printed, seen.derived, seen.why)
         if seen.refutes:
@@ -59,7 +63,8 @@ def named(values: Values) -> tuple[tuple[str, Expr], ...]:
 def is_of_the_scene(r: Reading, values: Values) -> bool:
     """Whether numbers are a point of the scene at which the claim is made: of a body, on the family, where what is given holds."""
     scene, claims_existence = r.scene, r.statement.quantity == "existence"
-    if any(not v.is_number or v.is_real is False or not v.is_finite for v in values.values()) or not is_a_body(scene, values):
+    drawn = {s for moment in scene.body.inertia for s in moment.free_symbols} - r.at.keys()      # others are the source's own
+    if any(not v.is_number or v.is_real is False or not v.is_finite for v in values.values()) or drawn and not is_a_body(scene, values):
         return False
     positive = [*(s for s in values if s.is_positive), *scene.body.inertia]
     if scene.equilibrium and not claims_existence:

@@ -120,7 +120,7 @@ class Model:
 
     def is_on_boundary(self) -> bool:
         """Whether the second variation of a body of revolution does not decide: the square of k̇3 is 0 to the second order in k3."""
-        return self.spins and self._leading()[0] > 2
+        return self.spins and self._leading()[0] != 2
 
     def level_set(self) -> int:
         """1 if the level set of all integrals near the point is only its orbit under the spin, -1 if motions leave along it, else 0.

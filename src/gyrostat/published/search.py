@@ -1,7 +1,7 @@
 """Where a printed condition may be seen to fail: drawn points, thin wedges between its boundary and the derived one, equality."""
 from collections.abc import Iterable, Iterator
 from functools import partial
-from itertools import chain, islice
+from itertools import islice
 
 from sympy import Expr, Integer, Mul, Poly, S, Symbol, fraction, oo, together
 
@@ -29,7 +29,7 @@ def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) ->
     symbols, later = free_symbols(printed) | free_symbols(derived), list[Values]()
     drawn: Iterable[Values] = () if alike else _anywhere(r, symbols) if claim == "existence" else r.points(symbols)
     enough = (values for n, values in enumerate(drawn) if n < DRAWN or len(later) < LEFT_OUT)
-    for values in map(partial(_settled, r), chain(enough, _between(r, printed, derived))):
+    for values in map(partial(_settled, r), _in_turn(enough, _between(r, printed, derived))):
         if (said := holds(printed, values)) == holds(derived, values):
             continue
         if wanted in (None, said):
@@ -41,6 +41,17 @@ def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) ->
         at_equality = (_settled(r, values) for values in islice(_on_boundary(r, derived), ON_BOUNDARY))
         yield from (values for values in at_equality if wanted in (None, holds(printed, values)))
     yield from later
+
+
+def _in_turn(*sources: Iterator[Values]) -> Iterator[Values]:
+    """One of each, as long as there are any: no source uses up the points that are looked at."""
+    left = list(sources)
+    while left:
+        for source in tuple(left):
+            try:
+                yield next(source)
+            except StopIteration:
+                left.remove(source)
 
 
 def _settled(r: Reading, values: Values) -> Values:
