@@ -163,6 +163,7 @@ MUTANTS = [
     ("literature", "F5-y1", {"printed": "-0.705397809522573"}), ("literature", "F3-period", {"printed": "22.898647550622"}),
     ("literature", "S4-slow-nutation", {"printed": "2.4954551005"}), ("literature", "S8-multiplicity", {"printed": "3"}),
     ("literature", "F3-solution", {"printed": ["sqrt(I1)*u/r*cn(n*t, m)", "sqrt(I2)*u/s*sn(n*t, m)", "sqrt(I3)*v/r*cn(n*t, m)"]}),
+    ("literature", "F3-solution", {"let": {**BY_KEY["literature", "F3-solution"].let, "s": "sqrt(I2 - I3)"}}),    # not real
     ("literature", "F2", {"let": {**BY_KEY["literature", "F2"].let, "y": "sqrt(1/I2 - 1/I1)"}}),                 # not real
     ("literature", "F4-stable", {"printed": "(l + (I3 - I1)*omega3_0)*(l + (I3 - I2)*omega3_0) >= 0"}),
     ("literature", "F4-unstable", {"printed": "(l + (I3 - I1)*omega3_0)*(l + (I3 - I2)*omega3_0) <= 0"}),

@@ -14,7 +14,7 @@ LARGEST = 1000
 def _value(letters: str, u: Expr, m: Expr, prec: int) -> Expr:
     """The number; SymPy asks for it many times over."""
     with mpmath.workprec(prec + 20):
-        if max(abs(float(a.evalf(5))) for a in (u, m)) > LARGEST:
+        if max(abs(complex(a.evalf(5))) for a in (u, m)) > LARGEST:
             raise ScopeError(f"sn, cn and dn are computed of arguments up to {LARGEST}: give smaller numbers")
         at, modulus = (mpmath.mpmathify(a.evalf(int(prec / 3.3) + 10)) for a in (u, m))
         value = mpmath.ellipfun(letters, at, m=modulus)
