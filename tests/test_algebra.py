@@ -73,3 +73,12 @@ def test_the_kernel_prefers_the_pivots_it_is_told_to():
     rows = ring.matrix([[x, y]])[0]
     assert [null_space(ring, rows, lambda j, e, w=w: j != w, 2)[0][0] for w in (0, 1)] == [1, 0]
     assert Fraction(int(rows[0][0](2, 3).p)) == 2
+
+
+@pytest.mark.parametrize("one, other", [
+    (sympy.log(4), 2 * sympy.log(2)), (sympy.log(sympy.Rational(1, 12)), -2 * sympy.log(2) - sympy.log(3)),
+    (sympy.sin(7 * sympy.pi / 18), sympy.cos(sympy.pi / 9)), (sympy.tan(sympy.pi / 9), sympy.sin(sympy.pi / 9) / sympy.cos(sympy.pi / 9))])
+def test_equal_constants_are_equal_polynomials(one, other):
+    """Logarithms of rationals by primes, sines of rπ by cosines: a formula does not differ from itself in another spelling."""
+    ring = Ring([difference := (x + one) ** 2 - (x + other) ** 2])
+    assert not ring.reduce(ring.fraction(difference)[0])

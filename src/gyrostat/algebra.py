@@ -8,12 +8,13 @@ from collections.abc import Iterable, Sequence, Set
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cos, cosh, exp, sin, sinh, tanh
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cos, cosh, exp, factorrat, log, pi, sin, sinh, tan, tanh
 
 from .errors import ExpressionError
 
 Row = list[fmpq_mpoly]
 _HYPERBOLIC = (sinh, cosh, tanh)
+PRIMES = 2**15                                         # up to which integers in logarithms are factored
 
 
 class Ring:
@@ -63,6 +64,8 @@ class Ring:
             factors = [_power((self.gens[Pow(node.base, Rational(1, node.exp.q))], self.one), int(node.exp.p))]
         elif isinstance(node, exp):
             factors = [_power((self.gens[base], self.one), n) for base, n in _exponential(node)]
+        elif (same := _spelt_once(node)) is not None:
+            factors = [self.fraction(same)]
         else:
             factors = [self.fraction(node.rewrite(exp))]
         top, bottom = self.one, self.one
@@ -131,6 +134,8 @@ def _collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict
         parts = (node.base,)
     elif isinstance(node, _HYPERBOLIC):
         parts = (node.rewrite(exp),)
+    elif (same := _spelt_once(node)) is not None:
+        parts = (same,)
     elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
         _collect(node.base, seen, plain, squares)
         squares.setdefault(Pow(node.base, Rational(1, 2)), node.base)
@@ -145,6 +150,17 @@ def _collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict
         plain[node] = None
     for part in parts:
         _collect(part, seen, plain, squares)
+
+
+def _spelt_once(node: Expr) -> Expr | None:
+    """A logarithm of a rational by those of primes, a sine or tangent of rπ by cosines; None for what is spelt in one way."""
+    if isinstance(node, log) and isinstance(node.args[0], Rational) and node.args[0] > 0:
+        parts = factorrat(node.args[0], limit=PRIMES)
+        return None if list(parts.values()) == [1] else Add(*(n * log(p) for p, n in parts.items()))
+    if isinstance(node, (sin, tan)) and isinstance(node.args[0] / pi, Rational):
+        sine = cos(pi / 2 - node.args[0])
+        return sine if isinstance(node, sin) else sine / cos(node.args[0])
+    return None
 
 
 def _exponential(node: exp) -> list[tuple[Expr, int]]:
