@@ -87,3 +87,13 @@ def test_random_fields_are_recognised_where_they_are_of_revolution():
         assert name in recognise(this).sentence or name == "axis 3" and not any(other)
         more = gs.general_potential(this.potential.expression + Rational(1, draw.randint(1, 10**6)) * k1 * k2 * k3**draw.randint(0, 2))
         assert recognise(gs.assemble(this.body, more)) is None, (n, name, c)
+
+
+def test_a_sphere_with_roots_in_its_numbers_keeps_its_condition():
+    """Along (1, 1, 1) the momentum is √3 p: the second variation is definite, no boundary is reached, and the slope is that."""
+    p, m0, c = gs.symbol("p0"), gs.symbol("m0"), 1 / sqrt(3)
+    sphere = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, 0)), gs.general_potential(m0 * exp(k1 + k2 + k3)))
+    report = gs.analyze(gs.equilibrium(sphere, (p, p, p, c, c, c)))
+    decision = report.verdict({"p0": 5, "m0": 1})
+    assert report.sufficient.alternatives[0][0].margin == report.necessary.alternatives[0][0].margin
+    assert decision.verdict.name == "STABLE" and "definite" in decision.reason

@@ -5,13 +5,13 @@ from functools import partial
 
 import oracle
 import pytest
-from sympy import CRootOf, oo
+from sympy import CRootOf, Rational, oo, pi, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.exact import Point, evaluate, sign_of_constant
 from gyrostat.expressions import exact_number
-from gyrostat.intervals import EXCLUDED, INCLUDED
+from gyrostat.intervals import EXCLUDED, INCLUDED, Interval
 from gyrostat.results import result_blocks
 from gyrostat.roots import between
 from gyrostat.solve import solve_condition
@@ -341,3 +341,16 @@ def test_a_number_between_two_that_are_very_near():
             (exact_number("1.4142135623730950488016887242096980785696"), exact_number("sqrt(2)"))]
     for a, b in near:
         assert a < between(a, b) < b
+
+
+@pytest.mark.parametrize(("moment", "rotor"), [(1, sqrt(3)), (sqrt(5), sqrt(2)), (2 ** Rational(1, 4), sqrt(2) + sqrt(3)),
+                                               (sqrt(pi), sin(1)), (2 ** Rational(1, 12), sqrt(6))])
+def test_numbers_that_are_not_rational_lose_no_part_of_a_set(moment, rotor):
+    """The third minor and its square, the fourth, are one condition whatever numbers are in them: (π3 + l)² ≥ ∓4 I1 m0."""
+    body = gs.Gyrostat((moment, moment, 1), (0, 0, rotor))
+    report = gs.analyze(gs.hanging(gs.assemble(body, gs.axial_potential(lambda z: gs.symbol("m0") * z))))
+    (part,) = stabilizing_set(report, "pi3_0").parts
+    ends = {case.when[0][1]: case.intervals for case in part.cases}
+    assert ends[">"] == (Interval(-oo, oo),) and len(ends["<"]) == 2
+    distance = (ends["<"][0].high + rotor).subs(gs.symbol("m0"), -1)
+    assert abs((distance**2 - 4 * moment).evalf(50)) < 1e-40

@@ -4,9 +4,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from flint import fmpq_mpoly
-from sympy import Expr
+from sympy import Expr, S
 
-from .algebra import by_degree
+from .algebra import Ring, by_degree
+from .exact import sign_of_constant
 from .signs import Signs
 
 
@@ -73,7 +74,7 @@ def _divided(items: list[Item], signs: Signs) -> list[Item]:
 
 
 def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
-    """Drop X where X = S + T Y with T > 0 and S a square: it follows from Y.
+    """Drop X where X = S + T Y with T > 0 and S a square, or X a square of Y: it follows from Y.
 
     A non-strict Y also holds where an even factor e of it vanishes. If e divides S, then X and Y together are
     Y's margin ≥ 0 alone: where e = 0, X has the sign of the margin.
@@ -82,6 +83,8 @@ def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
         for y in items:
             if x is y or x.degenerate or x.strict != y.strict:
                 continue
+            if x.strict and _is_square(x.margin, y.margin, signs.ring):
+                return [item for item in items if item is not x]
             parts = _parts(x.margin, y.margin, signs)
             if parts is None or not y.strict and any(divmod(parts[0], e)[1] for e in y.degenerate):
                 continue
@@ -89,6 +92,20 @@ def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
             plain = replace(y, degenerate=y.degenerate if y.strict else (), implies=(*y.implies, proof, *x.implies))
             return [plain if item is y else item for item in items if item is not x]
     return items
+
+
+def _is_square(x: fmpq_mpoly, y: fmpq_mpoly, ring: Ring) -> bool:
+    """Whether x = c y² with a number c > 0, by what the numbers in the coefficients are: factoring takes them for names."""
+    if all(g.free_symbols for g in ring.generators):
+        return False
+    names = set().union(*(g.free_symbols for g in ring.generators))
+    ours, squares = ({powers: ring.expression(c).expand() for powers, c in ring.coefficients(p, names).items()}
+                     for p in (x, ring.reduce(y * y)))
+    first = max(squares)
+    if first not in ours or sign_of_constant(ours[first] * squares[first]) != 1:
+        return False
+    return all(sign_of_constant((ours.get(powers, S.Zero) * squares[first] - ours[first] * squares.get(powers, S.Zero)).expand()) == 0
+               for powers in {*ours, *squares})
 
 
 def _parts(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs) -> tuple[fmpq_mpoly, fmpq_mpoly] | None:
