@@ -10,6 +10,8 @@ import numpy as np
 from ..charts import stability_chart
 from ..errors import ValuesError
 from ..files import save_netcdf
+from ..notation import symbol
+from ..notes import scene_note
 from .output import PICTURES, Output, file_of, save_picture
 from .scenes import axis_of, numbers_of, one_spin, report_for
 
@@ -37,6 +39,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
         _draw(chart, path)
     elif store is None:
         save_netcdf(chart, path, encoding={"verdict": {"zlib": True, "complevel": 1}})
+    out.noted(scene_note(report.equilibrium.system, {symbol(name): number for name, number in numbers.items()}))
     return 0
 
 

@@ -40,6 +40,11 @@ class Output:
             self.file = self.stack.enter_context(open(new, "w", encoding="utf-8"))  # noqa: SIM115
         self.file.write(text)
 
+    def noted(self, note: str) -> None:
+        """What is unusual, if anything, to standard error: a picture has no place for it."""
+        if note:
+            print(f"{'note':<12}{note}", file=sys.stderr)
+
 
 @contextmanager
 def standard_streams() -> Iterator[None]:

@@ -9,6 +9,8 @@ from sympy import Expr
 from .. import plotting
 from ..errors import ValuesError
 from ..expressions import exact_number
+from ..notation import symbol
+from ..notes import scene_note
 from ..system import System
 from .motion import POINTS, SPACE, motion_of, times_of
 from .output import PICTURES, Output, file_of, save_picture
@@ -24,50 +26,63 @@ def run(given: argparse.Namespace, out: Output) -> int:
     path = file_of(out, "picture", PICTURES, f"{given.kind}.png, .pdf or .svg")
     from matplotlib.figure import Figure
     figure = Figure()
-    DRAWN[given.kind](given, numbers_of(given.values), figure)
+    note = DRAWN[given.kind](given, numbers_of(given.values), figure)
     save_picture(figure, path)
+    out.noted(note)
     return 0
 
 
-def _momentum_sphere(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+def _momentum_sphere(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     energies = [float(exact_number(text, "--energy")) for text in given.energy or ()]
-    plotting.draw_momentum_sphere(body_of("none", numbers), numbers, exact_number(given.momentum, "--momentum"), energies or None,
-                                  figure.add_subplot(**SPACE))
+    scene = body_of("none", numbers)
+    plotting.draw_momentum_sphere(scene, numbers, exact_number(given.momentum, "--momentum"), energies or None, figure.add_subplot(**SPACE))
+    return _unusual(scene, numbers)
 
 
-def _nutation(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+def _nutation(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     times = times_of(given, POINTS)
-    plotting.draw_nutation(motion_of(given), times, figure.add_subplot(**SPACE))
+    plotting.draw_nutation(moving := motion_of(given), times, figure.add_subplot(**SPACE))
+    return moving.note
 
 
-def _effective_potential(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
-    plotting.draw_effective_potential(_revolving(given), numbers, given.energy, figure.subplots())
+def _effective_potential(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    plotting.draw_effective_potential(scene := _revolving(given), numbers, given.energy, figure.subplots())
+    return _unusual(scene, numbers)
 
 
-def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     name, low, high, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
     _free(name, numbers)
-    plotting.draw_bifurcation_diagram(_revolving(given), numbers, name, (low, high), figure.subplots())
+    plotting.draw_bifurcation_diagram(scene := _revolving(given), numbers, name, (low, high), figure.subplots())
+    return _unusual(scene, numbers)
 
 
-def _energy_momentum(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
-    plotting.draw_energy_momentum(_revolving(given), numbers, ax=figure.subplots())
+def _energy_momentum(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    plotting.draw_energy_momentum(scene := _revolving(given), numbers, ax=figure.subplots())
+    return _unusual(scene, numbers)
 
 
-def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     name, low, high, count = axis_of("--x", given.x, "NAME=LOW:HIGH[:COUNT]", SAMPLES)
     _free(name, numbers)
     one_spin(names := {**numbers, name: low})
     eq = report_for("picture", given.potential, given.equilibrium, names).equilibrium
     plotting.draw_eigenvalues(eq, numbers, name, np.linspace(float(low), float(high), count).tolist(), figure.subplots())
+    return _unusual(eq.system, numbers)
 
 
-def _cones(given: argparse.Namespace, numbers: Numbers, figure: Any) -> None:
+def _cones(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     transverse, axial = exact_number(given.transverse, "--transverse"), exact_number(given.axial, "--axial")
     if numbers.keys() != {"I1", "I3"}:
         raise ValuesError(f"--set gives {', '.join(numbers) or 'nothing'}, the cones are those of a body with I1 = I2 and without a rotor: "
                           "give I1 and I3")
     plotting.draw_cones((numbers["I1"], numbers["I3"]), transverse, axial, figure.add_subplot(**CONES))
+    return _unusual(scene_of("none"), {**numbers, "I2": numbers["I1"]})
+
+
+def _unusual(scene: System, numbers: Numbers) -> str:
+    """What is unusual about the numbers, as far as they are given."""
+    return scene_note(scene, {symbol(name): number for name, number in numbers.items()})
 
 
 def _revolving(given: argparse.Namespace) -> System:
@@ -83,6 +98,6 @@ def _free(name: str, numbers: Numbers) -> None:
         raise ValuesError(f"{name} is given twice, by --set and as the axis --x: leave out one of the two")
 
 
-DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], None]] = {
+DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], str]] = {
     "momentum-sphere": _momentum_sphere, "nutation": _nutation, "effective-potential": _effective_potential,
     "bifurcations": _bifurcations, "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues, "cones": _cones}
