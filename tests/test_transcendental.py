@@ -158,3 +158,10 @@ def test_bodies_are_of_revolution_however_they_are_spelled():
         gs.Gyrostat((f"{HIDDEN} - pi", 1, 1), (0, 0, 0))
     with pytest.raises(ScopeError, match="two equal moments"):
         polhode_period(("pi**2+2*pi+1", "(pi+1)**2", 2), (1, 2, 3))
+
+
+def test_what_is_proved_to_be_zero_is_shown_as_zero():
+    """Not as the rest that evaluation leaves, 0.e-123, nor in the terms it came in."""
+    top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    decision = top.verdict({"I1": 1, "l": 0, "pi3_0": pi + 1, "m0": (pi**2 + 2 * pi + 1) / 4})
+    assert decision.verdict is Verdict.STABLE and decision.margins[0][1] is sympy.S.Zero

@@ -175,7 +175,9 @@ def _condition_holds(condition: Condition, numbers: Mapping[Symbol, Expr], margi
 def _margin_sign(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
     if condition.margin not in margins:
         margins[condition.margin] = evaluate(condition.margin, numbers)
-    return sign_of_constant(margins[condition.margin])
+    if (found := sign_of_constant(margins[condition.margin])) == 0:
+        margins[condition.margin] = S.Zero              # in whatever terms it came out
+    return found
 
 
 def _factor_signs(condition: Condition, numbers: Mapping[Symbol, Expr]) -> list[int | None]:
