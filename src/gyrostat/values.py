@@ -75,9 +75,9 @@ def unknown(name: str, known: Sequence[str], where: str) -> str:
     """What to say of a name that is not a parameter."""
     other = {"pi3_0": "omega3_0", "omega3_0": "pi3_0"}
     close = [other[name]] if other.get(name) in known else get_close_matches(name, [*known, *(other[n] for n in known if n in other)], 1)
-    hint = f"did you mean {close[0]}? " if close else ""
+    hint = f"did you mean {close[0]}? Its" if close else "its"
     spin = ' (with spin="omega3_0" in place of pi3_0)' if "omega3_0" in (name, *close) and "omega3_0" not in known else ""
-    return f"{where} has no parameter {name}: {hint}Its parameters are {', '.join(known)}{spin}"
+    return f"{where} has no parameter {name}: {hint} parameters are {', '.join(known)}{spin}"
 
 
 def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
