@@ -13,8 +13,8 @@ CHAIN = ("start errors precision notation inputs magnitudes parts scanner gramma
          "transcendental exact signs body potential fields liepoisson system equilibria families orbit linearization energy_casimir "
          "implication conditions reduction spherical recognition standard boundary sphere drift roots forms amended torquefree values "
          "notes stability branch branches elimination planecurves stations bifurcations critical intervals cases solve cells "
-         "stabilizing attitude freebody presentation progress straightline rounding labels grids continuation tiles kernels numeric "
-         "energymomentum spectra arraysigns enclosures regions proofs coverings boxes certify blocks results document unicode "
+         "stabilizing attitude freebody presentation progress straightline rounding labels grids pieces continuation tiles kernels "
+         "numeric energymomentum spectra arraysigns enclosures regions proofs coverings boxes certify blocks results document unicode "
          "references files linebreaks latex article twofold contours charts marks layout stores periods elliptic levels profiles "
          "turning nutation spectral spinors precession axialmotion steady polhodes loops freemotion integrators integration columns "
          "motions turned routes confirmation trajectories plotting published cli").split()

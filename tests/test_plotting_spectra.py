@@ -4,6 +4,7 @@ import oracle
 import pytest
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
+from sympy import exp
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ValuesError
@@ -49,6 +50,15 @@ def test_the_collision_of_the_sleeping_top():
     (met,) = spectrum(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 23)).collisions
     assert (met.value, met.kind, met.changes) == (1.25, "Hamiltonian Hopf", True)
     np.testing.assert_allclose(sorted(met.eigenvalues.imag), [-0.25, 0.25], atol=1e-15)
+
+
+def test_a_disc():
+    """I3 = 2 I1 without a rotor: at E1 p² = 4q everywhere, two pairs meet at 0 together where I3² ω² = 4 I1 U'(1)."""
+    for U in (gs.symbol("m0") * gs.symbol("k3"), exp(gs.symbol("m0") * gs.symbol("k3"))):
+        eq = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U)), spin="omega3_0")
+        (met,) = spectrum(eq, {"I1": 1, "I3": 2, "l": 0, "omega3_0": 1}, "m0", np.linspace(3, 0.1, 80)).collisions
+        assert (met.kind, met.changes, met.eigenvalues.tolist()) == ("zero eigenvalue", True, [0])
+        assert met.value * np.exp(0 if U.is_polynomial() else met.value) == pytest.approx(1)
 
 
 def test_e3_collides_at_0():

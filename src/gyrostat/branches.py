@@ -72,7 +72,7 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
         found, own = turned
         return [in_axes_of(found, branch) for branch in relative_equilibria(found.standard, own)]
     asked, numbers = _asked_for(scene, values)
-    here = _Scene(scene, numbers)
+    here = SceneAtNumbers(scene, numbers)
     if asked == ("omega",):
         return here.at_rate(numbers[OMEGA])
     if asked == ("pi3_0", "C1"):
@@ -84,7 +84,7 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
 
 def pole_at(scene: System, values: Mapping[str, Any], s: int) -> Branch | None:
     """E1 (s = 1) or E2 (s = −1) at values with omega; None where U is infinite."""
-    here = _Scene(scene, numbers := _asked_for(scene, values)[1])
+    here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
     return next(iter(here.pole(s, s * here.I3 * numbers[OMEGA])), None)
 
 
@@ -96,7 +96,7 @@ def critical_tilt(scene: System, values: Mapping[str, Any], k3: Expr) -> Verdict
     scene, values      as in relative_equilibria, with omega
     k3 : Expr          exact, an E3 at these numbers
     """
-    here = _Scene(scene, numbers := _asked_for(scene, values)[1])
+    here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
     report = _report(here.potential, "E3 at rest" if sign_of_constant(numbers[OMEGA]) == 0 else "E3")
     assert report.boundary is not None
     stable, _ = report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {})
@@ -153,7 +153,7 @@ def _report(potential: Potential, label: str) -> Report:
     return analyze(inclined(scene, "l") if label == "E3" else (upright if label == "E1" else hanging)(scene))
 
 
-class _Scene:
+class SceneAtNumbers:
     """A scene at numbers: what is asked of it in different ways."""
 
     def __init__(self, scene: System, numbers: Point):

@@ -15,6 +15,7 @@ from .errors import ScopeError
 from .exact import ball
 from .expressions import exact_number
 from .grids import Array
+from .pieces import INFINITE, Mark, Piece, Span
 from .planecurves import PlaneCurve, fraction_of
 from .stability import Verdict
 from .stations import Place, Station, beside, between, stations
@@ -22,55 +23,6 @@ from .system import System
 
 NODES, HALVINGS, LONGEST = 96, 12, 0.05                    # between two stations; of steps in k3 that are longer
 LABELS = {1: "E1", -1: "E2"}
-INFINITE = "U is infinite"
-
-
-@dataclass
-class Piece:
-    """Part of a branch of one verdict.
-
-    Parameters
-    ----------
-    label : str                             "E1", "E2" or "E3"
-    parameter, k3 : arrays, shape (n,)      n = 1: an isolated point
-    verdict : Verdict                       exact, between its ends; of E3 modulo the spin
-    """
-
-    label: str
-    parameter: Array
-    k3: Array
-    verdict: Verdict
-
-    def extend(self, parameter: Array, k3: Array) -> None:
-        """Go on from where it ends."""
-        self.parameter, self.k3 = np.append(self.parameter, parameter[1:]), np.append(self.k3, k3[1:])
-
-
-@dataclass(frozen=True)
-class Mark:
-    """A point where branches change.
-
-    Parameters
-    ----------
-    kind : str            a kind of BifurcationPoint, or INFINITE
-    value, k3 : Expr      exact
-    changes : bool        whether stability changes there; where U is infinite it may, with no equilibrium between
-    """
-
-    kind: str
-    value: Expr
-    k3: Expr
-    changes: bool
-
-
-@dataclass(frozen=True)
-class Span:
-    """What lies between two neighbouring stations: verdicts of the tilts from below, and of E1 (1) and E2 (−1)."""
-
-    low: Expr
-    high: Expr
-    tilts: tuple[Verdict, ...]
-    poles: dict[int, Verdict]
 
 
 @dataclass(frozen=True)
@@ -113,7 +65,7 @@ def continuation(scene: System, values: Mapping[str, Any], parameter: str, ends:
     found = stations(critical.curve, critical.points, (*critical.lines, *critical.poles[1], *critical.poles[-1]))
     inner = [station.t for station in found if station.t not in (low, high)]
     spans = [_span(scene, values, parameter, critical.curve, a, b) for a, b in pairwise([low, *inner, high])]
-    here = _Scene(scene, values, parameter, critical, {station.t: station for station in found}, spans)
+    here = _Followed(scene, values, parameter, critical, {station.t: station for station in found}, spans)
     pieces = [piece for s in LABELS for piece in here.pole(s)] + here.tilts() + here.lines() + here.isolated()
     return Continuation(pieces, [mark for station in found for mark in here.marks(station)])
 
@@ -129,7 +81,7 @@ def _span(scene: System, values: Mapping[str, Any], parameter: str, curve: Plane
 
 
 @dataclass(frozen=True)
-class _Scene:
+class _Followed:
     """What a continuation is made of."""
 
     scene: System

@@ -1,6 +1,6 @@
 """Critical values of (C1, h) of a body of revolution in U(k3) at a fixed axial momentum: E1, E2 and all regular precessions."""
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -24,7 +24,6 @@ from .stations import between
 from .system import System
 
 NODES, DECADES = 480, 13                                   # between two cuts; towards an end at which C1 is infinite
-NEAR = 1e-3                                                # two rates of one tilt, both with an end there, are further apart
 
 
 @dataclass(frozen=True)
@@ -70,6 +69,8 @@ class _Part:
     omega: Array
     verdict: Verdict
     ends: tuple[Any, Any]                                  # the cuts, as exact numbers; None: there is none, or C1 is infinite
+    component: int                                         # of the curve of rates
+    side: int = 0                                          # sign of (2aW + b) b, or of 2aW + b if b = 0; the component is a W² + b W + c
 
 
 def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
@@ -93,8 +94,8 @@ def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
     curve = PlaneCurve(motion.precession().xreplace(_jets(motion)).xreplace(numbers), K3, OMEGA, (margin,))
     if curve.lines and sign_of_constant(numbers[P]) == 0:
         raise ScopeError("U is constant and p_psi = 0: every tilt at rest has the same C1 and h; give p_psi a value")
-    here = _Scene(scene, numbers, curve, curve.polynomial(margin))
-    parts = [part for n, component in enumerate((*curve.components, *curve.lines)) for part in here.parts(component, here.margins[n])]
+    here = _Precessions(scene, numbers, curve, curve.polynomial(margin))
+    parts = [part for n in range(len(here.components)) for part in here.parts(n)]
     curves, cusps = [], []
     for part in parts:
         v, h = (np.broadcast_to(in_floats(e, np, {K3: part.k3, OMEGA: part.omega}), part.k3.shape) for e in (level, height))
@@ -120,8 +121,8 @@ def _jets(motion: Reduction) -> dict[Any, Expr]:
     return {name: potential.value(name) for name in (symbol("dU"), symbol("d2U"))}
 
 
-class _Scene:
-    """What the curves are made of."""
+class _Precessions:
+    """The precessions of a scene at numbers: what the curves are made of."""
 
     def __init__(self, scene: System, numbers: Point, curve: PlaneCurve, margin: fmpq_mpoly):
         self.scene, self.curve = scene, curve
@@ -129,17 +130,22 @@ class _Scene:
             "pi3_0": evaluate(P - scene.body.gyrostatic_momentum[2], numbers)}
         self.total, self.numbers = numbers[P], numbers
         self.I1 = evaluate(scene.body.inertia[0], numbers)
-        self.margins = [curve.common(part, margin) if divmod(margin, part)[1] != 0 else [] for part in (*curve.components, *curve.lines)]
+        self.components = (*curve.components, *curve.lines)
+        self.margins = [curve.common(part, margin) if divmod(margin, part)[1] != 0 else [] for part in self.components]
 
-    def parts(self, component: fmpq_mpoly, margins: list[tuple[Expr, Expr]]) -> list[_Part]:
+    def coefficients(self, n: int) -> list[Expr]:
+        """c, b, a of a component a W² + b W + c."""
+        ring, component = self.curve.ring, self.components[n]
+        return [ring.expression(x) for x in (*by_degree(component, self.curve.place[1], self.curve.degree(component, 1)), ring.zero)[:3]]
+
+    def parts(self, n: int) -> list[_Part]:
         """The branches of one component."""
-        if not self.curve.degree(component, 1):            # at one tilt, k3 = 0, every rate is that of a precession
-            return self._at_every_rate(margins)
-        ring = self.curve.ring
-        c, b, a = (ring.expression(x) for x in (*by_degree(component, self.curve.place[1], self.curve.degree(component, 1)), ring.zero)[:3])
-        infinite = self._zeros(*map(ring.expression, self.curve.poles))
+        if not self.curve.degree(self.components[n], 1):   # at one tilt, k3 = 0, every rate is that of a precession
+            return self._at_every_rate(n)
+        c, b, a = self.coefficients(n)
+        infinite = self._zeros(*map(self.curve.ring.expression, self.curve.poles))
         if not a:
-            return self._branch(component, margins, lambda k3: -_values(c, k3) / _values(b, k3), infinite | self._zeros(b), set())
+            return self._branch(n, 0, lambda k3: -_values(c, k3) / _values(b, k3), infinite | self._zeros(b), set())
         double, steep = self._zeros(b**2 - 4 * a * c), self._zeros(a)
         known = [float(x) for x in double]
 
@@ -148,36 +154,36 @@ class _Scene:
             return -(_values(b, k3) + np.where(_values(b, k3) < 0, -1, 1) * np.sqrt(square)) / 2
 
         if not b:                                          # of one size
-            slow = self._branch(component, margins, lambda k3: -half(k3) / _values(a, k3), infinite | steep, double)
+            slow = self._branch(n, 1, lambda k3: -half(k3) / _values(a, k3), infinite | steep, double)
         else:
-            slow = self._branch(component, margins, lambda k3: _values(c, k3) / half(k3), infinite, double)
-        return slow + self._branch(component, margins, lambda k3: half(k3) / _values(a, k3), infinite | steep, double)
+            slow = self._branch(n, 1, lambda k3: _values(c, k3) / half(k3), infinite, double)
+        return slow + self._branch(n, -1, lambda k3: half(k3) / _values(a, k3), infinite | steep, double)
 
     def _zeros(self, *expressions: Expr) -> set[Expr]:
         return {root for e in expressions for root in real_roots(e, K3, S.NegativeOne, S.One) or ()}
 
-    def _branch(self, component: fmpq_mpoly, margins: list[tuple[Expr, Expr]], rate: Callable[[Array], Array],
-                infinite: set[Expr], double: set[Expr]) -> list[_Part]:
+    def _branch(self, n: int, side: int, rate: Callable[[Array], Array], infinite: set[Expr], double: set[Expr]) -> list[_Part]:
         """One root over −1 < k3 < 1, cut where it ends or its verdict changes."""
         found: list[_Part] = []
-        for a, b in pairwise([S.NegativeOne, *in_order(list(infinite | double | {k3 for _, k3 in margins})), S.One]):
+        for a, b in pairwise([S.NegativeOne, *in_order(list(infinite | double | {k3 for _, k3 in self.margins[n]})), S.One]):
             middle = between(a, b)
-            if not self._exists(component, middle):
+            if not self._exists(self.components[n], middle):
                 continue
             k3 = _nodes(float(a), float(b), a in infinite or a == -1, b in infinite or b == 1)
             verdict = self._verdict(middle, float(rate(np.array([float(middle)]))[0]))
             ends = (None if a in infinite or a == -1 else a, None if b in infinite or b == 1 else b)
-            part = _Part(k3, rate(k3), verdict, ends)
+            part = _Part(k3, rate(k3), verdict, ends, n, side)
             last = found[-1] if found else None
             if last and last.verdict is part.verdict and last.ends[1] is not None and last.ends[1] == a and a not in double:
-                found[-1] = _Part(np.append(last.k3, k3[1:]), np.append(last.omega, part.omega[1:]), part.verdict, (last.ends[0], ends[1]))
+                found[-1] = replace(last, k3=np.append(last.k3, k3[1:]), omega=np.append(last.omega, part.omega[1:]),
+                                    ends=(last.ends[0], ends[1]))
             else:
                 found.append(part)
         return found
 
-    def _at_every_rate(self, margins: list[tuple[Expr, Expr]]) -> list[_Part]:
+    def _at_every_rate(self, n: int) -> list[_Part]:
         """k3 = 0 at p_psi = 0 where U' vanishes."""
-        cuts = [None, *in_order([omega for omega, _ in margins]), None]
+        cuts = [None, *in_order([omega for omega, _ in self.margins[n]]), None]
         found = []
         for a, b in pairwise(cuts):
             low = b - 1 if a is None and b is not None else S.NegativeOne if a is None else a
@@ -188,7 +194,7 @@ class _Scene:
             steps = np.concatenate([[0], np.geomspace(1e-4, 10.0**(DECADES / 2), NODES)])
             inner = np.linspace(float(low), float(high), NODES) if a is not None and b is not None else (
                 float(low) + steps if a is not None else float(high) - steps[::-1] if b is not None else np.append(-steps[:0:-1], steps))
-            found.append(_Part(np.zeros_like(inner), inner, verdict, (a, b)))
+            found.append(_Part(np.zeros_like(inner), inner, verdict, (a, b), n))
         return found
 
     def _exists(self, component: fmpq_mpoly, k3: Fraction) -> bool:
@@ -203,9 +209,16 @@ class _Scene:
 
     def ends_at(self, part: _Part, omega: Expr, k3: Expr) -> bool:
         """Whether a part has its end at a precession where stability may change."""
-        at_one_tilt = part.omega.size > 1 and not part.k3.any()
-        return any(end == (omega if at_one_tilt else k3) and abs(part.omega[n] - float(omega)) <= NEAR * (1 + abs(float(omega)))
-                   for end, n in zip(part.ends, (0, -1)) if end is not None)
+        if (omega, k3) not in self.margins[part.component]:
+            return False
+        if not self.curve.degree(self.components[part.component], 1):
+            return omega in part.ends
+        if k3 not in part.ends or not part.side:
+            return k3 in part.ends
+        at = {K3: k3, OMEGA: omega}
+        _, b, a = self.coefficients(part.component)
+        root, below = (sign_of_constant(evaluate(e, at)) for e in (2 * a * OMEGA + b, b))
+        return root in (0, -part.side if below == -1 else part.side)
 
     def poles(self, motion: Reduction) -> list[tuple[float, float, Branch]]:
         """E1 and E2 with their values."""

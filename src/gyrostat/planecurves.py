@@ -185,15 +185,14 @@ class PlaneCurve:
         return sum((math.prod((v for v, e in zip(values, powers) for _ in range(int(e))), start=arb(c))      # ** has no power of a ball
                     for powers, c in polynomial.to_dict().items()), arb(0))                              # that contains 0
 
-    def roots(self, t: Fraction, count: int | None = None) -> list[arb]:
-        """The roots −1 < x < 1 at a t where they are simple and not ±1, in increasing order, to 50 bits or more.
+    def roots(self, t: Fraction, count: int | None = None, precision: int = 96) -> list[arb]:
+        """The roots −1 < x < 1 at a t where they are simple and not ±1, in increasing order, to half of the precision or more.
 
         count, where it is known, spares an exact count where numbers are algebraic.
         """
         if not self.rational and count is None:
             placed = inserted(self.ring, self.whole, {self.t: Rational(t.numerator, t.denominator)})
             count = len(real_roots(placed, self.x, S.NegativeOne, S.One) or ())
-        precision = 96
         while True:
             with own_precision(precision):
                 found = self._simple(t, count)
@@ -210,11 +209,12 @@ class PlaneCurve:
         else:
             here = _interval(t)
             try:
-                found = arb_poly([self._enclosed(part, here, arb(0)) for part in parts]).complex_roots(tol=2.0**-56)
+                found = arb_poly([self._enclosed(part, here, arb(0)) for part in parts]).complex_roots(tol=2.0 ** -(ctx.prec // 2 + 8))
             except ValueError:                             # not isolated at this precision
                 return None
             real = [x.real for x in found if x.imag.contains(0)]
-        if any(r.overlaps(arb(s)) for r in real for s in (-1, 1)) or any(r.rad() > abs(r.mid()) * 2.0**-50 + 2.0**-60 for r in real):
+        small = 2.0 ** -(ctx.prec // 2 + 2)
+        if any(r.overlaps(arb(1)) or r.overlaps(arb(-1)) or r.rad() > (abs(r.mid()) + 2.0**-10) * small for r in real):
             return None
         inside = sorted((r for r in real if abs(r) < 1), key=arb.mid)
         return inside if count is None or len(inside) == count else None

@@ -99,15 +99,15 @@ def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str, samples
     placed = [c.xreplace(numbers) for c in coefficients]
     _exists(eq, placed, numbers, free, low, high)
     margins = {c.source: eq.insert(c.margin).xreplace(numbers) for c in conditions if c.source != "p" or not coefficients[-1]}
-    zeros = {source: changes_of_sign(margin, free, low, high) for source, margin in margins.items()}
-    cuts = [low, *in_order(list(dict.fromkeys(zero for found in zeros.values() for zero in found))), high]
+    zeros = {zero: source for source, margin in margins.items() for zero in changes_of_sign(margin, free, low, high)}
+    cuts = [low, *in_order(list(zeros)), high]
     stable = [all(sign_of_constant(evaluate(eq.insert(c.margin).xreplace(numbers), {free: _inner(a, b)})) != -1 for c in conditions)
               for a, b in pairwise(cuts)]
-    collisions = [_collision(source, zero, placed, free, stable[cuts.index(zero) - 1] != stable[cuts.index(zero)])
-                  for source, found in zeros.items() for zero in found]
+    collisions = [_collision(zeros[zero], zero, placed, free, before != after)
+                  for zero, before, after in zip(cuts[1:], stable, stable[1:])]
     parameter_at, roots = _columns(placed, free, np.sort(at), cuts)
     order = slice(None) if at[0] < at[-1] else slice(None, None, -1)
-    return Spectrum(parameter_at[order], roots[order], sorted(collisions, key=lambda c: c.value))
+    return Spectrum(parameter_at[order], roots[order], collisions)
 
 
 def _inner(a: Expr, b: Expr) -> Rational:
@@ -135,6 +135,8 @@ def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array, cuts: Sequen
     nodes: list[Array] = []
     rows: list[Array] = []
     for a, b in pairwise(cuts):
+        if float(a) == float(b):
+            continue
         here = np.unique([float(a), *at[(at > float(a)) & (at < float(b))], float(b)])
         roots = _roots(coefficients, free, here, _inner(a, b))
         if rows:                                           # the columns go on as those that have their values at the collision
@@ -161,12 +163,18 @@ def _roots(coefficients: Sequence[Expr], free: Symbol, at: Array, inner: Rationa
 
 
 def _collision(source: str, zero: Expr, coefficients: Sequence[Expr], free: Symbol, changes: bool) -> Collision:
-    value = float(zero)
-    if source in ("p", "q"):
+    value, p = float(zero), sign_of_constant(evaluate(coefficients[0], {free: zero}))
+    if source in ("p", "q") or not p or _one_pair(coefficients):
         return Collision(value, "zero eigenvalue", changes, np.zeros(1, dtype=complex))
-    p = float(in_floats(coefficients[0], np, {free: np.float64(value)}))
-    root = np.sqrt(complex(-p / 2))
-    return Collision(value, "Hamiltonian Hopf" if p > 0 else "real pairs meet", changes, np.array([root, -root]))
+    root = np.sqrt(complex(-float(in_floats(coefficients[0], np, {free: np.float64(value)})) / 2))
+    return Collision(value, "Hamiltonian Hopf" if p == 1 else "real pairs meet", changes, np.array([root, -root]))
+
+
+def _one_pair(coefficients: Sequence[Expr]) -> bool:
+    """Whether p² = 4q everywhere: a disc, I3 = 2 I1, without a rotor."""
+    p, q = coefficients
+    discriminant = p**2 - 4 * q
+    return not Ring([discriminant]).fraction(discriminant)[0]
 
 
 def changes_of_sign(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:

@@ -10,6 +10,8 @@ from .exact import ball
 from .planecurves import Box, PlaneCurve, fraction_of
 from .roots import in_order
 
+BITS = 96                                              # of the roots at first
+
 
 @dataclass(frozen=True)
 class Place:
@@ -81,14 +83,21 @@ def _station(curve: PlaneCurve, t: Expr, places: Sequence[Expr], reach: Fraction
         lambda box: (-box.before, box.before), lambda box: (box.after, box.after))] if boxes else []
     near = beside(t, reach / 2)
     before, after = (steps[0][1], steps[1][1]) if boxes else near
-    left, right = (curve.roots(side) for side in (before, after))
-    return Station(t, before, after, tuple(Place(x, box, _inside(left, box), _inside(right, box)) for x, box in zip(places, boxes)))
+    left, right = (curve.roots(side, precision=BITS) for side in (before, after))
+    return Station(t, before, after, tuple(
+        Place(x, box, _inside(curve, before, left, box), _inside(curve, after, right, box)) for x, box in zip(places, boxes)))
 
 
-def _inside(roots: Sequence[arb], box: Box) -> range:
-    """Which roots lie in a box; none lies on its sides."""
-    inside = [n for n, root in enumerate(roots) if box.low < fraction_of(root.mid()) < box.high]
-    return range(inside[0], inside[-1] + 1) if inside else range(0)
+def _inside(curve: PlaneCurve, t: Fraction, roots: Sequence[arb], box: Box) -> range:
+    """Which roots at t lie in a box; none lies on its sides."""
+    precision = BITS
+    while True:
+        spans = [(fraction_of(root.lower()), fraction_of(root.upper())) for root in roots]
+        inside = [n for n, (low, high) in enumerate(spans) if box.low < low and high < box.high]
+        if len(inside) == sum(high > box.low and low < box.high for low, high in spans):
+            return range(inside[0], inside[-1] + 1) if inside else range(0)
+        precision *= 2
+        roots = curve.roots(t, len(roots), precision)
 
 
 def distance(a: Expr, b: Expr | Fraction) -> Fraction:

@@ -4,8 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from ..continuation import INFINITE, Continuation, Mark, Piece, continuation
+from ..continuation import Continuation, continuation
 from ..expressions import exact_number
+from ..pieces import INFINITE, Mark, Piece
 from ..stability import Verdict
 from ..system import System
 from .looks import DARK, axes_of, label, legend, line, marker, named
