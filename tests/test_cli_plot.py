@@ -119,7 +119,7 @@ def test_files(capsys, tmp_path):
     (["eigenvalues", *HOPF, "--x", "omega3_0=0:1:1", "--output", "x.png"], "COUNT 1"),
     (["eigenvalues", *HOPF, "--x", "omega3_0=0", "--output", "x.png"], "is not NAME=LOW:HIGH[:COUNT]: write"),
     (["bifurcations", *HEAVY, "--x", "omega=0:1:9", "--output", "x.png"], "is not NAME=LOW:HIGH: write, for example, --x l=-2:2\n"),
-    (["bifurcations", *HEAVY, "--x", "omega=1:0", "--output", "x.png"], "give its lower end first"),
+    (["bifurcations", *HEAVY, "--x", "omega=1:0", "--output", "x.png"], "the lower one first"),
     (["bifurcations", *HEAVY[2:], "--x", "omega=0:1", "--output", "x.png"], "--potential is missing, and bifurcations is of a field"),
     (["energy-momentum", *HEAVY, "--potential", "none", "--output", "x.png"], "--potential is none, and energy-momentum is of a field"),
     (["energy-momentum", *HEAVY, "--output", "x.png"], "needs p_psi"),

@@ -116,7 +116,7 @@ def test_the_picture():
 def test_what_cannot_be_drawn_is_refused():
     """An empty range, no rate, a field that is not rational."""
     values = {"I1": 2, "I3": 1, "l": 0, "m0": 1}
-    with pytest.raises(ValuesError, match="the range of omega is 2 to 1: give its lower end first"):
+    with pytest.raises(ValuesError, match="the range of omega is 2 to 1: give two numbers, the lower one first"):
         draw_bifurcation_diagram(TOP, values, "omega", (2, 1))
     with pytest.raises(ValuesError, match="given were I1, I3, m0, free is l: give omega too"):
         draw_bifurcation_diagram(TOP, {"I1": 2, "I3": 1, "m0": 1}, "l", (0, 1))

@@ -61,6 +61,13 @@ def test_a_disc():
         assert met.value * np.exp(0 if U.is_polynomial() else met.value) == pytest.approx(1)
 
 
+def test_a_crossing_in_the_middle_of_the_range():
+    """E1, l = 0, U'(1) > 0: at π3 = 0, the middle, p² − 4q touches 0 from below; beside it is a complex quadruple."""
+    eq = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()))
+    found = spectrum(eq, {"I1": 1, "I3": "9/8", "l": 0, "m0": 5}, "pi3_0", np.linspace(-3, 3, 40))
+    assert found.collisions == [] and (np.abs(found.eigenvalues[[0, -1]].imag) > 0.1).all()
+
+
 def test_e3_collides_at_0():
     """At E3 λ² (λ² + p): two eigenvalues stay at 0, the others meet there where p = 0."""
     eq = gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**4 - k3**2 / 2)))

@@ -57,7 +57,7 @@ def critical_of(scene: System, values: Mapping[str, Any], parameter: str, low: E
     if free in numbers:
         raise ValuesError(f"{parameter} is along the axis, and has the value {numbers[free]} too: leave out one of the two")
     if sign_of_constant(high - low) != 1:
-        raise ValuesError(f"the range of {parameter} is {low} to {high}: give its lower end first")
+        raise ValuesError(f"the range of {parameter} is {low} to {high}: give two numbers, the lower one first")
     _admissible(scene, numbers, free, low, high)
     margin, held = _margin(scene, numbers, free)
     curve = PlaneCurve(insert(scene, relation_at_rate(scene), K3, numbers, {free, K3}, "E3"), K3, free, (margin, held))

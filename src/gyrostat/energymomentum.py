@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 from flint import fmpq_mpoly
-from sympy import Expr, Rational, S
+from sympy import Expr, Mul, Rational, S
 
-from .algebra import by_degree
+from .algebra import Ring, by_degree
 from .branches import Branch, relative_equilibria
 from .errors import ScopeError
 from .exact import Point, evaluate, sign_of_constant
@@ -134,9 +134,10 @@ class _Precessions:
         self.margins = [curve.common(part, margin) if divmod(margin, part)[1] != 0 else [] for part in self.components]
 
     def coefficients(self, n: int) -> list[Expr]:
-        """c, b, a of a component a W² + b W + c."""
-        ring, component = self.curve.ring, self.components[n]
-        return [ring.expression(x) for x in (*by_degree(component, self.curve.place[1], self.curve.degree(component, 1)), ring.zero)[:3]]
+        """c, b, a of a component a W² + b W + c, as products: close to a pole of U what is multiplied out has no digits left."""
+        component, ring = self.components[n], self.curve.ring
+        parts = (*by_degree(component, self.curve.place[1], self.curve.degree(component, 1)), ring.zero)[:3]
+        return [_product(ring, part) for part in parts]
 
     def parts(self, n: int) -> list[_Part]:
         """The branches of one component."""
@@ -230,6 +231,11 @@ class _Precessions:
                     at = (motion.axial + self.scene.potential.expression).xreplace({K3: S(side), **self.numbers})
                     found.append((float(side * self.total), float(in_floats(at, np, {})), branch))
         return found
+
+
+def _product(ring: Ring, polynomial: fmpq_mpoly) -> Expr:
+    constant, factors = polynomial.factor()
+    return Mul(Rational(int(constant.p), int(constant.q)), *(ring.expression(factor) ** int(n) for factor, n in factors))
 
 
 def _values(expression: Expr, k3: Array) -> Array:

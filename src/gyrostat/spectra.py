@@ -51,7 +51,7 @@ class Spectrum:
 
     Parameters
     ----------
-    parameter : array, shape (n,)                  the samples and the collisions
+    parameter : array, shape (n,)                  the samples, and where eigenvalues meet
     eigenvalues : complex array, shape (n, d)      d = 2 or 4; each column is continuous
     collisions : list of Collision
     """
@@ -100,11 +100,13 @@ def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str, samples
     _exists(eq, placed, numbers, free, low, high)
     margins = {c.source: eq.insert(c.margin).xreplace(numbers) for c in conditions if c.source != "p" or not coefficients[-1]}
     zeros = {zero: source for source, margin in margins.items() for zero in changes_of_sign(margin, free, low, high)}
-    cuts = [low, *in_order(list(zeros)), high]
+    touched = {zero for c in conditions if c.source in margins for factor in (c.margin, *c.degenerate)
+               for zero in _zeros_inside(eq.insert(factor).xreplace(numbers), free, low, high)}
+    cuts = [low, *in_order(list({**zeros, **dict.fromkeys(touched)})), high]
     stable = [all(sign_of_constant(evaluate(eq.insert(c.margin).xreplace(numbers), {free: _inner(a, b)})) != -1 for c in conditions)
               for a, b in pairwise(cuts)]
     collisions = [_collision(zeros[zero], zero, placed, free, before != after)
-                  for zero, before, after in zip(cuts[1:], stable, stable[1:])]
+                  for zero, before, after in zip(cuts[1:], stable, stable[1:]) if zero in zeros]
     parameter_at, roots = _columns(placed, free, np.sort(at), cuts)
     order = slice(None) if at[0] < at[-1] else slice(None, None, -1)
     return Spectrum(parameter_at[order], roots[order], collisions)
@@ -179,11 +181,13 @@ def _one_pair(coefficients: Sequence[Expr]) -> bool:
 
 def changes_of_sign(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
     """Where an expression in one name changes its sign, strictly between two numbers, complete."""
-    if not expression.has(free):
-        return []
-    cuts = [low, *zeros_of(expression, free, low, high), high]
+    cuts = [low, *_zeros_inside(expression, free, low, high), high]
     signs = [sign_of_constant(evaluate(expression, {free: _inner(a, b)})) for a, b in pairwise(cuts)]
     return [zero for zero, before, after in zip(cuts[1:], signs, signs[1:]) if before != after]
+
+
+def _zeros_inside(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
+    return zeros_of(expression, free, low, high) if expression.has(free) else []
 
 
 def zeros_of(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:

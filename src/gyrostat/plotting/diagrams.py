@@ -70,7 +70,9 @@ def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter
         ax.annotate(name, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(), textcoords="offset points", va="center")
     for piece in _unnamed(found, high):
         n = int(np.argmin(np.abs(piece.parameter - piece.parameter.mean())))
-        ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5), textcoords="offset points")
+        above = piece.k3[n] < 0                            # away from E1 and E2
+        ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5 if above else -5), textcoords="offset points",
+                    va="bottom" if above else "top")
     ax.set_xlabel(label(parameter))
     ax.set_ylabel(label("k3"))
     legend(ax, handles, 2)
