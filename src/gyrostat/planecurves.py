@@ -186,10 +186,7 @@ class PlaneCurve:
                     for powers, c in polynomial.to_dict().items()), arb(0))                              # that contains 0
 
     def roots(self, t: Fraction, count: int | None = None, precision: int = 96) -> list[arb]:
-        """The roots −1 < x < 1 at a t where they are simple and not ±1, in increasing order, to half of the precision or more.
-
-        count, where it is known, spares an exact count where numbers are algebraic.
-        """
+        """The roots −1 < x < 1 at a t where they are simple and not ±1, in increasing order, to half of the precision; count, if known."""
         if not self.rational and count is None:
             placed = inserted(self.ring, self.whole, {self.t: Rational(t.numerator, t.denominator)})
             count = len(real_roots(placed, self.x, S.NegativeOne, S.One) or ())
