@@ -121,3 +121,14 @@ def test_what_cannot_be_drawn_is_refused():
         draw_energy_momentum(flat, {"I1": 1, "I3": 1, "l": 0, "p_psi": 0})
     with pytest.raises(ScopeError, match="body of revolution"):
         draw_energy_momentum(gs.assemble(gs.Gyrostat()), {})
+
+
+def test_a_field_that_is_multiplied_out():
+    """U = 1/(3 k3 − 1)², written without the square: to the pole every value is a number, and the same."""
+    k3, body = gs.symbol("k3"), {"I1": 2, "I3": 1, "l": 0, "p_psi": 1}
+    curves = [energy_momentum(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U)), body).curves
+              for U in (1 / (9 * k3**2 - 6 * k3 + 1), 1 / (3 * k3 - 1) ** 2)]
+    for ours, theirs in zip(*curves, strict=True):
+        np.testing.assert_allclose(ours.momentum, theirs.momentum, rtol=1e-12)
+        np.testing.assert_allclose(ours.energy, theirs.energy, rtol=1e-12)
+        assert np.isfinite(ours.energy).all()

@@ -209,3 +209,21 @@ def cancel(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]
     """The same fraction in lowest terms."""
     common = top.gcd(bottom)
     return (top, bottom) if common.is_constant() else (top / common, bottom / common)
+
+
+def by_factors(expression: Expr) -> Expr:
+    """A rational expression as a quotient of products; in doubles they keep their digits close to a zero, what is multiplied out does not.
+
+    Examples
+    --------
+    >>> from sympy import symbols
+    >>> x = symbols("x")
+    >>> by_factors(1 / (x**2 - 2 * x + 1))
+    (x - 1)**(-2)
+    """
+    ring = Ring([expression])
+    products = []
+    for polynomial in ring.fraction(expression):
+        constant, factors = polynomial.factor()
+        products.append(Mul(Rational(int(constant.p), int(constant.q)), *(ring.expression(factor) ** int(n) for factor, n in factors)))
+    return products[0] / products[1]

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 from flint import fmpq_mpoly
-from sympy import Expr, Mul, Rational, S
+from sympy import Expr, Rational, S
 
-from .algebra import Ring, by_degree
+from .algebra import by_degree, by_factors
 from .branches import Branch, relative_equilibria
 from .errors import ScopeError
 from .exact import Point, evaluate, sign_of_constant
@@ -89,7 +89,8 @@ def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
     ScopeError             U is not rational in k3, of too high a degree, or constant with p_psi = 0
     """
     assert scene.potential is not None
-    motion = reduce(scene)
+    field = replace(scene.potential, expression=by_factors(scene.potential.expression.xreplace(numbers)))
+    motion = reduce(replace(scene, potential=field))
     level, height, margin = (e.xreplace(numbers) for e in on_precessions(motion))
     curve = PlaneCurve(motion.precession().xreplace(_jets(motion)).xreplace(numbers), K3, OMEGA, (margin,))
     if curve.lines and sign_of_constant(numbers[P]) == 0:
@@ -137,7 +138,7 @@ class _Precessions:
         """c, b, a of a component a W² + b W + c, as products: close to a pole of U what is multiplied out has no digits left."""
         component, ring = self.components[n], self.curve.ring
         parts = (*by_degree(component, self.curve.place[1], self.curve.degree(component, 1)), ring.zero)[:3]
-        return [_product(ring, part) for part in parts]
+        return [by_factors(ring.expression(part)) for part in parts]
 
     def parts(self, n: int) -> list[_Part]:
         """The branches of one component."""
@@ -231,11 +232,6 @@ class _Precessions:
                     at = (motion.axial + self.scene.potential.expression).xreplace({K3: S(side), **self.numbers})
                     found.append((float(side * self.total), float(in_floats(at, np, {})), branch))
         return found
-
-
-def _product(ring: Ring, polynomial: fmpq_mpoly) -> Expr:
-    constant, factors = polynomial.factor()
-    return Mul(Rational(int(constant.p), int(constant.q)), *(ring.expression(factor) ** int(n) for factor, n in factors))
 
 
 def _values(expression: Expr, k3: Array) -> Array:
