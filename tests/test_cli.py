@@ -158,7 +158,7 @@ def test_verify_json(capsys):
     _, out, _ = verify(capsys, "AR", "--format", "json")
     data = json.loads(out)
     assert set(data[0]) == {"source", "key", "where", "quantity", "kind", "printed", "derived", "status", "expected", "difference",
-                            "counterexample", "note"}
+                            "counterexample", "not_sharp", "remark", "note"}
     (wrong,) = (d for d in data if d["key"] == "2K-dot")
     assert wrong["status"] == "misprint" and set(wrong["counterexample"]) == {"values", "printed", "derived", "confirmation"}
     assert wrong["derived"] == "dot(vector_pi, vector_omega)" and wrong["difference"][0]["entry"] is None
@@ -330,7 +330,8 @@ def test_decide_all_that_the_numbers_allow(capsys):
     (["--equilibrium", "E1", *HEAVY, *TOP, "--set", "pi3_0=1", "--set", "k3=1"], "no parameter k3"),
     (["--equilibrium", "E1", "--potential", "none"], "needs a field"), (["--set", "pi3_0=1", "--set", "omega3_0=1"], "both"),
     (["--equilibrium", "E3", *HEAVY, *TOP, "--set", "k3=1/2", "--set", "omega=1"], "not on E3"),
-    (["--potential", "exp(k3)", *TOP[:6], "--set", "omega=1"], "roots are not found"), (["--set", "mass=1"], "no parameter mass"),
+    (["--potential", "exp(k3)", *TOP[:6], "--set", "pi3_0=1", "--set", "C1=1"], "roots are not found"),
+    (["--set", "mass=1"], "no parameter mass"),
     (["--batch", "/nowhere/at.all"], "cannot read"), (["--batch", "-", "--format", "text"], "writes JSON"),
     (["--batch", "-", "--potential", "k3.real"], "grammar"), (["--batch", "-", "--set", "I1=x"], "contains the names")])
 def test_decide_bad_input_exits_2(capsys, arguments, why):
@@ -615,3 +616,13 @@ def test_progress_of_a_chart(capsys, tmp_path, monkeypatch):
     monkeypatch.setattr("gyrostat.progress.PAUSE", 0.0)
     status, out, err = chart(capsys, *SPINS, "--output", str(tmp_path / "chart.zarr"))
     assert status == 0 and out == "" and "chart        [" in err and "] 10/10" in err and err.endswith(" \r")
+
+
+def test_e1_and_e2_are_decided_where_tilts_are_not_found(capsys):
+    """A rate with π in a quartic field: its tilts are no roots that can be named, which is said; with JSON too."""
+    status = main(["decide", "--potential", "k3**4 - k3**2/2", "--set", "I1=2", "--set", "I3=1", "--set", "l=1", "--set", "omega=2*pi",
+                   "--format", "json"])
+    answers = json.loads(capsys.readouterr().out)["equilibria"]
+    assert status == 0 and [a["label"] for a in answers] == ["E1", "E2", "E3"]
+    assert [a["decision"]["verdict"] for a in answers[:2]] == ["STABLE", "STABLE"]
+    assert "algebraic coefficients" in json.dumps(answers[2])

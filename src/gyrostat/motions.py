@@ -8,7 +8,7 @@ import numpy as np
 from flint import arb
 from sympy import Add, Expr
 
-from .columns import columns, euler
+from .columns import dataset, euler, turns_of
 from .errors import AccuracyError, ValuesError, optional
 from .exact import ball
 from .expressions import exact_number, shown
@@ -58,6 +58,9 @@ class Motion:
         found = np.empty((*times.shape, len(self.state)), dtype=object)
         for place in np.ndindex(times.shape):
             moment, bits = exact_number(times[place], "t"), bits_of(self._digits)
+            if moment == 0:                                # as it was given
+                found[place] = [self._shown(ball(x, bits)) for x in self.state]
+                continue
             state = self._route.ball_state(ball(moment, 2 * bits), bits)
             if not _known(state, self._digits):
                 raise AccuracyError(f"at t = {shown(moment)} the state is not known to {self._digits} digits: so late, ask for more")
@@ -211,34 +214,6 @@ class Motion:
     def _shown(self, x: arb) -> mpmath.mpf:
         mantissa, exponent = map(int, x.mid().man_exp())
         return mpmath.mpf((mantissa, exponent), dps=self._digits)
-
-
-def turns_of(motion: Motion, times: Array) -> Array | None:
-    """The attitude, None where there is no vertical."""
-    try:
-        return motion.attitude(times)
-    except ValuesError:
-        return None
-
-
-def facts(motion: Motion) -> dict[str, Any]:
-    """What is known of a motion, and the numbers that it is of, exact, as texts."""
-    from . import __version__
-    gained = {name: getattr(motion._route, name, None) for name in ("period", "precession", "spin")}
-    known = {"route": motion.route, **gained, "energy": motion.energy, "error": motion.error, "nodes": motion.nodes,
-             "recognised": motion.recognised or None}
-    body, potential = motion.scene.body, motion.scene.potential
-    numbers = {"inertia": body.inertia, "gyrostatic_momentum": body.gyrostatic_momentum, "state": motion.state,
-               "potential": potential.expression if potential else "none", "gyrostat_version": __version__}
-    return {name: value for name, value in known.items() if value is not None} | {name: str(value) for name, value in numbers.items()}
-
-
-def dataset(motion: Motion, times: Array, states: Array, turns: Array | None) -> Any:
-    """The xarray.Dataset of what was computed."""
-    variables = {c.name: ("time", c.values, {"units": c.units, "latex": c.latex, "long_name": c.meaning})
-                 for c in columns(motion.scene, states, turns)}
-    time = "time", times, {"units": "s", "long_name": "time from the state given"}
-    return optional("xarray", "charts").Dataset(variables, {"time": time}, facts(motion))
 
 
 def _known(state: Sequence[arb], digits: int) -> bool:

@@ -7,11 +7,12 @@ from typing import Any
 from sympy import Expr
 
 from ..blocks import Block, Display, Heading, Sentence, Word, decision_blocks
-from ..branches import Branch, relative_equilibria
-from ..errors import ValuesError
+from ..branches import Branch, pole_at, relative_equilibria
+from ..errors import ScopeError, ValuesError
 from ..exact import sign_of_constant
 from ..notation import symbol
 from ..stability import Decision, Report
+from ..system import System
 from .data import decision_data, double, json_text, number_data
 from .output import Output
 from .scenes import (
@@ -75,13 +76,25 @@ def answers_at(potential: str | None, label: str | None, numbers: Mapping[str, E
         answers, without = of_each(list(asked), lambda name: [_answer(asked[name], its_own(asked[name], numbers))])
         return [*answers, *missing, *without]
     if label is None or given and len({"k3", "omega"} & numbers.keys()) == 1:
-        found = relative_equilibria(scene, _level(numbers))
-        return [_found(branch) for branch in found if label in (None, branch.label)]
+        return _all_found(scene, _level(numbers), label)
     if given and not {"k3", "omega"} & numbers.keys():
         raise ValuesError("E3 needs k3 or omega: give one of them with l, or both")
     if "omega" in numbers and sign_of_constant(numbers["omega"]) == 0:
         return [_answer(report_of(potential, AT_REST), {name: x for name, x in numbers.items() if name != "omega"})]
     return [_answer(report_of(potential, "E3"), numbers)]
+
+
+def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) -> list[Answer | Missing]:
+    """Every relative equilibrium of a label, or of all; at a rate at which those of a tilt are not found, E1 and E2, and why."""
+    try:
+        return [_found(branch) for branch in relative_equilibria(scene, numbers) if label in (None, branch.label)]
+    except ScopeError as error:
+        if label is not None or "omega" not in numbers:
+            raise
+        poles = [pole for s in (1, -1) if (pole := pole_at(scene, numbers, s)) is not None]
+        if not poles:
+            raise
+        return [*map(_found, poles), Missing("E3", str(error))]
 
 
 def _level(numbers: Mapping[str, Expr]) -> dict[str, Expr]:

@@ -13,12 +13,11 @@ import mpmath
 import numpy as np
 from sympy import Add, Expr, Rational, floor, sqrt
 
-from ..columns import columns
+from ..columns import columns, dataset, facts, turns_of
 from ..errors import ValuesError, optional
 from ..expressions import exact_number
 from ..files import save_netcdf
 from ..grids import Array
-from ..motions import dataset, facts, turns_of
 from ..notation import NOTATION
 from ..progress import telling
 from ..trajectories import Motion, motion
