@@ -107,7 +107,7 @@ def test_the_picture():
     assert points == [[v, h] for v, h, _ in diagram.poles] and {text.get_text() for text in ax.texts} == {"E1 (focus)", "E2 (focus)"}
     assert (*ax.get_xlim(), *ax.get_ylim()) == window and (ax.get_xlabel(), ax.get_ylabel()) == ("$C_{1}$", "$h$")
     assert [text.get_text() for text in ax.get_legend().get_texts()] == [
-        "stable", "unstable", "changes: fold on a level", "one band of $k_3$", "two bands"]
+        "stable (curves: modulo the spin)", "unstable", "changes: fold on a level", "one band of $k_3$", "two bands"]
 
 
 def test_what_cannot_be_drawn_is_refused():

@@ -86,7 +86,7 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any], window: tuple
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> ax = draw_energy_momentum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1}, ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['stable', 'unstable', 'one band of $k_3$']
+    ['stable (curves: modulo the spin)', 'unstable', 'one band of $k_3$']
     """
     found = energy_momentum(scene, values)
     ax = axes_of(ax)
@@ -113,8 +113,10 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any], window: tuple
     ax.set_xlabel(label("C1"))
     ax.set_ylabel(label("h"))
     seen = {x.verdict for x in found.curves} | {branch.decision.verdict for *_, branch in found.poles}
-    verdicts = [named({**marker(x), **line(x), **kwargs}, x.name.lower()) for x in Verdict if x in seen]
-    legend(ax, [*verdicts, *handles, *_areas(int(count.max()))], 3)
+    modulo = " (curves: modulo the spin)" if any(x.verdict is Verdict.STABLE for x in found.curves) else ""
+    verdicts = [named({**marker(x), **line(x), **kwargs}, x.name.lower() + (modulo if x is Verdict.STABLE else ""))
+                for x in Verdict if x in seen]
+    legend(ax, [*verdicts, *handles, *_areas(int(count.max()))], 2)
     return ax
 
 

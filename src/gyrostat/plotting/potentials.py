@@ -165,7 +165,7 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     ax.set_xticks(np.pi / 4 * np.arange(5), ["$0$", r"$\pi/4$", r"$\pi/2$", r"$3\pi/4$", r"$\pi$"])
     ax.set_xlabel(label("theta"))
     ax.set_ylabel(label("V"))
-    legend(ax, handles)
+    legend(ax, handles, 2)
     return ax
 
 
