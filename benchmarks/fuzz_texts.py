@@ -286,7 +286,9 @@ def _spent(pid):
 
 
 def _loading(given):
-    """Whether code comes from a file, as that of a module does, or is SymPy's own for monomials of some number of generators."""
+    """Whether code comes from a file, as that of a module does, is SymPy's own for monomials, or Cython's for the frame of an error."""
+    if given[0] == b"_getframe()" and str(given[1]).endswith(".pyx"):
+        return True
     if (
         isinstance(given[0], bytes)
         and given[0].startswith(b"def monomial_")

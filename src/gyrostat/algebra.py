@@ -7,8 +7,8 @@ one denominator, so that no fraction is ever simplified on the way.
 from collections.abc import Iterable, Sequence, Set
 from typing import Any
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cos, cosh, exp, factorrat, log, pi, sin, sinh, tan, tanh
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cos, cosh, exp, log, pi, sin, sinh, tan, tanh
 
 from .errors import ExpressionError
 
@@ -155,8 +155,9 @@ def _collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict
 def _spelt_once(node: Expr) -> Expr | None:
     """A logarithm of a rational by those of primes, a sine or tangent of rπ by cosines; None for what is spelt in one way."""
     if isinstance(node, log) and isinstance(node.args[0], Rational) and node.args[0] > 0:
-        parts = factorrat(node.args[0], limit=PRIMES)
-        return None if list(parts.values()) == [1] else Add(*(n * log(p) for p, n in parts.items()))
+        parts = [(Integer(int(p)), side * n) for side, x in ((1, node.args[0].p), (-1, node.args[0].q))
+                 for p, n in fmpz(int(x)).factor(trial_limit=PRIMES)]
+        return None if [n for _, n in parts] == [1] else Add(*(n * log(p) for p, n in parts))
     if isinstance(node, (sin, tan)) and isinstance(node.args[0] / pi, Rational):
         sine = cos(pi / 2 - node.args[0])
         return sine if isinstance(node, sin) else sine / cos(node.args[0])

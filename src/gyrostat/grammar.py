@@ -8,6 +8,7 @@
 What would be slow is refused before it is computed: each part carries bounds on what expanding it could cost, and each constant an
 enclosure, so that SymPy is never asked for the sine of a number with 10⁵⁰ digits.
 """
+import operator
 import re
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
@@ -24,6 +25,7 @@ from .parts import BITS, DEGREE, FUNCTIONS, HYPERBOLIC, NESTING, PARTIAL, TERMS,
 from .scanner import Scanner
 
 DEPTH, CALLS = 40, 30
+INVERSE = tuple(FUNCTIONS[name] for name in ("asin", "acos", "atan", "asinh", "acosh", "atanh"))
 _MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh", "arccosh": "acosh", "arctanh": "atanh",
           "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh", "arctg": "atan", "tg": "tan", "sh": "sinh", "ch": "cosh", "th": "tanh"}
 
@@ -72,7 +74,7 @@ class Parser(Scanner):
                     self.fail("a factor cannot be told from 0", "simplify the constants")
             cost = self.checked(parts.of_product([left.cost, right.cost]))
             ball = magnitudes.multiplied(left.ball, right.ball)
-            left = self.bounded(left.value * right.value, cost, max(left.nesting, right.nesting), ball)
+            left = self.bounded(self.made(operator.mul, left.value, right.value), cost, max(left.nesting, right.nesting), ball)
         return left
 
     def factor(self) -> Part:
@@ -119,10 +121,10 @@ class Parser(Scanner):
         return self.bounded(value, cost, nesting, ball)
 
     def made(self, function: Callable[..., Any], *arguments: Any) -> Any:
-        """What SymPy makes of it; its own comparisons fail at some numbers that are too large for them."""
+        """What SymPy makes of it; its comparisons and factors fail at some numbers that are too large for them."""
         try:
             return function(*arguments)
-        except (ArithmeticError, AttributeError, RecursionError, TypeError) as error:
+        except (ArithmeticError, AttributeError, RecursionError, TypeError, ValueError) as error:
             self.fail(f"SymPy cannot evaluate a part of it ({str(error)[:60]})", "simplify it")
 
     def remade(self, value: Expr, nesting: int, ball: Any) -> Part:
@@ -211,6 +213,8 @@ class Parser(Scanner):
             self.fail(f"{token} is asked of powers or sums of functions that are not real everywhere",
                       f"such an argument has up to {PARTIAL} terms and degree {PARTIAL}")
         self.finite(ball)
+        if 8 * inner.cost.bits > BITS and inner.value.has(*INVERSE):                      # it becomes a root, which SymPy factors
+            self.fail(f"{token} of an inverse function of a number of {inner.cost.bits} bits is a root of one twice as long", "shorten it")
         cost = self.checked(parts.of_function(token, inner.cost) if ball is None else Cost(degree=1, bits=inner.cost.bits))
         value = self.made(FUNCTIONS[token], inner.value)
         if isinstance(value, FUNCTIONS[token]) and value.args == (inner.value,):        # type: ignore[arg-type]
