@@ -1,6 +1,7 @@
 """Potentials U(k3), unspecified or given, and U(k1, k2, k3); their jets."""
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import sympy
@@ -75,10 +76,17 @@ class Potential(Typeset):
         ------
         ValuesError      U = tan(exp(a*k3)) at a = 10⁸, which asks for the tangent of a number of 43 million digits
         """
+        if not self._asks:
+            return
         known = {s: magnitudes.at_most_one() for s in self.variables}
         known |= {s: ball for s, x in numbers.items() if s not in known and (ball := enclosure(x)) is not None}
         if (function := immoderate(self.expression, known)) is not None:
             raise ValuesError(f"{function} in U is asked at a number of more than {BITS} bits there: give smaller numbers")
+
+    @cached_property
+    def _asks(self) -> bool:
+        """Whether U has functions, or roots."""
+        return bool(self.expression.atoms(Function)) or any(not p.exp.is_Integer for p in self.expression.atoms(Pow))
 
     def gradient(self) -> tuple[Expr, ...]:
         """∇U in the symbols of the jet, shape (3,)."""

@@ -216,11 +216,16 @@ class Report(Typeset):
         why = self.recognised.worded(why) if self.recognised else why
         return stable, "" if stable is None else "Lyapunov", why, modulo
 
+    @cached_property
+    def _determinant(self) -> tuple[Expr, tuple[str, ...]]:
+        """Of the linearised field, 0 where the second variation is degenerate; and the names in it."""
+        determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
+        return determinant, names_in([determinant])
+
     def _beyond(self, numbers: Point) -> tuple[bool | None, str]:
         """Whether it is stable between the two criteria, by elementary theorems; and why."""
-        eq = self.equilibrium
-        determinant = eq.insert(self.linearization.coefficients[-1])
-        if missing := [name for name in names_in([determinant]) if symbol(name) not in numbers]:
+        eq, (determinant, names) = self.equilibrium, self._determinant
+        if missing := [name for name in names if symbol(name) not in numbers]:
             return None, f"the point lies between the two criteria; give {', '.join(missing)} to decide"
         if eq.system.potential is None or sign(determinant, numbers) != 0:
             return None, "the point lies between the two criteria"

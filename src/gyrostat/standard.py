@@ -1,6 +1,7 @@
 """An equilibrium of a scene that was recognised as a body of revolution, in the standard scene, where its axis is the third."""
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 from sympy import Expr, S, sqrt
 
@@ -57,6 +58,9 @@ def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
     """The same, of a family that is recognised only at the numbers given."""
     if eq.system.potential is None or _plain(eq.system) or seen(eq):
         return None
+    moments = [evaluate(eq.insert(m), numbers) for m in eq.system.body.inertia]
+    if all(not (a - b).free_symbols and sign_of_constant(a - b) for a, b in combinations(moments, 2)):
+        return None                                        # proved different: no body of revolution
     known = {s: evaluate(eq.insert(s), numbers) for s in names_of_scene(eq.system)}
     scene, point = at_numbers(eq.system, known), [evaluate(eq.insert(x), numbers) for x in eq.point]
     if len(scene.integrals) == 3 or not (found := recognise(scene)):
