@@ -13,6 +13,7 @@ from .stability import Report
 from .system import System
 
 IMAGINARY = Word("±i", r"\pm i")
+LONG = 80                                              # characters of a formula that does not go into a sentence
 _ABOUT = {"E1": "spinning about the upward vertical", "E2": "spinning about the downward vertical",
           "E3": "precessing about the vertical, inclined", "E3 at rest": "tilted, without rotation"}
 
@@ -117,6 +118,9 @@ def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
     outer, inner = (_readable_roots(linear.equilibrium.insert_field(part)) for part in parts)
     if inner == 0:
         return [Sentence("Eigenvalues {} {}.", (IMAGINARY, outer), at)]
+    potential = linear.equilibrium.system.potential
+    if inner == outer and potential and potential.given and len(str(2 * outer)) > LONG:        # p stands above
+        return [Sentence("Eigenvalues 0, 0 and {} {}.", (IMAGINARY, Word("√p", r"\sqrt{p}")), at)]
     if inner == outer:
         return [Sentence("Eigenvalues 0, 0 and {} {}.", (IMAGINARY, 2 * outer), at)]
     return [Sentence("Eigenvalues {} ({} {} {}).", (IMAGINARY, outer, Word("±", r"\pm"), inner), at)]
