@@ -157,12 +157,11 @@ def test_json_has_no_infinity(capsys, arguments):
         assert found["equilibria"][0]["omega"] == {"exact": str(10**400), "decimal": None}
 
 
-@pytest.mark.parametrize(("potential", "missing"), [("k3**(1/3)", ["E2"]), ("1/(k3-1)", ["E1"]), ("asin(k3)", ["E1", "E2"])])
-@pytest.mark.parametrize("verb", ["conditions", "report"])
-def test_the_others_are_given_where_one_does_not_exist(capsys, potential, missing, verb):
+@pytest.mark.parametrize(("verb", "potential", "missing"), [
+    ("conditions", "k3**(1/3)", ["E2"]), ("conditions", "1/(k3-1)", ["E1"]), ("conditions", "asin(k3)", ["E1", "E2"]),
+    ("report", "1/(k3-1)", ["E1"])])
+def test_the_others_are_given_where_one_does_not_exist(capsys, verb, potential, missing):
     """And why it does not; in JSON and LaTeX too; asked for alone it is an error."""
-    if verb == "report" and potential != "1/(k3-1)":
-        pytest.skip("the same code, slower")
     for form in ("text", "latex", "json"):
         assert main([verb, "--potential", potential, "--format", form]) == 0
         out = capsys.readouterr().out

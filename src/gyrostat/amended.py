@@ -1,5 +1,5 @@
 """The amended potential on the sphere of directions, expanded beyond the second variation: minima of higher degree, and maxima at rest."""
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from math import factorial
@@ -12,6 +12,7 @@ from .equilibria import Equilibrium
 from .errors import ScopeError
 from .exact import evaluate, sign_of_constant
 from .forms import Form, valley, values_of
+from .matrices import cross
 from .notation import jet_name, symbol
 from .potential import DIRECTIONS
 from .roots import proved_sign
@@ -51,7 +52,7 @@ class Amended:
         """U_c − U_c(k0) in homogeneous parts of degree 0 to the degree given, k = ((4 − |ξ|²) k0 + 4 ξ)/(4 + |ξ|²), ξ ⟂ k0."""
         k0, rotor, moments = self._direction, self._rotor, self._moments
         ahead = next(n for n in (2, 1, 0) if sign_of_constant(k0[n]))                 # two products eᵢ × k0, independent
-        across = [_cross(tuple(S.One if n == m else S.Zero for n in range(3)), k0) for m in range(3) if m != ahead]
+        across = [cross(tuple(S.One if n == m else S.Zero for n in range(3)), k0) for m in range(3) if m != ahead]
         tangent = [SIZE * (X * a + Y * b) for a, b in zip(*across)]
         square = sum(x**2 for x in tangent)
         step = [(4 * x - 2 * square * k) / (4 + square) for x, k in zip(tangent, k0)]
@@ -162,7 +163,3 @@ def _form(value: Expr) -> Form:
     """The coefficients of a form in x and y that are not proved to vanish."""
     terms = Poly(value, X, Y).terms() if value != 0 else []
     return {orders: c for orders, c in terms if sign_of_constant(c) != 0}
-
-
-def _cross(a: Sequence[Expr], b: Sequence[Expr]) -> tuple[Expr, ...]:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

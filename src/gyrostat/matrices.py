@@ -92,3 +92,8 @@ def null_space(ring: Ring, rows: Sequence[Row], key: Key, size: int) -> list[tup
             vector[column] = ring.reduce(-row[free] * scale / row[column]) if row[free] else ring.zero
         basis.append((free, primitive(ring, vector)))
     return basis
+
+
+def cross(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, Any, Any]:
+    """a × b."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

@@ -8,6 +8,7 @@ from .algebra import Ring
 from .body import Gyrostat
 from .equilibria import Equilibrium, equilibrium
 from .exact import evaluate, sign_of_constant
+from .matrices import cross
 from .system import assemble
 
 A, B = Dummy("a", real=True), Dummy("b", real=True)
@@ -43,8 +44,8 @@ class TorqueFree:
             if rests:
                 return False, "no torque acts and l = 0: a body that turns, however slowly, carries k away"
             return None, "no torque acts and M = 0: which way k goes is not elementary"
-        if rests and not _all_zero(_cross(total, self.direction)):
-            if not any(sign_of_constant(x) for x in _cross(total, self.direction)):
+        if rests and not _all_zero(cross(total, self.direction)):
+            if not any(sign_of_constant(x) for x in cross(total, self.direction)):
                 return None, "no torque acts, and whether k is along M is not proved"
             return False, "no torque acts and k is not along M = l: a gyrostat that turns slowly about M carries k away"
         stable, why = free(equilibrium(assemble(self.body), self.momentum))
@@ -70,7 +71,3 @@ def torque_free(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> TorqueFree |
 
 def _all_zero(numbers: list[Expr] | tuple[Expr, ...]) -> bool:
     return all(sign_of_constant(x) == 0 for x in numbers)
-
-
-def _cross(a: list[Expr], b: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
