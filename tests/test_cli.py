@@ -70,6 +70,7 @@ def test_the_tilt_is_solved_where_l_is_given(capsys):
     assert "E3 at rest" in run(capsys, *heavy)[1] and "E3 at rest" not in run(capsys, "--potential", "m0*k3")[1]
 
 
+@pytest.mark.slow
 def test_any_terminal():
     """A terminal whose encoding has no λ gets UTF-8; a reader that stops early is no error."""
     command = [sys.executable, "-m", "gyrostat", "report", "--equilibrium", "E1"]

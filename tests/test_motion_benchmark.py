@@ -63,6 +63,7 @@ def test_the_period_brings_the_tilt_back(modules):
         assert abs(reference.taylor(case, mantissa, digits=30)[5] - mpf(case.state[5])) < mpf(10)**-25
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", range(3))
 def test_splittings_have_their_order_and_keep_the_casimirs(modules, place):
     """Errors fall with the order 2, 4 or 8; |k|², (π + l)·k or |π|² change by round-off: 2000 steps and a few units each."""

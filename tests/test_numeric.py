@@ -401,6 +401,7 @@ def other_process(tmp, **environment):
     return run.stdout.split()
 
 
+@pytest.mark.slow
 def test_compiled_code_is_kept_on_disk(tmp_path):
     """A second process reads from the cache folder what the first compiled; compiling counts as seconds, once."""
     env = {"XDG_CACHE_HOME": str(tmp_path / "cache"), "PYTHONPATH": os.pathsep.join(sys.path)}
@@ -412,6 +413,7 @@ def test_compiled_code_is_kept_on_disk(tmp_path):
     assert files == {p: p.stat().st_mtime_ns for p in files}
 
 
+@pytest.mark.slow
 def test_a_cache_that_cannot_be_written_does_no_harm(tmp_path):
     """Where the folder cannot be made, a folder of the process is used."""
     (tmp_path / "file").write_text("no folder")

@@ -289,6 +289,7 @@ def python(code, **environment):
                           text=True, timeout=300)
 
 
+@pytest.mark.slow
 def test_a_killed_run_is_continued(e1, small, written, tmp_path):
     """kill -9 in the middle, between the chunk of a block and its mark: the same call in another process computes what has no mark, and
     the result is the one of memory."""
@@ -421,6 +422,7 @@ FIELDS = [gs.axial_potential(), gs.uniform_field(), gs.axial_potential(lambda k3
           gs.general_potential(), None]
 
 
+@pytest.mark.slow
 def test_a_report_is_pickled_without_what_was_derived():
     """In this process and in another, before and after it was used; what is derived again is the same."""
     used, texts = [], []
