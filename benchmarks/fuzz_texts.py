@@ -227,6 +227,7 @@ def work(start, stop, step, seed, progress, pipe, folder):
 
     os.environ["SYMPY_USE_CACHE"] = os.environ.get("SYMPY_USE_CACHE", "yes")
     ways, seen, inside = routes(Path(folder)), [], [False]
+    import sympy.physics.units  # noqa: F401 (SymPy loads it when it meets some sums, and makes its names by exec)
     for text in ("tan(k3)+exp(2*pi)", "asin(1/3)**2", "2**(1/3)", "k3**"):  # what is loaded on first use
         for way in ways.values():
             try:

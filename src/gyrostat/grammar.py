@@ -25,7 +25,6 @@ from .parts import BITS, DEGREE, FUNCTIONS, HYPERBOLIC, NESTING, PARTIAL, TERMS,
 from .scanner import Scanner
 
 DEPTH, CALLS = 40, 30
-INVERSE = tuple(FUNCTIONS[name] for name in ("asin", "acos", "atan", "asinh", "acosh", "atanh"))
 _MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh", "arccosh": "acosh", "arctanh": "atanh",
           "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh", "arctg": "atan", "tg": "tan", "sh": "sinh", "ch": "cosh", "th": "tanh"}
 
@@ -111,6 +110,7 @@ class Parser(Scanner):
             self.fail("a denominator or what is under a root cannot be told from 0", "simplify the constants")
         if isinstance(base.value, Rational) and abs(base.value) in (0, 1):
             times = min(times, 2 - times % 2)                               # so that (-1)**10**9 is no work
+        self.moderate(parts.factored(base, root))
         small = Rational(times if exponent > 0 else -times, root)
         ball, nesting = magnitudes.raised(base.ball, small), base.nesting + (root > 1)
         cost = self.checked(parts.of_power(base.cost, small))
@@ -119,6 +119,11 @@ class Parser(Scanner):
         if root > 1 and not (isinstance(value, Pow) and value.base == base.value):
             return self.remade(value, nesting, ball)
         return self.bounded(value, cost, nesting, ball)
+
+    def moderate(self, bits: int) -> None:
+        """Refuse a root for which SymPy would factor too long a number."""
+        if bits > BITS:
+            self.fail(f"for a root in it a number of {min(bits, 10**9)} bits is factored", f"the limit is {BITS} bits: shorten the numbers")
 
     def made(self, function: Callable[..., Any], *arguments: Any) -> Any:
         """What SymPy makes of it; its comparisons and factors fail at some numbers that are too large for them."""
@@ -213,8 +218,7 @@ class Parser(Scanner):
             self.fail(f"{token} is asked of powers or sums of functions that are not real everywhere",
                       f"such an argument has up to {PARTIAL} terms and degree {PARTIAL}")
         self.finite(ball)
-        if 8 * inner.cost.bits > BITS and inner.value.has(*INVERSE):                      # it becomes a root, which SymPy factors
-            self.fail(f"{token} of an inverse function of a number of {inner.cost.bits} bits is a root of one twice as long", "shorten it")
+        self.moderate(parts.factored_by(token, inner))
         cost = self.checked(parts.of_function(token, inner.cost) if ball is None else Cost(degree=1, bits=inner.cost.bits))
         value = self.made(FUNCTIONS[token], inner.value)
         if isinstance(value, FUNCTIONS[token]) and value.args == (inner.value,):        # type: ignore[arg-type]

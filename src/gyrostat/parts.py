@@ -18,6 +18,7 @@ NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 TERMS, DEGREE, BITS, NESTING = 1000, 100, 4000, 4
 HYPERBOLIC, PARTIAL = ("sinh", "cosh", "tanh"), 8
 _EXPONENTIAL, _LOGARITHMIC, _SOMEWHERE = ("exp", "sinh", "cosh"), ("log", "asinh", "acosh"), ("log", "asin", "acos", "acosh", "atanh")
+_INVERSE = tuple(FUNCTIONS[name] for name in ("asin", "acos", "atan", "asinh", "acosh", "atanh"))
 _FOREIGN = (I, S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity, sympy.Mod, sympy.floor, sympy.ceiling, sympy.re, sympy.im,
             sympy.arg, sympy.sign, sympy.conjugate, sympy.Piecewise, sympy.AccumBounds)
 
@@ -93,6 +94,32 @@ def of_power(base: Cost, exponent: Rational) -> Cost:
     bits = base.bits * max(times, 1)
     cost = Cost(terms, base.degree * times, bits, base.size * times / root if exponent.p > 0 else bits)
     return _joined(cost, max(base.partial, int(root > 1 and base.degree > 0)))
+
+
+def factored(base: Part, root: int) -> int:
+    """Bits of the number that SymPy factors for a root, where it writes n**(-1/7) as n**(6/7)/n; 0 where there is no root."""
+    inside = [part.exp.q for part in Mul.make_args(base.value) if isinstance(part, Pow) and isinstance(part.exp, Rational)]
+    order = root * max(inside, default=1)
+    bits = base.cost.bits if not isinstance(base.value, Rational) else max(map(_without_tens, (int(base.value.p), int(base.value.q))))
+    return order * bits if order > 1 else 0
+
+
+def _without_tens(number: int) -> int:
+    """Bits of a whole number without its factors 2 and 5, which are found at once."""
+    for prime in (2, 5):
+        while number and number % prime == 0:
+            number //= prime
+    return number.bit_length()
+
+
+def factored_by(name: str, argument: Part) -> int:
+    """The same for a function: one of an inverse function is a root of a number twice as long, exp(c*log(r)) is the power r**c."""
+    found = [8 * argument.cost.bits if argument.value.has(*_INVERSE) else 0]
+    for term in Add.make_args(argument.value) if name == "exp" else ():
+        c, logarithm = term.as_coeff_Mul()
+        if isinstance(logarithm, sympy.log) and isinstance(r := logarithm.args[0], Rational) and not (r.is_prime or (1 / r).is_prime):
+            found.append(max(abs(int(c.p)), int(c.q)) * of_number(r).bits)
+    return max(found)
 
 
 def of_function(name: str, argument: Cost) -> Cost:
