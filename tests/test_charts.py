@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from sympy import exp
 
 import gyrostat as gs
-from gyrostat.charts import CODES, coordinate_attributes, stability_chart
+from gyrostat.charts import stability_chart
+from gyrostat.datasets import CODES, coordinate_attributes
 from gyrostat.errors import ArgumentError, MissingExtraError, ValuesError
 
 LETTER = {1: "STABLE", 0: "UNDECIDED", -1: "UNSTABLE"}

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 import gyrostat
-from gyrostat.cli import decide, main, report
+from gyrostat.cli import main, report, worker
 
 TOPS = ["--equilibrium", "E1", "--potential", "m0*k3", "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0", "--set", "m0=1"]
 COMMAND = [sys.executable, "-m", "gyrostat"]
@@ -33,10 +33,10 @@ def batch(monkeypatch, capsys, lines, *arguments):
 @pytest.fixture
 def answering(monkeypatch):
     """Lines with pi3_0 = 7 do what is asked for, all others are answered as ever."""
-    answers_at = decide.answers_at
+    answers_at = worker.answers_at
 
     def patch(act):
-        monkeypatch.setattr(decide, "answers_at", lambda potential, label, numbers: act() if numbers.get("pi3_0") == 7 else answers_at(
+        monkeypatch.setattr(worker, "answers_at", lambda potential, label, numbers: act() if numbers.get("pi3_0") == 7 else answers_at(
             potential, label, numbers))
     return patch
 

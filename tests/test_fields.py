@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from sympy import Integer, Rational, Symbol, cancel, diff, expand, symbols
 
 import gyrostat as gs
-from gyrostat.latex import to_latex
+from gyrostat.article import to_latex
 from gyrostat.notation import NOTATION
 
 k3, m0, m1, I1, I3, l, pi3, r, p0 = map(gs.symbol, ("k3", "m0", "m1", "I1", "I3", "l", "pi3_0", "r", "p0"))

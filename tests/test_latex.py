@@ -5,9 +5,9 @@ import pytest
 from sympy import Matrix, symbols
 
 import gyrostat as gs
+from gyrostat.article import to_latex
 from gyrostat.document import report_blocks
 from gyrostat.expressions import parse
-from gyrostat.latex import to_latex
 from gyrostat.unicode import text, unicode
 
 

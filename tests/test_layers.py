@@ -9,15 +9,16 @@ import pytest
 import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
-CHAIN = ("start errors precision notation inputs magnitudes parts scanner grammar expressions algebra matrices algebraic quotients "
-         "transcendental exact signs body potential fields liepoisson system equilibria families orbit linearization energy_casimir "
-         "implication conditions reduction spherical recognition standard boundary sphere drift roots forms amended torquefree values "
-         "notes stability branch branches elimination planecurves stations bifurcations critical intervals cases solve cells "
-         "stabilizing attitude freebody presentation progress straightline rounding labels grids pieces continuation tiles kernels "
-         "numeric energymomentum spectra arraysigns enclosures regions proofs coverings boxes certify blocks results document unicode "
-         "references files linebreaks latex article twofold contours charts marks layout stores periods elliptic levels profiles "
-         "turning nutation spectral spinors precession axialmotion steady polhodes loops freemotion integrators integration columns "
-         "motions turned routes confirmation trajectories plotting published cli").split()
+CHAIN = ("version start errors precision floats notation inputs magnitudes parts scanner grammar expressions algebra matrices "
+         "algebraic quotients transcendental exact signs body potential fields liepoisson system equilibria families orbit "
+         "linearization energy_casimir implication conditions reduction spherical recognition standard boundary sphere drift "
+         "roots forms amended torquefree values notes stability branch branches elimination planecurves stations bifurcations "
+         "critical intervals cases solve cells stabilizing attitude freebody presentation order progress straightline rounding "
+         "labels grids pieces continuation tiles kernels numeric energymomentum spectra arraysigns enclosures regions proofs "
+         "coverings boxes certify blocks results document unicode references files linebreaks latex article twofold contours "
+         "datasets marks layout stores charts periods elliptic levels profiles turning nutation spectral spinors precession "
+         "axialmotion steady polhodes loops freemotion integrators integration columns motions turned routes confirmation "
+         "trajectories plotting published cli").split()
 PLOTTING = ("looks globe charts scenes levels momentum nutation potentials diagrams energies spectra cones solids animation interactive "
             "__init__").split()
 VIEWS = CHAIN[CHAIN.index("branch"):]

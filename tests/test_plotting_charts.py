@@ -10,7 +10,8 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 import gyrostat as gs
-from gyrostat.charts import CODES, stability_chart
+from gyrostat.charts import stability_chart
+from gyrostat.datasets import CODES
 from gyrostat.errors import MissingExtraError, ValuesError
 from gyrostat.plotting import caption, charts, draw_chart
 from gyrostat.plotting.looks import LOOKS

@@ -5,7 +5,8 @@ from hypothesis import strategies as st
 from sympy import Rational, cancel, expand, sqrt
 
 import gyrostat as gs
-from gyrostat.presentation import inequality, over, readable, split
+from gyrostat.order import inequality, over
+from gyrostat.presentation import readable, split
 
 I1, I3, l, pi3, dU, d2U, k3, omega, m0, m1 = map(gs.symbol, ("I1", "I3", "l", "pi3_0", "dU", "d2U", "k3", "omega", "m0", "m1"))
 terms = st.lists(st.tuples(st.integers(-4, 4).filter(bool), st.lists(st.sampled_from([I1, I3, l, pi3, k3, m0]), max_size=3)), min_size=1,

@@ -3,10 +3,10 @@ import pytest
 from sympy import Rational, oo
 
 import gyrostat as gs
+from gyrostat.article import to_latex
 from gyrostat.bifurcations import KINDS, bifurcation_points, bifurcations
 from gyrostat.branches import relative_equilibria
 from gyrostat.intervals import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
-from gyrostat.latex import to_latex
 from gyrostat.reduction import reduce
 from gyrostat.results import result_blocks
 from gyrostat.stabilizing import stabilizing_set

@@ -8,8 +8,8 @@ from sympy import Rational, exp, pi, sqrt
 from turns import OBLIQUE, TURNS, K, scene, turned
 
 import gyrostat as gs
+from gyrostat.article import to_latex
 from gyrostat.certify import verdicts
-from gyrostat.latex import to_latex
 from gyrostat.stability import Verdict
 from gyrostat.trajectories import confirm
 

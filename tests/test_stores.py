@@ -267,7 +267,7 @@ def test_what_killed_processes_left_is_removed(e1, small, tmp_path):
 
 def test_a_mark_comes_after_its_chunks(e1, small, tmp_path, monkeypatch):
     """Where the computation of a block fails, its mark is not there, and what went before is kept."""
-    from gyrostat.charts import Chart
+    from gyrostat.datasets import Chart
     compute = Chart.variables
 
     def failing(self, arrays, threads=1):

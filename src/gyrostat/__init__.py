@@ -1,4 +1,6 @@
 """Lie-Poisson gyrostat stability analyser: from the bracket to the stability inequalities."""
+from importlib import import_module
+
 from . import start as _start  # noqa: F401 (what Ctrl-C does while the rest is loaded)
 from .body import Gyrostat, symmetric_gyrostat
 from .conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
@@ -8,14 +10,17 @@ from .families import hanging, inclined, principal_rotation, static_tilt, uprigh
 from .fields import ideal_fluid, newtonian_field, uniform_field
 from .liepoisson import LiePoisson, lie_poisson
 from .linearization import Linearization, linearize
-from .notation import symbol
+from .notation import Shown, symbol
 from .orbit import orbit_tangent, symplectic_slice
 from .potential import Potential, axial_potential, general_potential
 from .stability import Decision, Report, Verdict, analyze
 from .system import System, assemble
+from .version import __version__
 
-__version__ = "0.1.0"
+Shown.formula = lambda shown: import_module("gyrostat.latex").formula(shown)       # loaded when something is shown
+Shown.plain = lambda shown: import_module("gyrostat.unicode").plain(shown)
 __all__ = [
+    "__version__",
     "analyze", "assemble", "augmented_hessian", "axial_potential", "Condition", "Criterion",
     "Decision", "Equilibrium", "equilibrium", "formal_criterion", "general_potential", "Gyrostat",
     "hanging", "ideal_fluid", "inclined", "independent", "lie_poisson", "LiePoisson", "Linearization",

@@ -10,7 +10,8 @@ from flint import arb, fmpq
 from sympy import Expr, Rational, Symbol
 
 from .exact import ball, compiled, sign
-from .grids import Array, Block, Grid, cut, places
+from .floats import Array
+from .grids import Block, Grid, cut, places
 from .kernels import Kernel
 from .precision import ONE_AT_A_TIME, own_precision
 from .rounding import error_bound, rounded

@@ -1,5 +1,6 @@
 """Reports as LaTeX articles and fragments: sentences, numbered equations that fit the line, references; tables of conditions."""
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 from sympy import MatrixBase
 
@@ -118,3 +119,32 @@ def _words(text: str) -> str:
     for sign in ("<", ">", *RELATIONS):
         text = text.replace(f" {sign} ", f" ${RELATIONS.get(sign, sign)}$ ")
     return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}")
+
+
+def to_latex(obj: Any) -> str:
+    """LaTeX of a public object: a formula for everything but a report, which becomes a whole document.
+
+    Parameters
+    ----------
+    obj : Expr, matrix, Condition, Criterion, Linearization, SecondVariation, LiePoisson, System, Equilibrium, Gyrostat,
+          Potential, Decision or Report, or a sequence of Report for one document
+
+    Returns
+    -------
+    str      without dollar signs; the document is of class article and uses amsmath
+
+    Raises
+    ------
+    TypeError       for anything else
+
+    Examples
+    --------
+    >>> from gyrostat import analyze, assemble, axial_potential, symmetric_gyrostat, upright
+    >>> print(to_latex(analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).sufficient))
+    \\left(\\pi_3^0 + l\\right)^{2} > 4 I_1 U'(1)
+    """
+    if isinstance(obj, Report):
+        return document([obj])
+    if isinstance(obj, (list, tuple)) and obj and all(isinstance(report, Report) for report in obj):
+        return document(obj)
+    return formula(obj)

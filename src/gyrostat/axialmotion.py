@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from .grids import Array
+from .floats import Array
 from .levels import Level, enclosed, known
 from .periods import double, pair, reduced, turns
 from .precession import Precession

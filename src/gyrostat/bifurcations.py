@@ -10,7 +10,7 @@ from .branches import exact_point, names_of
 from .errors import EquilibriumError, ValuesError
 from .exact import Point, evaluate
 from .families import hanging, upright
-from .notation import Typeset, jet, symbol
+from .notation import Shown, Stored, jet, symbol
 from .planecurves import PlaneCurve
 from .reduction import K3, OMEGA, P, V, expansion, reduce
 from .roots import in_order, proved_sign, real_roots
@@ -36,7 +36,7 @@ AT_RATE, ON_LEVEL = "at fixed rate", "on a level"
 
 
 @dataclass(frozen=True, repr=False)
-class Bifurcation(Typeset):
+class Bifurcation(Shown, Stored):
     """Equations of one kind of bifurcation.
 
     Parameters
@@ -52,7 +52,7 @@ class Bifurcation(Typeset):
 
 
 @dataclass(frozen=True, repr=False)
-class BifurcationPoint(Typeset):
+class BifurcationPoint(Shown, Stored):
     """The value of the free name at which a bifurcation takes place, and the k3 where.
 
     Its kind is a key of KINDS; where branches meet between the poles "at fixed rate" or "on a level", it starts with a key of MEETINGS.

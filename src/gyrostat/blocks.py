@@ -11,7 +11,8 @@ from .drift import Drift
 from .expressions import shown
 from .linearization import square_root
 from .notation import SUBSCRIPTS, SUPERSCRIPTS, symbol
-from .presentation import inequality, readable
+from .order import inequality
+from .presentation import readable
 from .reduction import ENERGY, K3, P, V, reduce
 from .sphere import sphere_of
 from .stability import Decision, Report, Verdict

@@ -8,14 +8,14 @@ from sympy import Add, Expr, Rational, radsimp
 from .errors import ArgumentError, BodyError, article, brief
 from .exact import plain, sign_of_constant
 from .expressions import exact_expression, shown
-from .notation import Typeset, of_the_motion, symbol
+from .notation import Shown, Stored, of_the_motion, symbol
 
 _INERTIA = tuple(symbol(f"I{i}") for i in (1, 2, 3))
 _ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))
 
 
 @dataclass(frozen=True)
-class Gyrostat(Typeset):
+class Gyrostat(Shown, Stored):
     """Rigid body with a rotor whose relative angular momentum l is constant, in principal axes.
 
     Parameters

@@ -10,7 +10,7 @@ from .algebra import Ring
 from .conditions import Condition, sign_at
 from .equilibria import Equilibrium
 from .exact import sign
-from .notation import Typeset, jet, symbol
+from .notation import Shown, Stored, jet, symbol
 from .reduction import expansion, reducible
 from .signs import Signs
 
@@ -34,7 +34,7 @@ class Rung:
 
 
 @dataclass(frozen=True, repr=False)
-class Boundary(Typeset):
+class Boundary(Shown, Stored):
     """The ladder of cases where the necessary condition holds with equality, for a body of revolution in U(k3).
 
     On the level of the equilibrium I1² k̇3² = g = c₃ x³ + c₄ x⁴ + …, with k3 = ±(1 − x), x ≥ 0, at E1 and E2 and k3 + x at a tilt.

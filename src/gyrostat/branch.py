@@ -7,7 +7,7 @@ from sympy import Expr, ImmutableMatrix, S, sqrt
 
 from .errors import ValuesError
 from .expressions import exact_number
-from .notation import Typeset, symbol
+from .notation import Shown, Stored, symbol
 from .recognition import Recognition, recognise
 from .reduction import K3
 from .spherical import lowest
@@ -17,7 +17,7 @@ from .values import check_names, unknown
 
 
 @dataclass(frozen=True, repr=False)
-class Branch(Typeset):
+class Branch(Shown, Stored):
     """One relative equilibrium: ω = omega k + sigma e3.
 
     Parameters

@@ -13,7 +13,8 @@ from .boxes import BoxDecision, certified_chart, certify_box
 from .conditions import Condition, Criterion
 from .coverings import CertifiedChart
 from .errors import ArgumentError, ValuesError, optional, require
-from .grids import Array, Block, Grid, cut, grid_of, last, places
+from .floats import Array
+from .grids import Block, Grid, cut, grid_of, last, places
 from .numeric import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 from .precision import ONE_AT_A_TIME
 from .proofs import ABSENT as INVALID

@@ -5,9 +5,10 @@ from typing import Any
 import numpy as np
 
 from .errors import ValuesError, optional
-from .grids import Array
+from .floats import Array
 from .notation import NOTATION, units
 from .system import System
+from .version import __version__
 
 RATE = units(0, 1, 0)
 
@@ -89,7 +90,6 @@ def turns_of(motion: Any, times: Array) -> Array | None:
 
 def facts(motion: Any) -> dict[str, Any]:
     """What is known of a motion, and the numbers that it is of, exact, as texts."""
-    from . import __version__
     gained = {name: getattr(motion._route, name, None) for name in ("period", "precession", "spin")}
     known = {"note": motion.note or None, "route": motion.route, **gained, "energy": motion.energy, "error": motion.error,
              "nodes": motion.nodes, "recognised": motion.recognised or None}

@@ -10,12 +10,12 @@ from .equilibria import Equilibrium
 from .exact import evaluate, sign_of_constant
 from .implication import Implied, Item, eliminate, merge, reduced
 from .linearization import Linearization
-from .notation import Typeset
+from .notation import Shown, Stored
 from .signs import Signs
 
 
 @dataclass(frozen=True)
-class Condition(Typeset):
+class Condition(Shown, Stored):
     """margin > 0, or margin ≥ 0: one inequality in normal form.
 
     Parameters
@@ -42,7 +42,7 @@ class Condition(Typeset):
 
 
 @dataclass(frozen=True)
-class Criterion(Typeset):
+class Criterion(Shown, Stored):
     """A disjunction of conjunctions of conditions, and the notion of stability it is about.
 
     Parameters

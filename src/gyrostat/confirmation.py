@@ -13,7 +13,7 @@ from .equilibria import Equilibrium
 from .errors import AccuracyError, ValuesError, require
 from .exact import Point, evaluate, sign_of_constant
 from .expressions import exact_number
-from .grids import Array
+from .floats import Array
 from .motions import Motion
 from .routes import motion, with_numbers
 from .stability import Decision, Report, Verdict, analyze

@@ -14,7 +14,7 @@ from .critical import Critical, critical_of
 from .errors import ScopeError
 from .exact import ball
 from .expressions import exact_number
-from .grids import Array
+from .floats import Array
 from .pieces import INFINITE, Mark, Piece, Span
 from .planecurves import PlaneCurve, fraction_of
 from .stability import Verdict

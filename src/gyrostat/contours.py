@@ -7,8 +7,8 @@ import numpy as np
 from sympy import Expr, Rational, Symbol
 
 from .errors import optional
-from .grids import Array
-from .numeric import compile_margin, in_floats
+from .floats import Array, in_floats
+from .numeric import compile_margin
 from .rounding import error_bound
 from .straightline import Program, program_of
 from .twofold import Twofold, TwofoldArithmetic

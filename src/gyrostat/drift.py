@@ -12,7 +12,7 @@ from .exact import evaluate, sign_of_constant
 from .expressions import shown
 from .linearization import Linearization, linearize
 from .matrices import multiply
-from .notation import Typeset, symbol
+from .notation import Shown, Stored, symbol
 from .reduction import reduce
 from .signs import Signs
 
@@ -20,7 +20,7 @@ K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")
 
 
 @dataclass(frozen=True, repr=False)
-class Drift(Typeset):
+class Drift(Shown, Stored):
     """Why a tilted equilibrium is not Lyapunov stable as a point, even where it is modulo the spin.
 
     Near it are regular precessions ω = W k + σ e3 with σ ≠ 0: they turn about the axis of the body at the constant rate −σ, and

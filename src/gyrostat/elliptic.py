@@ -4,7 +4,7 @@ import math
 import numpy as np
 from flint import acb, arb, ctx
 
-from .grids import Array
+from .floats import Array
 from .periods import pair, reduced
 from .precision import own_precision
 

@@ -8,13 +8,13 @@ from sympy import Expr, ImmutableMatrix, S, Symbol
 from .algebra import Ring
 from .equilibria import Equilibrium
 from .matrices import determinant, multiply, row_reduce
-from .notation import Typeset, symbol
+from .notation import Shown, Stored, symbol
 from .orbit import critical_integrals, differentials, orbit_tangent, slice_and_symmetries
 from .signs import Signs
 
 
 @dataclass(frozen=True, repr=False)
-class SecondVariation(Typeset):
+class SecondVariation(Shown, Stored):
     """D²(h + ν·F) on the symplectic slice, F the Casimirs and the integrals that are critical there.
 
     Parameters

@@ -13,9 +13,8 @@ from .algebra import by_degree, by_factors
 from .branches import Branch, relative_equilibria
 from .errors import ScopeError
 from .exact import Point, evaluate, sign_of_constant
-from .grids import Array
+from .floats import Array, in_floats
 from .notation import symbol
-from .numeric import in_floats
 from .planecurves import PlaneCurve
 from .reduction import K3, OMEGA, P, Reduction, V, reduce
 from .roots import in_order, real_roots

@@ -10,7 +10,7 @@ from .algebra import Ring
 from .errors import EquilibriumError, require
 from .exact import is_identically_zero, plain, sign
 from .expressions import exact_expression, shown
-from .notation import INTERNAL, Typeset, jet, symbol
+from .notation import INTERNAL, Shown, Stored, jet, symbol
 from .potential import smooth_where_positive
 from .system import System
 
@@ -19,7 +19,7 @@ Derived = TypeVar("Derived")
 
 
 @dataclass(frozen=True, repr=False)
-class Equilibrium(Typeset):
+class Equilibrium(Shown, Stored):
     """A point, or a family of points, where the field vanishes; that it does is checked here, once.
 
     Parameters

@@ -11,7 +11,7 @@ from flint import arb
 from .errors import AccuracyError, ScopeError, ValuesError, require
 from .exact import ball
 from .expressions import exact_number
-from .grids import Array
+from .floats import Array
 from .loops import Loop, Rates, loop
 from .periods import double, pair, reduced, turns
 from .polhodes import Meeting, Polhode, meeting, polhode

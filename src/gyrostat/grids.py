@@ -9,17 +9,16 @@ from math import isfinite, prod
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from sympy import Expr, Rational, Symbol
 
 from .errors import ValuesError
 from .exact import LIMIT, ball
 from .expressions import exact_number
+from .floats import Array
 from .labels import check_plain
 from .notation import symbol
 from .straightline import Axes
 
-Array = NDArray[Any]
 Block = tuple[slice, ...]
 COLUMNS, ROWS = 16384, 256                              # up to which short neighbouring axes are joined
 

@@ -8,10 +8,9 @@ import numpy as np
 from sympy import Dummy, Expr
 
 from .errors import AccuracyError, ArgumentError, ValuesError
-from .grids import Array
+from .floats import Array, in_floats
 from .integrators import METHODS, RungeKutta, Taylor, beside, beyond, nearest
 from .liepoisson import hat
-from .numeric import in_floats
 from .system import System
 
 WORTHLESS = 1e-3                                       # the error that is accepted where no tolerance is given

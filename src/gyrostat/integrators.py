@@ -9,7 +9,7 @@ import numpy as np
 from sympy import Add, Expr, Mul, Pow, Rational, Symbol
 
 from .errors import AccuracyError, ScopeError, optional
-from .grids import Array
+from .floats import Array
 from .parts import FUNCTIONS
 
 Rates = Sequence[tuple[Symbol, Expr]]

@@ -8,7 +8,7 @@ from sympy import Expr, S, Symbol, oo
 from .errors import ValuesError
 from .exact import Point, evaluate, sign_of_constant
 from .expressions import exact_number
-from .notation import Typeset, symbol
+from .notation import Shown, Stored, symbol
 from .values import is_positive
 
 Ladder = tuple[Expr, ...]
@@ -69,7 +69,7 @@ class Part:
 
 
 @dataclass(frozen=True, repr=False)
-class Solution(Typeset):
+class Solution(Shown, Stored):
     """The set of one parameter where all parts hold, but those that are called undecided.
 
     Parameters

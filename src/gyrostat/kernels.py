@@ -15,7 +15,8 @@ from typing import Any, Literal
 import numpy as np
 
 from .errors import optional
-from .grids import Array, Block
+from .floats import Array
+from .grids import Block
 from .tiles import Tiles
 
 Finish = Literal["value", "positive", "nonnegative", "sign"]

@@ -16,8 +16,9 @@ from .liepoisson import LiePoisson
 from .linearization import Linearization
 from .linebreaks import width
 from .notation import jet_name, typeset
+from .order import ordered_factors, ordered_terms, over
 from .potential import Potential
-from .presentation import entries, ordered_factors, ordered_terms, over, readable
+from .presentation import entries, readable
 from .results import RESULTS, result_blocks
 from .stability import Decision, Report
 from .system import System
@@ -86,36 +87,6 @@ def tex(value: Any, at: Any = None) -> str:
         gap = r" \\[3pt] " if any(r"\frac" in cell for row in cells for cell in row) else r" \\ "
         return r"\begin{pmatrix} " + gap.join(" & ".join(row) for row in cells) + r" \end{pmatrix}"
     return Printer(at)._print(value)
-
-
-def to_latex(obj: Any) -> str:
-    """LaTeX of a public object: a formula for everything but a report, which becomes a whole document.
-
-    Parameters
-    ----------
-    obj : Expr, matrix, Condition, Criterion, Linearization, SecondVariation, LiePoisson, System, Equilibrium, Gyrostat,
-          Potential, Decision or Report, or a sequence of Report for one document
-
-    Returns
-    -------
-    str      without dollar signs; the document is of class article and uses amsmath
-
-    Raises
-    ------
-    TypeError       for anything else
-
-    Examples
-    --------
-    >>> from gyrostat import analyze, assemble, axial_potential, symmetric_gyrostat, upright
-    >>> print(to_latex(analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).sufficient))
-    \\left(\\pi_3^0 + l\\right)^{2} > 4 I_1 U'(1)
-    """
-    from .article import document  # an article is made of formulas
-    if isinstance(obj, Report):
-        return document([obj])
-    if isinstance(obj, (list, tuple)) and obj and all(isinstance(report, Report) for report in obj):
-        return document(obj)
-    return formula(obj)
 
 
 def formula(obj: Any) -> str:

@@ -13,9 +13,9 @@ from uuid import uuid4
 
 import numpy as np
 
-from .charts import Chart, described, variable_attributes
+from .datasets import Chart, described, variable_attributes
 from .errors import StoreError
-from .grids import Array
+from .floats import Array
 from .marks import DESCRIPTION, Marks, attributes_of, describe, files, flush, replace, summed, unharmed, vouched
 
 FORMAT = 2                                                 # of what a store holds; another one is not continued

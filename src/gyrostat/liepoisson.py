@@ -13,7 +13,7 @@ from sympy import Expr, ImmutableMatrix, Symbol, expand, zeros
 from .algebra import Ring, derivatives
 from .errors import BodyError, ScopeError, StructureError
 from .expressions import exact_expression
-from .notation import Typeset, symbol
+from .notation import Shown, Stored, symbol
 
 
 def hat(v: Sequence[Expr]) -> ImmutableMatrix:
@@ -22,7 +22,7 @@ def hat(v: Sequence[Expr]) -> ImmutableMatrix:
 
 
 @dataclass(frozen=True)
-class LiePoisson(Typeset):
+class LiePoisson(Shown, Stored):
     """Poisson structure on Rⁿ: what exists is antisymmetric, obeys the Jacobi identity, and has the Casimirs it names.
 
     Parameters

@@ -8,14 +8,14 @@ from .algebra import Ring
 from .equilibria import Equilibrium, once
 from .errors import ScopeError
 from .matrices import characteristic_coefficients, multiply
-from .notation import Typeset, symbol
+from .notation import Shown, Stored, symbol
 from .orbit import orbit_tangent
 
 LAMBDA = symbol("lamda")
 
 
 @dataclass(frozen=True, repr=False)
-class Linearization(Typeset):
+class Linearization(Shown, Stored):
     """δẋ = J δx on the tangent space T of the coadjoint orbit.
 
     dU, d2U stand for the derivatives of U at the equilibrium; equilibrium.insert(…) inserts those of a given U.

@@ -9,7 +9,7 @@ import numpy as np
 from flint import arb
 
 from .errors import AccuracyError
-from .grids import Array
+from .floats import Array
 from .steady import CYCLIC, dot
 
 ORDER = 24                                                 # of the polynomials in doubles: about e⁻⁴⁸ of the first term is left

@@ -12,9 +12,8 @@ from .columns import dataset, euler, turns_of
 from .errors import AccuracyError, ValuesError, optional
 from .exact import ball
 from .expressions import exact_number, shown
-from .grids import Array
+from .floats import Array, in_floats
 from .notes import state_note
-from .numeric import in_floats
 from .precision import own_precision
 from .system import System
 

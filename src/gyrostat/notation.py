@@ -1,10 +1,10 @@
 """Every symbol once: assumptions, LaTeX, Unicode, dimension, meaning."""
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import lru_cache
 from types import MappingProxyType
-from typing import Any
+from typing import Any, ClassVar
 
 from sympy import Expr, Symbol
 
@@ -98,20 +98,24 @@ def own(expression: Expr) -> Expr:
     return expression.xreplace({s: symbol(s.name) for s in expression.free_symbols if s != symbol(s.name)})
 
 
-class Typeset:
-    """Dataclasses that Jupyter shows typeset, that print as a person reads them, and that are pickled without what was derived."""
+class Stored:
+    """Dataclasses that are pickled without what was derived: that is derived again where it is asked for."""
 
     def __getstate__(self) -> dict[str, Any]:
-        """The fields: what is remembered beside them is derived again where it is asked for."""
         return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
 
+
+class Shown:
+    """What Jupyter shows typeset and what prints as a person reads it; the package root says how, printing stands above this."""
+
+    formula: ClassVar[Callable[[Any], str]]                # in LaTeX
+    plain: ClassVar[Callable[[Any], str]]                  # in Unicode
+
     def _repr_latex_(self) -> str:
-        from .latex import formula  # a view: loaded only when something is shown
-        return rf"$\displaystyle {formula(self)}$"
+        return rf"$\displaystyle {Shown.formula(self)}$"
 
     def __str__(self) -> str:
-        from .unicode import plain
-        return plain(self)
+        return Shown.plain(self)
 
     def __repr__(self) -> str:
         return str(self)

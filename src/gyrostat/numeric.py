@@ -4,17 +4,16 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import reduce
 from itertools import chain
-from math import e, pi
 from types import ModuleType
 from typing import Any
 
 import numpy as np
-import sympy
-from sympy import Add, Expr, Mul, Pow, Rational, S, Symbol
+from sympy import Expr
 
 from .conditions import Condition, Criterion
 from .errors import ArgumentError, ValuesError, optional, require
-from .grids import Array, Block, Grid, cut, grid_of
+from .floats import Array, in_floats
+from .grids import Block, Grid, cut, grid_of
 from .kernels import Finish, Kernel
 from .labels import check_plain
 from .notation import own
@@ -213,24 +212,6 @@ def _in_namespace(margin: Expr, xp: ModuleType, given: Mapping[str, Any]) -> Any
     dimensions = max((a.ndim for a in arrays.values()), default=0)
     axes = {s: frozenset(i + dimensions - a.ndim for i, n in enumerate(a.shape) if n != 1) for s, a in arrays.items()}
     return program_of(margin, axes).run(lambda leaf: in_floats(leaf, xp, arrays), lambda c: xp.asarray(rounded(c)[0], dtype=kind), xp)[-1]
-
-
-def in_floats(node: Expr, xp: Any, arrays: Mapping[Symbol, Any]) -> Any:
-    """A symbol, function or constant in the floats of a namespace; functions are those of the namespace, and no better."""
-    if isinstance(node, Symbol):
-        return arrays[node]
-    if isinstance(node, (Rational, sympy.CRootOf)) or node in (S.Pi, S.Exp1):
-        return xp.asarray({S.Pi: pi, S.Exp1: e}.get(node) or float(node))
-    parts = [in_floats(part, xp, arrays) for part in node.args]
-    if isinstance(node, (Add, Mul)):
-        return reduce(xp.add if isinstance(node, Add) else xp.multiply, parts)
-    if isinstance(node, Pow):
-        if node.exp == Rational(1, 2):
-            return xp.sqrt(parts[0])
-        return (getattr(xp, "pow", None) or xp.power)(*parts)                   # NumPy has pow from 2.1 on
-    name = type(node).__name__
-    function = getattr(xp, name, None) or getattr(xp, name.replace("a", "arc", 1))
-    return function(parts[0])
 
 
 def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:

@@ -5,7 +5,7 @@ import numpy as np
 from flint import arb
 
 from .errors import AccuracyError, ValuesError
-from .grids import Array
+from .floats import Array
 from .precision import own_precision
 
 LONGEST = 2.0**49                                          # periods: their number is exact, and so is their product with a turn, mod 1

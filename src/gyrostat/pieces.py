@@ -4,7 +4,7 @@ from dataclasses import dataclass
 import numpy as np
 from sympy import Expr
 
-from .grids import Array
+from .floats import Array
 from .stability import Verdict
 
 INFINITE = "U is infinite"

@@ -10,7 +10,7 @@ from sympy import Expr, Integer
 from .elliptic import argument, jacobi, jacobi_ball, quarter_period
 from .errors import AccuracyError
 from .exact import ball
-from .grids import Array
+from .floats import Array
 from .periods import double, pair, reduced
 from .precision import own_precision
 from .steady import CONSTANT, CYCLIC, ROUNDING, Triple, accurate, decided

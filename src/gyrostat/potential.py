@@ -12,7 +12,7 @@ from . import magnitudes
 from .algebra import Ring
 from .errors import PotentialError, ValuesError, brief
 from .expressions import exact_expression
-from .notation import Typeset, jet, jet_name, of_the_motion, symbol
+from .notation import Shown, Stored, jet, jet_name, of_the_motion, symbol
 from .parts import BITS, enclosure, immoderate
 
 _NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.Piecewise, sympy.Max, sympy.Min, sympy.floor,
@@ -24,7 +24,7 @@ U.__module__ = __name__                                # pickle finds it by this
 
 
 @dataclass(frozen=True)
-class Potential(Typeset):
+class Potential(Shown, Stored):
     """U as a function of k3 alone, or of k1, k2, k3.
 
     Its derivatives at a point, the jet, are symbols of their own (dU, d2U, … or dU_1, d2U_13, …) until

@@ -8,7 +8,7 @@ from .algebra import Ring, by_degree
 from .equilibria import Equilibrium
 from .errors import ScopeError, StructureError, require
 from .exact import is_identically_zero
-from .notation import Typeset, jet_name, symbol
+from .notation import Shown, Stored, jet_name, symbol
 from .system import System
 
 K3, ENERGY, V, P = symbol("k3"), symbol("energy"), symbol("p_phi"), symbol("p_psi")
@@ -16,7 +16,7 @@ OMEGA, DEVIATION = symbol("omega"), Symbol("deviation")  # a symbol that is none
 
 
 @dataclass(frozen=True, repr=False)
-class Reduction(Typeset):
+class Reduction(Shown, Stored):
     """The motion of z = k3 on a level of the integrals: I1² ż² = g(z) = 2 I1 (e − U(z)) (1 − z²) − (v − P z)².
 
     The levels are symbols: energy of h, p_phi = v of C1, p_psi = P of π3 + l; e = energy − π3²/(2 I3).

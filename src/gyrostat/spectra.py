@@ -15,10 +15,9 @@ from .equilibria import Equilibrium
 from .errors import ScopeError, ValuesError, require
 from .exact import ball, evaluate, sign_of_constant
 from .expressions import exact_number
-from .grids import Array
+from .floats import Array, in_floats
 from .linearization import linearize
 from .notation import symbol
-from .numeric import in_floats
 from .roots import in_order, real_roots
 from .stations import between
 from .values import check_names, names_in

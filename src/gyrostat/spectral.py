@@ -7,7 +7,7 @@ import numpy as np
 from flint import acb, arb, fmpq
 
 from .errors import AccuracyError, ResolutionError
-from .grids import Array
+from .floats import Array
 from .periods import double
 
 FEWEST, MOST = 12, 8192                                    # nodes

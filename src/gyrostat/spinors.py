@@ -3,7 +3,7 @@ from typing import Any
 
 import numpy as np
 
-from .grids import Array
+from .floats import Array
 
 
 def momentum(I1: Any, a: Any, b: Any, a_rate: Any, b_rate: Any) -> Any:

@@ -16,7 +16,7 @@ from .equilibria import Equilibrium, once
 from .errors import ArgumentError, require
 from .exact import Point, sign
 from .linearization import Linearization, linearize
-from .notation import Typeset, jet, symbol
+from .notation import Shown, Stored, jet, symbol
 from .notes import scene_note
 from .sphere import sphere_of
 from .standard import Seen, seen, seen_at
@@ -34,7 +34,7 @@ class Verdict(Enum):
 
 
 @dataclass(frozen=True, repr=False)
-class Decision(Typeset):
+class Decision(Shown, Stored):
     """A verdict at given numbers, with its reason.
 
     Parameters
@@ -56,7 +56,7 @@ class Decision(Typeset):
 
 
 @dataclass(frozen=True, repr=False)
-class Report(Typeset):
+class Report(Shown, Stored):
     """The stability analysis of one equilibrium; each part is derived when it is first asked for."""
 
     equilibrium: Equilibrium

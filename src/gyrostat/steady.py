@@ -11,7 +11,7 @@ from sympy import Expr, Integer, sqrt
 from .errors import AccuracyError, ValuesError
 from .exact import ball, sign_of_constant
 from .expressions import shown
-from .grids import Array
+from .floats import Array
 from .periods import Pair, double, pair, turns
 from .precision import own_precision
 

@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from .charts import Chart
+from .datasets import Chart
 from .errors import StoreError, ValuesError, optional
-from .grids import Array
+from .floats import Array
 from .layout import Layout
 from .marks import Marks, summed
 from .progress import Told, telling

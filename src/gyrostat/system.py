@@ -12,12 +12,12 @@ from .errors import ScopeError, StructureError, require
 from .exact import evaluate
 from .liepoisson import LiePoisson, lie_poisson
 from .matrices import null_space
-from .notation import Typeset, jet, symbol
+from .notation import Shown, Stored, jet, symbol
 from .potential import Potential
 
 
 @dataclass(frozen=True, repr=False)
-class System(Typeset):
+class System(Shown, Stored):
     """A scene: a body and, if there is a field, a potential, in the smallest Lie-Poisson space that holds them.
 
     Parameters

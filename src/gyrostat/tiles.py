@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from .grids import Array, Block, last
+from .floats import Array
+from .grids import Block, last
 from .rounding import rounded
 from .straightline import Axes, Program, Step
 

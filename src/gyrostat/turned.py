@@ -8,7 +8,7 @@ from sympy import Expr, trigsimp
 from .algebraic import is_algebraic
 from .axialmotion import AxialMotion
 from .exact import ball
-from .grids import Array
+from .floats import Array
 from .levels import Level
 from .precision import own_precision
 from .recognition import Recognition, recognise

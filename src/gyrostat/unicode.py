@@ -17,8 +17,9 @@ from .expressions import double, shown
 from .liepoisson import LiePoisson
 from .linearization import Linearization
 from .notation import SUBSCRIPTS, SUPERSCRIPTS, jet_name, typeset
+from .order import ordered_factors, ordered_terms, over
 from .potential import Potential
-from .presentation import entries, ordered_factors, ordered_terms, over, readable
+from .presentation import entries, readable
 from .results import RESULTS, result_blocks
 from .stability import Decision, Report
 from .system import System

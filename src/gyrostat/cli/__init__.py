@@ -5,7 +5,7 @@ import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
 
-from .. import __version__
+from ..version import __version__
 from .carried import carried_out
 from .output import standard_streams, told
 from .watch import signals

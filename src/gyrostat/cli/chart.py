@@ -12,6 +12,7 @@ from ..errors import ValuesError
 from ..files import save_netcdf
 from ..notation import symbol
 from ..notes import scene_note
+from ..plotting import caption, draw_chart
 from .output import PICTURES, Output, file_of, save_picture
 from .scenes import axis_of, numbers_of, one_spin, report_for
 
@@ -62,7 +63,6 @@ def _as_written(settings: Sequence[str]) -> dict[str, str]:
 def _draw(chart: Any, path: Path) -> None:
     from matplotlib.figure import Figure
 
-    from ..plotting import caption, draw_chart
     figure = Figure()
     draw_chart(chart, figure.subplots(), title=caption(chart))
     save_picture(figure, path)

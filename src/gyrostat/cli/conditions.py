@@ -1,19 +1,21 @@
 """gyrostat conditions: where each equilibrium exists, its two conditions, and what decides between them."""
 import argparse
 
+from ..article import conditions_table
 from ..blocks import Block, Heading, boundary_blocks, criterion_blocks, existence
 from ..stability import Report
 from ..stabilizing import inserted
+from ..unicode import text
 from .data import conditions_data, json_text
 from .output import Output
 from .scenes import known_names, labels_of, numbers_of, of_each, reports_of, scene_of
+from .solving import run as solve
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the conditions; 0."""
     numbers, scene = numbers_of(given.values), scene_of(given.potential)
     if given.solve_for:
-        from .solving import run as solve
         return solve(given, labels_of(scene, given.equilibrium), numbers, out)
     reports, missing = reports_of(given.potential, labels_of(scene, given.equilibrium), numbers)
     if numbers:
@@ -25,10 +27,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.format == "json":
         out(json_text({"equilibria": [conditions_data(report) for report in reports] + [m.data() for m in missing]}))
     elif given.format == "latex":
-        from ..article import conditions_table
         out(conditions_table(reports, given.fragment, after))
     else:
-        from ..unicode import text
         out(text([block for report in reports for block in conditions_blocks(report)] + after))
     return 0
 

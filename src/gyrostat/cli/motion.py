@@ -17,8 +17,11 @@ from ..columns import columns, dataset, facts, turns_of
 from ..errors import ValuesError, optional
 from ..expressions import exact_number
 from ..files import save_netcdf
-from ..grids import Array
+from ..floats import Array
 from ..notation import NOTATION
+from ..plotting import animate_top, draw_momentum_sphere, draw_nutation, save_animation
+from ..plotting.globe import curve_on, dots_on, towards
+from ..plotting.looks import BLUE, DARK, INK, label, legend, named
 from ..progress import telling
 from ..trajectories import Motion, motion
 from .output import FILMS, PICTURES, Output, file_of, save_picture
@@ -149,7 +152,6 @@ def _picture(moving: Motion, times: Array, path: Path) -> dict[str, float]:
     """Left the sphere, of a free body with the path of M, of a body in a field with that of e3; right the components over the time."""
     from matplotlib.figure import Figure
 
-    from ..plotting import draw_nutation
     states, _, drift = _computed(moving, times)
     figure = Figure(figsize=(9.5, 4.4))
     left, right = np.asarray(figure.subfigures(1, 2))
@@ -169,9 +171,6 @@ def _picture(moving: Motion, times: Array, path: Path) -> dict[str, float]:
 
 def _polhode(ax: Any, moving: Motion, states: Array) -> None:
     """The momentum sphere with the curves of this energy, and on them, heavy, the path of M, from a dot on."""
-    from ..plotting import draw_momentum_sphere
-    from ..plotting.globe import curve_on, dots_on, towards
-    from ..plotting.looks import BLUE
     rotor = moving.scene.body.gyrostatic_momentum
     momentum = sqrt(Add(*((p + l)**2 for p, l in zip(moving.state, rotor))))
     draw_momentum_sphere(moving.scene, {}, momentum, [moving.energy], ax)
@@ -181,7 +180,6 @@ def _polhode(ax: Any, moving: Motion, states: Array) -> None:
 
 
 def _components(ax: Any, times: Array, values: Array, names: list[str]) -> None:
-    from ..plotting.looks import BLUE, DARK, INK, label, legend, named
     styles = [{"color": color, "linestyle": dashes, "linewidth": 1.3} for color, dashes in (
         (DARK, (0, (4, 2))), (INK["undecided"], (0, (1, 1))), (BLUE, "-"))]
     for column, style in zip(values.T, styles):
@@ -194,7 +192,6 @@ def _film(moving: Motion, times: Array, path: Path) -> dict[str, float]:
     """One picture for each time, made once it is known that they can be written."""
     from matplotlib.figure import Figure
 
-    from ..plotting import animate_top, save_animation
 
     def save(path: Path, writer: Any) -> None:
         with telling(None, "animation") as told:

@@ -1,9 +1,11 @@
 """gyrostat report: the derivation as text, LaTeX or JSON."""
 import argparse
 
+from ..article import document
 from ..blocks import Block, decision_blocks
 from ..document import report_blocks, scene_blocks
 from ..stability import Decision
+from ..unicode import text
 from .data import decision_data, json_text, report_data, scene_data
 from .output import Output
 from .scenes import enough, its_own, known_names, labels_of, numbers_of, of_each, reports_of, scene_of
@@ -26,10 +28,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
                       for report, decision in zip(reports, decisions)]
         out(json_text(scene_data(scene) | {"equilibria": equilibria + [m.data() for m in missing]}))
     elif given.format == "latex":
-        from ..article import document
         out(document(reports, decisions, given.fragment, after))
     else:
-        from ..unicode import text
         blocks: list[Block] = scene_blocks(scene)
         for report, decision in zip(reports, decisions):
             blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])

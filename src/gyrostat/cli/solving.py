@@ -6,6 +6,7 @@ from typing import Any
 
 from sympy import Expr
 
+from ..article import article
 from ..blocks import Block, Display, Heading, Sentence
 from ..errors import EquilibriumError, GyrostatError, ScopeError
 from ..families import inclined
@@ -14,6 +15,7 @@ from ..presentation import readable
 from ..results import result_blocks
 from ..stability import Report, analyze
 from ..stabilizing import stabilizing_set
+from ..unicode import text
 from .data import json_text, strings
 from .output import Output
 from .scenes import of_each, report_of, scene_of, spin_of
@@ -32,10 +34,8 @@ def run(given: argparse.Namespace, labels: Sequence[str], numbers: Mapping[str, 
         blocks += [Heading(label), *_family(report), *result_blocks(solution)]
     blocks += [block for m in missing for block in m.blocks()]
     if given.format == "latex":
-        from ..article import article
         out(article(f"Values of {given.solve_for} that stabilise".replace("_", r"\_"), blocks, given.fragment))
     else:
-        from ..unicode import text
         out(text(blocks))
     return 0
 

@@ -11,7 +11,9 @@ from select import select
 from typing import Any
 
 from ..errors import GyrostatError, ValuesError
+from .answers import answers_at, answers_data
 from .lines import question
+from .scenes import numbers_of, scene_of
 from .watch import held_back, left_alone, limited
 
 Answer = tuple[str, str | None]                        # an object of JSON, and the reason where the line is not answered
@@ -29,8 +31,6 @@ def reason(error: BaseException) -> str:
 
 def serve(connection: Connection, given: argparse.Namespace) -> None:
     """Answer the lines that come, in order, until there are no more."""
-    from .decide import answers_at, answers_data
-    from .scenes import numbers_of, scene_of
     left_alone()
     limited(given.timeout)
     try:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import MissingExtraError, ValuesError, optional, require
 from ..files import written
-from ..grids import Array
+from ..floats import Array
 from ..trajectories import Motion
 from .globe import FADED, parted, polygons, stage
 from .looks import BLUE, DARK, axes_of, label

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ValuesError
-from ..grids import Array
+from ..floats import Array
 from ..notation import ORDER
 from .looks import INK, LOOKS, axes_of, legend
 

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import ScopeError
+from ..floats import Array
 from ..freebody import free_precession
-from ..grids import Array
 from .globe import across, arrow, circle, polygons, towards
 from .looks import BLUE, INK, LOOKS, axes_of, label, legend
 

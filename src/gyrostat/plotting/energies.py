@@ -7,8 +7,7 @@ import numpy as np
 from ..branches import Branch, names_of
 from ..energymomentum import EnergyMomentum, critical_values
 from ..errors import require
-from ..grids import Array
-from ..numeric import in_floats
+from ..floats import Array, in_floats
 from ..reduction import K3, V
 from ..stability import Verdict
 from ..system import System

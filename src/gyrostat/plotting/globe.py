@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import optional
-from ..grids import Array
+from ..floats import Array
 from .looks import DARK
 
 BACKGROUND, FADED = "#f4f7fb", 0.28

@@ -4,7 +4,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import optional
-from ..grids import Array
+from ..floats import Array
 from ..trajectories import Motion
 from .animation import turning
 from .looks import BLUE

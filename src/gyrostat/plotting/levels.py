@@ -8,9 +8,8 @@ from sympy import Add, Expr, Mul, Rational, S, sqrt
 from ..body import Gyrostat
 from ..errors import ScopeError
 from ..families import principal_rotation
-from ..grids import Array
+from ..floats import Array, in_floats
 from ..notation import symbol
-from ..numeric import in_floats
 from ..roots import proved_sign, real_roots
 from ..stability import Verdict, analyze
 from ..system import System, assemble

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ArgumentError, optional
-from ..grids import Array
+from ..floats import Array
 from ..notation import typeset
 from ..stability import Decision, Verdict
 

@@ -7,7 +7,7 @@ import numpy as np
 from ..errors import ScopeError, ValuesError, require
 from ..exact import sign_of_constant
 from ..expressions import exact_number
-from ..grids import Array
+from ..floats import Array
 from ..stability import Verdict
 from ..system import System
 from .globe import circle, curve_on, dots_on, stage

@@ -4,7 +4,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ValuesError, require
-from ..grids import Array
+from ..floats import Array
 from ..trajectories import Motion
 from .globe import circle, curve_on, dots_on, stage
 from .looks import BLUE, DARK, GREY, axes_of, label, legend, named

@@ -11,9 +11,8 @@ from ..branches import Branch, names_of, relative_equilibria
 from ..errors import ValuesError, require
 from ..exact import evaluate, sign_of_constant
 from ..expressions import exact_number
-from ..grids import Array
+from ..floats import Array, in_floats
 from ..notation import symbol
-from ..numeric import in_floats
 from ..reduction import ENERGY, K3, P, V, reduce
 from ..roots import between, in_order, real_roots
 from ..stability import Verdict

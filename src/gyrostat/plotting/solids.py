@@ -4,7 +4,7 @@ from sympy import Add
 
 from ..body import Gyrostat
 from ..exact import sign_of_constant
-from ..grids import Array
+from ..floats import Array
 from ..system import System
 from .levels import floats
 

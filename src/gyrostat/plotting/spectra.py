@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ..equilibria import Equilibrium
-from ..grids import Array
+from ..floats import Array
 from ..spectra import spectrum
 from .looks import DARK, GREY, axes_of, label, legend, named
 
