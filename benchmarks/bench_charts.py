@@ -20,8 +20,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import gyrostat as gs
-from gyrostat.certify import CODES, certified_chart
-from gyrostat.charts import stability_chart
+from gyrostat.charts.chart import stability_chart
+from gyrostat.charts.verdicts import CODES, certified_chart
 from gyrostat.plotting import caption, draw_chart
 
 BODY = gs.symmetric_gyrostat()

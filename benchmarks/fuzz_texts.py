@@ -162,12 +162,12 @@ def drawn(index, seed):
 
 def routes(folder):
     """The ways a text comes into the library, by name."""
-    from gyrostat.cli.scenes import axis_of, numbers_of
-    from gyrostat.expressions import exact_number
-    from gyrostat.grammar import parse
-    from gyrostat.inputs import json_object
+    from gyrostat.algebra.grammar import parse
+    from gyrostat.algebra.inputs import json_object
+    from gyrostat.algebra.numbers import exact_number
+    from gyrostat.cli.options import axis_of, numbers_of
+    from gyrostat.mechanics.potential import axial_potential
     from gyrostat.notation import symbol
-    from gyrostat.potential import axial_potential
     from gyrostat.published import load
     from gyrostat.published.language import comparisons, read
     from gyrostat.published.statements import _with_let
@@ -357,8 +357,8 @@ def gate(count, seed, processes):
 
 def verbs(count, seed):
     """Accepted texts through the verbs; the number of lines that are bad."""
+    from gyrostat.algebra.grammar import parse
     from gyrostat.errors import GyrostatError
-    from gyrostat.grammar import parse
 
     accepted, index = [], 0
     while len(accepted) < count:

@@ -4,7 +4,7 @@
 
 Each confirmed formula is changed in one place: a sign, an index, an exponent, a prime, a coefficient, a relation, a verdict.
 Every mutant has to be reported as a misprint, with a counterexample, or a point at which it is not sharp;
-those that are true as well are listed, with the reason. The numbers shown are read again, from the JSON output, by tests/shown.py,
+those that are true as well are listed, with the reason. The numbers shown are read again, from the JSON output, by tests/oracles/shown.py,
 which uses nothing of gyrostat: the evidence is false if they do not show what they are shown for. --count takes a seeded sample.
 """
 import argparse
@@ -19,7 +19,7 @@ from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "oracles"))
 import shown  # noqa: E402
 
 from gyrostat.errors import GyrostatError

@@ -20,7 +20,7 @@ import sympy
 from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, Symbol, cos, cosh, exp, log, pi, root, sin, sinh, sqrt, symbols, tan, tanh
 
 import gyrostat
-from gyrostat.exact import ball, sign_of_constant
+from gyrostat.algebra.exact import ball, sign_of_constant
 
 TINY, LIMIT = Rational(1, 10**30), 20                  # s for one sign
 X, A, B = symbols("X A B")

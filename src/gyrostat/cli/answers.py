@@ -5,27 +5,14 @@ from typing import Any
 
 from sympy import Expr
 
-from ..branches import Branch, pole_at, relative_equilibria
+from ..algebra.exact import sign_of_constant
 from ..errors import ScopeError, ValuesError
-from ..exact import sign_of_constant
+from ..mechanics.system import System
 from ..notation import symbol
-from ..stability import Decision, Report
-from ..system import System
-from .data import decision_data, number_data
-from .scenes import (
-    AT_REST,
-    AXIS,
-    LABELS,
-    Missing,
-    enough,
-    its_own,
-    known_names,
-    labels_of,
-    of_each,
-    report_of,
-    scene_of,
-    spin_of,
-)
+from ..printing.data import decision_data, number_data
+from ..stability.branches import Branch, pole_at, relative_equilibria
+from ..stability.report import Decision, Report
+from .options import AT_REST, AXIS, LABELS, Missing, enough, its_own, known_names, labels_of, of_each, report_of, scene_of, spin_of
 
 MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})     # with these numbers of the motion all are found
 

@@ -3,8 +3,8 @@ import argparse
 from collections.abc import Iterable
 from typing import BinaryIO
 
+from ..charts.progress import Progress
 from ..errors import ValuesError
-from ..progress import Progress
 from .lines import Kept, Numbered, numbered, opened, size_of
 from .output import Output, on_terminal, told
 from .watch import interrupted

@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from ..charts import stability_chart
+from ..charts.chart import stability_chart
 from ..errors import ValuesError
-from ..files import save_netcdf
 from ..notation import symbol
-from ..notes import scene_note
 from ..plotting import caption, draw_chart
+from ..printing.files import save_netcdf
+from ..stability.notes import scene_note
+from .options import axis_of, numbers_of, one_spin, report_for
 from .output import PICTURES, Output, file_of, save_picture
-from .scenes import axis_of, numbers_of, one_spin, report_for
 
 DATA = (".nc", ".zarr")
 KINDS = "a picture, chart.png, .pdf or .svg; data, chart.nc or chart.zarr"

@@ -1,14 +1,14 @@
 """gyrostat conditions: where each equilibrium exists, its two conditions, and what decides between them."""
 import argparse
 
-from ..article import conditions_table
-from ..blocks import Block, Heading, boundary_blocks, criterion_blocks, existence
-from ..stability import Report
-from ..stabilizing import inserted
-from ..unicode import text
-from .data import conditions_data, json_text
+from ..printing.article import conditions_table
+from ..printing.blocks import Block, Heading, boundary_blocks, criterion_blocks, existence
+from ..printing.data import conditions_data, json_text
+from ..printing.unicode import text
+from ..stability.report import Report
+from ..stability.stabilizing import inserted
+from .options import known_names, labels_of, numbers_of, of_each, reports_of, scene_of
 from .output import Output
-from .scenes import known_names, labels_of, numbers_of, of_each, reports_of, scene_of
 from .solving import run as solve
 
 

@@ -3,18 +3,15 @@ import argparse
 
 from sympy import Expr
 
-from ..blocks import Block, Display, Heading, Sentence, Word, decision_blocks
 from ..notation import symbol
-from ..stability import Decision
-from ..unicode import text
+from ..printing.blocks import Block, Display, Heading, Sentence, Word, decision_blocks
+from ..printing.data import double, json_text
+from ..printing.unicode import text
+from ..stability.report import Decision
 from .answers import Answer, answers_at, answers_data
 from .batch import run as each
-from .data import double, json_text
+from .options import Missing, numbers_of
 from .output import Output
-from .scenes import (
-    Missing,
-    numbers_of,
-)
 
 _NOWHERE = "No such relative equilibrium exists at these numbers."
 

@@ -10,12 +10,12 @@ from typing import Any, BinaryIO
 
 from sympy import Expr
 
+from ..algebra.inputs import LINE, is_name, json_object
+from ..algebra.numbers import exact_number
 from ..errors import ValuesError, brief
-from ..expressions import exact_number
-from ..files import moved, replaceable
-from ..inputs import LINE, is_name, json_object
+from ..printing.files import moved, replaceable
+from .options import LABELS, one_spin
 from .output import printed
-from .scenes import LABELS, one_spin
 
 SPINS = {"pi3_0", "omega3_0"}
 READ = 2**16                                           # bytes that are read at a time

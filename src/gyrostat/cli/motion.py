@@ -13,19 +13,19 @@ import mpmath
 import numpy as np
 from sympy import Add, Expr, Rational, floor, sqrt
 
-from ..columns import columns, dataset, facts, turns_of
+from ..algebra.floats import Array
+from ..algebra.numbers import exact_number
+from ..charts.progress import telling
 from ..errors import ValuesError, optional
-from ..expressions import exact_number
-from ..files import save_netcdf
-from ..floats import Array
 from ..notation import NOTATION
 from ..plotting import animate_top, draw_momentum_sphere, draw_nutation, save_animation
 from ..plotting.globe import curve_on, dots_on, towards
 from ..plotting.looks import BLUE, DARK, INK, label, legend, named
-from ..progress import telling
+from ..printing.files import save_netcdf
 from ..trajectories import Motion, motion
+from ..trajectories.columns import columns, dataset, facts, turns_of
+from .options import LONGEST, body_of, numbers_of
 from .output import FILMS, PICTURES, Output, file_of, save_picture
-from .scenes import LONGEST, body_of, numbers_of
 
 KINDS = "a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; an animation, motion.gif or .mp4"
 ROWS, POINTS, FRAMES = 201, 2001, 150                  # times of a table, of a curve and of an animation where none are asked for

@@ -8,9 +8,9 @@ from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, TextIO
 
-from .. import progress
+from ..charts import progress
 from ..errors import ValuesError, optional
-from ..files import written
+from ..printing.files import written
 
 PICTURES, FILMS = (".png", ".pdf", ".svg"), (".gif", ".mp4")
 EXTRAS = dict.fromkeys((*PICTURES, *FILMS), ("matplotlib", "plot")) | {".nc": ("netCDF4", "charts")}

@@ -7,14 +7,14 @@ import numpy as np
 from sympy import Expr
 
 from .. import plotting
+from ..algebra.numbers import exact_number
 from ..errors import ValuesError
-from ..expressions import exact_number
+from ..mechanics.system import System
 from ..notation import symbol
-from ..notes import scene_note
-from ..system import System
+from ..stability.notes import scene_note
 from .motion import POINTS, SPACE, motion_of, times_of
+from .options import axis_of, body_of, numbers_of, one_spin, report_for, scene_of
 from .output import PICTURES, Output, file_of, save_picture
-from .scenes import axis_of, body_of, numbers_of, one_spin, report_for, scene_of
 
 SAMPLES = 200                                          # of the parameter, along eigenvalues
 CONES = {**SPACE, "elev": 14, "azim": 12}              # both are seen from the side

@@ -1,14 +1,14 @@
 """gyrostat report: the derivation as text, LaTeX or JSON."""
 import argparse
 
-from ..article import document
-from ..blocks import Block, decision_blocks
-from ..document import report_blocks, scene_blocks
-from ..stability import Decision
-from ..unicode import text
-from .data import decision_data, json_text, report_data, scene_data
+from ..printing.article import document
+from ..printing.blocks import Block, decision_blocks
+from ..printing.data import decision_data, json_text, report_data, scene_data
+from ..printing.document import report_blocks, scene_blocks
+from ..printing.unicode import text
+from ..stability.report import Decision
+from .options import enough, its_own, known_names, labels_of, numbers_of, of_each, reports_of, scene_of
 from .output import Output
-from .scenes import enough, its_own, known_names, labels_of, numbers_of, of_each, reports_of, scene_of
 
 
 def run(given: argparse.Namespace, out: Output) -> int:

@@ -6,19 +6,19 @@ from typing import Any
 
 from sympy import Expr
 
-from ..article import article
-from ..blocks import Block, Display, Heading, Sentence
+from ..algebra.readable import readable
 from ..errors import EquilibriumError, GyrostatError, ScopeError
-from ..families import inclined
-from ..intervals import Interval, Solution
-from ..presentation import readable
-from ..results import result_blocks
-from ..stability import Report, analyze
-from ..stabilizing import stabilizing_set
-from ..unicode import text
-from .data import json_text, strings
+from ..mechanics.families import inclined
+from ..printing.article import article
+from ..printing.blocks import Block, Display, Heading, Sentence
+from ..printing.data import json_text, strings
+from ..printing.results import result_blocks
+from ..printing.unicode import text
+from ..stability.report import Report, analyze
+from ..stability.sets import Interval, Solution
+from ..stability.stabilizing import stabilizing_set
+from .options import of_each, report_of, scene_of, spin_of
 from .output import Output
-from .scenes import of_each, report_of, scene_of, spin_of
 
 
 def run(given: argparse.Namespace, labels: Sequence[str], numbers: Mapping[str, Expr], out: Output) -> int:

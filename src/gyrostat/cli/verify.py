@@ -1,9 +1,9 @@
 """gyrostat verify: published formulas checked against what the library derives."""
 import argparse
 
-from ..progress import Progress
+from ..charts.progress import Progress
+from ..printing.data import json_text
 from ..published import SOURCES, Finding, check, errata, listing
-from .data import json_text
 from .output import Output
 
 

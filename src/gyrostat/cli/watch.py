@@ -10,8 +10,8 @@ from select import select
 from time import monotonic
 from typing import Any
 
-from ..files import cleared
-from ..progress import Waiting
+from ..charts.progress import Waiting
+from ..printing.files import cleared
 from .output import told
 
 GRACE = 1.0                                            # seconds after which a process ends itself that nobody has ended

@@ -13,7 +13,7 @@ from typing import Any
 from ..errors import GyrostatError, ValuesError
 from .answers import answers_at, answers_data
 from .lines import question
-from .scenes import numbers_of, scene_of
+from .options import numbers_of, scene_of
 from .watch import held_back, left_alone, limited
 
 Answer = tuple[str, str | None]                        # an object of JSON, and the reason where the line is not answered

@@ -1,14 +1,14 @@
 """Pictures: each function draws on Matplotlib axes and returns them; stable, unstable and undecided look the same in all of them."""
 from .animation import animate_top, save_animation
+from .bifurcations import draw_bifurcation_diagram
 from .charts import caption, draw_chart
 from .cones import draw_cones
-from .diagrams import draw_bifurcation_diagram
-from .energies import draw_energy_momentum
+from .effective_potential import draw_effective_potential
+from .eigenvalues import draw_eigenvalues
+from .energy_momentum import draw_energy_momentum
 from .interactive import view_motion
-from .momentum import draw_momentum_sphere
+from .momentum_sphere import draw_momentum_sphere
 from .nutation import draw_nutation
-from .potentials import draw_effective_potential
-from .spectra import draw_eigenvalues
 
 __all__ = ["animate_top", "caption", "draw_bifurcation_diagram", "draw_chart", "draw_cones", "draw_effective_potential", "draw_eigenvalues",
            "draw_energy_momentum", "draw_momentum_sphere", "draw_nutation", "save_animation", "view_motion"]

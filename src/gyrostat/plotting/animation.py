@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from ..algebra.floats import Array
 from ..errors import MissingExtraError, ValuesError, optional, require
-from ..files import written
-from ..floats import Array
+from ..printing.files import written
 from ..trajectories import Motion
 from .globe import FADED, parted, polygons, stage
 from .looks import BLUE, DARK, axes_of, label

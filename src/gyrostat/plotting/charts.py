@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from ..algebra.floats import Array
 from ..errors import ValuesError
-from ..floats import Array
 from ..notation import ORDER
 from .looks import INK, LOOKS, axes_of, legend
 
@@ -37,7 +37,7 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     Examples
     --------
     >>> import gyrostat as gs
-    >>> from gyrostat.charts import stability_chart
+    >>> from gyrostat.charts.chart import stability_chart
     >>> from matplotlib.figure import Figure
     >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
     >>> chart = stability_chart(top, x=("pi3_0", np.linspace(-4, 4, 80)), y=("l", np.linspace(-2, 2, 60)), fixed={"I1": 1, "m0": 1})

@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from ..algebra.floats import Array
 from ..errors import ScopeError
-from ..floats import Array
-from ..freebody import free_precession
+from ..mechanics.freebody import free_precession
 from .globe import across, arrow, circle, polygons, towards
 from .looks import BLUE, INK, LOOKS, axes_of, label, legend
 

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from ..algebra.floats import Array
 from ..errors import optional
-from ..floats import Array
 from .looks import DARK
 
 BACKGROUND, FADED = "#f4f7fb", 0.28

@@ -3,8 +3,8 @@ from typing import Any
 
 import numpy as np
 
+from ..algebra.floats import Array
 from ..errors import optional
-from ..floats import Array
 from ..trajectories import Motion
 from .animation import turning
 from .looks import BLUE

@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 
+from ..algebra.floats import Array
 from ..errors import ArgumentError, optional
-from ..floats import Array
 from ..notation import typeset
-from ..stability import Decision, Verdict
+from ..stability.report import Decision, Verdict
 
 LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""), "no_equilibrium": ("#ffffff", "....")}
 INK = {"undecided": "#8a6d2f", "no_equilibrium": "#a0a0a0"}            # of the hatches

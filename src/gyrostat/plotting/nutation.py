@@ -3,8 +3,8 @@ from typing import Any
 
 import numpy as np
 
+from ..algebra.floats import Array
 from ..errors import ValuesError, require
-from ..floats import Array
 from ..trajectories import Motion
 from .globe import circle, curve_on, dots_on, stage
 from .looks import BLUE, DARK, GREY, axes_of, label, legend, named

@@ -2,11 +2,11 @@
 import numpy as np
 from sympy import Add
 
-from ..body import Gyrostat
-from ..exact import sign_of_constant
-from ..floats import Array
-from ..system import System
-from .levels import floats
+from ..algebra.exact import sign_of_constant
+from ..algebra.floats import Array
+from ..mechanics.body import Gyrostat
+from ..mechanics.system import System
+from .energy_levels import floats
 
 SIDES = 24                                                 # of the top
 LIGHT, MIDDLE, DEEP, ACCENT = "#dce9f4", "#a9c6e0", "#5f93c2", "#e0b04c"

@@ -1,9 +1,9 @@
 """Checks of printed claims: conditions for stability and existence, verdicts in words."""
 from itertools import islice
 
-from ..conditions import Criterion
 from ..errors import PublishedError, brief
 from ..notation import symbol
+from ..stability.conditions import Criterion
 from .criteria import K3, Claim, agree, criterion, free_symbols
 from .language import comparisons
 from .sampling import K

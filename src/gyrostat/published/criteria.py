@@ -7,15 +7,15 @@ from typing import Any
 
 from sympy import Expr, S, Symbol
 
-from ..algebra import Ring
-from ..conditions import Condition, Criterion
-from ..equilibria import Equilibrium
+from ..algebra.exact import sign_of_constant
+from ..algebra.margins import Signs
+from ..algebra.polynomials import Ring
 from ..errors import PublishedError
-from ..exact import sign_of_constant
-from ..implication import Item, reduced
+from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
-from ..signs import Signs
-from ..stability import Report, analyze
+from ..stability.conditions import Condition, Criterion
+from ..stability.implication import Item, reduced
+from ..stability.report import Report, analyze
 from .scenes import Scene
 
 K3 = symbol("k3")

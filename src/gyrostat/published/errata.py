@@ -5,12 +5,12 @@ from typing import Any
 
 from sympy import Expr
 
-from ..article import preamble
-from ..conditions import Criterion
 from ..errors import ExpressionError
-from ..latex import Printer, formula
 from ..notation import symbol
-from . import Finding, source_of
+from ..printing.article import preamble
+from ..printing.latex import Printer, formula
+from ..stability.conditions import Criterion
+from .checks import Finding, source_of
 from .listing import NOT_SHARP, as_text, number, place, rows
 from .typesetting import formula_of
 

@@ -6,8 +6,8 @@ from typing import Any
 
 from sympy import Expr, MatrixBase, Symbol
 
+from ..algebra.exact import sign_of_constant
 from ..errors import ExpressionError, GyrostatError, PublishedError
-from ..exact import sign_of_constant
 from ..notation import symbol
 from . import independent
 from .independent_names import number

@@ -5,8 +5,8 @@ from typing import Any
 
 from sympy import Expr, ImmutableMatrix, Integer, Matrix, MatrixBase, Pow, Symbol
 
-from ..attitude import reduced
 from ..errors import PublishedError
+from ..mechanics.attitude import reduced
 from ..notation import symbol
 from .language import decimal, read
 from .names import is_zero

@@ -8,8 +8,8 @@ from functools import cached_property
 import mpmath
 from sympy import Expr, Float, Integer, Matrix, Poly, PolynomialError, Symbol, hessian, linsolve, sqrt
 
+from ..algebra.exact import sign_of_constant
 from ..errors import PublishedError
-from ..exact import sign_of_constant
 from ..notation import symbol
 from .scenes import Scene
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from sympy import ImmutableMatrix
 
-from ..attitude import ANGLES, RATES, angle_rates, angular_velocity, direction, lagrangian, nodes, rotation
+from ..mechanics.attitude import ANGLES, RATES, angle_rates, angular_velocity, direction, lagrangian, nodes, rotation
 from ..notation import symbol
 from .scenes import Scene
 

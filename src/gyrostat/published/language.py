@@ -9,10 +9,10 @@ from typing import Any
 from sympy import Abs, Expr, ImmutableMatrix, MatrixBase, Rational, nan, oo, zoo
 from sympy.matrices.exceptions import MatrixError
 
+from ..algebra.exact import sign_of_constant
+from ..algebra.grammar import CALLS, Parser
+from ..algebra.parts import FUNCTIONS, Cost, Part, enclosure, of_expression
 from ..errors import ExpressionError, GyrostatError, ValuesError, brief
-from ..exact import sign_of_constant
-from ..grammar import CALLS, Parser
-from ..parts import FUNCTIONS, Cost, Part, enclosure, of_expression
 
 SIDE, COMPARISONS = 12, 30
 _COMPARISON = re.compile(r"\s*(<=|>=|<|>)\s*")

@@ -6,11 +6,11 @@ from typing import Any
 
 from sympy import Expr, MatrixBase
 
-from ..attitude import reduced
-from ..conditions import Criterion
-from ..presentation import readable
-from ..unicode import plain, unicode
-from . import Finding, source_of
+from ..algebra.readable import readable
+from ..mechanics.attitude import reduced
+from ..printing.unicode import plain, unicode
+from ..stability.conditions import Criterion
+from .checks import Finding, source_of
 from .statements import Counterexample
 
 NOT_SHARP = "no point was found at which it fails, but it is not the whole condition:"

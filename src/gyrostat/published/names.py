@@ -4,14 +4,14 @@ from typing import Any
 
 from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Symbol, eye
 
-from ..algebra import Ring
-from ..attitude import reduced
-from ..energy_casimir import multipliers
-from ..equilibria import Equilibrium
+from ..algebra.polynomials import Ring
 from ..errors import ExpressionError
-from ..freebody import polhode_period
-from ..linearization import linearize
+from ..mechanics.attitude import reduced
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.freebody import polhode_period
 from ..notation import jet, jet_name, symbol
+from ..stability.energy_casimir import multipliers
+from ..stability.linearization import linearize
 from .jacobi import cn, dn, sn
 from .kinematics import Later, turning
 from .scenes import Scene

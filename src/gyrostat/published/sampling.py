@@ -4,8 +4,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from sympy import Expr, Integer, Rational, Symbol, sqrt
 
-from ..attitude import ANGLES
-from ..exact import sign_of_constant
+from ..algebra.exact import sign_of_constant
+from ..mechanics.attitude import ANGLES
 from ..notation import jet, symbol
 from .scenes import Scene
 

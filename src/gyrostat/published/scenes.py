@@ -6,15 +6,15 @@ from typing import Any
 
 from sympy import Expr
 
-from ..body import Gyrostat
-from ..equilibria import Equilibrium
+from ..algebra.grammar import parse
+from ..algebra.inputs import is_name
 from ..errors import PublishedError, brief
-from ..families import hanging, inclined, principal_rotation, upright
-from ..grammar import parse
-from ..inputs import is_name
+from ..mechanics.body import Gyrostat
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.families import hanging, inclined, principal_rotation, upright
+from ..mechanics.potential import Potential, axial_potential, general_potential
+from ..mechanics.system import System, assemble
 from ..notation import jet, symbol
-from ..potential import Potential, axial_potential, general_potential
-from ..system import System, assemble
 
 KEYS = {"inertia", "gyrostatic_momentum", "potential", "equilibrium", "spin", "eliminate", "angles", "vertical", "given", "parameters"}
 

@@ -5,11 +5,11 @@ from itertools import islice
 
 from sympy import Expr, Integer, Mul, Poly, S, Symbol, fraction, oo, together
 
-from ..conditions import Criterion
+from ..algebra.exact import sign_of_constant
+from ..algebra.roots import between, real_roots
 from ..errors import ScopeError
-from ..exact import sign_of_constant
 from ..notation import symbol
-from ..roots import between, real_roots
+from ..stability.conditions import Criterion
 from .criteria import free_symbols, holds
 from .sampling import K, on_family
 from .statements import Reading

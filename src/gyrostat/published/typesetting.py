@@ -8,8 +8,8 @@ from typing import Any
 
 from sympy import Rational
 
+from ..algebra.parts import FUNCTIONS, Part
 from ..notation import typeset
-from ..parts import FUNCTIONS, Part
 from .language import Formula
 
 _NAMES = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l": r"\boldsymbol{l}",

@@ -1,0 +1,34 @@
+"""Polynomials seen as polynomials in one generator t: powers of t, and a combination of two that is linear in t."""
+from flint import fmpq_mpoly
+
+from .polynomials import by_degree
+
+
+def deflated(polynomial: fmpq_mpoly, place: int, n: int) -> fmpq_mpoly:
+    """With s for tⁿ."""
+    return polynomial.context().from_dict({(*e[:place], e[place] // n, *e[place + 1:]): c for e, c in polynomial.to_dict().items()})
+
+
+def inflated(polynomial: fmpq_mpoly, place: int, n: int) -> fmpq_mpoly:
+    """With tⁿ for t."""
+    return polynomial.context().from_dict({(*e[:place], e[place] * n, *e[place + 1:]): c for e, c in polynomial.to_dict().items()})
+
+
+def linear(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """(a, b) of a combination a t + b of two polynomials in t, by pseudo-division; (0, 0) where none is found."""
+    while G.degrees()[place] > 1 and F.degrees()[place] > 1:
+        F, G = (G, _remainder(F, G, place)) if F.degrees()[place] >= G.degrees()[place] else (F, _remainder(G, F, place))
+    for f in (G, F):
+        if f.degrees()[place] == 1:
+            b, a = by_degree(f, place, 1)
+            return a, b
+    return G * 0, G * 0
+
+
+def _remainder(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> fmpq_mpoly:
+    """Pseudo-remainder of F by G in one generator."""
+    n, t = G.degrees()[place], F.context().gens()[place]
+    lead = by_degree(G, place, n)[n]
+    while F and (m := F.degrees()[place]) >= n:
+        F = lead * F - by_degree(F, place, m)[m] * t ** (m - n) * G
+    return F

@@ -1,0 +1,183 @@
+"""The sign of an expression at exact numbers: by rational arithmetic, or by proved enclosures and a separation bound."""
+import math
+from collections.abc import Mapping
+from functools import lru_cache
+from types import MappingProxyType
+
+import sympy
+from flint import arb, ctx, fmpq, fmpq_mpoly
+from sympy import Add, CRootOf, Derivative, Dummy, Expr, Integer, Mul, Pow, Rational, Subs, Symbol
+
+from .algebraic import real_root, separation
+from .polynomials import Ring
+from .precision import own_precision
+from .transcendental import vanishes
+
+LIMIT, ALGEBRAIC_LIMIT, FAR = 4096, 2**20, 2**14       # bits: a sign that is not proved by then is not known; the normal form is sooner
+NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
+_FUNCTIONS = {name: getattr(arb, name) for name in (
+    "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
+
+
+def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
+    """Sign of an expression at a point: exact, or None where it cannot be proved.
+
+    Exact for rational numbers and for algebraic ones written with roots and with sines and cosines of rational multiples of π, zero
+    included. With transcendental numbers the precision of the enclosure is doubled up to 4096 bits, and a value is 0 if its normal
+    form is (gyrostat.algebra.transcendental); what is neither stays None.
+
+    Parameters
+    ----------
+    expression : Expr                     in the symbols of values
+    values : mapping of Symbol to Expr    exact numbers
+
+    Returns
+    -------
+    int or None                           -1, 0, 1; None: not proved, or not a real number there
+
+    Examples
+    --------
+    >>> from gyrostat.notation import symbol
+    >>> x = symbol("x")
+    >>> sign(x**2 - 2, {x: Rational(3, 2)}), sign(x**2 - 2, {x: sympy.sqrt(2)}), sign(sympy.exp(x) - 3, {x: sympy.S.One})
+    (1, 0, -1)
+    """
+    return sign_of_constant(evaluate(expression, values))
+
+
+class Point(dict[Symbol, Expr]):
+    """Exact numbers by symbol, the rational ones ready for polynomial arithmetic; doubt says what is not proved of them, "" if nothing."""
+
+    def __init__(self, numbers: Mapping[Symbol, Expr], doubt: str = ""):
+        super().__init__(numbers)
+        self.doubt = doubt
+        self.rational = {s: fmpq(int(x.p), int(x.q)) for s, x in self.items() if isinstance(x, Rational)}
+
+
+def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
+    """The exact value: a Rational where all numbers are rational and the expression is a fraction of polynomials."""
+    given = values if isinstance(values, Point) else Point(values)
+    fraction = compiled(expression)
+    if fraction is None or not all(s in given.rational for s in fraction[0]):
+        placed = _inserted(expression, values)
+        return placed.doit() if placed.has(Derivative, Subs) else placed       # doit factors the polynomial of a root once more
+    symbols, top, bottom = fraction
+    point = [given.rational[s] for s in symbols]
+    value = top(*point)
+    if bottom is not None:
+        below = bottom(*point)
+        if below == 0:
+            return sympy.nan
+        value /= below
+    return Rational(int(value.p), int(value.q))
+
+
+def _inserted(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
+    """Numbers in the place of symbols, but not of the variable inside the root of a polynomial, which may be one of ours."""
+    roots = {root: Dummy() for root in expression.atoms(CRootOf)}
+    placed = expression.xreplace(roots).xreplace(dict(values))
+    return placed.xreplace({dummy: root for root, dummy in roots.items()})
+
+
+@lru_cache(maxsize=4096)
+def compiled(expression: Expr) -> tuple[tuple[Symbol, ...], fmpq_mpoly, fmpq_mpoly | None] | None:
+    """The expression as a fraction of polynomials in its symbols, None where it is none; a denominator 1 is left out."""
+    ring = Ring([expression])
+    if not all(isinstance(g, Symbol) for g in ring.generators):
+        return None
+    top, bottom = ring.fraction(expression)
+    return ring.generators, top, None if bottom.is_one() else bottom
+
+
+def sign_of_constant(constant: Expr) -> int | None:
+    """Sign of a constant, by enclosures of doubled precision; 0 by a separation bound or by the normal form of transcendental numbers."""
+    if isinstance(constant, Rational):
+        return (constant.p > 0) - (constant.p < 0)
+    if constant is sympy.nan:
+        return None
+    precision, most, least = 64, LIMIT, None               # bits; an algebraic number below 2**-least is 0
+    while precision <= most:
+        enclosure = ball(constant, precision)
+        if enclosure > 0 or enclosure < 0:
+            return 1 if enclosure > 0 else -1
+        if precision == 64 and (least := separation(constant)) is not None:
+            most = min(4 * least + 256, ALGEBRAIC_LIMIT)
+        if least is not None and abs(enclosure) < arb(2) ** -least:
+            return 0
+        if precision == 256 and (least is None or least > FAR) and enclosure.is_finite() and vanishes(constant, sign_of_constant):
+            return 0
+        precision *= 2
+    return None
+
+
+def is_identically_zero(expression: Expr) -> bool | None:
+    """Whether an expression is 0 at all values of its symbols: every coefficient of its numerator is; None where that is not proved."""
+    ring = Ring([expression])
+    top = ring.reduce(ring.fraction(expression)[0])
+    signs = {sign_of_constant(ring.expression(c)) for c in ring.coefficients(top, expression.free_symbols).values()}
+    return True if signs <= {0} else None if signs <= {0, None} else False
+
+
+def plain(constant: Expr) -> Expr:
+    """0, 1 or -1 in place of a constant that is proved to be that number; anything else as it is."""
+    if constant.free_symbols or isinstance(constant, Rational) or not (near := ball(constant, 64)).is_finite():
+        return constant
+    found = (Integer(n) for n in (0, 1, -1) if near.contains(n) and sign_of_constant(constant - n) == 0)
+    return next(found, constant)
+
+
+def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:
+    """Enclosure of a real expression in ball arithmetic of the precision given (not finite where it is undefined).
+
+    Parameters
+    ----------
+    expression : Expr
+    precision : int                       bits
+    values : mapping of Symbol to arb     enclosures of its symbols
+    """
+    with own_precision(precision):
+        return +_ball(expression, values)
+
+
+def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
+    if isinstance(node, Symbol):
+        return values[node]
+    if isinstance(node, Rational):
+        return arb(fmpq(int(node.p), int(node.q)))
+    if isinstance(node, Add):
+        return sum((_ball(part, values) for part in node.args), arb(0))
+    if isinstance(node, Mul):
+        result = arb(1)
+        for part in node.args:
+            result *= _ball(part, values)
+        return result
+    if isinstance(node, Pow) and isinstance(node.exp, Rational):
+        if not values and node.exp.q > 1:
+            return _constant(node, ctx.prec)
+        return _power(node, values)
+    if node is sympy.pi or node is sympy.E:
+        return arb.pi() if node is sympy.pi else arb(1).exp()
+    if isinstance(node, CRootOf):
+        return real_root(node, ctx.prec)
+    if type(node).__name__ in _FUNCTIONS and len(node.args) == 1:
+        return _function(node, values) if values else _constant(node, ctx.prec)
+    return arb("nan")
+
+
+@lru_cache(maxsize=256)
+def _constant(node: Expr, precision: int) -> arb:
+    """A root or a function of constants, once at each precision; that is the precision of the moment."""
+    return _power(node, NOTHING) if isinstance(node, Pow) else _function(node, NOTHING)
+
+
+def _function(node: Expr, values: Mapping[Symbol, arb]) -> arb:
+    return _FUNCTIONS[type(node).__name__](_ball(node.args[0], values))
+
+
+def _power(node: Pow, values: Mapping[Symbol, arb]) -> arb:
+    base, n = _root(_ball(node.base, values), int(node.exp.q)), int(node.exp.p)
+    return math.prod([base] * n, start=arb(1)) if 0 < n <= 64 else base**n         # ** has no power of a ball that contains 0
+
+
+def _root(base: arb, n: int) -> arb:
+    return base if n == 1 else base.sqrt() if n == 2 else base.root(n) if base > 0 else arb("nan")

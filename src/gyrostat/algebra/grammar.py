@@ -1,0 +1,252 @@
+"""Text becomes mathematics through a whitelist grammar, never by evaluation.
+
+    sum     := product (('+' | '-') product)*
+    product := factor (('*' | '/') factor)*
+    factor  := ('+' | '-') factor | atom ['**' factor]
+    atom    := number | name | function '(' sum ')' | '(' sum ')'
+
+What would be slow is refused before it is computed: each part carries bounds on what expanding it could cost, and each constant an
+enclosure, so that SymPy is never asked for the sine of a number with 10⁵⁰ digits.
+"""
+import operator
+import re
+from collections.abc import Callable, Sequence
+from difflib import get_close_matches
+from fractions import Fraction
+from functools import reduce
+from typing import Any
+
+import sympy
+from sympy import Add, Expr, Pow, Rational
+
+from ..notation import symbol
+from . import magnitudes, parts
+from .parts import BITS, DEGREE, FUNCTIONS, HYPERBOLIC, NESTING, PARTIAL, TERMS, Cost, Part
+from .scanner import Scanner
+
+DEPTH, CALLS = 40, 30
+_MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh", "arccosh": "acosh", "arctanh": "atanh",
+          "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh", "arctg": "atan", "tg": "tan", "sh": "sinh", "ch": "cosh", "th": "tanh"}
+
+
+class Parser(Scanner):
+    """Recursive descent through the grammar; a language with more names and functions extends named and call."""
+
+    TERMS = TERMS
+
+    def __init__(self, text: str):
+        super().__init__(text)
+        self.depth, self.calls = 0, 0
+
+    def whole(self) -> Part:
+        """The whole text."""
+        part = self.sum()
+        if self.peek():
+            self.fail(f"{self.peek()!r} comes where an operator or the end should be", "check the operators and parentheses")
+        return part
+
+    def sum(self) -> Part:
+        summands, terms = [self.product()], 0
+        while sign := self.take("+", "-"):
+            part = self.product()
+            summands.append(part if sign == "+" else self.negative(part))
+            if (terms := terms + part.cost.terms) > self.TERMS:
+                self.checked(Cost(terms))
+        if len(summands) == 1:
+            return summands[0]
+        ball = reduce(magnitudes.added, [part.ball for part in summands])
+        cost = parts.of_sum([part.cost for part in summands])
+        return self.bounded(self.total([part.value for part in summands]), cost, max(part.nesting for part in summands), ball)
+
+    def total(self, values: Sequence[Any]) -> Any:
+        """The sum of some values, taken at once."""
+        return Add(*values)
+
+    def product(self) -> Part:
+        left = self.factor()
+        while sign := self.take("*", "/"):
+            right = self.factor()
+            if sign == "/":
+                right = self.power(right, Rational(-1))
+            for one, other in ((left, right), (right, left)):
+                if one.doubtful and other.ball is None:
+                    self.fail("a factor cannot be told from 0", "simplify the constants")
+            cost = self.checked(parts.of_product([left.cost, right.cost]))
+            ball = magnitudes.multiplied(left.ball, right.ball)
+            left = self.bounded(self.made(operator.mul, left.value, right.value), cost, max(left.nesting, right.nesting), ball)
+        return left
+
+    def factor(self) -> Part:
+        self.deeper()
+        if sign := self.take("+", "-"):
+            part = self.factor()
+            result = part if sign == "+" else self.negative(part)
+        else:
+            result = self.atom()
+            if self.take("**"):
+                exponent = self.factor().value
+                if not isinstance(exponent, Rational):
+                    self.fail(f"the exponent {str(exponent)[:60]} is not a rational number", "write a**x as exp(x*log(a))")
+                result = self.power(result, exponent)
+        self.depth -= 1
+        return result
+
+    def deeper(self) -> None:
+        """Count one level more."""
+        self.depth += 1
+        if self.depth > DEPTH:
+            self.fail(f"it is nested more than {DEPTH} deep", "write it flatter")
+
+    def negative(self, part: Part) -> Part:
+        return Part(-part.value, part.cost, part.nesting, magnitudes.negated(part.ball))
+
+    def power(self, base: Part, exponent: Rational) -> Part:
+        times, root = abs(int(exponent.p)), int(exponent.q)
+        if root > 12 or times > DEGREE and base.value not in (0, 1, -1):
+            self.fail(f"the exponent {str(exponent)[:20]} is too large", f"exponents go up to {DEGREE}, roots up to the 12th")
+        if base.value == 0 and exponent < 0:
+            self.fail("it divides by zero", "check the denominators")
+        if base.doubtful and (exponent < 0 or root > 1):
+            self.fail("a denominator or what is under a root cannot be told from 0", "simplify the constants")
+        if isinstance(base.value, Rational) and abs(base.value) in (0, 1):
+            times = min(times, 2 - times % 2)                               # so that (-1)**10**9 is no work
+        self.moderate(parts.factored(base, root))
+        small = Rational(times if exponent > 0 else -times, root)
+        ball, nesting = magnitudes.raised(base.ball, small), base.nesting + (root > 1)
+        cost = self.checked(parts.of_power(base.cost, small))
+        self.finite(ball)
+        value = self.made(pow, base.value, exponent)
+        if root > 1 and not (isinstance(value, Pow) and value.base == base.value):
+            return self.remade(value, nesting, ball)
+        return self.bounded(value, cost, nesting, ball)
+
+    def moderate(self, bits: int) -> None:
+        """Refuse a root for which SymPy would factor too long a number."""
+        if bits > BITS:
+            self.fail(f"for a root in it a number of {min(bits, 10**9)} bits is factored", f"the limit is {BITS} bits: shorten the numbers")
+
+    def made(self, function: Callable[..., Any], *arguments: Any) -> Any:
+        """What SymPy makes of it; its comparisons and factors fail at some numbers that are too large for them."""
+        try:
+            return function(*arguments)
+        except (ArithmeticError, AttributeError, RecursionError, TypeError, ValueError) as error:
+            self.fail(f"SymPy cannot evaluate a part of it ({str(error)[:60]})", "simplify it")
+
+    def remade(self, value: Expr, nesting: int, ball: Any) -> Part:
+        """What SymPy made of a root or a function, which may be another one, such as exp(2*log(x)) = x**2."""
+        if parts.foreign(value := parts.rewritten(value)):
+            self.fail("a part of it is not a finite real number, or not an elementary function",
+                      "check roots, logarithms and inverse functions")
+        return self.bounded(value, parts.of_expression(value), nesting, ball)
+
+    def checked(self, cost: Cost) -> Cost:
+        """The cost, if it is within the limits."""
+        if not cost.fits(self.TERMS):
+            self.fail(f"expanded, it could have {min(cost.terms, 10**9)} terms, degree {min(cost.degree, 10**9)} or numbers of "
+                      f"{min(cost.bits, 10**9)} bits", f"the limits are {self.TERMS} terms, degree {DEGREE}, {BITS} bits")
+        return cost
+
+    def finite(self, ball: Any) -> None:
+        """Refuse a constant that is not proved to be a finite real number, or that is too large or too small to be one of a scene."""
+        if ball is None:
+            return
+        if not ball.is_finite():
+            self.fail("a part of it is not a finite real number", "check divisions, roots, logarithms and inverse functions")
+        if max(abs(end or 0) for end in magnitudes.extent(ball)) > BITS:
+            self.fail("a part of it is too large, or too close to 0", f"numbers lie between 2**-{BITS} and 2**{BITS} in size")
+
+    def bounded(self, value: Any, cost: Cost, nesting: int, ball: Any) -> Part:
+        """A part within all limits."""
+        if isinstance(value, Rational):
+            part = parts.constant(value)
+            self.checked(part.cost)
+            return part
+        self.finite(ball)
+        if nesting > NESTING:
+            self.fail(f"its functions and roots are nested more than {NESTING} deep", "simplify it")
+        if ball is not None:
+            high, low = magnitudes.extent(ball)
+            cost = cost._replace(bits=max(cost.bits, abs(high), abs(low or 0)), size=high)
+        return Part(value, self.checked(cost), nesting, ball)
+
+    def atom(self) -> Part:
+        kind, token = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
+        self.place += 1
+        if kind == "number":
+            return self.number(token)
+        if kind == "name":
+            return self.call(token) if self.peek() == "(" else self.named(token)
+        if token == "(":
+            part = self.sum()
+            if not self.take(")"):
+                self.fail("a closing parenthesis is missing", "close what you opened")
+            return part
+        self.fail(f"{token!r} stands where a number or a name should be" if token else "it ends too early",
+                  "complete the expression")
+
+    def number(self, token: str) -> Part:
+        if len(token) > 400 or abs(int(re.split("[eE]", token)[1]) if re.search("[eE]", token) else 0) > 400:
+            self.fail(f"the number {token[:20]}... is too long", "numbers have up to 400 digits")
+        return parts.constant(Rational(Fraction(token)))
+
+    def named(self, token: str) -> Part:
+        if token in FUNCTIONS:
+            self.fail(f"the function {token} has no argument", f"write {token}(...)")
+        return Part(sympy.pi, ball=magnitudes.pi()) if token == "pi" else Part(symbol(token), Cost(degree=1))
+
+    def call(self, token: str) -> Part:
+        if token not in FUNCTIONS:
+            self.fail(f"{token} is not a function of the grammar", self.guess(token, list(FUNCTIONS)))
+        self.calls += 1
+        if self.calls > CALLS:
+            self.fail(f"it has more than {CALLS} functions", "write it shorter")
+        return self.apply(token, self.atom())
+
+    def guess(self, token: str, functions: Sequence[str]) -> str:
+        """What may have been meant."""
+        near = [_MEANT[token.lower()]] if token.lower() in _MEANT else get_close_matches(token, functions, 1)
+        return f"{f'did you mean {near[0]}? ' if near else ''}the functions are {', '.join(functions)}"
+
+    def apply(self, token: str, inner: Part) -> Part:
+        """An elementary function of a part."""
+        if token == "sqrt":
+            return self.power(inner, Rational(1, 2))
+        ball, nesting = magnitudes.applied(token, inner.ball), inner.nesting + 1
+        if nesting > NESTING:
+            self.fail(f"its functions and roots are nested more than {NESTING} deep", "simplify it")
+        if token in HYPERBOLIC and ball is None and inner.cost.partial > PARTIAL:
+            self.fail(f"{token} is asked of powers or sums of functions that are not real everywhere",
+                      f"such an argument has up to {PARTIAL} terms and degree {PARTIAL}")
+        self.finite(ball)
+        self.moderate(parts.factored_by(token, inner))
+        cost = self.checked(parts.of_function(token, inner.cost) if ball is None else Cost(degree=1, bits=inner.cost.bits))
+        value = self.made(FUNCTIONS[token], inner.value)
+        if isinstance(value, FUNCTIONS[token]) and value.args == (inner.value,):        # type: ignore[arg-type]
+            return self.bounded(value, cost, nesting, ball)
+        return self.remade(value, nesting, ball)
+
+
+def parse(text: str) -> Expr:
+    """Expression that a text stands for, its names in our symbols.
+
+    Parameters
+    ----------
+    text : str      names, numbers (read exactly), + - * / **, parentheses, elementary functions, pi
+
+    Returns
+    -------
+    Expr
+
+    Raises
+    ------
+    ExpressionError  anything outside the grammar, division by zero, complex numbers, input made to be slow
+
+    Examples
+    --------
+    >>> parse("m0*k3 + 0.5*k3**2")
+    k3**2/2 + k3*m0
+    >>> parse("9**9**9")  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    gyrostat.errors.ExpressionError: cannot read '9**9**9': the exponent 387420489 is too large; exponents go up to 100, ...
+    """
+    return Parser(text).whole().value

@@ -1,0 +1,99 @@
+"""Matrices of polynomials: products, determinants, characteristic polynomials, kernels, all without fractions."""
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from flint import fmpq, fmpq_mpoly
+
+from .polynomials import Ring, Row, cancel, lcm
+
+Key = Callable[[int, fmpq_mpoly], Any]
+
+
+def multiply(ring: Ring, a: Sequence[Row], b: Sequence[Row]) -> list[Row]:
+    """Product of two matrices of polynomials, reduced."""
+    columns = list(zip(*b))
+    return [[ring.reduce(sum((x * y for x, y in zip(row, column) if x and y), ring.zero)) for column in columns] for row in a]
+
+
+def determinant(ring: Ring, matrix: Sequence[Row]) -> fmpq_mpoly:
+    """Determinant by expansion along the first row; no division, so that relations do no harm."""
+    if not matrix:
+        return ring.one
+    total = ring.zero
+    for column, entry in enumerate(matrix[0]):
+        if entry:
+            minor = [row[:column] + row[column + 1:] for row in matrix[1:]]
+            total += (-1) ** column * entry * determinant(ring, minor)
+    return ring.reduce(total)
+
+
+def characteristic_coefficients(ring: Ring, matrix: Sequence[Row]) -> list[fmpq_mpoly]:
+    """Coefficients c1, …, cn of det(λ − A) = λⁿ + c1 λⁿ⁻¹ + … + cn (Faddeev, LeVerrier)."""
+    size = len(matrix)
+    coefficients, power = [], [[ring.one if i == j else ring.zero for j in range(size)] for i in range(size)]
+    for n in range(1, size + 1):
+        power = multiply(ring, matrix, power)
+        c = sum((power[i][i] for i in range(size)), ring.zero) / -n
+        coefficients.append(c)
+        for i in range(size):
+            power[i][i] += c
+    return coefficients
+
+
+def row_reduce(ring: Ring, rows: Sequence[Row], key: Key, columns: int) -> list[tuple[int, Row]]:
+    """Fraction-free Gauss-Jordan elimination: (pivot column, row) pairs, the other pivot columns cleared.
+
+    The entry with the least key(column, entry) is the next pivot; only the first columns can hold one.
+    """
+    left = [row for row in rows if any(row)]
+    done: list[tuple[int, Row]] = []
+    while left:
+        choices = [(key(j, row[j]), i, j) for i, row in enumerate(left) for j in range(columns) if row[j]]
+        if not choices:
+            break
+        _, i, j = min(choices)
+        pivot = left.pop(i)
+        left = [cleared for row in left if any(cleared := _clear(ring, row, pivot, j))]
+        done = [(column, _clear(ring, row, pivot, j)) for column, row in done] + [(j, pivot)]
+    return done
+
+
+def _clear(ring: Ring, row: Row, pivot: Row, column: int) -> Row:
+    if not row[column]:
+        return row
+    own, other = cancel(pivot[column], row[column])
+    cleared = [ring.reduce(own * x - other * y) for x, y in zip(row, pivot)]
+    return primitive(ring, cleared)
+
+
+def primitive(ring: Ring, row: Row) -> Row:
+    """The row divided by the greatest common divisor of its entries, with integer coefficients."""
+    common, numbers = ring.zero, [c for entry in row for c in entry.coeffs()]
+    for entry in row:
+        common = entry if not common else common.gcd(entry) if entry else common
+    if not common:
+        return row
+    scale = fmpq(math.lcm(*(int(c.q) for c in numbers)), math.gcd(*(int(c.p) for c in numbers)))
+    return [entry * scale if common.is_constant() else (entry / common) for entry in row]
+
+
+def null_space(ring: Ring, rows: Sequence[Row], key: Key, size: int) -> list[tuple[int, Row]]:
+    """Polynomial basis of {v : rows·v = 0}, as (free column, vector) pairs; the free columns form a diagonal."""
+    reduced = row_reduce(ring, rows, key, size)
+    basis = []
+    for free in sorted(set(range(size)) - {column for column, _ in reduced}):
+        scale = ring.one
+        for column, row in reduced:
+            scale = lcm(scale, cancel(row[free], row[column])[1]) if row[free] else scale
+        vector = [ring.zero] * size
+        vector[free] = scale
+        for column, row in reduced:
+            vector[column] = ring.reduce(-row[free] * scale / row[column]) if row[free] else ring.zero
+        basis.append((free, primitive(ring, vector)))
+    return basis
+
+
+def cross(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, Any, Any]:
+    """a × b."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

@@ -1,0 +1,230 @@
+"""Polynomials over ℚ: where expressions become polynomials, are reduced, and become expressions again.
+
+A ring has one generator for each symbol and for each function or constant that is no polynomial, such as
+exp(k3). A square root and a sine carry a relation, g² = …, by which everything is reduced. Matrices share
+one denominator, so that no fraction is ever simplified on the way.
+"""
+from collections.abc import Iterable, Sequence, Set
+from typing import Any
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cos, cosh, exp, log, pi, sin, sinh, tan, tanh
+
+from ..errors import ExpressionError
+
+Row = list[fmpq_mpoly]
+_HYPERBOLIC = (sinh, cosh, tanh)
+PRIMES = 2**15                                         # up to which integers in logarithms are factored
+
+
+class Ring:
+    """ℚ[generators] / (relations), large enough to hold the expressions given."""
+
+    def __init__(self, expressions: Iterable[Expr]):
+        squares: dict[Expr, Expr] = {}                 # roots and sines, each after those inside it
+        plain: dict[Expr, None] = {}
+        seen: set[Expr] = set()
+        for expression in expressions:
+            _collect(expression, seen, plain, squares)
+        self.generators = (*reversed(squares), *sorted(plain, key=str))
+        self._context = fmpq_mpoly_ctx.get(tuple(f"x{i}" for i in range(len(self.generators))), Ordering.lex)
+        self.one, self.zero = self._context.constant(1), self._context.constant(0)
+        self.gens = dict(zip(self.generators, self._context.gens()))
+        self._memo = {g: (x, self.one) for g, x in self.gens.items()}
+        self._meaning = dict(zip(self.generators, self.generators))
+        self.squares: dict[Expr, fmpq_mpoly] = {}
+        self.scales: dict[Expr, fmpq_mpoly] = {}       # D for each root: its generator has the sign of D
+        self._relations: list[fmpq_mpoly] = []
+        for root, square in squares.items():           # √(N/D) = g/D with g² = N·D
+            top, bottom = self.fraction(square)
+            self.squares[root] = self.reduce(top * bottom)
+            self._relations.insert(0, self.gens[root] ** 2 - self.squares[root])
+            self._memo[root] = self.gens[root], bottom
+            self.scales[root] = bottom
+            self._meaning[root] = root * self.expression(bottom)
+
+    def fraction(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        """Numerator and denominator, neither reduced nor sign-normalised."""
+        if node not in self._memo:
+            self._memo[node] = self._convert(node)
+        return self._memo[node]
+
+    def _convert(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        if isinstance(node, Rational):
+            return self._context.constant(fmpq(int(node.p), int(node.q))), self.one
+        if isinstance(node, Add):
+            return self._add([self.fraction(part) for part in node.args])
+        if isinstance(node, Mul):
+            factors = [self.fraction(part) for part in node.args]
+        elif isinstance(node, Pow) and isinstance(node.exp, Integer):
+            factors = [_power(self.fraction(node.base), int(node.exp))]
+        elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
+            factors = [_power(self.fraction(Pow(node.base, Rational(1, 2))), int(node.exp.p))]
+        elif isinstance(node, Pow) and isinstance(node.exp, Rational):
+            factors = [_power((self.gens[Pow(node.base, Rational(1, node.exp.q))], self.one), int(node.exp.p))]
+        elif isinstance(node, exp):
+            factors = [_power((self.gens[base], self.one), n) for base, n in _exponential(node)]
+        elif (same := _spelt_once(node)) is not None:
+            factors = [self.fraction(same)]
+        else:
+            factors = [self.fraction(node.rewrite(exp))]
+        top, bottom = self.one, self.one
+        for numerator, denominator in factors:
+            top, bottom = top * numerator, bottom * denominator
+        return top, bottom
+
+    def _add(self, parts: list[tuple[fmpq_mpoly, fmpq_mpoly]]) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        bottom = self.one
+        for _, denominator in parts:
+            bottom = lcm(bottom, denominator)
+        return sum((top * (bottom / denominator) for top, denominator in parts), self.zero), bottom
+
+    def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """Remainder modulo the relations g² = …."""
+        for relation in self._relations:
+            polynomial = divmod(polynomial, relation)[1]
+        return polynomial
+
+    def matrix(self, rows: Sequence[Sequence[Expr]]) -> tuple[list[Row], fmpq_mpoly]:
+        """Reduced polynomial entries over their least common denominator."""
+        entries = [[self.fraction(entry) for entry in row] for row in rows]
+        bottom = self.one
+        for row in entries:
+            for _, denominator in row:
+                bottom = lcm(bottom, denominator)
+        return [[self.reduce(top * (bottom / denominator)) for top, denominator in row] for row in entries], bottom
+
+    def expression(self, polynomial: fmpq_mpoly) -> Expr:
+        """The SymPy expression, expanded."""
+        meaning = [self._meaning[g] for g in self.generators]
+        return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, Integer(e)) for g, e in zip(meaning, exponents) if e))
+                     for exponents, c in polynomial.to_dict().items()))
+
+    def coefficients(self, polynomial: fmpq_mpoly, moving: Set[Symbol]) -> dict[tuple[int, ...], fmpq_mpoly]:
+        """The polynomial by its monomials in the generators that contain a moving symbol."""
+        places = [bool(g.free_symbols & moving) for g in self.generators]
+        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
+        for exponents, c in polynomial.to_dict().items():
+            kind = tuple(e if moves else 0 for e, moves in zip(exponents, places))
+            groups.setdefault(kind, {})[tuple(e - n for e, n in zip(exponents, kind))] = c
+        return {kind: self._context.from_dict(terms) for kind, terms in groups.items()}
+
+    def monomial(self, exponents: Sequence[int]) -> Expr:
+        """Π generatorᵉ."""
+        return Mul(*(Pow(g, Integer(e)) for g, e in zip(self.generators, exponents) if e))
+
+    def quotient(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
+        """The SymPy fraction in lowest terms, denominators factored."""
+        top, bottom = cancel(self.reduce(top), bottom)
+        if bottom.is_constant():
+            return self.expression(top / bottom)
+        content, factors = bottom.factor()
+        return Mul(self.expression(top / content), *(Pow(self.expression(f), -int(n)) for f, n in factors))
+
+
+def _collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict[Expr, Expr]) -> None:
+    """Enter the generators of an expression: roots and sines with their squares, everything else as it is."""
+    if node in seen or isinstance(node, Rational):
+        return
+    seen.add(node)
+    parts: tuple[Expr, ...] = ()
+    if isinstance(node, (Add, Mul)):
+        parts = node.args
+    elif isinstance(node, Pow) and isinstance(node.exp, Integer):
+        parts = (node.base,)
+    elif isinstance(node, _HYPERBOLIC):
+        parts = (node.rewrite(exp),)
+    elif (same := _spelt_once(node)) is not None:
+        parts = (same,)
+    elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
+        _collect(node.base, seen, plain, squares)
+        squares.setdefault(Pow(node.base, Rational(1, 2)), node.base)
+    elif isinstance(node, Pow) and isinstance(node.exp, Rational):
+        plain[Pow(node.base, Rational(1, node.exp.q))] = None
+    elif isinstance(node, sin) and node.free_symbols:  # of a constant, the relation would only hide squares
+        _collect(cos(node.args[0]), seen, plain, squares)
+        squares.setdefault(node, 1 - cos(node.args[0]) ** 2)
+    elif isinstance(node, exp):
+        plain.update(dict.fromkeys(base for base, _ in _exponential(node)))
+    else:
+        plain[node] = None
+    for part in parts:
+        _collect(part, seen, plain, squares)
+
+
+def _spelt_once(node: Expr) -> Expr | None:
+    """A logarithm of a rational by those of primes, a sine or tangent of rπ by cosines; None for what is spelt in one way."""
+    if isinstance(node, log) and isinstance(node.args[0], Rational) and node.args[0] > 0:
+        parts = [(Integer(int(p)), side * n) for side, x in ((1, node.args[0].p), (-1, node.args[0].q))
+                 for p, n in fmpz(int(x)).factor(trial_limit=PRIMES)]
+        return None if [n for _, n in parts] == [1] else Add(*(n * log(p) for p, n in parts))
+    if isinstance(node, (sin, tan)) and isinstance(node.args[0] / pi, Rational):
+        sine = cos(pi / 2 - node.args[0])
+        return sine if isinstance(node, sin) else sine / cos(node.args[0])
+    return None
+
+
+def _exponential(node: exp) -> list[tuple[Expr, int]]:
+    """exp(a + n b) as the powers exp(a)¹ exp(b)ⁿ of generators."""
+    powers = []
+    for term in Add.make_args(node.args[0]):
+        coefficient, rest = term.as_coeff_Mul()
+        n = int(coefficient.p) if isinstance(coefficient, Rational) else 1
+        base = exp(rest / coefficient.q) if isinstance(coefficient, Rational) else exp(term)
+        powers.append((base, n))
+    return powers
+
+
+def _power(part: tuple[fmpq_mpoly, fmpq_mpoly], n: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    top, bottom = part if n >= 0 else part[::-1]
+    if not bottom:
+        raise ExpressionError("an expression divides by 0: one of its denominators vanishes identically; check the denominators")
+    return top ** abs(n), bottom ** abs(n)
+
+
+def derivatives(f: Expr, variables: Sequence[Symbol]) -> list[Expr]:
+    """∂f/∂x for each variable: of polynomials in them by exponents, of anything else by SymPy."""
+    ring = Ring([f])
+    top, bottom = ring.fraction(f)
+    moving = f.free_symbols & set(variables)
+    if any(g.free_symbols & moving for g in ring.generators if g not in moving) or any(
+            bottom.degrees()[ring.generators.index(x)] for x in moving):
+        return [f.diff(x) for x in variables]
+    return [ring.quotient(top.derivative(ring.generators.index(x)), bottom) if x in moving else S.Zero for x in variables]
+
+
+def by_degree(polynomial: fmpq_mpoly, index: int, degree: int) -> list[fmpq_mpoly]:
+    """Coefficients of the powers 0 … degree of one generator."""
+    parts: list[dict[tuple[int, ...], Any]] = [{} for _ in range(degree + 1)]
+    for exponents, coefficient in polynomial.to_dict().items():
+        parts[exponents[index]][exponents[:index] + (0,) + exponents[index + 1:]] = coefficient
+    return [polynomial.context().from_dict(part) for part in parts]
+
+
+def lcm(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+    """Least common multiple."""
+    return a if a == b or b.is_one() else b if a.is_one() else a * (b / a.gcd(b))
+
+
+def cancel(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """The same fraction in lowest terms."""
+    common = top.gcd(bottom)
+    return (top, bottom) if common.is_constant() else (top / common, bottom / common)
+
+
+def by_factors(expression: Expr) -> Expr:
+    """A rational expression as a quotient of products; in doubles they keep their digits close to a zero, what is multiplied out does not.
+
+    Examples
+    --------
+    >>> from sympy import symbols
+    >>> x = symbols("x")
+    >>> by_factors(1 / (x**2 - 2 * x + 1))
+    (x - 1)**(-2)
+    """
+    ring = Ring([expression])
+    products = []
+    for polynomial in ring.fraction(expression):
+        constant, factors = polynomial.factor()
+        products.append(Mul(Rational(int(constant.p), int(constant.q)), *(ring.expression(factor) ** int(n) for factor, n in factors)))
+    return products[0] / products[1]

@@ -1,0 +1,178 @@
+"""All real roots of a polynomial in an interval, exact: rational, quadratic surds, or roots of a named polynomial."""
+from collections.abc import Mapping, Sequence
+from functools import cmp_to_key
+
+from flint import fmpq, fmpq_mpoly, fmpq_poly
+from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
+
+from ..errors import ScopeError
+from .algebraic import is_algebraic
+from .exact import ball, sign_of_constant
+from .polynomials import Ring, by_degree
+from .precision import own_precision
+
+FEW = 3                                                # numbers of which a norm is soon taken
+
+
+def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
+    """The distinct real roots of the numerator of a rational function of x, in increasing order, strictly between low and high.
+
+    Complete: the polynomial is factored over ℚ and the real roots of each factor are counted. Algebraic coefficients are eliminated
+    by resultants with their minimal polynomials, and of the roots of that norm those of the polynomial are kept. With transcendental
+    coefficients, or algebraic ones that depend on each other, factors of degree 1 and 2 are solved by formula.
+
+    Parameters
+    ----------
+    expression : Expr          rational in x, with coefficients that are exact numbers
+    x : Symbol
+    low, high : Expr or None   exact numbers; None: unbounded
+
+    Returns
+    -------
+    list of Expr               exact numbers; None if the expression vanishes identically
+
+    Raises
+    ------
+    ScopeError                 the expression is not rational in x, or has a coefficient that is not real, or is not algebraic in a
+                               factor of higher degree
+
+    Examples
+    --------
+    >>> from gyrostat.notation import symbol
+    >>> x = symbol("x")
+    >>> real_roots((x**2 - 2) * (3*x - 1) / (x + 5), x), real_roots(x**3 - x - 1, x), real_roots(x**2 - sqrt(2), x, low=Rational(0))
+    ([-sqrt(2), 1/3, sqrt(2)], [CRootOf(x**3 - x - 1, 0)], [CRootOf(x**4 - 2, 1)])
+    """
+    ring = Ring([expression, x])
+    constants = [g for g in ring.generators if g != x]
+    if any(g.free_symbols or g.is_real is False for g in constants):
+        raise _beyond(expression, x)
+    top, bottom = ring.fraction(expression)
+    top, place = ring.reduce(top), ring.generators.index(x)
+    parts = by_degree(top, place, top.degrees()[place])
+    top = sum((c * ring.gens[x] ** n for n, c in enumerate(parts) if c and (c.is_constant() or proved_sign(ring.expression(c)))), ring.zero)
+    if not top:
+        return None
+    ways = (_by_norm, _by_formulas) if len(constants) <= FEW else (_by_formulas, _by_norm)
+    found = next((roots for way in ways if (roots := way(ring, top, x)) is not None), None)
+    if found is None and all(map(is_algebraic, constants)):
+        raise ScopeError(f"the algebraic numbers of {expression} depend on each other: write them in one root")
+    if found is None:
+        raise _beyond(expression, x)
+    found = [r for r in found if bottom.is_one() or proved_sign(inserted(ring, bottom, {x: r})) != 0]
+    return [r for r in found if (low is None or proved_sign(r - low) == 1) and (high is None or proved_sign(high - r) == 1)]
+
+
+def _beyond(expression: Expr, x: Symbol) -> ScopeError:
+    return ScopeError(f"{expression} is not a polynomial in {x} with algebraic coefficients: its roots are not found; give numbers for "
+                      "its parameters, and a field that is polynomial in k3")
+
+
+def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
+    """The real roots in order, from the product of the conjugates; None where that is 0, or a coefficient is not algebraic."""
+    if not all(g == x or is_algebraic(g) for g in ring.generators):
+        return None
+    norm, place = polynomial, ring.generators.index(x)
+    for n, g in enumerate(ring.generators):                # each root before those inside it
+        if g != x and norm.degrees()[n]:
+            norm = norm.resultant(_relation(ring, g, x), str(norm.context().names()[n]))
+    if not norm:
+        return None
+    nothing = (0,) * len(ring.generators)
+    coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
+    found = in_order([r for factor, _ in fmpq_poly(coefficients).factor()[1] for r in _roots_of_factor(factor)])
+    return found if norm is polynomial else _kept(ring, polynomial, x, found)
+
+
+def _by_formulas(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
+    """The real roots in order, None where a factor is of a degree above 2."""
+    found: list[Expr] = []
+    place = ring.generators.index(x)
+    for factor, _ in polynomial.factor()[1]:
+        if (degree := factor.degrees()[place]) > 2:
+            return None
+        found += _solved([ring.expression(c) for c in by_degree(factor, place, degree)]) if degree else []
+    ordered = in_order(found)
+    return [r for n, r in enumerate(ordered) if not n or proved_sign(r - ordered[n - 1])]
+
+
+def _solved(c: Sequence[Expr]) -> list[Expr]:
+    """The real roots of a polynomial of degree 1 or 2, c[0] its constant term."""
+    if len(c) == 2:
+        return [-c[0] / c[1]]
+    sign = proved_sign(discriminant := c[1] ** 2 - 4 * c[0] * c[2])
+    if sign == 0:
+        return [-c[1] / (2 * c[2])]
+    return [(-c[1] + s * sqrt(discriminant)) / (2 * c[2]) for s in (-1, 1)] if sign > 0 else []
+
+
+def _relation(ring: Ring, g: Expr, x: Symbol) -> fmpq_mpoly:
+    """The polynomial that a generator satisfies, over the generators inside it."""
+    if g in ring.squares:
+        return ring.gens[g] ** 2 - ring.squares[g]
+    coefficients = Poly(minimal_polynomial(g, x), x).all_coeffs()
+    return sum((ring.one * int(c) * ring.gens[g] ** n for n, c in enumerate(reversed(coefficients))), ring.zero)
+
+
+def _kept(ring: Ring, polynomial: fmpq_mpoly, x: Symbol, numbers: list[Expr]) -> list[Expr]:
+    """Of numbers in order, all roots of a polynomial and others: the roots. A change of sign around a number proves that it is one."""
+    midway = [between(a, b) for a, b in zip([-oo, *numbers], [*numbers, oo])]
+    signs = [proved_sign(inserted(ring, polynomial, {x: q})) for q in midway]
+    return [r for r, a, b in zip(numbers, signs, signs[1:]) if a * b < 0 or proved_sign(inserted(ring, polynomial, {x: r})) == 0]
+
+
+def in_order(numbers: Sequence[Expr]) -> list[Expr]:
+    """Distinct exact numbers in increasing order."""
+    def compared(a: Expr, b: Expr) -> int:
+        return proved_sign(a - b)
+
+    return sorted(numbers, key=cmp_to_key(compared))
+
+
+def between(a: Expr, b: Expr) -> Rational:
+    """A rational number between two exact ones, a short one."""
+    if a == -oo and b == oo:
+        return S.Zero
+    if a == -oo or b == oo:
+        edge = ball(b, 64).lower().floor() - 1 if a == -oo else ball(a, 64).upper().ceil() + 1
+        return Rational(int(edge.unique_fmpz()))
+    precision = 64
+    while not (low := _side(a, precision, 1)) < _side(b, precision, -1):
+        precision *= 2
+    bits = 0
+    while True:                                            # the first dyadic number that lies between
+        bits += 1
+        candidate = Rational(floor(low * 2**bits) + 1, 2**bits)
+        if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
+            return candidate
+
+
+def _side(number: Expr, precision: int, side: int) -> Rational:
+    """The upper or lower end of an enclosure, exact: the ends of balls are rounded to the precision of the context."""
+    with own_precision(precision):
+        enclosure = ball(number, precision)
+        mantissa, exponent = (enclosure.upper() if side > 0 else enclosure.lower()).man_exp()
+        return Rational(int(mantissa)) * Rational(2) ** int(exponent)
+
+
+def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:
+    """The polynomial with numbers for generators; never inside a number, where a CRootOf has a variable of its own."""
+    meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
+    return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
+                 for exponents, c in polynomial.to_dict().items()))
+
+
+def proved_sign(constant: Expr) -> int:
+    """The sign, which nothing may go without here: a root that is left out would be lost."""
+    if (sign := sign_of_constant(constant)) is None:
+        raise ScopeError(f"the sign of {constant} is not proved: write its algebraic numbers in one root")
+    return sign
+
+
+def _roots_of_factor(factor: fmpq_poly) -> list[Expr]:
+    """The real roots of an irreducible polynomial."""
+    c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
+    if len(c) <= 3:
+        return _solved(c)
+    real = sum(root.imag == 0 for root, _ in factor.numer().complex_roots())
+    return [CRootOf(Poly(c[::-1], Symbol("x")), n) for n in range(real)]

@@ -1,0 +1,235 @@
+"""Named arrays on a common grid: broadcast, with the axes along which each varies, in blocks that fit a cache."""
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from fractions import Fraction
+from functools import cached_property
+from itertools import product, repeat
+from math import isfinite, prod
+from typing import Any
+
+import numpy as np
+from sympy import Expr, Rational, Symbol
+
+from ..algebra.exact import LIMIT, ball
+from ..algebra.floats import Array
+from ..algebra.numbers import exact_number
+from ..errors import ValuesError
+from ..notation import symbol
+from .labels import check_plain
+from .straightline import Axes
+
+Block = tuple[slice, ...]
+COLUMNS, ROWS = 16384, 256                              # up to which short neighbouring axes are joined
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Arrays by symbol over the points of a grid, all of the same number of dimensions, of length 1 where they do not vary.
+
+    Parameters
+    ----------
+    shape : tuple of int          what the arrays broadcast to
+    merged : tuple of int         the same points, neighbouring axes joined where every array allows it; two axes at least
+    values : dict                 floats
+    exact : dict                  the numbers themselves, as objects, where a float is only near
+    """
+
+    shape: tuple[int, ...]
+    merged: tuple[int, ...]
+    values: dict[Symbol, Array]
+    exact: dict[Symbol, Array]
+
+    @cached_property
+    def axes(self) -> dict[Symbol, Axes]:
+        """Axes of the merged grid along which each symbol varies."""
+        return {s: frozenset(i for i, n in enumerate(a.shape) if n > 1) for s, a in self.values.items()}
+
+    def strange(self, name: Symbol) -> Array | None:
+        """Where the numbers of a name are NaN or infinite, None: nowhere."""
+        if name in self.exact:
+            where = np.frompyfunc(lambda x: isinstance(x, float), 1, 1)(self.exact[name]).astype(bool)
+            return where if where.any() else None
+        return None if all_finite(self.values[name]) else ~np.isfinite(self.values[name])
+
+    def apart_from(self, out: Array) -> "Grid":
+        """The same grid, of copies where its arrays may lie in the memory of another, so that what is written there is not read."""
+        return replace(self, values={s: a.copy() if np.may_share_memory(a, out) else a for s, a in self.values.items()})
+
+    def index(self, place: Sequence[int]) -> tuple[int, ...]:
+        """Where in the result a place of the merged grid lies."""
+        flat = np.ravel_multi_index(tuple(place), self.merged)
+        return tuple(int(i) for i in np.unravel_index(flat, self.shape)) if self.shape else ()
+
+    def blocks(self, points: int) -> list[list[Block]]:
+        """Tiles of the last two axes, each with its blocks along the others: about so many points a block."""
+        *outer, rows, columns = self.merged
+        if 0 in self.merged:
+            return []
+        width = min(columns, max(points // 8, 1))
+        height = min(rows, max(points // width, 1))
+        places = list(product(*(range(n) for n in outer)))
+        return [[(*(slice(i, i + 1) for i in place), slice(row, min(row + height, rows)), slice(column, min(column + width, columns)))
+                 for place in places] for column in range(0, columns, width) for row in range(0, rows, height)]
+
+    def at(self, block: Block, rows: Array, columns: Array) -> "Grid":
+        """The points at these rows and columns of a block, in a row."""
+        def gathered(array: Array) -> Array:
+            here = last(cut(array, block))
+            found = here[rows if here.shape[0] > 1 else 0, columns if here.shape[1] > 1 else 0] if here.size > 1 else here
+            return found.reshape(1, -1)
+
+        count = len(rows)
+        return Grid((count,), (1, count), *({s: gathered(a) for s, a in arrays.items()} for arrays in (self.values, self.exact)))
+
+    def numbers(self, symbols: Collection[Symbol]) -> Iterable[tuple[Any, ...]]:
+        """The numbers of some symbols, point after point: doubles, or exact numbers where those are only near."""
+        if not symbols:
+            return repeat((), prod(self.merged))
+        return zip(*(np.broadcast_to(self.exact.get(s, self.values[s]), self.merged).ravel().tolist() for s in symbols))
+
+
+def cut(array: Array, block: Block) -> Array:
+    """The part of an array in a block."""
+    return array[tuple(s if n > 1 else slice(None) for s, n in zip(block, array.shape))]
+
+
+def places(where: Array) -> tuple[Array, Array]:
+    """Rows and columns where an array is true; numpy.nonzero takes several times as long for two axes as for one."""
+    rows, columns = np.divmod(np.flatnonzero(where), where.shape[1])
+    return rows, columns
+
+
+def last(array: Array) -> Array:
+    """An array of a block as rows and columns, the axes before being of length 1."""
+    return array.reshape(array.shape[-2:] if array.ndim > 1 else (1, 1))
+
+
+def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = True) -> Grid:
+    """The grid of named numbers and arrays.
+
+    Parameters
+    ----------
+    values : mapping of name to array or number      floats, integers, or objects: Fraction, SymPy numbers
+    kind : NumPy type                                of the floats
+    finite : bool                                    whether NaN and infinities are refused
+
+    Raises
+    ------
+    ValuesError      an array is not of real finite numbers, has masked ones, or other labels than another; shapes do not broadcast
+    """
+    check_plain(values)
+    read = {symbol(str(name)): _read(str(name), value, kind, finite) for name, value in values.items()}
+    try:
+        shape = np.broadcast_shapes(*(floats.shape for floats, _ in read.values()))
+    except ValueError:
+        shapes = ", ".join(f"{s} {floats.shape}" for s, (floats, _) in read.items() if floats.shape)
+        raise ValuesError(f"the arrays do not broadcast: {shapes}; give shapes that agree, such as (n, 1) and (m,) for a grid") from None
+    read = {s: (_base(floats), None if exact is None else _base(exact)) for s, (floats, exact) in read.items()}
+    groups = _groups(shape, [floats.shape for floats, _ in read.values()])
+
+    def merge(array: Array) -> Array:
+        full = (1,) * (len(shape) - array.ndim) + array.shape
+        return array.reshape([int(np.prod([full[i] for i in group], dtype=int)) for group in groups])
+
+    merged = tuple(int(np.prod([shape[i] for i in group], dtype=int)) for group in groups)
+    return _widened(Grid(shape, merged, {s: merge(floats) for s, (floats, _) in read.items()},
+                         {s: merge(exact) for s, (_, exact) in read.items() if exact is not None}))
+
+
+def _widened(grid: Grid) -> Grid:
+    """The grid with short last axes joined, so that columns, and then rows, are worth a loop; few numbers are repeated."""
+    for last_of_pair, most in ((1, COLUMNS), (2, ROWS)):
+        while (place := len(grid.merged) - last_of_pair - 1) >= 0 and len(grid.merged) > 2:
+            pair = grid.merged[place:place + 2]
+            if prod(pair) > most or not _apart(grid, place):
+                break
+            shape = (*grid.merged[:place], prod(pair), *grid.merged[place + 2:])
+            both = ({s: _joined(a, place, pair) for s, a in arrays.items()} for arrays in (grid.values, grid.exact))
+            grid = Grid(grid.shape, shape, *both)
+    return grid
+
+
+def _joined(array: Array, place: int, pair: tuple[int, ...]) -> Array:
+    """An array with two axes joined, along which it is repeated if it varies along one of them."""
+    before, here, after = array.shape[:place], array.shape[place:place + 2], array.shape[place + 2:]
+    if here == (1, 1):
+        return array.reshape(*before, 1, *after)
+    return np.broadcast_to(array, (*before, *pair, *after)).reshape(*before, prod(pair), *after)
+
+
+def _apart(grid: Grid, place: int) -> bool:
+    """Whether each array that varies along one of two neighbouring axes varies along the other too, or along nothing else."""
+    pair = {place, place + 1}
+    return all(along >= pair or along <= pair or not along & pair for along in grid.axes.values())
+
+
+def _base(array: Array) -> Array:
+    """An array without the axes along which it was broadcast before."""
+    repeated = [step == 0 and n > 1 for step, n in zip(array.strides, array.shape)]
+    return array[tuple(slice(0, 1) if again else slice(None) for again in repeated)] if any(repeated) else array
+
+
+def _groups(shape: tuple[int, ...], shapes: list[tuple[int, ...]]) -> list[list[int]]:
+    """Neighbouring axes on which each array varies along all or along none, joined; empty groups in front, so that there are two."""
+    varies = [(1,) * (len(shape) - len(s)) + s for s in shapes]
+    groups: list[list[int]] = []
+    for axis, n in enumerate(shape):
+        same = groups and n > 1 and all((s[axis] > 1) == (s[groups[-1][-1]] > 1) for s in varies)
+        if same or (groups and n == 1):
+            groups[-1].append(axis)
+        else:
+            groups.append([axis])
+    return [[] for _ in range(2 - len(groups))] + groups
+
+
+def _read(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array | None]:
+    """Floats, and the exact numbers where a float is not one."""
+    if isinstance(value, (str, Decimal, Fraction, Expr)) or isinstance(value, int) and not isinstance(value, bool):
+        value = np.array(exact_number(value, name), dtype=object)
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise ValuesError(f"{name} is a sequence of sequences that differ in length: give rows of one length") from None
+    if array.dtype.kind in "iu":
+        array = array.astype(object) if array.size and max(abs(int(array.min())), abs(int(array.max()))) > 2**53 else array.astype(kind)
+    if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
+        if finite and not all_finite(array):
+            where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
+            raise ValuesError(f"{name}{list(where) if where else ''} = {array[where]} is not a finite number: remove it")
+        return array.astype(kind, copy=False), None
+    if array.dtype.kind != "O":
+        raise ValuesError(f"{name} is an array of {array.dtype}, not of real numbers: give floats of at most 64 bits, integers, "
+                          "or exact numbers such as Fraction")
+    numbers = np.empty(array.shape, dtype=object)
+    for where in np.ndindex(array.shape):
+        if finite or not isinstance(x := array[where], float) or isfinite(x):
+            numbers[where] = exact_number(array[where], f"{name}{list(where) if where else ''}")
+        else:
+            numbers[where] = float("nan")              # the only floats among the exact numbers
+    floats = np.array([_near(x) for x in numbers.flat], dtype=float).reshape(array.shape)
+    if all(Rational(*x.as_integer_ratio()) == n if np.isfinite(x) else False for x, n in zip(floats.ravel().tolist(), numbers.flat)):
+        return floats.astype(kind), None
+    return floats.astype(kind), numbers
+
+
+def all_finite(array: Array) -> bool:
+    """Whether an array of floats has no NaN and no infinity, found without another array."""
+    return not array.size or bool(np.isfinite(array.min()) and np.isfinite(array.max()))
+
+
+def _near(number: Expr | float) -> float:
+    """A double within one rounding of an exact number; NaN where there is none, or it is too small to be rounded well."""
+    if isinstance(number, float):
+        return number
+    if isinstance(number, Rational):
+        try:
+            near = int(number.p) / int(number.q)       # correctly rounded
+        except OverflowError:
+            return float("nan")
+    else:
+        enclosure = ball(number, precision := 128)
+        while enclosure.rel_accuracy_bits() < 60 and precision < LIMIT:
+            enclosure = ball(number, precision := 2 * precision)
+        near = float(enclosure.mid()) if enclosure.rel_accuracy_bits() >= 60 else float("nan")
+    return near if abs(near) >= 2.0**-1022 or number == 0 else float("nan")

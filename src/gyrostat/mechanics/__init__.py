@@ -1,0 +1,8 @@
+"""Rigid bodies with rotors in fields: what moves, and where it can stay.
+
+A `body` and a field (`potential`, named ones in `fields`) are a scene: the Lie-Poisson bracket (`liepoisson`), which has every sign
+convention, and the Hamiltonian give the equations of motion and the integrals (`system`). `equilibria` are checked when they are built;
+`families` name those of bodies of revolution. At each the coadjoint orbit has a tangent space, in it the symplectic slice (`orbit`).
+A body of revolution has one degree of freedom (`reduction`); which scene is one, about which axis, is proved (`spherical`,
+`recognition`, `standard`). `attitude` and `freebody` hold Euler's angles, the Lagrangian and the classical formulas.
+"""

@@ -1,0 +1,213 @@
+"""Equilibria: points or families that are checked, when they are built, to satisfy their equations."""
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property, wraps
+from typing import Any, TypeVar
+
+from sympy import Expr, S, Symbol
+
+from ..algebra.exact import is_identically_zero, plain, sign
+from ..algebra.numbers import exact_expression, shown
+from ..algebra.polynomials import Ring
+from ..errors import EquilibriumError, require
+from ..notation import INTERNAL, Shown, Stored, jet, symbol
+from .potential import smooth_where_positive
+from .system import System
+
+Pair = tuple[Symbol, Expr]
+Derived = TypeVar("Derived")
+
+
+@dataclass(frozen=True, repr=False)
+class Equilibrium(Shown, Stored):
+    """A point, or a family of points, where the field vanishes; that it does is checked here, once.
+
+    Parameters
+    ----------
+    label : str
+    system : System
+    point : tuple of Expr, shape (n,)       in the parameters of the family
+    relations : tuple of (Symbol, Expr)     inserted in this order; a derivative of U in them holds on the family
+    domain : tuple of Expr                  positive on the family; the family is not claimed to exist elsewhere
+    eliminated : str or None                the parameter that the last relation expresses by the others
+
+    Raises
+    ------
+    EquilibriumError     a component of the field does not vanish; the message names it
+    """
+
+    label: str
+    system: System
+    point: tuple[Expr, ...]
+    relations: tuple[Pair, ...] = ()
+    domain: tuple[Expr, ...] = ()
+    eliminated: str | None = None
+
+    def __post_init__(self) -> None:
+        require(self.system, System, "the scene")
+        moments = [*self.system.body.inertia, *(value for name, value in self.relations if name.is_positive)]
+        if impossible := [m for m in moments if not m.free_symbols and sign(m, {}) != 1]:
+            raise EquilibriumError(f"{self.label} has a relation that makes a moment, or another positive name, {impossible[0]}, "
+                                   "which is not proved to be positive: moments of inertia are positive")
+        unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive and m not in self.domain]
+        object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
+        if clash := [s for x in self.point for s in x.free_symbols if s.name in INTERNAL]:
+            raise EquilibriumError(f"{self.label} uses {clash[0]}, a name that the derivation introduces: rename it")
+        if len(self.point) != (n := len(self.system.space.coordinates)):
+            raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give one for each coordinate")
+        object.__setattr__(self, "point", tuple(map(plain, self.point)))         # 0 and ±1 are known by what they are, not by spelling
+        left = []
+        for coordinate, rate in zip(self.system.space.coordinates, self.at_point(self.system.jet_field)):
+            if residual := _residual(rate, self):
+                left.append((f"d{coordinate}/dt = {residual}", is_identically_zero(residual)))
+        if wrong := [rate for rate, zero in left if zero is False]:
+            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong)}. Check the point, or pass the relation "
+                                   "that makes these vanish as relations=((symbol, value),).")
+        if left:
+            raise EquilibriumError(f"{self.label} is not proved to be an equilibrium: whether {', '.join(rate for rate, _ in left)} is 0 "
+                                   "is not decided. Write its numbers with rationals and roots.")
+        if self.system.potential:
+            self._check_direction()
+
+    def _check_direction(self) -> None:
+        """k is a unit vector (k = 0, on a singular orbit, is refused by the verbs), the relations hold for U, and U is smooth there."""
+        k = self.point[3:]
+        if any(k) and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
+            unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
+            raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}{unknown}: k is a direction, "
+                                   "|k| = 1; divide it by its length")
+        for value in (*self.field_values, *self.constraints):
+            if value.is_finite is False or value.is_real is False:
+                raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is {shown(value)} there, "
+                                       "not a finite real number")
+        for residual in self.constraints:
+            if not residual.free_symbols:
+                what = "is not proved to be" if sign(residual, {}) is None else "is not"
+                raise EquilibriumError(f"{self.label} {what} an equilibrium: a relation on the derivatives of U is off by {residual}")
+        for argument in self._inner_arguments():
+            if not argument.free_symbols and sign(argument, {}) != 1:
+                raise EquilibriumError(f"{self.label} does not exist: U is not smooth there, the argument of a root, logarithm or inverse "
+                                       f"function is not proved to be inside its range, {argument} > 0")
+
+    def _inner_arguments(self) -> tuple[Expr, ...]:
+        """What has to be positive for a given U to be smooth at the point: arguments of roots and logarithms, and the like."""
+        potential = self.system.potential
+        if not potential or not potential.given:
+            return ()
+        return tuple(dict.fromkeys(self.insert(self._placed(a)) for a in smooth_where_positive(potential.expression)))
+
+    def _placed(self, expression: Expr) -> Expr:
+        """An expression in k, at the point."""
+        directions = self.system.space.coordinates[3:]
+        return expression.xreplace(dict(zip(directions, self.point[3:])))
+
+    @property
+    def at(self) -> Expr:
+        """The k3 at which the derivatives of an axial U are taken: 1, -1 or an expression."""
+        return self.point[-1]
+
+    def at_point(self, expression: Any) -> Any:
+        """An expression or matrix in the coordinates and the jet of U, at the point and on the family."""
+        placed = expression.xreplace(dict(zip(self.system.space.coordinates, self.point)))
+        potential = self.system.potential
+        for relation in self.relations:
+            if jet(relation[0].name):
+                placed = placed.xreplace(dict((relation,)))
+        return self.insert(placed) if potential and potential.given and not potential.axial else placed
+
+    def insert(self, expression: Any) -> Any:
+        """The jet of a given U replaced by its values at the point, then the eliminated parameter by its value."""
+        expression = self.insert_field(expression)
+        for name, value in self.relations:
+            if not jet(name.name):
+                expression = expression.xreplace({name: value})
+        return expression
+
+    def insert_field(self, expression: Any) -> Any:
+        """The jet of a given U replaced by its values at the point."""
+        potential = self.system.potential
+        if not potential or not potential.given:
+            return expression
+        return expression.xreplace({s: self._placed(potential.value(s)) for s in expression.free_symbols if jet(s.name)})
+
+    def existence(self) -> tuple[Expr, ...]:
+        """The domain in the parameters that are left: positive where the family exists."""
+        return self._existence
+
+    @cached_property
+    def _existence(self) -> tuple[Expr, ...]:
+        return tuple(map(self.insert, self.domain))
+
+    @cached_property
+    def field_values(self) -> tuple[Expr, ...]:
+        """A given U, its slope and its curvature at the point; () where U is unspecified."""
+        potential = self.system.potential
+        if not potential or not potential.given:
+            return ()
+        first = [d for d in potential.gradient() if d]
+        jets = [*first, *(d for s in first for d in potential.following(s) if d)]
+        return tuple(self.insert(e) for e in (self._placed(potential.expression), *jets))
+
+    @cached_property
+    def constraints(self) -> tuple[Expr, ...]:
+        """What has to vanish at given values: relations on derivatives of U that a given U does not satisfy by itself."""
+        if not self.system.potential or not self.system.potential.given:
+            return ()
+        residuals = (_residual(self.insert(name) - self.insert(value), self) for name, value in self.relations if jet(name.name))
+        return tuple(residual for residual in residuals if residual is not None)
+
+    @cached_property
+    def memory(self) -> dict[str, Any]:
+        """What verbs have derived from this equilibrium, by their name."""
+        return {}
+
+
+def once(verb: Callable[[Equilibrium], Derived]) -> Callable[[Equilibrium], Derived]:
+    """The verb, derived once for each equilibrium."""
+    @wraps(verb)
+    def remembered(eq: Equilibrium) -> Derived:
+        if verb.__name__ not in eq.memory:
+            eq.memory[verb.__name__] = verb(eq)
+        return eq.memory[verb.__name__]
+
+    return remembered
+
+
+def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tuple[Any, Any]] = (),
+                domain: Sequence[Expr] = (), label: str = "E") -> Equilibrium:
+    """A point you claim; construction checks that the field vanishes there.
+
+    Parameters
+    ----------
+    scene : System
+    point : sequence, shape (n,)                  numbers or expressions: momenta [M L²/T], then k [1]
+    relations : pairs (symbol, value)             what holds on the family, such as (dU, …)
+    domain : sequence of Expr                     positive on the family
+    label : str
+
+    Raises
+    ------
+    EquilibriumError
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import symmetric_gyrostat
+    >>> from gyrostat.mechanics.fields import uniform_field
+    >>> from gyrostat.mechanics.system import assemble
+    >>> equilibrium(assemble(symmetric_gyrostat(), uniform_field()), (0, 0, 0, 1, 0, 0))  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, ...
+    """
+    pairs = tuple((symbol(str(name)), exact_expression(value)) for name, value in relations)
+    return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs, tuple(map(exact_expression, domain)),
+                       next((name.name for name, _ in pairs[::-1] if not jet(name.name)), None))
+
+
+def _residual(rate: Expr, eq: Equilibrium) -> Expr | None:
+    """The rate in lowest terms, None where it is proved to vanish."""
+    for expression in (rate, eq.insert(rate)):
+        ring = Ring([expression])
+        residual = ring.quotient(*ring.fraction(expression))
+        if residual == 0 or is_identically_zero(residual):
+            return None
+    return residual

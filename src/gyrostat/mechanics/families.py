@@ -1,0 +1,181 @@
+"""The named families: upright E1, hanging E2, inclined E3 and its limit at rest, principal rotations of a free body."""
+from collections.abc import Sequence
+
+from sympy import Expr, S, Symbol, sqrt
+
+from ..algebra.exact import plain, sign_of_constant
+from ..algebra.polynomials import Ring
+from ..errors import EquilibriumError, ScopeError, require
+from ..notation import symbol
+from .equilibria import Equilibrium, equilibrium
+from .system import System
+
+K3, OMEGA, DU = symbol("k3"), symbol("omega"), symbol("dU")
+
+
+def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
+    """E1: spinning about the upward vertical, k3 = 1.
+
+    Parameters
+    ----------
+    scene : System       on e(3)*
+    spin : str           "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
+
+    Source
+    ------
+    Vera & Viguera (2003), §3.
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import symmetric_gyrostat
+    >>> from gyrostat.mechanics.potential import axial_potential
+    >>> from gyrostat.mechanics.system import assemble
+    >>> upright(assemble(symmetric_gyrostat(), axial_potential())).point
+    (0, 0, pi3_0, 0, 0, 1)
+    """
+    return _vertical("E1", scene, spin, 1)
+
+
+def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
+    """E2: spinning about the downward vertical, k3 = -1; arguments as in upright."""
+    return _vertical("E2", scene, spin, -1)
+
+
+def _vertical(label: str, scene: System, spin: str, s: int) -> Equilibrium:
+    require(scene, System, "the scene")
+    if scene.potential is None:
+        raise ScopeError(f"{label} needs a field, the scene has none: use principal_rotation(scene, 3)")
+    if spin not in ("pi3_0", "omega3_0"):
+        raise EquilibriumError(f"spin = {spin!r} is not a parameter of {label}: use 'pi3_0' or 'omega3_0'")
+    momentum = symbol(spin) if spin == "pi3_0" else scene.body.inertia[2] * symbol(spin)
+    return equilibrium(scene, (0, 0, momentum, 0, 0, s), label=label)
+
+
+def principal_rotation(scene: System, axis: int) -> Equilibrium:
+    """Rotation of a free body about a principal axis that also carries l, where M ≠ 0.
+
+    Parameters
+    ----------
+    scene : System       on so(3)*
+    axis : int           1, 2 or 3; the body rate about it is omega1_0, omega2_0 or omega3_0 [1/T]
+
+    Source
+    ------
+    Hughes, Spacecraft Attitude Dynamics (1986), chapter 6.
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import Gyrostat
+    >>> from gyrostat.mechanics.system import assemble
+    >>> principal_rotation(assemble(Gyrostat(gyrostatic_momentum=(0, 0, 0))), 2).point
+    (0, I2*omega2_0, 0)
+    """
+    require(scene, System, "the scene")
+    if scene.potential is not None:
+        raise ScopeError("principal_rotation is for a free body, the scene has a field: use upright, hanging or inclined")
+    if axis not in (1, 2, 3):
+        raise EquilibriumError(f"axis = {axis!r} is not a principal axis: give 1, 2 or 3")
+    momentum = scene.body.inertia[axis - 1] * symbol(f"omega{axis}_0")
+    point = [momentum if i == axis else 0 for i in (1, 2, 3)]
+    total = momentum + scene.body.gyrostatic_momentum[axis - 1]
+    return equilibrium(scene, point, domain=(total**2,), label=f"rotation about axis {axis}")
+
+
+def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
+    """E3: precession at the rate omega about the vertical, tilted at 0 < θ < π, k3 = cos θ; ω = omega·k.
+
+    U'(k3) = ω l − ω² k3 (I1 − I3); by the spin symmetry the point shown has k2 = 0, k1 > 0.
+
+    Parameters
+    ----------
+    scene : System           body of revolution in U(k3)
+    eliminate : str or None  the name that the relation expresses by the others; it must enter affinely.
+                             None: dU where U is unspecified; else l; else k3, or a parameter of U; else none,
+                             and the relation is checked at every point asked for
+
+    Raises
+    ------
+    ScopeError               the body is not of revolution, or U is not U(k3)
+    EquilibriumError         the relation is not affine in the name
+
+    Source
+    ------
+    Vera & Viguera (2003), §3.
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import symmetric_gyrostat
+    >>> from gyrostat.mechanics.fields import uniform_field
+    >>> from gyrostat.mechanics.system import assemble
+    >>> inclined(assemble(symmetric_gyrostat(), uniform_field()), eliminate="k3").relations[-1]
+    (k3, (l*omega - m0)/(omega**2*(I1 - I3)))
+    """
+    return _tilted("E3", scene, OMEGA, eliminate)
+
+
+def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
+    """The body at rest at a tilt where U'(k3) = 0, for every l; arguments as in inclined.
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import symmetric_gyrostat
+    >>> from gyrostat.mechanics.potential import axial_potential
+    >>> from gyrostat.mechanics.system import assemble
+    >>> static_tilt(assemble(symmetric_gyrostat(), axial_potential())).point
+    (0, 0, 0, sqrt(1 - k3**2), 0, k3)
+    """
+    return _tilted("E3 at rest", scene, S.Zero, eliminate)
+
+
+def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Equilibrium:
+    require(scene, System, "the scene")
+    body, potential = scene.body, scene.potential
+    if potential is None or not potential.axial or not body.is_of_revolution():
+        raise ScopeError(f"{label} is a family of bodies of revolution in U(k3); this scene has inertia {body.inertia}, l = "
+                         f"{body.gyrostatic_momentum}, U = {potential and potential.expression}: use equilibrium(scene, point)")
+    (I1, _, I3), l, k1 = body.inertia, body.gyrostatic_momentum[2], sqrt(1 - K3**2)
+    point = (I1 * omega * k1, S.Zero, I3 * omega * K3, k1, S.Zero, K3)
+    slope = omega * l - omega**2 * K3 * (I1 - I3)
+    given = potential.value(DU) if potential.given else DU
+    if (relation := plain(slope - given)).is_number and relation != 0:
+        unknown = " (not proved to be true or false)" if sign_of_constant(relation) is None else ""
+        raise EquilibriumError(f"{label} does not exist in U = {potential.expression}: its relation is {relation} = 0{unknown}")
+    name, solved, pivot = _eliminate(relation, eliminate, potential.parameters, label)
+    relations = [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]
+    domain = [1 - K3**2] + ([pivot**2] if pivot.free_symbols else [])
+    return Equilibrium(label, scene, point, tuple(relations), tuple(domain), name)
+
+
+def solved_tilt(eq: Equilibrium) -> Expr | None:
+    """k3 of a tilted family in closed form, where its relation is affine in k3 and another name was eliminated."""
+    potential = eq.system.potential
+    slopes = [value for name, value in eq.relations if name == DU]
+    if not slopes or not potential or not potential.given or eq.eliminated == "k3":
+        return None
+    solved = affine(slopes[0] - potential.value(DU), K3)
+    return solved and solved[0]
+
+
+def _eliminate(relation: Expr, wanted: str | None, parameters: Sequence[Symbol], label: str) -> tuple[str | None, Expr | None, Expr]:
+    """Name, value and leading coefficient of a parameter in which the relation is affine."""
+    ordered = sorted(parameters, key=lambda s: (bool(s.is_positive), s.name))
+    for name in [wanted] if wanted else ["dU", "l", "k3", *map(str, ordered)]:
+        if solved := affine(relation, symbol(name)):
+            return name, *solved
+    if wanted:
+        raise EquilibriumError(f"{label}: the relation {relation} = 0 is not affine in {wanted}: eliminate another name, or none")
+    return None, None, S.One
+
+
+def affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
+    """Solution and leading coefficient of a x + b = 0, None if the relation has no such form."""
+    ring = Ring([relation])
+    top, _ = ring.fraction(relation)
+    if x not in ring.gens or any(x in g.free_symbols for g in ring.generators if g != x):
+        return None
+    index = ring.generators.index(x)
+    if top.degrees()[index] != 1:
+        return None
+    slope = top.derivative(index)
+    rest = top - slope * ring.gens[x]
+    return ring.quotient(-rest, slope), ring.expression(slope)

@@ -1,0 +1,180 @@
+"""Free bodies: Euler's equations with a torque, limits of the motion, polhode period, precession of a symmetric body."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath
+from sympy import Expr, Float, ImmutableMatrix, Max, Min, acos, oo, sqrt
+
+from ..algebra.grammar import parse
+from ..algebra.numbers import exact_expression, exact_number
+from ..algebra.precision import ONE_AT_A_TIME
+from ..algebra.roots import in_order, proved_sign
+from ..errors import BodyError, ScopeError, ValuesError, require
+from ..notation import symbol
+from .body import Gyrostat
+
+
+def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "tau3")) -> ImmutableMatrix:
+    """π̇ = M × ω + τ: the right-hand side with an external torque in body components.
+
+    In general no Hamiltonian system: no stability is claimed for it.
+
+    Parameters
+    ----------
+    body : Gyrostat
+    torque : sequence of three       expressions [M L²/T²], or texts of such; by default tau1, tau2, tau3
+
+    Returns
+    -------
+    ImmutableMatrix, shape (3, 1)    in pi1, pi2, pi3 and the torque
+
+    Source
+    ------
+    Landau & Lifshitz, Mechanics, §36.
+
+    Examples
+    --------
+    >>> torque_equations(Gyrostat(gyrostatic_momentum=(0, 0, 0)))[2].factor()
+    (I1*I2*tau3 + I1*pi1*pi2 - I2*pi1*pi2)/(I1*I2)
+    """
+    require(body, Gyrostat, "the body")
+    if len(torque) != 3:
+        raise BodyError(f"the torque has {len(torque)} components: give three, along the axes of the body")
+    tau = ImmutableMatrix([parse(t) if isinstance(t, str) else exact_expression(t) for t in torque])
+    pi = ImmutableMatrix([symbol(f"pi{i}") for i in (1, 2, 3)])
+    omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.inertia)])
+    return (pi + ImmutableMatrix(body.gyrostatic_momentum)).cross(omega) + tau
+
+
+def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
+    """The values of |M|² between which the sphere |M|² = const meets the ellipsoid Σ Mᵢ²/Iᵢ = 2E of a free body.
+
+    They are 2 E I for the smallest and the largest moment, reached by the rotations about those axes.
+
+    Examples
+    --------
+    >>> momentum_limits(Gyrostat((1, 2, 3), (0, 0, 0)), 5)
+    (10, 30)
+    """
+    require(body, Gyrostat, "the body")
+    if any(body.gyrostatic_momentum):
+        raise ScopeError(f"the ellipsoid is centred only without a rotor; the body has l = {body.gyrostatic_momentum}")
+    twice = 2 * exact_expression(energy, "energy")
+    if twice.is_negative:
+        raise ValuesError(f"energy = {twice / 2}: the kinetic energy of a body is not negative")
+    return twice * Min(*body.inertia), twice * Max(*body.inertia)
+
+
+def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int = 15) -> Expr:
+    """Period of M in the body, for a free rigid body; infinite on the separatrix.
+
+    T = 4 K(κ) √(I1 I2 I3 / ((I3 − I2)(M² − 2 E I1))), κ² = (I2 − I1)(2 E I3 − M²) / ((I3 − I2)(M² − 2 E I1)),
+    I1 < I2 < I3 and M² > 2 E I2; else with axes 1 and 3 exchanged.
+
+    Parameters
+    ----------
+    inertia : three positive numbers
+    momentum : three numbers             M at any time [M L²/T]
+    digits : int                         of the result
+
+    Returns
+    -------
+    Expr                                 Float, or oo on the separatrix [T]
+
+    Raises
+    ------
+    ScopeError                           two moments are equal (free_precession), or M rests on an axis
+    ValuesError                          an entry is not an exact number
+
+    Source
+    ------
+    Landau & Lifshitz, Mechanics, (37.11)-(37.12).
+
+    Examples
+    --------
+    >>> polhode_period((1, 2, 3), ("0.3", "0.2", "0.9"))
+    22.8986475506197
+    """
+    if len(inertia) != 3 or len(momentum) != 3 or not isinstance(digits, int) or digits < 1:
+        raise ValuesError(f"inertia = {inertia}, momentum = {momentum}, digits = {digits}: give three moments, three components of M and "
+                          "a positive number of digits")
+    moments = [exact_number(i, "inertia") for i in inertia]
+    M = [exact_number(m, "momentum") for m in momentum]
+    Gyrostat(moments, (0, 0, 0))                           # positive, or refused
+    order = in_order(moments)
+    (I1, M1), (I2, M2), (I3, M3) = sorted(zip(moments, M), key=lambda pair: order.index(pair[0]))
+    if 0 in (proved_sign(I2 - I1), proved_sign(I3 - I2)):
+        raise ScopeError(f"inertia = {tuple(moments)} has two equal moments: use free_precession")
+    if sum(proved_sign(m) != 0 for m in M) < 2:
+        raise ScopeError(f"momentum = {tuple(M)} lies on a principal axis, where it rests: give at least two components")
+    above = (I3 - I2) * ((1 - I1 / I2) * M2**2 + (1 - I1 / I3) * M3**2)      # (I3 − I2)(M² − 2 E I1), without cancellation
+    below = (I2 - I1) * ((I3 / I1 - 1) * M1**2 + (I3 / I2 - 1) * M2**2)      # (I2 − I1)(2 E I3 − M²)
+    gap = (I3 - I1) * ((1 - I2 / I3) * M3**2 - (I2 / I1 - 1) * M1**2)        # their difference, (I3 − I1)(M² − 2 E I2)
+    if (side := proved_sign(gap)) == 0:
+        return oo
+    lead = above if side == 1 else below
+    with ONE_AT_A_TIME, mpmath.workdps(digits + 10):       # K(κ) = π / (2 agm(1, κ′)), κ′² = 1 − κ² = |gap| / lead
+        complement, scale = (mpmath.sqrt(mpmath.mpf(x.evalf(digits + 10)._mpf_)) for x in (side * gap / lead, I1 * I2 * I3 / lead))
+        return Float(2 * mpmath.pi / mpmath.agm(1, complement) * scale, digits)
+
+
+@dataclass(frozen=True)
+class FreePrecession:
+    """Motion of a free body of revolution: ω and the axis e3 turn about M, and, seen from the body, ω and M about e3.
+
+    ω = (ω0 cos Ω t, −ω0 sin Ω t, ω3) from a suitable origin of time, Ω = (I1 − I3) ω3/I1.
+
+    Parameters
+    ----------
+    body_rate : Expr          Ω: in the body, ω and M turn about e3 at −Ω = −ψ̇ [1/T]
+    precession : Expr         φ̇ = |M|/I1: in space, ω and e3 turn about M [1/T]
+    spin : Expr               ψ̇ = Ω, the rate about e3 relative to the turning plane of M, ω, e3 [1/T]
+    tilt : Expr               angle θ between M and e3
+    body_cone : Expr          half-angle between ω and e3
+    space_cone : Expr         half-angle between ω and M
+    """
+
+    body_rate: Expr
+    precession: Expr
+    spin: Expr
+    tilt: Expr
+    body_cone: Expr
+    space_cone: Expr
+
+
+def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> FreePrecession:
+    """Precession of a free rigid body of revolution.
+
+    Parameters
+    ----------
+    inertia : (I1, I3)        transverse and axial moment [M L²]
+    transverse : Expr         ω0 = √(ω1² + ω2²) [1/T]
+    axial : Expr              ω3 [1/T]
+
+    Raises
+    ------
+    BodyError                 there are not two moments, or one is not positive
+    ScopeError                both rates are 0
+
+    Source
+    ------
+    Taylor, Classical Mechanics (2005), §10.8; Landau & Lifshitz, Mechanics, §33.
+
+    Examples
+    --------
+    >>> motion = free_precession((1, 2), 3, 3)
+    >>> motion.body_rate, motion.precession, motion.body_cone
+    (-3, 3*sqrt(5), pi/4)
+    """
+    if len(inertia) != 2:
+        raise BodyError(f"inertia has {len(inertia)} entries: give the transverse and the axial moment, (I1, I3)")
+    I1, I3 = (exact_expression(i, "inertia") for i in inertia)
+    Gyrostat((I1, I1, I3), (0, 0, 0))                      # positive, or refused
+    across, along = exact_expression(transverse, "transverse"), exact_expression(axial, "axial")
+    if across == along == 0:
+        raise ScopeError("transverse = axial = 0: the body is at rest and has no precession; give a rate that is not 0")
+    rate = (I1 - I3) * along / I1
+    M, omega = sqrt((I1 * across) ** 2 + (I3 * along) ** 2), sqrt(across**2 + along**2)
+    return FreePrecession(rate, M / I1, rate, acos(I3 * along / M), acos(along / omega),
+                          acos((I1 * across**2 + I3 * along**2) / (M * omega)))

@@ -1,0 +1,137 @@
+"""Tangent space of the coadjoint orbit, and the symplectic slice inside it."""
+from collections.abc import Sequence
+
+from sympy import Expr, ImmutableMatrix
+
+from ..algebra.margins import Signs
+from ..algebra.matrices import null_space, row_reduce
+from ..algebra.polynomials import Ring
+from ..errors import SingularOrbitError
+from .equilibria import Equilibrium, once
+
+
+def differentials(eq: Equilibrium, functions: Sequence[Expr]) -> list[list[Expr]]:
+    """dF at the equilibrium, one row for each function."""
+    return [list(eq.at_point(eq.system.space.gradient(f))) for f in functions]
+
+
+def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
+    """Basis of the tangent space of the coadjoint orbit, T = {δx : dC(δx) = 0}.
+
+    On e(3)*: δπ·k + M·δk = 0 and δk·k = 0. The free coordinates of the basis form a diagonal.
+
+    Returns
+    -------
+    ImmutableMatrix, shape (n, n - r)      one column for each vector; r Casimirs
+
+    Raises
+    ------
+    SingularOrbitError       the differentials of the Casimirs are dependent there
+
+    Source
+    ------
+    Vera & Viguera (2003), §4.1.1.
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import symmetric_gyrostat
+    >>> from gyrostat.mechanics.families import upright
+    >>> from gyrostat.mechanics.potential import axial_potential
+    >>> from gyrostat.mechanics.system import assemble
+    >>> orbit_tangent(upright(assemble(symmetric_gyrostat(), axial_potential()))).T.tolist()
+    [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0]]
+    """
+    return _kernel(eq, regular_differentials(eq))
+
+
+@once
+def regular_differentials(eq: Equilibrium) -> tuple[list[Expr], ...]:
+    """dC of the Casimirs, proved independent somewhere on the family."""
+    casimirs = eq.system.space.casimirs
+    rows = differentials(eq, casimirs)
+    if (rank := _rank(rows)) < len(casimirs):
+        raise SingularOrbitError(
+            f"{eq.label} lies on a singular coadjoint orbit: the differentials of {', '.join(map(str, casimirs))} have rank {rank}, "
+            f"not {len(casimirs)}. The energy-Casimir test does not apply there; choose a point with "
+            + ("k ≠ 0." if eq.system.potential else "M ≠ 0."))
+    return tuple(rows)
+
+
+@once
+def critical_integrals(eq: Equilibrium) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
+    """The integrals whose differentials depend on those of the Casimirs there, and the others."""
+    rows = list(regular_differentials(eq))
+    critical, moving = [], []
+    for integral in eq.system.integrals:
+        row = differentials(eq, (integral,))
+        if _rank(rows + row) > len(rows):
+            moving.append(integral)
+            rows += row
+        else:
+            critical.append(integral)
+    return tuple(critical), tuple(moving)
+
+
+def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:
+    """Basis of the tangent space of the level set of Casimirs and integrals, modulo the flows of the integrals.
+
+    At E1 and E2 it is the whole tangent space; at E3 it has dimension 2: dπ3(δx) = 0, modulo the rotation about
+    the axis of the body.
+
+    Returns
+    -------
+    ImmutableMatrix, shape (n, m)
+
+    Source
+    ------
+    Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59; Ortega & Ratiu, Nonlinearity 12 (1999) 693-720.
+    """
+    return slice_and_symmetries(eq)[0]
+
+
+@once
+def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, ...]]:
+    """The symplectic slice, and the integrals whose flow was divided out."""
+    _, moving = critical_integrals(eq)
+    level = [*regular_differentials(eq), *differentials(eq, moving)]
+    held: list[list[Expr]] = []                        # a direction along the orbit is removed by holding one coordinate
+    symmetries = []
+    for integral in moving:
+        flow = list(eq.at_point(eq.system.space.tensor * eq.system.space.gradient(integral)))
+        if _in_kernel(level + held, flow):
+            held.append(_gauge(eq, flow))
+            symmetries.append(integral)
+    return _kernel(eq, level + held), tuple(symmetries)
+
+
+def _gauge(eq: Equilibrium, flow: list[Expr]) -> list[Expr]:
+    """The coordinate to be held: one along which the flow moves everywhere on the family, if there is one."""
+    ring, signs, (row,) = _polynomials(eq, [flow])
+    best = min((j for j, entry in enumerate(row) if entry), key=lambda j: (not signs.nonzero(row[j]), len(row[j]), -j))
+    return [ring.expression(ring.one if j == best else ring.zero) for j in range(len(row))]
+
+
+def _polynomials(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> tuple[Ring, Signs, list]:
+    ring = Ring([*(entry for row in rows for entry in row), *eq.domain])
+    return ring, Signs(ring, eq.domain), [ring.matrix([row])[0][0] for row in rows]
+
+
+def _kernel(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> ImmutableMatrix:
+    """Basis of the common kernel; pivots that vanish nowhere on the family are preferred."""
+    ring, signs, polynomials = _polynomials(eq, rows)
+    size = len(eq.system.space.coordinates)
+    basis = null_space(ring, polynomials, lambda j, entry: (not signs.nonzero(entry), len(entry), entry.total_degree(), -j), size)
+    return ImmutableMatrix(size, len(basis), lambda i, j: ring.expression(basis[j][1][i]))
+
+
+def _rank(rows: Sequence[Sequence[Expr]]) -> int:
+    ring = Ring([entry for row in rows for entry in row])
+    polynomials = [ring.matrix([row])[0][0] for row in rows]
+    return len(row_reduce(ring, polynomials, lambda j, entry: len(entry), len(rows[0])))
+
+
+def _in_kernel(rows: Sequence[Sequence[Expr]], vector: Sequence[Expr]) -> bool:
+    ring = Ring([*(entry for row in rows for entry in row), *vector])
+    (values,), _ = ring.matrix([vector])
+    return any(values) and not any(
+        ring.reduce(sum((x * y for x, y in zip(ring.matrix([row])[0][0], values)), ring.zero)) for row in rows)

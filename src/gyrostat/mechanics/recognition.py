@@ -1,0 +1,155 @@
+"""A body of revolution about any axis, recognised: the axis, and the same scene with that axis for the third."""
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import combinations
+from math import lcm
+
+from sympy import Expr, ImmutableMatrix, Rational, S, count_ops, eye, sqrt
+
+from ..errors import PotentialError
+from .body import Gyrostat
+from .liepoisson import hat
+from .potential import DIRECTIONS, Potential, axial_potential
+from .reduction import reducible
+from .spherical import along_third, lowest, vanishes
+from .system import System, system_of
+
+Vector = tuple[Expr, ...]
+UNITS: tuple[Vector, ...] = ((S.One, S.Zero, S.Zero), (S.Zero, S.One, S.Zero), (S.Zero, S.Zero, S.One))
+PLACES = [tuple(Rational(n, d) for n in row) for *row, d in ((1, 2, 2, 3), (2, 3, 6, 7), (-4, 4, 7, 9), (6, 2, -9, 11), (3, -4, 12, 13))]
+
+
+@dataclass(frozen=True)
+class Recognition:
+    """A scene that is a body of revolution about an axis c: two equal moments, l along c, and on |k|² = 1 a field U(c·k).
+
+    Parameters
+    ----------
+    scene : System
+    direction : tuple of Expr      along the axis; integers where there are
+    standard : System              the same body in U(k3), its axis the third
+    """
+
+    scene: System
+    direction: Vector
+    standard: System
+
+    @cached_property
+    def axis(self) -> Vector:
+        """The unit vector c."""
+        return _unit(self.direction)
+
+    @cached_property
+    def rotation(self) -> ImmutableMatrix:
+        """R with R c = e3, proper: x' = R x are the components in the standard scene."""
+        return turned_up(self.axis)
+
+    @property
+    def modulo(self) -> Expr:
+        """The momentum along the axis, whose flow turns the body about it."""
+        return lowest(sum((x * p for x, p in zip(self.direction, self.scene.space.coordinates)), S.Zero))
+
+    @property
+    def name(self) -> str:
+        """What k3 of the standard scene is in the axes of the user's."""
+        return f"k{UNITS.index(self.direction) + 1}" if self.direction in UNITS else "k·c"
+
+    @property
+    def sentence(self) -> str:
+        """What was recognised."""
+        if self.direction in UNITS:
+            return f"recognised as a body of revolution about axis {UNITS.index(self.direction) + 1}"
+        return f"recognised as a body of revolution about the axis c along ({', '.join(map(str, self.direction))})"
+
+    def worded(self, reason: str) -> str:
+        """What holds in the standard scene, in the axes of the user's."""
+        return re.sub(r"\bk3\b", self.name, reason)
+
+    def along(self, vector: Sequence[Expr]) -> Expr:
+        """The component along the axis."""
+        return lowest(sum((x * y for x, y in zip(self.axis, vector)), S.Zero))
+
+
+@lru_cache(maxsize=64)
+def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
+    """What a scene is, if it is a body of revolution in a field along its axis, on |k|² = square_radius; None where that is not proved.
+
+    Examples
+    --------
+    >>> from gyrostat import Gyrostat, assemble, general_potential
+    >>> found = recognise(assemble(Gyrostat((3, 1, 1), (0, 0, 0)), general_potential(lambda k1, k2, k3: k1 - k2**2 - k3**2)))
+    >>> found.sentence, found.standard.potential.expression, found.standard.body.inertia
+    ('recognised as a body of revolution about axis 1', k3**2 + k3 - 1, (1, 1, 3))
+    """
+    if reducible(scene):
+        return Recognition(scene, UNITS[2], scene)
+    if scene.potential is None or not scene.potential.given:
+        return None
+    for direction in _directions(scene.body, scene.potential):
+        axis = _unit(direction)
+        rotor = scene.body.gyrostatic_momentum
+        if any(not vanishes(x) for x in hat(axis) * ImmutableMatrix(rotor)):
+            continue
+        U = along_third(scene.potential.expression, turned_up(axis), square_radius)
+        if U is None:
+            continue
+        place = UNITS.index(direction) if direction in UNITS else 2
+        across = min(scene.body.inertia[place - 2], scene.body.inertia[place - 1], key=count_ops)         # the same number
+        body = Gyrostat((across, across, scene.body.inertia[place]), (0, 0, lowest(sum((x * l for x, l in zip(axis, rotor)), S.Zero))))
+        try:
+            return Recognition(scene, direction, system_of(body, axial_potential(U)))
+        except PotentialError:                             # as |k3|, which is not smooth
+            continue
+    return None
+
+
+def _directions(body: Gyrostat, potential: Potential) -> Iterator[Vector]:
+    """Along the axes about which it may be of revolution: a principal one; of three equal moments, that of l, or of the field."""
+    equal = [vanishes(body.inertia[place - 2] - body.inertia[place - 1]) for place in range(3)]
+    yield from (UNITS[place] for place in (2, 0, 1) if equal[place])
+    if all(equal):
+        free = all(map(vanishes, body.gyrostatic_momentum))
+        yield from _of_field(potential) if free else _direction(body.gyrostatic_momentum)
+
+
+def _of_field(potential: Potential) -> Iterator[Vector]:
+    """Along what may be the axis of U: k × ∇U is at right angles to it, here at a few places, and with some numbers for parameters."""
+    numbers = {s: Rational(7 + 3 * n, 5) for n, s in enumerate(potential.parameters)}
+    U = potential.expression.xreplace(numbers)
+    slope = ImmutableMatrix([U.diff(k) for k in DIRECTIONS])
+    torques = [hat(k) * slope.xreplace(dict(zip(DIRECTIONS, k))) for k in PLACES]
+    torques = [torque for torque in torques if all(x.is_finite for x in torque)]
+    for first, second in combinations(torques, 2):
+        for direction in _direction(hat(first) * second):
+            if all(vanishes(ImmutableMatrix(direction).dot(torque)) for torque in torques):
+                yield direction
+            return
+
+
+def _direction(vector: Sequence[Expr]) -> Iterator[Vector]:
+    """Along a vector, its first entry positive, integers where there are; nothing along 0, or where names decide."""
+    entries = [lowest(x) for x in vector]
+    first = next((x for x in entries if not vanishes(x)), None)
+    if first is None:
+        return
+    ratios = [lowest(x / first) for x in entries]
+    if any(x.free_symbols or not x.is_finite for x in ratios):
+        return
+    scale = lcm(*(int(x.q) for x in ratios)) if all(isinstance(x, Rational) for x in ratios) else 1
+    yield tuple(scale * x for x in ratios)
+
+
+def _unit(direction: Vector) -> Vector:
+    length = sqrt(sum(x**2 for x in direction))
+    return tuple(lowest(x / length) for x in direction)
+
+
+def turned_up(axis: Vector) -> ImmutableMatrix:
+    """The proper rotation R with R axis = e3: the axes in their order where axis is one of them, else by the smallest angle."""
+    if axis in UNITS:
+        place = UNITS.index(axis)
+        return ImmutableMatrix([UNITS[place - 2], UNITS[place - 1], UNITS[place]])
+    turn = hat((axis[1], -axis[0], S.Zero))
+    return (ImmutableMatrix(eye(3)) + turn + turn * turn / (1 + axis[2])).applyfunc(lowest)

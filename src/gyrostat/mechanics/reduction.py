@@ -1,0 +1,169 @@
+"""A body of revolution in U(k3) in one degree of freedom: the motion of k3 by itself, I1² k̇3² = g(k3)."""
+from dataclasses import dataclass
+from functools import lru_cache
+
+from sympy import Add, Expr, S, Symbol, factorial
+
+from ..algebra.exact import is_identically_zero
+from ..algebra.polynomials import Ring, by_degree
+from ..errors import ScopeError, StructureError, require
+from ..notation import Shown, Stored, jet_name, symbol
+from .equilibria import Equilibrium
+from .system import System
+
+K3, ENERGY, V, P = symbol("k3"), symbol("energy"), symbol("p_phi"), symbol("p_psi")
+OMEGA, DEVIATION = symbol("omega"), Symbol("deviation")  # a symbol that is none of a user's, which are real
+
+
+@dataclass(frozen=True, repr=False)
+class Reduction(Shown, Stored):
+    """The motion of z = k3 on a level of the integrals: I1² ż² = g(z) = 2 I1 (e − U(z)) (1 − z²) − (v − P z)².
+
+    The levels are symbols: energy of h, p_phi = v of C1, p_psi = P of π3 + l; e = energy − π3²/(2 I3).
+
+    Parameters
+    ----------
+    system : System
+    axial : Expr         π3²/(2 I3), so that π1² + π2² = 2 I1 (energy − axial − U)
+    across : Expr        k1² + k2² = 1 − z²
+    twist : Expr         π1 k1 + π2 k2 = v − P z
+    """
+
+    system: System
+    axial: Expr
+    across: Expr
+    twist: Expr
+
+    def square(self, U: Expr | None = None) -> Expr:
+        """g as a function of k3 and the levels [M² L⁴/T²]; U in place of the scene's potential, if given."""
+        return 2 * self.system.body.inertia[0] * (ENERGY - self.axial - self._field(U)) * self.across - self.twist**2
+
+    def effective_potential(self) -> Expr:
+        """V(k3) with g = 2 I1 (1 − k3²) (energy − V) [M L²/T²]: its critical points are the regular precessions.
+
+        With k3 = cos θ it is that of gyrostat.mechanics.attitude, which comes from the Lagrangian.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
+        >>> reduce(assemble(symmetric_gyrostat(), uniform_field())).effective_potential()
+        k3*m0 + (-l + p_psi)**2/(2*I3) + (-k3*p_psi + p_phi)**2/(2*I1*(1 - k3**2))
+        """
+        return self.axial + self._field(None) + self.twist**2 / (2 * self.system.body.inertia[0] * self.across)
+
+    @property
+    def rate(self) -> Expr:
+        """The rate about the vertical on a level, (v − P k3)/(I1 (1 − k3²)) [1/T]."""
+        return self.twist / (self.system.body.inertia[0] * self.across)
+
+    def precession(self) -> Expr:
+        """What vanishes for the regular precessions ω = W k + σ e3, U' − P W + I1 k3 W²; W is the symbol omega, U' is dU.
+
+        It is the slope of the effective potential. At σ = 0, P = I3 W k3 + l, it is the relation of E3.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat
+        >>> reduce(assemble(symmetric_gyrostat(), axial_potential())).precession()
+        I1*k3*omega**2 + dU - omega*p_psi
+        """
+        return symbol("dU") + self._at_rate((self.twist * self.rate / 2).diff(K3))
+
+    def restoring(self) -> Expr:
+        """I1 (1 − k3²) V'' = −g''/2 on the regular precessions, with d2U for U'': positive where they are stable.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat
+        >>> reduce(assemble(symmetric_gyrostat(), axial_potential())).restoring()
+        3*I1**2*k3**2*omega**2 + I1**2*omega**2 - I1*d2U*k3**2 + I1*d2U - 4*I1*k3*omega*p_psi + p_psi**2
+        """
+        return self._at_rate(self.system.body.inertia[0] * self.across * (symbol("d2U") + (self.twist * self.rate / 2).diff(K3, 2)))
+
+    def _at_rate(self, expression: Expr) -> Expr:
+        """With the level v expressed by the rate omega, in lowest terms."""
+        level = self.system.body.inertia[0] * OMEGA * self.across + V - self.twist
+        ring = Ring([placed := expression.xreplace({V: level})])
+        return ring.quotient(*ring.fraction(placed))
+
+    def _field(self, U: Expr | None) -> Expr:
+        potential = self.system.potential
+        return potential.expression if U is None and potential else U or S.Zero
+
+
+@lru_cache(maxsize=64)
+def reduce(scene: System) -> Reduction:
+    """The reduced motion, from the bracket and the integrals: I1² {k3, h}² = (k1² + k2²)(π1² + π2²) − (π1 k1 + π2 k2)².
+
+    Parameters
+    ----------
+    scene : System       a body of revolution in U(k3)
+
+    Raises
+    ------
+    ScopeError           the body is not of revolution, or U is not U(k3)
+    StructureError       the identity does not hold
+
+    Source
+    ------
+    Goldstein, Classical Mechanics, §5.7; for any U, Marsden & Ratiu, Introduction to Mechanics and Symmetry, §15.10.
+
+    Examples
+    --------
+    >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat
+    >>> reduce(assemble(symmetric_gyrostat(), axial_potential())).twist
+    -k3*p_psi + p_phi
+    """
+    require(scene, System, "the scene")
+    if not reducible(scene):
+        raise ScopeError(f"k3 moves by itself only for a body of revolution in U(k3); this scene has inertia {scene.body.inertia}, l = "
+                         f"{scene.body.gyrostatic_momentum}, U = {scene.potential and scene.potential.expression}: use vector_field()")
+    names = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2]) for s in e.free_symbols}
+    if taken := sorted(s.name for s in names & {ENERGY, V, P, OMEGA}):
+        raise ScopeError(f"the body depends on {', '.join(taken)}, a name of the reduced motion: rename it")
+    pi1, pi2, pi3, k1, k2, _ = scene.space.coordinates
+    kinetic, (c1, c2) = scene.body.kinetic_energy(scene.space.coordinates[:3]), scene.space.casimirs
+    plane = {pi1: S.Zero, pi2: S.Zero, k1: S.Zero, k2: S.Zero}
+    axial, aligned = kinetic.xreplace(plane), c1.xreplace(plane)       # π3²/(2 I3) and (π3 + l) k3
+    I1, across = scene.body.inertia[0], c2 - K3**2
+    rate = I1 * scene.space.bracket(K3, kinetic)
+    residual = rate**2 - across * 2 * I1 * (kinetic - axial) + (c1 - aligned) ** 2
+    if is_identically_zero(residual) is False:
+        raise StructureError(f"I1 dk3/dt = {rate} is not a function of k3 and the integrals")
+    spin = {pi3: P - scene.body.gyrostatic_momentum[2]}
+    return Reduction(scene, axial.xreplace(spin), across - c2 + 1, V - aligned.xreplace(spin))
+
+
+def reducible(scene: System) -> bool:
+    """Whether the scene is a body of revolution in a field U(k3)."""
+    return scene.potential is not None and scene.potential.axial and scene.body.is_of_revolution()
+
+
+def expansion(eq: Equilibrium, order: int) -> list[Expr]:
+    """Coefficients of x⁰ … x^order in g on the levels of an equilibrium, where k3 = ±(1 − x) at a pole, else k3 + x.
+
+    U is expanded in its derivatives dU, d2U, … at the equilibrium, and a relation on them is inserted. The first two vanish.
+
+    Examples
+    --------
+    >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat, upright
+    >>> expansion(upright(assemble(symmetric_gyrostat(), axial_potential())), 3)[2:]
+    [4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2, -2*I1*d2U - 2*I1*dU]
+    """
+    motion, scene = reduce(eq.system), eq.system
+    pi3, k3 = scene.space.coordinates[2], eq.at
+    inward = -k3 if k3**2 == 1 else S.One
+    step = inward * DEVIATION
+    field = Add(*(symbol(jet_name(n)) * step**n / factorial(n) for n in range(1, order + 1)))          # U − U(k3)
+    levels = {V: scene.space.casimirs[0], P: pi3 + scene.body.gyrostatic_momentum[2],
+              ENERGY: scene.body.kinetic_energy(scene.space.coordinates[:3])}
+    levels = {level: value.xreplace(dict(zip(scene.space.coordinates, eq.point))) for level, value in levels.items()}
+    g = motion.square(field).xreplace({K3: K3 + step}).xreplace(levels | {K3: k3})
+    for name, value in eq.relations:
+        if name == symbol("dU"):
+            g = g.xreplace({name: value})
+    ring = Ring([g, DEVIATION])
+    top, bottom = ring.fraction(g)
+    place = ring.generators.index(DEVIATION)
+    parts = by_degree(ring.reduce(top), place, max(top.degrees()[place], order))
+    return [ring.quotient(part, bottom) for part in parts[:order + 1]]

@@ -1,0 +1,186 @@
+"""System: a space, a Hamiltonian and the integrals found; its equations of motion; assemble."""
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag
+
+from ..algebra.exact import evaluate
+from ..algebra.matrices import null_space
+from ..algebra.polynomials import Ring, derivatives
+from ..errors import ScopeError, StructureError, require
+from ..notation import Shown, Stored, jet, symbol
+from .body import Gyrostat
+from .liepoisson import LiePoisson, lie_poisson
+from .potential import Potential
+
+
+@dataclass(frozen=True, repr=False)
+class System(Shown, Stored):
+    """A scene: a body and, if there is a field, a potential, in the smallest Lie-Poisson space that holds them.
+
+    Parameters
+    ----------
+    body : Gyrostat
+    space : LiePoisson
+    hamiltonian : Expr                  h = ½ Σ πᵢ²/Iᵢ + U [M L²/T²]
+    integrals : tuple of Expr           functions F with {F, h} = 0 that are no Casimirs, linear in π
+    potential : Potential or None
+
+    Raises
+    ------
+    StructureError       an integral does not commute with the Hamiltonian
+    """
+
+    body: Gyrostat
+    space: LiePoisson
+    hamiltonian: Expr
+    integrals: tuple[Expr, ...]
+    potential: Potential | None = None
+
+    def __post_init__(self) -> None:
+        for integral in self.integrals:
+            if rate := self.space.bracket(integral, self.hamiltonian):
+                raise StructureError(f"{integral} is not an integral: its bracket with the Hamiltonian is {rate}, not 0")
+
+    def vector_field(self) -> ImmutableMatrix:
+        """ẋ = B ∇h, one component for each coordinate.
+
+        Returns
+        -------
+        ImmutableMatrix, shape (n, 1)      π̇ [M L²/T²], then k̇ [1/T]
+
+        Source
+        ------
+        Vera & Viguera (2003), §2.
+
+        Examples
+        --------
+        >>> from gyrostat.mechanics.body import symmetric_gyrostat
+        >>> assemble(symmetric_gyrostat()).vector_field()[2]
+        0
+        """
+        if self.potential is None:
+            return self.jet_field
+        return self.jet_field.xreplace({d: self.potential.value(d) for d in self.jet_field.free_symbols if jet(d.name)})
+
+    @cached_property
+    def energy_gradient(self) -> ImmutableMatrix:
+        """∇h in the coordinates and the jet of U: ωᵢ = πᵢ/Iᵢ, then ∇U."""
+        rates = [p / moment for p, moment in zip(self.space.coordinates, self.body.inertia)]
+        return ImmutableMatrix([*rates, *(self.potential.gradient() if self.potential else ())])
+
+    @cached_property
+    def energy_hessian(self) -> ImmutableMatrix:
+        """D²h in the coordinates and the jet of U."""
+        kinetic = diag(*(1 / moment for moment in self.body.inertia))
+        if self.potential is None:
+            return ImmutableMatrix(kinetic)
+        rows = [self.potential.following(d) if isinstance(d, Symbol) else (0, 0, 0) for d in self.potential.gradient()]
+        return ImmutableMatrix(diag(kinetic, ImmutableMatrix(rows)))
+
+    @cached_property
+    def jet_field(self) -> ImmutableMatrix:
+        """B ∇h in the coordinates and the jet of U, one coefficient for each product of coordinates."""
+        return ImmutableMatrix([_collected(component, self.space.coordinates) for component in self.space.tensor * self.energy_gradient])
+
+    @cached_property
+    def jet_jacobian(self) -> ImmutableMatrix:
+        """Derivative of the field along the coordinates, dU differentiated to d2U."""
+        coordinates, potential = self.space.coordinates, self.potential
+        jet_symbols = [d for d in potential.gradient() if isinstance(d, Symbol)] if potential else []
+        rows = []
+        for rate in self.jet_field:
+            row = derivatives(rate, (*coordinates, *jet_symbols))
+            for d, outer in zip(jet_symbols, row[len(coordinates):]):
+                row[3:6] = [entry + outer * inner for entry, inner in zip(row[3:6], potential.following(d))] if potential else []
+            rows.append(row[:len(coordinates)])
+        return ImmutableMatrix(rows)
+
+
+def assemble(body: Gyrostat, potential: Potential | None = None) -> System:
+    """The scene of a body: on so(3)* without a potential, on e(3)* with one.
+
+    The moments and the gyrostatic momentum of the body are inserted into a potential that names them.
+
+    Parameters
+    ----------
+    body : Gyrostat
+    potential : Potential or None
+
+    Returns
+    -------
+    System       with the integrals linear in π that it has: π3 for a body of revolution in U(k3)
+
+    Raises
+    ------
+    ScopeError       the potential is written for a body of revolution, and this is none
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import symmetric_gyrostat
+    >>> from gyrostat.mechanics.potential import axial_potential
+    >>> assemble(symmetric_gyrostat(), axial_potential()).integrals
+    (pi3,)
+    """
+    require(body, Gyrostat, "the body")
+    if potential is not None:
+        require(potential, Potential, "the potential")
+        potential = _of_body(potential, body)
+    return system_of(body, potential)
+
+
+def system_of(body: Gyrostat, potential: Potential | None) -> System:
+    """The scene of a body in a potential whose names are those of the scene: nothing is inserted."""
+    space = lie_poisson(("k",) if potential else (), body.gyrostatic_momentum)
+    hamiltonian = body.kinetic_energy(space.coordinates[:3]) + (potential.expression if potential else 0)
+    candidate = System(body, space, hamiltonian, (), potential)
+    return System(body, space, hamiltonian, _linear_integrals(candidate), potential)
+
+
+def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
+    """The scene with numbers, or other expressions, in place of its names."""
+    body, potential = scene.body, scene.potential
+    inertia, rotor = ([evaluate(x, known) for x in vector] for vector in (body.inertia, body.gyrostatic_momentum))
+    field = potential and replace(potential, expression=potential.expression.xreplace(dict(known)))
+    return system_of(Gyrostat(inertia, rotor), field)
+
+
+def names_of_scene(scene: System) -> set[Symbol]:
+    """The symbols of the body and of U."""
+    vectors = (*scene.body.inertia, *scene.body.gyrostatic_momentum)
+    return {s for e in vectors for s in e.free_symbols}.union(scene.potential.parameters if scene.potential else ())
+
+
+def _of_body(potential: Potential, body: Gyrostat) -> Potential:
+    """The potential with this body's moments and gyrostatic momentum inserted."""
+    if potential.revolution and body.inertia[0] != body.inertia[1]:
+        raise ScopeError(f"U = {potential.expression} is written for I1 = I2, the body has inertia = {body.inertia}: "
+                         "give its own U(k1, k2, k3) with general_potential")
+    names = {symbol(f"I{i}"): moment for i, moment in zip((1, 2, 3), body.inertia)}
+    names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
+    names |= {symbol("l"): body.gyrostatic_momentum[2]}
+    inserted = {name: value for name, value in names.items() if name != value and name in potential.expression.free_symbols}
+    return Potential(potential.variables, potential.expression.xreplace(inserted), potential.revolution) if inserted else potential
+
+
+def _linear_integrals(system: System) -> tuple[Expr, ...]:
+    """Every combination c·π, c constant, whose rate c·π̇ vanishes identically."""
+    coordinates, rates = system.space.coordinates, system.vector_field()[:3]
+    ring = Ring([*rates, *coordinates])
+    (row,), _ = ring.matrix([list(rates)])
+    equations: dict[tuple[int, ...], list[Any]] = {}
+    for column, rate in enumerate(row):
+        for kind, coefficient in ring.coefficients(rate, set(coordinates)).items():
+            equations.setdefault(kind, [ring.zero] * 3)[column] = coefficient
+    basis = null_space(ring, list(equations.values()), lambda j, entry: (not entry.is_constant(), len(entry)), 3)
+    return tuple(Add(*(Mul(ring.expression(c), p) for c, p in zip(vector, coordinates))) for _, vector in basis)
+
+
+def _collected(component: Expr, coordinates: tuple[Symbol, ...]) -> Expr:
+    """The component with one coefficient for each product of coordinates, as in (I1 − I3)/(I1 I3) π2 π3."""
+    ring = Ring([component])
+    top, bottom = ring.fraction(component)
+    return Add(*(Mul(ring.quotient(coefficient, bottom), ring.monomial(kind))
+                 for kind, coefficient in ring.coefficients(top, set(coordinates)).items()))

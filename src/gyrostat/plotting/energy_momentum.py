@@ -1,0 +1,145 @@
+"""The energy-momentum diagram of a body of revolution in U(k3): critical values of (C1, h) at a fixed axial momentum."""
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ..algebra.floats import Array, in_floats
+from ..errors import require
+from ..mechanics.reduction import K3, V
+from ..mechanics.system import System
+from ..stability.branches import Branch, names_of
+from ..stability.energy_momentum import EnergyMomentum, critical_values
+from ..stability.report import Verdict
+from .looks import DARK, axes_of, label, legend, line, marker, named
+from .numbers import numbers_of
+
+CELLS = 400                                                # of each axis, for the regions
+BANDS = ("#ffffff", "#eceff3", "#d3dae3", "#b9c4d1")       # k3 has no place, one band, two bands, three or more
+
+
+def energy_momentum(scene: System, values: Mapping[str, Any]) -> EnergyMomentum:
+    """Every critical value of (C1, h) at a fixed p_psi = π3 + l.
+
+    On regular precessions I1 k3 W² − p_ψ W + U' = 0 has a slow and a fast root W at each tilt; C1 and h follow. The curves are in doubles,
+    cut where stability changes; the verdict of each part is exact.
+
+    Parameters
+    ----------
+    scene, values      as in draw_energy_momentum
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> found = energy_momentum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1})
+    >>> {curve.verdict.name for curve in found.curves}, [(v, h, pole.decision.verdict.name) for v, h, pole in found.poles]
+    ({'STABLE'}, [(1.0, 1.5, 'UNSTABLE'), (-1.0, -0.5, 'STABLE')])
+    """
+    require(scene, System, "the scene")
+    names_of(scene)                                    # in U(k3), given: or refused
+    return critical_values(scene, numbers_of(scene, values, ("p_psi",)))
+
+
+def bands(found: EnergyMomentum, momentum: Array, energy: Array) -> Array:
+    """The number of bands of k3 in which the body can move, shape (len(energy), len(momentum))."""
+    k3 = np.cos(np.linspace(0, np.pi, CELLS + 2)[1:-1])
+    height = in_floats(found.potential, np, {V: momentum[:, None], K3: k3})
+    below = height[None] <= energy[:, None, None]
+    return below[..., 0].astype(int) + (below[..., 1:] & ~below[..., :-1]).sum(axis=-1)
+
+
+def draw_energy_momentum(scene: System, values: Mapping[str, Any], window: tuple[float, float, float, float] | None = None, ax: Any = None,
+                         **kwargs: Any) -> Any:
+    """Draw the energy-momentum diagram of a body of revolution in U(k3): h against C1 at a fixed p_psi = π3 + l.
+
+    The curves are the regular precessions, the points E1 and E2: solid or filled where stable, dashed or open where unstable, dotted or
+    half filled where undecided. Grey is where motion is possible; the darker, the more bands of k3 there are at the same C1 and h.
+
+    Parameters
+    ----------
+    scene : System                                body of revolution in a U rational in k3
+    values : mapping of name to number            for its parameters, and p_psi [M L²/T]
+    window : (C1, C1, h, h) or None               lower and upper ends of the axes; None: around what is critical
+    ax : matplotlib Axes                          a new one where it is left out
+    kwargs                                        of the curves: of Axes.plot
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    ScopeError             the body is not of revolution, U is unspecified, or not rational in k3
+    ValuesError            numbers are missing, unknown or not admissible
+    MissingExtraError      pip install "gyrostat[plot]"
+
+    Source
+    ------
+    Smale, Inventiones Mathematicae 10 (1970) 305-331; Cushman & Bates, Global Aspects of Classical Integrable Systems (1997), chapter V.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> from matplotlib.figure import Figure
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> ax = draw_energy_momentum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1}, ax=Figure().subplots())
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['stable (curves: modulo the spin)', 'unstable', 'one band of $k_3$']
+    """
+    found = energy_momentum(scene, values)
+    ax = axes_of(ax)
+    left, right, low, high = _window(found) if window is None else window
+    momentum, energy = np.linspace(left, right, CELLS), np.linspace(low, high, CELLS)
+    count = bands(found, momentum, energy)
+    ax.contourf(momentum, energy, count, levels=[0.5, 1.5, 2.5, 99], colors=BANDS[1:], zorder=0)
+    for curve in found.curves:
+        ax.plot(curve.momentum, curve.energy, **{**line(curve.verdict), **kwargs})
+    names: dict[tuple[float, float], list[str]] = {}
+    for v, h, branch in found.poles:
+        ax.plot([v], [h], zorder=4, **marker(branch.decision.verdict))
+        names.setdefault((v, h), []).append(_name(branch))
+    for (v, h), several in names.items():
+        inside = any("focus" in name for name in several)  # the curves are below
+        ax.annotate(", ".join(several), (v, h), xytext=(7, 3 if inside else -4), textcoords="offset points",
+                    va="bottom" if inside else "top")
+    handles = []
+    if found.cusps:
+        style = {"color": DARK, "marker": "D", "markersize": 4.5, "linestyle": "none"}
+        ax.plot(*np.array(found.cusps).T, zorder=4, **style)
+        handles.append(named(style, "changes: fold on a level"))
+    ax.set(xlim=(left, right), ylim=(low, high))
+    ax.set_xlabel(label("C1"))
+    ax.set_ylabel(label("h"))
+    seen = {x.verdict for x in found.curves} | {branch.decision.verdict for *_, branch in found.poles}
+    modulo = " (curves: modulo the spin)" if any(x.verdict is Verdict.STABLE for x in found.curves) else ""
+    verdicts = [named({**marker(x), **line(x), **kwargs}, x.name.lower() + (modulo if x is Verdict.STABLE else ""))
+                for x in Verdict if x in seen]
+    legend(ax, [*verdicts, *handles, *_areas(int(count.max()))], 2)
+    return ax
+
+
+def _name(branch: Branch) -> str:
+    """E1 or E2; below the critical spin it is a focus-focus point of (C1, h): its eigenvalues are a complex quadruple."""
+    decision = branch.decision
+    return f"{branch.label} (focus)" if decision.verdict is Verdict.UNSTABLE and decision.notion == "spectral" else branch.label
+
+
+def _areas(most: int) -> list[Any]:
+    """What stands in the legend for the regions."""
+    from matplotlib.patches import Patch
+    names = ("one band of $k_3$", "two bands", "three bands or more")
+    return [Patch(facecolor=color, edgecolor="none", label=name) for color, name in list(zip(BANDS[1:], names))[:most]]
+
+
+def _window(found: EnergyMomentum) -> tuple[float, float, float, float]:
+    """Around E1, E2 and half of the precessions."""
+    if not found.curves and not found.poles:
+        return -1.0, 1.0, -1.0, 1.0
+    tilted = [curve for curve in found.curves if np.ptp(curve.k3)]
+    evenly = [np.abs(np.interp(np.linspace(curve.k3[0], curve.k3[-1], CELLS), curve.k3, curve.momentum)) for curve in tilted]
+    marked = [*(abs(v) for v, _, _ in found.poles), *(abs(v) for v, _ in found.cusps)]
+    width = 1.5 * max([float(np.median(np.concatenate(evenly))) if evenly else 0.0, *marked]) or 1.0
+    near = np.concatenate([[h for _, h, _ in found.poles], *(curve.energy[np.abs(curve.momentum) < width] for curve in found.curves)])
+    low, high = float(near.min()), float(near.max())
+    return -width, width, low - 0.08 * (high - low), high + 0.15 * (high - low)

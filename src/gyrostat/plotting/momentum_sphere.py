@@ -1,0 +1,103 @@
+"""The momentum sphere of a free body or gyrostat: polhodes, separatrices, equilibria."""
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..algebra.exact import sign_of_constant
+from ..algebra.floats import Array
+from ..algebra.numbers import exact_number
+from ..errors import ScopeError, ValuesError, require
+from ..mechanics.system import System
+from ..stability.report import Verdict
+from .energy_levels import energies_between, floats, level_curve, rest_points
+from .globe import circle, curve_on, dots_on, stage
+from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
+from .numbers import body_at, numbers_of
+
+BAND = 5                                                   # polhodes between two critical energies
+
+
+def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any, energies: Sequence[float] | None = None, ax: Any = None,
+                         **kwargs: Any) -> Any:
+    """Draw the sphere |M| = const of a free body or gyrostat, M = π + l, seen as ax.view_init says.
+
+    A polhode is the curve on which the energy is constant: M moves along it in the body. Those through saddles, the separatrices, are
+    heavy; what is behind is faded. Filled: stable; open: unstable; half filled: undecided. A solid circle of a body of revolution: every
+    point an equilibrium, stable modulo the spin.
+
+    Parameters
+    ----------
+    scene : System                            without a potential
+    values : mapping of name to number        for its parameters
+    momentum : number                         |M| [M L²/T]
+    energies : sequence of float or None      of the polhodes [M L²/T²]; None: a few between each two critical ones
+    ax : axes of mplot3d                      new ones where they are left out
+    kwargs                                    of the polhodes: of Axes3D.plot
+
+    Returns
+    -------
+    axes of mplot3d
+
+    Raises
+    ------
+    ScopeError             the scene has a field, or every point of the sphere is an equilibrium
+    ValuesError            numbers are missing, unknown or not admissible
+    ArgumentError          the axes are flat
+    MissingExtraError      pip install "gyrostat[plot]"
+
+    Source
+    ------
+    Landau & Lifshitz, Mechanics, §37; Hughes, Spacecraft Attitude Dynamics (1986), chapters 4 and 6.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from gyrostat import Gyrostat, assemble
+    >>> ax = draw_momentum_sphere(assemble(Gyrostat((1, 2, 3), (0, 0, 0))), {}, 1, ax=Figure().add_subplot(projection="3d"))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['polhode', 'separatrix', 'stable', 'unstable']
+    """
+    require(scene, System, "the scene")
+    if scene.potential is not None:
+        raise ScopeError(f"M keeps its length only in a free body, the scene has the potential {scene.potential.expression}: "
+                         "assemble the body alone")
+    body, radius = body_at(scene, numbers_of(scene, values)), exact_number(momentum, "momentum")
+    if sign_of_constant(radius) != 1:
+        raise ValuesError(f"momentum = {momentum} is not the radius of a sphere: give a positive number")
+    points, size = rest_points(body, radius), float(radius)
+    least, most = (f(float(p.energy) for p in points) for f in (min, max))
+    slack = 1e-12 * most                                   # an energy of a rest point may be rounded
+    if off := [energy for energy in energies or () if not least - slack <= float(energy) <= most + slack]:
+        raise ValuesError(f"energies = {off[0]}: there is no curve of it on |M| = {momentum}; give energies between {least:.6g} "
+                          f"and {most:.6g}")
+    ax = axes_of(ax, three=True)
+    eye = stage(ax, size, [label(f"M{i}") for i in (1, 2, 3)])
+    style = {"color": BLUE, "linewidth": 0.9, **kwargs}
+    chosen = energies_between(points, BAND) if energies is None else energies
+    curve_on(ax, _joined([level_curve(body, points, size, float(energy)) for energy in chosen]), eye, **style)
+    handles = [named(style, "polhode")]
+    saddles = {float(p.energy) for p in points if p.verdict is Verdict.UNSTABLE and p.circle is None}
+    if saddles:
+        heavy = {"color": DARK, "linewidth": 2.0}
+        curve_on(ax, _joined([level_curve(body, points, size, energy) for energy in saddles]), eye, **heavy)
+        handles.append(named(heavy, "separatrix"))
+    for point in points:
+        if point.circle is not None:
+            axis, at = np.eye(3)[point.circle], floats(point.momentum)
+            height = float(at @ axis)
+            curve_on(ax, circle(axis, float(np.sqrt(size**2 - height**2)), height), eye, **line(Verdict.STABLE))
+            handles.append(named(line(Verdict.STABLE), "equilibria, stable modulo the spin"))
+    for verdict in Verdict:
+        places = [floats(p.momentum) for p in points if p.verdict is verdict and p.circle is None]
+        if places:
+            dots_on(ax, np.array(places), eye, **marker(verdict))
+            handles.append(named(marker(verdict), verdict.name.lower()))
+    legend(ax, handles)
+    return ax
+
+
+def _joined(curves: Sequence[Array]) -> Array:
+    """Several curves as one, NaN between them."""
+    gap = np.full((1, 3), np.nan)
+    return np.concatenate([gap, *(part for curve in curves for part in (curve, gap))])

@@ -1,0 +1,113 @@
+"""Files that are whole or not there: written beside their place, flushed to disk, then moved into it."""
+import errno
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any
+from uuid import uuid4
+
+from ..errors import optional
+
+
+@contextmanager
+def written(path: str | os.PathLike[str]) -> Iterator[Path]:
+    """A path to write to, moved into the place of the one given when the block ends well, removed when it does not.
+
+    Until then what is there stays there: after an error, an interruption or on a full disk it is the old file. A link stays a link,
+    and the permissions stay. What is no file, /dev/null or a pipe, is written to as it is.
+
+    Parameters
+    ----------
+    path : str or PathLike
+
+    Raises
+    ------
+    OSError        the file, or its folder, cannot be written
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     with written(f"{folder}/note.txt") as new:
+    ...         _ = new.write_text("whole")
+    ...         print(os.path.exists(f"{folder}/note.txt"))
+    ...     print(os.listdir(folder))
+    False
+    ['note.txt']
+    """
+    place = Path(os.path.realpath(path))
+    if not replaceable(place):
+        yield Path(path)
+        return
+    new = place.with_name(f"{_mark(os.getpid())}{uuid4().hex[:12]}{place.suffix}")
+    try:
+        yield new
+        moved(new, place)
+    finally:
+        with suppress(OSError):
+            new.unlink(missing_ok=True)
+
+
+def replaceable(place: Path) -> bool:
+    """Whether another file can be moved to the place: nothing or a file is there; OSError where it is one that is not to be written."""
+    if not place.exists():
+        return True
+    if place.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(place))
+    if not os.access(place, os.W_OK):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(place))
+    return place.is_file()
+
+
+def moved(new: Path, place: Path) -> None:
+    """Flush a file to disk and move it, with the permissions of what was in the place."""
+    _flush(new, os.O_RDWR)
+    with suppress(FileNotFoundError):
+        os.chmod(new, stat.S_IMODE(os.stat(place).st_mode))
+    os.replace(new, place)
+    with suppress(OSError):                                # a folder cannot be flushed everywhere
+        _flush(place.parent, os.O_RDONLY)
+
+
+def cleared(folder: Path, process: int) -> None:
+    """Remove what a process that was ended has left in a folder."""
+    for left in folder.glob(f"{_mark(process)}*"):
+        with suppress(OSError):
+            left.unlink()
+
+
+def save_netcdf(dataset: Any, path: str | os.PathLike[str], **kwargs: Any) -> None:
+    """Write an xarray.Dataset as netCDF, whole or not at all.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset      of gyrostat.charts.chart, or Motion.to_xarray
+    path : str or PathLike
+    kwargs                        of Dataset.to_netcdf, encoding for example
+
+    Raises
+    ------
+    OSError                       the file cannot be written
+    MissingExtraError             pip install "gyrostat[charts]"
+    """
+    optional("netCDF4", "charts")
+    with written(path) as new:
+        try:
+            dataset.to_netcdf(new, engine="netcdf4", **kwargs)
+        except RuntimeError as error:                      # of the netCDF library, where HDF5 cannot write
+            raise OSError(errno.EIO, f"{error}, is the disk full?", str(path)) from None
+
+
+def _mark(process: int) -> str:
+    """How the names begin of files that a process has not finished."""
+    return f".gyrostat-{process}-"
+
+
+def _flush(path: Path, flags: int) -> None:
+    descriptor = os.open(path, flags)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)

@@ -1,0 +1,171 @@
+"""to_latex(obj): conditions, matrices, polynomials, every public object, and whole reports, in the notation of the sources."""
+import re
+from collections.abc import Iterable
+from typing import Any
+
+from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Symbol
+from sympy.printing.latex import LatexPrinter
+
+from ..algebra.numbers import double
+from ..algebra.readable import entries, readable
+from ..mechanics.body import Gyrostat
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.liepoisson import LiePoisson
+from ..mechanics.potential import Potential
+from ..mechanics.system import System
+from ..notation import jet_name, typeset
+from ..stability.conditions import Condition, Criterion
+from ..stability.energy_casimir import SecondVariation
+from ..stability.linearization import Linearization
+from ..stability.report import Decision, Report
+from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word, comparison, trivial
+from .linebreaks import width
+from .order import ordered_factors, ordered_terms, over
+from .results import RESULTS, result_blocks
+
+FRACTION = 200.0                                           # points: the widest numerator
+RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto"}
+
+
+class Printer(LatexPrinter):
+    """Symbols from the notation, terms and factors in its order; derivatives of U take their argument from at."""
+
+    def __init__(self, at: Any = None):
+        super().__init__()
+        self.at = at
+
+    def _print_Symbol(self, expr: Symbol, style: str = "plain") -> str:
+        return typeset(expr.name, self.at)
+
+    def _print_Add(self, expr: Add, order: Any = None) -> str:
+        pieces: list[str] = []
+        for term in ordered_terms(expr):
+            part = self._print(term)
+            pieces.append(part if not pieces else f" - {part[1:].lstrip()}" if part.startswith("-") else f" + {part}")
+        return "".join(pieces)
+
+    def _print_Mul(self, expr: Mul) -> str:
+        if expr.could_extract_minus_sign():
+            return "- " + self._print(-expr)
+        top, bottom = over(expr)
+        if bottom == 1:
+            return " ".join(map(self._factor, ordered_factors(top)))
+        above, below = ordered_factors(top), ordered_factors(bottom)
+        if width(self._row(above)) > FRACTION:             # so that it can be broken
+            return rf"\frac{{1}}{{{self._row(below)}}} " + " ".join(map(self._factor, above))
+        return rf"\frac{{{self._row(above)}}}{{{self._row(below)}}}"
+
+    def _row(self, factors: list[Expr]) -> str:
+        return self._print(factors[0]) if len(factors) == 1 else " ".join(map(self._factor, factors)) or "1"
+
+    def _factor(self, factor: Expr) -> str:
+        return rf"\left({self._print(factor)}\right)" if factor.is_Add else self._print(factor)
+
+    def _print_Pow(self, expr: Pow) -> str:
+        base, exponent = expr.args
+        if not exponent.is_Rational or exponent.q > 1 or not (base.is_Add or base.is_Symbol):
+            return super()._print_Pow(expr)
+        if exponent < 0:
+            return rf"\frac{{1}}{{{self._print(Pow(base, -exponent))}}}"
+        inner = self._print(base)
+        return (rf"\left({inner}\right)" if base.is_Add or "^" in inner or "'" in inner else inner) + f"^{{{exponent}}}"
+
+    def _print_AppliedUndef(self, expr: Any) -> str:
+        return f"{expr.func}({', '.join(map(self._print, expr.args))})"
+
+    def _print_Derivative(self, expr: Any) -> str:
+        variables = "".join(str(v)[-1] * n for v, n in expr.variable_count)
+        return typeset(jet_name(len(variables), variables if len(expr.expr.args) > 1 else ""))
+
+
+def tex(value: Any, at: Any = None) -> str:
+    """An expression, a matrix or a name."""
+    if isinstance(value, Word):
+        return value.latex
+    if isinstance(value, MatrixBase):
+        cells = [[tex(entry, at) for entry in row] for row in value.tolist()]
+        gap = r" \\[3pt] " if any(r"\frac" in cell for row in cells for cell in row) else r" \\ "
+        return r"\begin{pmatrix} " + gap.join(" & ".join(row) for row in cells) + r" \end{pmatrix}"
+    return Printer(at)._print(value)
+
+
+def formula(obj: Any) -> str:
+    """A single formula for any public object; a report is its two criteria."""
+    if isinstance(obj, (Basic, MatrixBase)):
+        return tex(obj)
+    if isinstance(obj, Condition):
+        return _condition(obj)
+    if isinstance(obj, Criterion):
+        if not obj.alternatives:
+            return r"\text{never}" if obj.notion == "spectral" else r"\text{no information}"
+        rows = [r" \;\land\; ".join(map(_condition, a)) or r"\text{always}" for a in obj.alternatives]
+        shown = rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
+        return shown + _modulo(obj.modulo)
+    if isinstance(obj, Linearization):
+        return tex(entries(obj.equilibrium.insert_field(obj.matrix)), obj.equilibrium.at)
+    if isinstance(obj, SecondVariation):
+        return tex(obj.equilibrium.insert_field(obj.matrix).applyfunc(readable), obj.equilibrium.at)
+    if isinstance(obj, LiePoisson):
+        return tex(obj.tensor)
+    if isinstance(obj, System):
+        vector = VECTOR_FORM[obj.potential is not None].latex
+        rates = ((DOT[str(x)], rate) for x, rate in zip(obj.space.coordinates, obj.vector_field()))
+        return rf"\begin{{gathered}} {vector} \\ {_aligned(rates)} \end{{gathered}}"
+    if isinstance(obj, Equilibrium):
+        return rf"\left({', '.join(tex(x) for x in obj.point)}\right)"
+    if isinstance(obj, Gyrostat):
+        return _aligned(((Word("I", r"\left(I_1, I_2, I_3\right)"), obj.inertia),
+                         (Word("l", r"\left(l_1, l_2, l_3\right)"), obj.gyrostatic_momentum)))
+    if isinstance(obj, Potential):
+        return "U = " + tex(obj.expression)
+    if isinstance(obj, Decision):
+        return rf"\text{{{obj.verdict.name.lower()}{f' ({obj.notion})' if obj.notion else ''}}}" + _modulo(obj.modulo if obj.notion else ())
+    if isinstance(obj, Report):
+        return _aligned(((Word("necessary", r"\text{necessary: }"), obj.necessary),
+                         (Word("sufficient", r"\text{sufficient: }"), obj.sufficient)))
+    if isinstance(obj, RESULTS):
+        return r"\begin{aligned} & " + r" \\ & ".join(map(_line, result_blocks(obj))) + r" \end{aligned}"
+    raise TypeError(f"to_latex takes expressions, matrices and the library's own objects, not {type(obj).__name__}")
+
+
+def _line(block: Block) -> str:
+    """A sentence or a display as one line of a formula."""
+    if not isinstance(block, Sentence):
+        return display(block) if isinstance(block, Display) else rf"\text{{{block.title}}}"
+    parts, line = iter(block.parts), ""
+    for words, mark in zip(*[iter([*re.split(r"(\{\}| [<>=≥≤≠] )", block.template), ""])] * 2):      # a place for a formula, or a relation
+        formula = tex(next(parts), block.at) if mark == "{}" else RELATIONS.get(mark.strip(), mark.strip())
+        line += (rf"\text{{{words}}}" if words else "") + (formula if mark == "{}" else f" {formula} " if mark else "")
+    return line
+
+
+def _modulo(integrals: tuple[Expr, ...]) -> str:
+    return rf" \quad \text{{modulo the flow of }} {', '.join(map(tex, integrals))}" if integrals else ""
+
+
+def _aligned(rows: Iterable[tuple[Word, Any]]) -> str:
+    def right(value: Any) -> str:
+        return rf"\left({', '.join(map(_entered, value))}\right)" if isinstance(value, tuple) else formula(value)
+
+    lines = [f"{name.latex} & {'' if isinstance(value, Criterion) else '= '}{right(value)}" for name, value in rows]
+    return r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}"
+
+
+def _entered(value: Any) -> str:
+    """A number that was given as a decimal with it."""
+    return tex(value) + (rf" \; ({decimal})" if (decimal := double(value)) else "")
+
+
+def _condition(condition: Condition) -> str:
+    shown = comparison(condition)
+    found = display(shown)
+    for factor in condition.degenerate:
+        found += (r" \;\land\; " if condition.strict else r" \;\lor\; ") + tex(readable(factor), condition.at) + (
+            r" \neq 0" if condition.strict else " = 0")
+    return found.partition(r" \;\land\; ")[2] if condition.strict and condition.degenerate and trivial(condition) else found
+
+
+def display(block: Display) -> str:
+    """name = value, or a comparison."""
+    relation = RELATIONS.get(block.relation, block.relation)
+    return f"{tex(block.name, block.at)} {relation} {tex(block.value, block.at)}"

@@ -1,0 +1,65 @@
+"""The order in which terms, factors and the two sides of an inequality are written."""
+from typing import Any
+
+from sympy import Add, Expr, Integer, Mul, Pow, S
+
+from ..algebra.readable import readable, term_order
+from ..stability.conditions import Condition
+
+
+def inequality(condition: Condition) -> tuple[Expr, Expr]:
+    """Left and right side of the condition: what is negative stands on the right, at E1 and E2 all but the square.
+
+    Examples
+    --------
+    >>> from gyrostat import analyze, assemble, axial_potential, hanging, symmetric_gyrostat
+    >>> report = analyze(hanging(assemble(symmetric_gyrostat(), axial_potential())))
+    >>> inequality(report.sufficient.alternatives[0][0])
+    ((l + pi3_0)**2, -4*I1*dU)
+    """
+    terms = Add.make_args(readable(condition.margin))
+    squares = [term for term in terms if isinstance(term, Pow) and term.base.is_Add]
+    if condition.at.is_number and len(terms) == 2 and len(squares) == 1:
+        left = squares
+    else:
+        left = [term for term in terms if not term.could_extract_minus_sign()]
+    return Add(*left), Add(*(-term for term in terms if term not in left))
+
+
+def ordered_terms(expression: Add) -> list[Expr]:
+    """The terms of a sum as they are written, a positive one first."""
+    terms = sorted(expression.args, key=lambda t: (not t.free_symbols, term_order(t)))
+    first = next((t for t in terms if not t.could_extract_minus_sign()), terms[0])
+    return [first, *(t for t in terms if t is not first)]
+
+
+def ordered_factors(product: Expr) -> list[Expr]:
+    """The factors of a product as they are written: numbers, moments, symbols as in the notation, sums from short to long."""
+    def key(factor: Expr) -> tuple[Any, ...]:
+        base = factor.base if isinstance(factor, Pow) else factor
+        inertia = all(s.is_positive for s in factor.free_symbols)
+        size = len(base.free_symbols) if base.is_Add else not inertia
+        return not factor.is_number, base.is_Add, not (base.is_Add or base.is_Symbol), size, term_order(factor)
+
+    factors = [f for f in Mul.make_args(product) if f != 1]
+    roots = [f for f in factors if isinstance(f, Pow) and f.exp == S.Half]
+    if len(roots) > 1:                                     # √a √b reads better as √(a b)
+        factors = [f for f in factors if f not in roots] + [Pow(Mul(*(r.base for r in roots)), S.Half, evaluate=False)]
+    return sorted(factors, key=key)
+
+
+def over(product: Expr) -> tuple[Expr, Expr]:
+    """Numerator and denominator of a product, as they stand."""
+    c, rest = product.as_coeff_Mul()
+    if not c.is_Rational:
+        c, rest = S.One, product
+    parts = Mul.make_args(rest)
+    below = [f for f in parts if isinstance(f, Pow) and f.exp.is_Rational and f.exp < 0]
+    above = [Integer(c.p), *(f for f in parts if f not in below)]
+    return _product(above), _product([Integer(c.q), *(1 / f for f in below)])
+
+
+def _product(factors: list[Expr]) -> Expr:
+    """The product without distributing a number over a sum."""
+    factors = [f for f in factors if f != 1]
+    return factors[0] if len(factors) == 1 else Mul(*factors, evaluate=False) if factors else S.One

@@ -1,0 +1,159 @@
+"""What decides on the boundary between the two criteria: the first coefficient of the reduced motion that does not vanish."""
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
+
+from sympy import Expr, Mul, S, Symbol
+
+from ..algebra.exact import sign
+from ..algebra.margins import Signs
+from ..algebra.polynomials import Ring
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.reduction import expansion, reducible
+from ..notation import Shown, Stored, jet, symbol
+from .conditions import Condition, sign_at
+
+HIGHEST = 24                                           # power of x up to which the ladder of a transcendental U goes
+
+
+@dataclass(frozen=True)
+class Rung:
+    """The coefficient of one power of x in g, where all lower ones vanish.
+
+    Parameters
+    ----------
+    power : int
+    condition : Condition      margin > 0: the coefficient is negative
+    escapes : bool             the power is odd and k3 may move both ways: unstable whatever the sign
+    """
+
+    power: int
+    condition: Condition
+    escapes: bool
+
+
+@dataclass(frozen=True, repr=False)
+class Boundary(Shown, Stored):
+    """The ladder of cases where the necessary condition holds with equality, for a body of revolution in U(k3).
+
+    On the level of the equilibrium I1² k̇3² = g = c₃ x³ + c₄ x⁴ + …, with k3 = ±(1 − x), x ≥ 0, at E1 and E2 and k3 + x at a tilt.
+    The first coefficient that is not 0 decides: where g < 0 beside the point, k3 is held (Lyapunov stable, modulo the spin at a
+    tilt), where g > 0 on a side, a motion leaves along it. If all vanish, g = 0 and every k3 nearby is a motion: unstable.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+
+    Source
+    ------
+    Derived; of the first rung at E1, Lerman, arXiv:dg-ga/9608010; the sleeping top, Cushman & Bates, Global Aspects of Classical
+    Integrable Systems, chapter V.
+    """
+
+    equilibrium: Equilibrium
+
+    @property
+    def pole(self) -> bool:
+        """Whether k3 = ±1, where the tilt grows on one side only."""
+        return bool(self.equilibrium.at**2 == 1)
+
+    @cached_property
+    def last(self) -> int | None:
+        """The power above which nothing new comes, of a rational U; None if U is unspecified or transcendental."""
+        potential = self.equilibrium.system.potential
+        if not potential or not potential.given:
+            return None
+        k3 = symbol("k3")
+        ring = Ring([potential.expression, k3])
+        if any(k3 in g.free_symbols for g in ring.generators if g != k3):
+            return None
+        place = ring.generators.index(k3)
+        return 2 + max(int(part.degrees()[place]) for part in ring.fraction(potential.expression))
+
+    def rungs(self) -> Iterator[Rung]:
+        """The ladder from below, each rung derived when it is reached.
+
+        Examples
+        --------
+        >>> from itertools import islice
+        >>> from gyrostat import analyze, assemble, axial_potential, symmetric_gyrostat, upright
+        >>> boundary = analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).boundary
+        >>> [rung.condition.margin for rung in islice(boundary.rungs(), 3)]
+        [d2U + dU, -3*d2U - 2*d3U, 2*d3U + d4U]
+        """
+        power, potential = 3, self.equilibrium.system.potential
+        highest = self.last or (HIGHEST if potential and potential.given else None)
+        while highest is None or power <= highest:
+            yield self.rung(power)
+            power += 1
+
+    def decisive(self) -> Iterator[Rung]:
+        """The ladder with the coefficient of x² below it, which is 0 where the criteria are those of g; they may leave more open.
+
+        So where π is fixed, whatever the axis, or numbers stand in the scene whose relations the criteria do not see.
+        """
+        yield self.rung(2)
+        yield from self.rungs()
+
+    def rung(self, power: int) -> Rung:
+        """The rung of one power of x, from 2 on."""
+        known: dict[int, Rung] = self.equilibrium.memory.setdefault("rungs", {})
+        if power not in known:
+            eq, order = self.equilibrium, 5
+            while order < power:
+                order *= 2
+            for n, coefficient in enumerate(expansion(eq, order)[2:], 2):
+                value = eq.insert(coefficient)
+                ring = Ring([value, *eq.existence()])
+                margin, even = Signs(ring, eq.existence()).split(*ring.fraction(-value))
+                known[n] = Rung(n, Condition(ring.expression(margin), True, f"coefficient of x^{n}", tuple(map(ring.expression, even)),
+                                             eq.at), not self.pole and n % 2 == 1)
+        return known[power]
+
+    def ladder(self, limit: int | None = None) -> Iterator[Expr]:
+        """What decides, rung by rung: stable where the first that is not 0 is positive."""
+        for rung in islice(self.rungs(), limit if self.last is None else None):
+            value = Mul(rung.condition.margin, *(e**2 for e in rung.condition.degenerate))
+            yield -(value**2) if rung.escapes else value
+
+    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
+        """Whether the equilibrium is stable at numbers on the boundary, None if that is not proved; and why.
+
+        Parameters
+        ----------
+        numbers : mapping of Symbol to Expr     exact
+        margins : dict                          the margins used are entered
+        """
+        for rung in self.decisive():
+            condition = rung.condition
+            if wanted := condition.symbols - numbers.keys():
+                missing = ", ".join(sorted(s.name for s in wanted))
+                what = f"give {missing} to decide" if all(jet(s.name) for s in wanted) else f"{missing} would decide"
+                return None, f"on the boundary, {what}"
+            here = sign_at(condition, numbers, margins)
+            if here is None:
+                return None, f"on the boundary, the coefficient of x^{rung.power} in g has no proved sign"
+            if here:
+                return self._decided(rung, here)
+        if self.last is None:
+            return None, f"on the boundary, all coefficients of g up to x^{HIGHEST} vanish"
+        return False, "on the boundary g vanishes identically: motions leave the point"
+
+    def _decided(self, rung: Rung, sign: int) -> tuple[bool, str]:
+        stable = sign > 0 and not rung.escapes
+        kind = (": supercritical" if stable else ": subcritical") if self.pole else ""
+        here = f"{'on the boundary ' if rung.power > 2 else ''}g = c x^{rung.power} + … with c {'<' if sign > 0 else '>'} 0"
+        return stable, f"{here}, {'k3 is held' if stable else 'a motion leaves along x'}{kind}"
+
+
+def boundary_of(eq: Equilibrium) -> Boundary | None:
+    """The ladder of an equilibrium with a definite tilt, None where k3 does not move by itself."""
+    if not reducible(eq.system):
+        return None
+    tilt = S.One - eq.at**2
+    if not tilt.free_symbols:
+        return None if sign(tilt, {}) is None else Boundary(eq)
+    ring = Ring([tilt, *eq.domain])
+    inside = Signs(ring, eq.domain).of(ring.reduce(ring.fraction(tilt)[0]))
+    return None if inside is None else Boundary(eq)

@@ -1,0 +1,88 @@
+"""One relative equilibrium; how it is asked for, and given, in the axes of a scene that was recognised."""
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from sympy import Expr, ImmutableMatrix, S, sqrt
+
+from ..algebra.numbers import exact_number
+from ..errors import ValuesError
+from ..mechanics.recognition import Recognition, recognise
+from ..mechanics.reduction import K3
+from ..mechanics.spherical import lowest
+from ..mechanics.system import System, at_numbers, names_of_scene
+from ..notation import Shown, Stored, symbol
+from .report import Decision
+from .values import check_names, unknown
+
+
+@dataclass(frozen=True, repr=False)
+class Branch(Shown, Stored):
+    """One relative equilibrium: ω = omega k + sigma e3.
+
+    Parameters
+    ----------
+    label : str              "E1", "E2", "E3" (sigma = 0), or "precession": a periodic orbit of the Lie-Poisson field, E3 of the body
+                             whose rotor carries l + I3 sigma
+    k3 : Expr or None        None: every k3 between −1 and 1
+    omega : Expr or None     rate about the vertical [1/T]; None: every rate
+    sigma : Expr or None     rate about the axis of the body on top of it [1/T]; None where it varies along a continuum
+    pi3 : Expr or None       axial momentum of the locked body [M L²/T]
+    decision : Decision      E3 and precessions: modulo the spin
+    itself : Decision or None     of an E3, what holds for the point itself
+    along : Expr             what k3 is in the coordinates of the scene; sigma, pi3 are along that axis as well
+    point : tuple of Expr or None     in the coordinates of a scene that was recognised; None of any other, and of a continuum
+    """
+
+    label: str
+    k3: Expr | None
+    omega: Expr | None
+    sigma: Expr | None
+    pi3: Expr | None
+    decision: Decision
+    itself: Decision | None = None
+    along: Expr = K3
+    point: tuple[Expr, ...] | None = None
+
+
+def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, dict[str, Any]] | None:
+    """What a scene is at its numbers, and what is asked of it in the names of the standard scene; None if it is not of revolution.
+
+    About axis 1 the names are k1 and pi1_0, about an oblique axis c they are kc = k·c and pic_0 = π·c; omega and C1 are the same in all.
+
+    Raises
+    ------
+    ValuesError       a name is unknown, or one of the scene is missing
+    """
+    names = sorted(s.name for s in names_of_scene(scene))
+    numbers = {symbol(name): exact_number(value, name) for name, value in values.items() if name in names}
+    if not (found := recognise(at_numbers(scene, numbers))):
+        return None
+    check_names([s.name for s in numbers], names, "the scene")
+    axis = found.name[-1]
+    own = {f"k{axis}": "k3", f"pi{axis}_0": "pi3_0", "omega": "omega", "C1": "C1"}
+    if foreign := sorted(values.keys() - own.keys() - set(names)):
+        raise ValuesError(unknown(foreign[0], sorted({*names, *own}), "the scene"))
+    ways = {"omega"}, {f"pi{axis}_0", "C1"}, {f"k{axis}"}, {f"k{axis}", f"pi{axis}_0"}
+    if values.keys() - set(names) not in ways:
+        raise ValuesError("give the rate about the vertical, the level or the tilt, each in the axes of the scene: "
+                          + ", or ".join(" and ".join(sorted(way)) for way in ways))
+    return found, {own[name]: value for name, value in values.items() if name not in names}
+
+
+def in_axes_of(found: Recognition, branch: Branch) -> Branch:
+    """A branch of the standard scene in the axes of the scene that was recognised; its margins, in the names of the standard one, go."""
+    point = None
+    if branch.k3 is not None and branch.omega is not None and branch.pi3 is not None:
+        k1 = S.Zero if branch.k3**2 == 1 else sqrt(1 - branch.k3**2)
+        pi = found.standard.body.inertia[0] * branch.omega * k1, S.Zero, branch.pi3
+        point = tuple(x for v in (pi, (k1, S.Zero, branch.k3)) for x in found.rotation.T * ImmutableMatrix(v))
+    along = lowest(sum((x * k for x, k in zip(found.axis, found.scene.space.coordinates[3:])), S.Zero))
+    decision, itself = (d and _decision(found, d) for d in (branch.decision, branch.itself))
+    assert decision is not None
+    return replace(branch, decision=decision, itself=itself, along=along, point=point)
+
+
+def _decision(found: Recognition, decision: Decision) -> Decision:
+    return replace(decision, modulo=decision.modulo and (found.modulo,), reason=f"{found.sentence}: {found.worded(decision.reason)}",
+                   margins=())

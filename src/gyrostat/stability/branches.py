@@ -1,0 +1,233 @@
+"""All relative equilibria of a given scene, with their decisions: E1, E2, every E3, regular precessions."""
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any
+
+from sympy import Expr, Integer, S, Symbol, sqrt
+
+from ..algebra.exact import Point, ball, evaluate, sign_of_constant
+from ..algebra.numbers import exact_number
+from ..algebra.roots import proved_sign, real_roots
+from ..errors import ScopeError, ValuesError, require
+from ..mechanics.body import symmetric_gyrostat
+from ..mechanics.equilibria import equilibrium
+from ..mechanics.families import hanging, inclined, upright
+from ..mechanics.potential import Potential
+from ..mechanics.reduction import ENERGY, K3, OMEGA, P, V, reduce, reducible
+from ..mechanics.system import System, assemble
+from ..notation import symbol
+from .branch import Branch, asked_about, in_axes_of
+from .report import Report, Verdict, analyze
+from .values import unknown
+
+DU, PI3, C1 = symbol("dU"), symbol("pi3_0"), symbol("C1")
+_BODY = frozenset(map(symbol, ("I1", "I2", "I3", "l", "l1", "l2", "l3")))
+_ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
+
+
+def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch]:
+    """Every relative equilibrium of a body of revolution in U(k3) at given numbers, each with its decision.
+
+    Numbers for the moments, l and the parameters of U, and one of
+
+    - omega: E1, E2 and every E3 of that rate about the vertical, U' = ω l − ω² k3 (I1 − I3);
+    - pi3_0, C1: what lies on that level of π3 and of C1 = (π + l)·k: E1 and E2 where C1 = ±(π3 + l), and every regular precession;
+    - k3: every E3 of that tilt, (I1 − I3) k3 ω² − l ω + U' = 0;
+    - k3, pi3_0: every regular precession of that tilt, I1 k3 ω² − (π3 + l) ω + U' = 0.
+
+    A body of revolution about another axis is recognised: of axis 1 it is k1 and pi1_0 in place of k3 and pi3_0, of an oblique axis c
+    kc = k·c and pic_0 = π·c.
+
+    Parameters
+    ----------
+    scene : System                        a body of revolution, U rational in the component of k along its axis
+    values : mapping of name to number    rational or algebraic, as in Report.verdict
+
+    Returns
+    -------
+    list of Branch                        in the order of k3 from E1 down to E2, then of omega; complete. A pole where U is infinite
+                                          is left out
+
+    Raises
+    ------
+    ValuesError       names are missing, unknown or too many, or a number is not admissible
+    ScopeError        the body is not of revolution, U is unspecified, or not rational in k3
+
+    Source
+    ------
+    Goldstein, Classical Mechanics, §5.7 (the heavy top); else derived.
+
+    Examples
+    --------
+    >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
+    >>> top = assemble(symmetric_gyrostat(), uniform_field())
+    >>> for b in relative_equilibria(top, {"I1": 2, "I3": 1, "l": 0, "m0": 3, "k3": "1/2", "pi3_0": 6}):
+    ...     print(b.label, b.omega, b.decision.verdict.name)
+    precession 3 - sqrt(6) STABLE
+    precession sqrt(6) + 3 STABLE
+    """
+    require(scene, System, "the scene")
+    if not reducible(scene) and scene.potential and scene.potential.given and (turned := asked_about(scene, values)):
+        found, own = turned
+        return [in_axes_of(found, branch) for branch in relative_equilibria(found.standard, own)]
+    asked, numbers = _asked_for(scene, values)
+    here = SceneAtNumbers(scene, numbers)
+    if asked == ("omega",):
+        return here.at_rate(numbers[OMEGA])
+    if asked == ("pi3_0", "C1"):
+        return here.on_level(numbers[PI3], numbers[C1])
+    if asked == ("k3",):
+        return here.at_tilt(numbers[K3])
+    return here.at_tilt(numbers[K3], numbers[PI3])
+
+
+def pole_at(scene: System, values: Mapping[str, Any], s: int) -> Branch | None:
+    """E1 (s = 1) or E2 (s = −1) at values with omega; None where U is infinite."""
+    here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
+    return next(iter(here.pole(s, s * here.I3 * numbers[OMEGA])), None)
+
+
+def critical_tilt(scene: System, values: Mapping[str, Any], k3: Expr) -> Verdict:
+    """The verdict of an E3 at a fixed rate whose margin is known to vanish: what the first higher derivative of g says.
+
+    Parameters
+    ----------
+    scene, values      as in relative_equilibria, with omega
+    k3 : Expr          exact, an E3 at these numbers
+    """
+    here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
+    report = _report(here.potential, "E3 at rest" if sign_of_constant(numbers[OMEGA]) == 0 else "E3")
+    assert report.boundary is not None
+    stable, _ = report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {})
+    return Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
+
+
+def names_of(scene: System) -> set[str]:
+    """Names of the moments, of l and of the parameters of U, of a scene whose relative equilibria can be found."""
+    if not reducible(scene) or not scene.potential or not scene.potential.given:
+        raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene has inertia "
+                         f"{scene.body.inertia}, U = {scene.potential and scene.potential.expression}: use upright, hanging, inclined "
+                         "or equilibrium")
+    needed = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2], scene.potential.expression) for s in e.free_symbols}
+    if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY}):
+        raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: rename it")
+    return {s.name for s in needed - {K3}}
+
+
+def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:
+    """The values as exact numbers: no unknown names, and moments that are positive as far as they are given."""
+    for name in values:
+        if name not in known:
+            raise ValuesError(unknown(name, sorted(known), "the scene"))
+    numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
+    if scene.potential is not None:
+        scene.potential.check_size(numbers)
+    for moment in scene.body.inertia[1:]:
+        if moment.free_symbols <= numbers.keys() and proved_sign(value := evaluate(moment, numbers)) != 1:
+            raise ValuesError(f"{moment} = {value}, but a moment of inertia must be positive: give a positive number")
+    return numbers
+
+
+def _asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...], Point]:
+    needed, extra = names_of(scene), {name for names in _ASKED for name in names}
+    numbers = exact_point(scene, values, needed | extra)
+    asked = next((names for names in _ASKED if set(names) == values.keys() & extra), None)
+    if asked is None:
+        raise ValuesError(f"given were {', '.join(sorted(values.keys() & extra)) or 'no names of the motion'}: give "
+                          + ", or ".join(" and ".join(names) for names in _ASKED))
+    if missing := sorted(needed - values.keys()):
+        raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
+    if K3 in numbers and proved_sign(1 - numbers[K3] ** 2) != 1:
+        raise ValuesError(f"k3 = {numbers[K3]} is not the tilt of a precession: give −1 < k3 < 1; E1 and E2 are found with omega")
+    return asked, numbers
+
+
+@lru_cache(maxsize=256)
+def _report(potential: Potential, label: str) -> Report:
+    """E1, E2, E3 or the tilt at rest of the symbolic body in a field."""
+    scene = assemble(symmetric_gyrostat(), potential)
+    if label == "E3 at rest":                              # no name eliminated: that would ask its coefficient not to vanish
+        point = (0, 0, 0, sqrt(1 - K3**2), 0, K3)
+        return analyze(equilibrium(scene, point, relations=((DU, 0),), domain=(1 - K3**2,), label=label))
+    return analyze(inclined(scene, "l") if label == "E3" else (upright if label == "E1" else hanging)(scene))
+
+
+class SceneAtNumbers:
+    """A scene at numbers: what is asked of it in different ways."""
+
+    def __init__(self, scene: System, numbers: Point):
+        assert scene.potential is not None
+        self.I1, _, self.I3 = (evaluate(m, numbers) for m in scene.body.inertia)
+        self.l = evaluate(scene.body.gyrostatic_momentum[2], numbers)
+        body = {symbol("I1"): self.I1, symbol("I3"): self.I3, symbol("l"): self.l}
+        parameters = {s: numbers[s] for s in scene.potential.parameters}
+        own = {s: x for s, x in parameters.items() if s in _BODY and (s == symbol("l") or body.get(s) != x)}
+        potential = scene.potential
+        self.potential = replace(potential, expression=potential.expression.xreplace(own)) if own else potential
+        self.known = body | {s: x for s, x in parameters.items() if s not in own}
+        self.motion = reduce(assemble(symmetric_gyrostat(), self.potential))
+        self.slope = self.motion.precession().xreplace({DU: self.potential.value(DU)})
+
+    def at_rate(self, omega: Expr) -> list[Branch]:
+        tilts = self._solved(self.slope.xreplace({P: symbol("I3") * OMEGA * K3 + symbol("l")}), {OMEGA: omega}, K3)
+        found = [self.tilted(k3, omega, S.Zero) for k3 in reversed(tilts)] if tilts is not None else [self.continuum(omega, omega, S.Zero)]
+        return [*self.pole(1, self.I3 * omega), *found, *self.pole(-1, -self.I3 * omega)]
+
+    def on_level(self, pi3: Expr, c1: Expr) -> list[Branch]:
+        level = {P: pi3 + self.l, V: c1}
+        tilts = self._solved(self.slope.xreplace({OMEGA: self.motion.rate}), level, K3)
+        first, last = ([b for b in self.pole(s, pi3) if proved_sign(c1 - s * level[P]) == 0] for s in (1, -1))
+        if tilts is None:
+            return [*first, self.continuum(None, c1 / self.I1, pi3 / self.I3), *last]
+        rates = [(self.motion.rate.xreplace({**self.known, **level, K3: k3}), k3) for k3 in reversed(tilts)]
+        return [*first, *(self.tilted(k3, omega, pi3 / self.I3 - omega * k3) for omega, k3 in rates), *last]
+
+    def at_tilt(self, k3: Expr, pi3: Expr | None = None) -> list[Branch]:
+        if not self._defined(k3):
+            raise ValuesError(f"U = {self.potential.expression} is not defined at k3 = {k3}: choose another tilt")
+        total = symbol("I3") * OMEGA * K3 + symbol("l") if pi3 is None else P
+        rates = self._solved(self.slope.xreplace({P: total}), {K3: k3} if pi3 is None else {K3: k3, P: pi3 + self.l}, OMEGA)
+        if rates is None:                                  # l = 0 = k3 (I1 − I3) and U' = 0, or their like
+            raise ValuesError(f"at k3 = {k3} every rate about the vertical is that of a precession: give omega too, to Report.verdict")
+        sigma = [S.Zero if pi3 is None else pi3 / self.I3 - omega * k3 for omega in rates]
+        return [self.tilted(k3, omega, spin) for omega, spin in zip(rates, sigma)]
+
+    def pole(self, s: int, pi3: Expr) -> list[Branch]:
+        """E1 or E2, none where U is infinite."""
+        if not self._defined(Integer(s)):
+            return []
+        report = _report(self.potential, label := "E1" if s == 1 else "E2")
+        decision = report.verdict(self._asked(report, {"pi3_0": pi3}))
+        return [Branch(label, Integer(s), s * pi3 / self.I3, S.Zero, pi3, decision)]
+
+    def tilted(self, k3: Expr, omega: Expr, sigma: Expr) -> Branch:
+        """E3, or the precession that is E3 with the rotor l + I3 σ."""
+        rest = proved_sign(omega) == 0
+        report = _report(self.potential, "E3 at rest" if rest else "E3")
+        given = {"k3": k3, "l": self.l + self.I3 * sigma} if rest else {"k3": k3, "omega": omega}
+        asked, pi3 = self._asked(report, given), self.I3 * (omega * k3 + sigma)
+        if proved_sign(sigma) == 0:
+            return Branch("E3", k3, omega, sigma, pi3, report.verdict(asked), report.itself(asked))
+        return Branch("precession", k3, omega, sigma, pi3, report.verdict(asked))
+
+    def continuum(self, omega: Expr | None, rate: Expr, sigma: Expr) -> Branch:
+        """Every tilt is an equilibrium: the margin has one sign on all of them, that at k3 = 0."""
+        middle = self.tilted(S.Zero, rate, sigma)
+        if omega is None:
+            return Branch("precession", None, None, None, None, middle.decision)
+        return Branch("E3", None, omega, sigma, None, middle.decision, middle.itself)
+
+    def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
+        """The numbers that a report takes, but for the name that its family expresses by the others."""
+        everything = {**{s.name: x for s, x in self.known.items()}, **given}
+        return {n: x for n, x in everything.items() if n in report.parameters and n != report.equilibrium.eliminated}
+
+    def _defined(self, k3: Expr) -> bool:
+        value = evaluate(self.potential.expression, {**self.known, K3: k3})
+        return ball(value, 64).is_finite() or sign_of_constant(value) is not None
+
+    def _solved(self, relation: Expr, given: dict[Symbol, Expr], x: Symbol) -> list[Expr] | None:
+        """Where a relation vanishes; all numbers are inserted at once, so that none is inserted into another."""
+        relation = relation.xreplace({**self.known, **given})
+        return real_roots(relation, x, S.NegativeOne, S.One) if x == K3 else real_roots(relation, x)

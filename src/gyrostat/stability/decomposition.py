@@ -1,0 +1,87 @@
+"""The line of one parameter at numbers for all others, cut wherever a verdict may change: proved between the cuts and at them."""
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sympy import Expr, Mul, Symbol, oo
+
+from ..algebra.exact import Point, ball, evaluate, is_identically_zero, sign_of_constant
+from ..algebra.polynomials import Ring
+from ..algebra.roots import between, proved_sign, real_roots
+from ..errors import ScopeError
+from .report import Report, Verdict
+from .sets import EXCLUDED, INCLUDED, Interval
+from .sphere import sphere_of
+
+Cell = tuple[Expr, Expr, bool | None]                      # an open interval or a point, and whether it is stable there; None: not proved
+
+
+def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None, also: Sequence[Expr] = ()) -> list[Cell]:
+    """Between and at the roots of everything whose sign matters."""
+    conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives for c in a]
+    expressions = [*(e for c in conditions for e in (c.margin, *c.degenerate)), *report.equilibrium.existence(), *also]
+    placed = [e.xreplace(numbers) for e in expressions]
+    everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))
+    decider = report.boundary or sphere_of(report.equilibrium)
+    if everywhere and decider:                         # on the boundary whatever x is
+        placed += [e.xreplace(numbers) for e in decider.ladder()]
+    elif everywhere and _degenerate(report, numbers):
+        raise ScopeError(f"the second variation is degenerate whatever {x} is: ask for verdicts at numbers")
+    polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]
+    ends = real_roots(Mul(*polynomials), x, low, high) or []
+    bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]
+    cells: list[Cell] = []
+    for n, (a, b) in enumerate(zip(bounds, bounds[1:])):
+        if n:
+            cells.append((a, a, stable_at(report, x, a, numbers)))
+        cells.append((a, b, stable_at(report, x, between(a, b), numbers)))
+    return cells
+
+
+def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
+    """Numerator and denominator, as far as they contain x."""
+    ring = Ring([expression])
+    parts = [ring.expression(ring.reduce(part)) for part in ring.fraction(expression)]
+    return [part for part in parts if x in part.free_symbols]
+
+
+def _degenerate(report: Report, numbers: Point) -> bool:
+    """Whether the determinant of the linearised field vanishes for every value of the parameter."""
+    determinant = report.equilibrium.insert(report.linearization.coefficients[-1]).xreplace(numbers)
+    return bool(is_identically_zero(determinant))
+
+
+def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:
+    """Whether the equilibrium exists at a value and is stable there; None where neither is proved."""
+    at = Point({**numbers, x: value})
+    values = [evaluate(e, at) for e in report.equilibrium.existence()]
+    if any(not ball(value, 64).is_finite() or proved_sign(value) != 1 for value in values):
+        return False
+    decision = report.verdict({s.name: number for s, number in at.items()})
+    if any(sign_of_constant(margin) is None for _, margin in decision.margins):
+        raise ScopeError(f"at {x} = {value} nothing is proved: {decision.reason}")
+    return None if decision.verdict is Verdict.UNDECIDED else decision.verdict is Verdict.STABLE
+
+
+def joined(cells: Sequence[Cell], wanted: bool | None = True) -> tuple[Interval, ...]:
+    """Cells that touch and are all stable, or all of another kind, as one interval."""
+    found: list[Interval] = []
+    for low, high, stable in cells:
+        if stable is not wanted:
+            continue
+        point = low == high
+        last = found[-1] if found else None
+        if last and last.high == low and (point or last.high_if):
+            found[-1] = replace(last, high=high, high_if=INCLUDED if point else EXCLUDED)
+        else:
+            found.append(Interval(low, high, *([INCLUDED] * 2 if point else [EXCLUDED] * 2)))
+    return tuple(found)
+
+
+def joined_apart(cells: Sequence[Cell], turns: Sequence[Expr]) -> list[Interval]:
+    """As joined, but separated where the name turns; a turn belongs to both sides if it is stable."""
+    runs: list[list[Cell]] = [[]]
+    for cell in cells:
+        runs[-1].append(cell)
+        if cell[0] == cell[1] and cell[0] in turns:
+            runs.append([cell])
+    return [interval for run in runs for interval in joined(run)]

@@ -1,0 +1,150 @@
+"""A tilted equilibrium as a point: whether relative equilibria near it drift along its orbit under the spin, and how fast."""
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+
+from sympy import Add, Expr, Mul, Rational, Symbol
+
+from ..algebra.exact import evaluate, sign_of_constant
+from ..algebra.margins import Signs
+from ..algebra.matrices import multiply
+from ..algebra.numbers import shown
+from ..algebra.polynomials import Ring, cancel, derivatives
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.reduction import reduce
+from ..notation import Shown, Stored, symbol
+from .linearization import Linearization, linearize
+
+K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")
+
+
+@dataclass(frozen=True, repr=False)
+class Drift(Shown, Stored):
+    """Why a tilted equilibrium is not Lyapunov stable as a point, even where it is modulo the spin.
+
+    Near it are regular precessions ω = W k + σ e3 with σ ≠ 0: they turn about the axis of the body at the constant rate −σ, and
+    leave the point, however close to it they start. The only exception: I1 = I3, l = 0, U constant near k3, ω ≠ 0.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium      tilted, of a body of revolution in U(k3)
+
+    Source
+    ------
+    Derived.
+    """
+
+    equilibrium: Equilibrium
+
+    @cached_property
+    def omega(self) -> Expr:
+        """The rate about the vertical, ω·k [1/T]."""
+        eq = self.equilibrium
+        pi, k = eq.point[:3], eq.point[3:]
+        ring = Ring([rate := Add(*(p / moment * x for p, moment, x in zip(pi, eq.system.body.inertia, k)))])
+        return ring.quotient(*ring.fraction(rate))
+
+    @cached_property
+    def rates(self) -> tuple[Expr, Expr]:
+        """(∂σ/∂k3, ∂σ/∂ω) of the precessions near the point, σ = 0 at it [1/T, 1]; where ω = 0 any σ goes with ω = 0.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, axial_potential, inclined, symmetric_gyrostat
+        >>> Drift(inclined(assemble(symmetric_gyrostat(), axial_potential()))).rates[0]
+        (I1*omega**2 - I3*omega**2 + d2U)/(I3*omega)
+        """
+        scene = self.equilibrium.system
+        relation, moment = reduce(scene).precession(), scene.body.inertia[2]              # affine in P = π3 + l, here I3 ω k3 + l
+        along, curved, across, slope = derivatives(relation, (K3, DU, OMEGA, P))
+        here = {P: moment * OMEGA * K3 + scene.body.gyrostatic_momentum[2]}
+        rates = (-(along + curved * symbol("d2U")) / (slope * moment) - OMEGA, -across / (slope * moment) - K3)
+        return self._here(rates[0].xreplace(here)), self._here(rates[1].xreplace(here))
+
+    @cached_property
+    def defect(self) -> Expr:
+        """D, 0 where the zero eigenvalue of the linearised field is semisimple: common factor of J³ + p J, for p ≠ 0.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, axial_potential, static_tilt, symmetric_gyrostat
+        >>> Drift(static_tilt(assemble(symmetric_gyrostat(), axial_potential()))).defect
+        -I1*d2U*k3**2 + I1*d2U + I3*d2U*k3**2 + l**2
+        """
+        eq = self.equilibrium
+        matrix = [[eq.insert(entry) for entry in row] for row in self._linearization.matrix.tolist()]
+        ring = Ring([*(entry for row in matrix for entry in row), self._p, *eq.existence()])
+        (J, below), (p, under) = ring.matrix(matrix), ring.fraction(self._p)
+        cube = multiply(ring, multiply(ring, J, J), J)         # J³ + p J = (under J³ + p below² J)/(under below³)
+        common = ring.zero
+        for x, y in zip(chain(*cube), chain(*J)):
+            common = common.gcd(ring.reduce(under * x + p * below**2 * y))
+        common, _ = cancel(common, under * below**3)
+        margin, even = Signs(ring, eq.existence()).split(common, ring.one)
+        if sum(c for exponents, c in margin.to_dict().items() if not any(e % 2 for e in exponents)) < 0:     # squares are positive
+            margin = -margin
+        return Mul(*map(ring.expression, (margin, *even)))
+
+    @cached_property
+    def _linearization(self) -> Linearization:
+        return linearize(self.equilibrium)
+
+    @cached_property
+    def _p(self) -> Expr:
+        return self.equilibrium.insert(self._linearization.coefficients[0])
+
+    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
+        """Whether the point, stable modulo the spin, is Lyapunov stable: True only in the exceptional case; and why."""
+        body = self.equilibrium.system.body
+        linear = self._linear(numbers, margins)
+        turning = "relative equilibria near it turn about the axis of the body"
+        if (moving := sign_of_constant(evaluate(self.omega, numbers))) == 0:
+            return False, f"{turning}, at any rate σ; {linear}"
+        slopes = [evaluate(rate, numbers) for rate in self.rates]
+        if any(sign_of_constant(slope) for slope in slopes):
+            along, across = map(shown, slopes)
+            return False, f"{turning}, at the rate σ with ∂σ/∂k3 = {along}, ∂σ/∂ω = {across}; {linear}"
+        known = {**numbers, **{name: evaluate(value, numbers) for name, value in self.equilibrium.relations if name not in numbers}}
+        special = [body.inertia[0] - body.inertia[2], body.gyrostatic_momentum[2]]
+        signs = [sign_of_constant(evaluate(e, known)) if e.free_symbols <= known.keys() else None for e in special]
+        if any(signs):
+            return False, f"{turning}, at a rate σ of second order; {linear}"
+        constant = None if None in signs else self._constant(known)
+        if constant is None or constant and moving is None:
+            return None, f"whether {turning} depends on U near k3; {linear}"
+        if constant:
+            return True, "I1 = I3, l = 0 and U is constant: ω and π are fixed in space, and nothing drifts"
+        return False, f"{turning}, at a rate σ of higher order; {linear}"
+
+    def _constant(self, known: Mapping[Symbol, Expr]) -> bool | None:
+        """Whether U is constant at the values of its parameters, None if that is not proved."""
+        potential = self.equilibrium.system.potential
+        if not potential or not potential.given or any(s not in known for s in potential.parameters):
+            return None
+        slope = potential.value(DU).xreplace({s: known[s] for s in potential.parameters})
+        ring = Ring([slope])
+        if not ring.reduce(ring.fraction(slope)[0]):
+            return True
+        places = (Rational(n, 7) for n in range(-6, 7))
+        return False if any(sign_of_constant(slope.xreplace({K3: place})) for place in places) else None
+
+    def _linear(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> str:
+        margins[self.defect] = evaluate(self.defect, numbers)
+        signs = [sign_of_constant(x) for x in (margins[self.defect], evaluate(self._p, numbers))]
+        here = f"D = {shown(margins[self.defect])}"
+        if signs[1] == 0 or signs[0]:                      # p = 0: J is nilpotent and not 0
+            return f"linearly unstable, the eigenvalue 0 has a Jordan block ({here})"
+        if None in signs:
+            return f"whether it is linearly stable is not proved ({here})"
+        return f"linearly stable, the eigenvalue 0 is semisimple ({here})"
+
+    def _here(self, expression: Expr) -> Expr:
+        eq = self.equilibrium
+        placed = expression.xreplace({K3: eq.at, OMEGA: self.omega})
+        for name, value in eq.relations:
+            if name == DU:
+                placed = placed.xreplace({name: value})
+        value = eq.insert(placed)
+        ring = Ring([value])
+        return ring.quotient(*ring.fraction(value))

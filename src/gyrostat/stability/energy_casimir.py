@@ -1,0 +1,137 @@
+"""Energy-Casimir: multipliers, augmented Hamiltonian, its second variation on the symplectic slice."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from sympy import Expr, ImmutableMatrix, S, Symbol
+
+from ..algebra.margins import Signs
+from ..algebra.matrices import determinant, multiply, row_reduce
+from ..algebra.polynomials import Ring
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.orbit import critical_integrals, differentials, orbit_tangent, slice_and_symmetries
+from ..notation import Shown, Stored, symbol
+
+
+@dataclass(frozen=True, repr=False)
+class SecondVariation(Shown, Stored):
+    """D²(h + ν·F) on the symplectic slice, F the Casimirs and the integrals that are critical there.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+    basis : ImmutableMatrix, shape (n, m)       columns span the slice
+    matrix : ImmutableMatrix, shape (m, m)      symmetric, in that basis
+    multipliers : tuple of (F, ν)
+    free : tuple of Symbol                      multipliers that the first variation leaves free
+    modulo : tuple of Expr                      integrals whose flow is divided out
+    """
+
+    equilibrium: Equilibrium
+    basis: ImmutableMatrix
+    matrix: ImmutableMatrix
+    multipliers: tuple[tuple[Expr, Expr], ...]
+    free: tuple[Symbol, ...]
+    modulo: tuple[Expr, ...]
+
+    @cached_property
+    def minors(self) -> tuple[Expr, ...]:
+        """Leading principal minors, of order 1 to m; all positive: positive definite, signs −, +, −, …: negative definite."""
+        ring = Ring(self.matrix)
+        rows, bottom = ring.matrix(self.matrix.tolist())
+        return tuple(ring.quotient(determinant(ring, [row[:n] for row in rows[:n]]), bottom**n) for n in range(1, len(rows) + 1))
+
+
+def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
+    """ν with ∇h + Σ νⱼ ∇Fⱼ = 0 at the equilibrium; those left free are the symbols nu1, nu2, … of their functions.
+
+    The last functions are determined first: where an integral is critical, the multiplier of the first Casimir is free.
+    """
+    columns = differentials(eq, functions)
+    energy = list(eq.at_point(eq.system.energy_gradient))
+    ring = Ring([*(entry for column in columns for entry in column), *energy, *eq.domain])
+    signs = Signs(ring, eq.domain)
+    rows = [ring.matrix([row])[0][0] for row in zip(*columns, energy)]
+    solved = dict(row_reduce(ring, rows, lambda j, entry: (-j, not signs.nonzero(entry), len(entry)), len(functions)))
+    free = [j for j in range(len(functions)) if j not in solved]
+    values: dict[int, Expr] = {j: symbol(f"nu{j + 1}") for j in free}
+    for j, row in solved.items():
+        values[j] = ring.quotient(-row[-1], row[j]) - sum((ring.quotient(row[f], row[j]) * values[f] for f in free), S.Zero)
+    return tuple(values[j] for j in range(len(functions)))
+
+
+def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMatrix:
+    """D²(h + Σ νⱼ Fⱼ) at the equilibrium, ν its multipliers.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+    functions : sequence of Expr      Casimirs, then integrals
+
+    Returns
+    -------
+    ImmutableMatrix, shape (n, n)
+
+    Source
+    ------
+    Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116.
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import symmetric_gyrostat
+    >>> from gyrostat.mechanics.families import upright
+    >>> from gyrostat.mechanics.potential import axial_potential
+    >>> from gyrostat.mechanics.system import assemble
+    >>> scene = assemble(symmetric_gyrostat(), axial_potential())
+    >>> augmented_hessian(upright(scene), scene.space.casimirs)[0, 3]
+    -pi3_0/I3
+    """
+    space = eq.system.space
+    total = eq.at_point(eq.system.energy_hessian)
+    for function, nu in zip(functions, multipliers(eq, functions)):
+        total += nu * eq.at_point(space.hessian(function))
+    return ImmutableMatrix(total)
+
+
+def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation:
+    """Second variation of the augmented Hamiltonian at an equilibrium.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+    integrals : bool      whether the integrals of the scene are used beside the Casimirs: one that is critical
+                          on the orbit adds a free multiplier, any other is held fixed and its flow divided out
+
+    Returns
+    -------
+    SecondVariation
+
+    Raises
+    ------
+    SingularOrbitError
+
+    Source
+    ------
+    Vera & Viguera (2003), §4.1.2; with momentum maps Simo, Lewis & Marsden (1991), Ortega & Ratiu (1999).
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import symmetric_gyrostat
+    >>> from gyrostat.mechanics.families import inclined
+    >>> from gyrostat.mechanics.potential import axial_potential
+    >>> from gyrostat.mechanics.system import assemble
+    >>> variation = second_variation(inclined(assemble(symmetric_gyrostat(), axial_potential())))
+    >>> variation.matrix.shape, variation.modulo
+    ((2, 2), (pi3,))
+    """
+    basis, symmetries = slice_and_symmetries(eq) if integrals else (orbit_tangent(eq), ())
+    functions = eq.system.space.casimirs + (critical_integrals(eq)[0] if integrals else ())
+    nu = multipliers(eq, functions)
+    form = augmented_hessian(eq, functions)
+    ring = Ring([*form, *basis])
+    rows, bottom = ring.matrix(form.tolist())
+    columns, _ = ring.matrix(basis.tolist())
+    restricted = multiply(ring, [list(column) for column in zip(*columns)], multiply(ring, rows, columns)) if basis.cols else []
+    matrix = ImmutableMatrix(basis.cols, basis.cols, lambda i, j: ring.quotient(restricted[i][j], bottom))
+    free = tuple(value for j, value in enumerate(nu, 1) if value == symbol(f"nu{j}"))
+    return SecondVariation(eq, basis, matrix, tuple(zip(functions, nu)), free, symmetries)

@@ -1,0 +1,170 @@
+"""The linearised field on the coadjoint orbit, its characteristic polynomial and eigenvalues."""
+from dataclasses import dataclass
+from functools import cached_property
+
+from sympy import Expr, I, ImmutableMatrix, Mul, Pow, S, sqrt
+
+from ..algebra.matrices import characteristic_coefficients, multiply
+from ..algebra.polynomials import Ring
+from ..errors import ScopeError
+from ..mechanics.equilibria import Equilibrium, once
+from ..mechanics.orbit import orbit_tangent
+from ..notation import Shown, Stored, symbol
+
+LAMBDA = symbol("lamda")
+
+
+@dataclass(frozen=True, repr=False)
+class Linearization(Shown, Stored):
+    """δẋ = J δx on the tangent space T of the coadjoint orbit.
+
+    dU, d2U stand for the derivatives of U at the equilibrium; equilibrium.insert(…) inserts those of a given U.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+    basis : ImmutableMatrix, shape (n, d)      columns span T
+    matrix : ImmutableMatrix, shape (d, d)     J on T in that basis [1/T]
+    """
+
+    equilibrium: Equilibrium
+    basis: ImmutableMatrix
+    matrix: ImmutableMatrix
+
+    @cached_property
+    def coefficients(self) -> tuple[Expr, ...]:
+        """c2, c4, …: det(λ − J) = λᵈ + c2 λᵈ⁻² + …; the odd ones vanish, the field being Hamiltonian."""
+        ring = Ring(self.matrix)
+        rows, bottom = ring.matrix(self.matrix.tolist())
+        return tuple(ring.quotient(c, bottom**n) for n, c in enumerate(characteristic_coefficients(ring, rows), 1) if n % 2 == 0)
+
+    @property
+    def frequency_coefficients(self) -> tuple[Expr, ...]:
+        """(q,) of λ² + q or (p, q) of λ⁴ + p λ² + q.
+
+        Raises
+        ------
+        ScopeError       the orbit has another dimension: its polynomial has other coefficients, and other criteria
+        """
+        if len(self.coefficients) not in (1, 2):
+            raise ScopeError(f"the characteristic polynomial has the degree {self.matrix.rows} in lamda, with {len(self.coefficients)} "
+                             "coefficients: criteria and eigenvalues are those of λ² + q and λ⁴ + p λ² + q, on orbits of dimension 2 and "
+                             "4; use characteristic_polynomial()")
+        return self.coefficients
+
+    def characteristic_polynomial(self) -> Expr:
+        """λᵈ + c2 λᵈ⁻² + … in the symbol lamda."""
+        size = self.matrix.rows
+        return LAMBDA**size + sum((c * LAMBDA ** (size - 2 * n) for n, c in enumerate(self.coefficients, 1)), S.Zero)
+
+    def factors(self) -> tuple[tuple[Expr, int], ...]:
+        """The factors of the characteristic polynomial that contain λ, over the rationals, with multiplicities."""
+        ring = Ring([polynomial := self.characteristic_polynomial()])
+        _, factors = ring.fraction(polynomial)[0].factor()
+        index = ring.generators.index(LAMBDA)
+        return tuple((ring.expression(f), int(n)) for f, n in factors if f.degrees()[index])
+
+    def eigenvalues(self) -> tuple[Expr, ...]:
+        """The d roots of the characteristic polynomial, d = 2 or 4, in closed form.
+
+        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2 (frequencies); at E1 and E2 p + 2r is a square too.
+
+        Source
+        ------
+        Vera & Viguera (2003), §4.1.1, whose discriminant (2a + b)² (b² + 4dc) is (p + 2r) (p − 2r).
+
+        Examples
+        --------
+        >>> from gyrostat import Gyrostat, assemble, axial_potential, hanging
+        >>> scene = assemble(Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)), axial_potential())
+        >>> linearize(hanging(scene)).eigenvalues()[0]
+        I*(pi3_0/2 + sqrt(4*dU + pi3_0**2)/2)
+        """
+        parts = self.frequencies()
+        if parts is None:
+            p, q = self.frequency_coefficients
+            inner = square_root(p**2 - 4 * q)
+            return tuple(s * sqrt((-p + t * inner) / 2) for s in (1, -1) for t in (1, -1))
+        outer, inner = parts
+        if len(self.coefficients) == 1:
+            return I * outer, -I * outer
+        return tuple(s * I * (outer + t * inner) for s in (1, -1) for t in (1, -1))
+
+    def frequencies(self) -> tuple[Expr, Expr] | None:
+        """(a, b) with λ = ±i (a ± b), b = 0 for d = 2; None where q is no square and the roots nest."""
+        if len(self.frequency_coefficients) == 1:
+            return square_root(self.coefficients[0]), S.Zero
+        p, q = self.coefficients
+        r = rational_root(q)
+        return None if r is None else (square_root(p + 2 * r) / 2, square_root(p - 2 * r) / 2)
+
+
+@once
+def linearize(eq: Equilibrium) -> Linearization:
+    """The field linearised at an equilibrium, on the tangent space of its coadjoint orbit.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+
+    Returns
+    -------
+    Linearization
+
+    Raises
+    ------
+    SingularOrbitError       k = 0 on e(3)*, M = 0 on so(3)*
+
+    Source
+    ------
+    Vera & Viguera (2003), §4.1.1 and §5.
+
+    Examples
+    --------
+    >>> from gyrostat.mechanics.body import symmetric_gyrostat
+    >>> from gyrostat.mechanics.families import inclined
+    >>> from gyrostat.mechanics.potential import axial_potential
+    >>> from gyrostat.mechanics.system import assemble
+    >>> linearize(inclined(assemble(symmetric_gyrostat(), axial_potential()))).coefficients[1]
+    0
+    """
+    basis = orbit_tangent(eq)
+    jacobian = eq.at_point(eq.system.jet_jacobian)
+    free = _free_coordinates(basis)
+    ring = Ring([*jacobian, *basis])
+    rows, bottom = ring.matrix(jacobian.extract(free, list(range(jacobian.cols))).tolist())
+    columns, _ = ring.matrix(basis.tolist())           # polynomial: the denominator is 1
+    product = multiply(ring, rows, columns)
+    scale = [columns[i][j] for j, i in enumerate(free)]
+    matrix = ImmutableMatrix([[ring.quotient(entry, bottom * d) for entry in row] for row, d in zip(product, scale)])
+    return Linearization(eq, basis, matrix)
+
+
+def _free_coordinates(basis: ImmutableMatrix) -> list[int]:
+    """For each basis vector the coordinate that no other vector has."""
+    lonely = {j: i for i in reversed(range(basis.rows)) for j in range(basis.cols)
+              if basis[i, j] and not any(basis[i, other] for other in range(basis.cols) if other != j)}
+    return [lonely[j] for j in range(basis.cols)]
+
+
+def square_root(expression: Expr) -> Expr:
+    """√ of a fraction of polynomials, its square factors taken out (up to their sign)."""
+    ring = Ring([expression])
+    top, bottom = ring.fraction(expression)
+    top = ring.reduce(top)
+    if not top:
+        return S.Zero
+    outside, inside = S.One, S.One
+    for polynomial, n_sign in ((top, 1), (bottom, -1)):
+        content, factors = polynomial.factor()
+        inside *= ring.expression(ring.one * content) ** n_sign
+        for factor, n in factors:
+            outside *= Pow(ring.expression(factor), n_sign * (int(n) // 2))
+            inside *= Pow(ring.expression(factor), n_sign * (int(n) % 2))
+    return Mul(outside, sqrt(inside))
+
+
+def rational_root(expression: Expr) -> Expr | None:
+    """r with r² the expression, a fraction of polynomials; None where there is none."""
+    root = square_root(expression)
+    return None if root.atoms(Pow) and any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root

@@ -1,0 +1,253 @@
+"""Verdict, Decision, Report, analyze: the one call a newcomer needs."""
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from enum import Enum
+from functools import cached_property
+from typing import Any
+
+from sympy import Expr
+
+from ..algebra.exact import Point, sign
+from ..errors import ArgumentError, require
+from ..mechanics.equilibria import Equilibrium, once
+from ..mechanics.standard import Seen, seen, seen_at
+from ..mechanics.system import System
+from ..notation import Shown, Stored, jet, symbol
+from .amended import Amended
+from .boundary import Boundary, boundary_of
+from .conditions import Criterion, formal_criterion, holds, independent, spectral_criterion
+from .drift import Drift
+from .energy_casimir import SecondVariation, second_variation
+from .linearization import Linearization, linearize
+from .notes import scene_note
+from .sphere import sphere_of
+from .torquefree import torque_free
+from .values import exact_values, names_in
+
+
+class Verdict(Enum):
+    """What is known of an equilibrium; each value says what the answer means."""
+
+    STABLE = "a sufficient condition for stability is proved to hold"
+    UNSTABLE = "a necessary condition for stability is proved to fail"
+    UNDECIDED = "neither a sufficient condition is proved to hold nor a necessary one to fail"
+
+
+@dataclass(frozen=True, repr=False)
+class Decision(Shown, Stored):
+    """A verdict at given numbers, with its reason.
+
+    Parameters
+    ----------
+    verdict : Verdict
+    notion : str                          the notion that is proved ("Lyapunov") or violated ("spectral"); "" if undecided
+    modulo : tuple of Expr                integrals whose flow is divided out; for a spin about the axis, (pi3,)
+    reason : str
+    margins : tuple of (margin, value)    exact values of the margins that were used
+    note : str                            what is unusual about the numbers, if anything
+    """
+
+    verdict: Verdict
+    notion: str
+    modulo: tuple[Expr, ...]
+    reason: str
+    margins: tuple[tuple[Expr, Expr], ...]
+    note: str = ""
+
+
+@dataclass(frozen=True, repr=False)
+class Report(Shown, Stored):
+    """The stability analysis of one equilibrium; each part is derived when it is first asked for."""
+
+    equilibrium: Equilibrium
+
+    def __post_init__(self) -> None:
+        if isinstance(self.equilibrium, System):
+            raise ArgumentError("the equilibrium is a System, a scene: choose one of its equilibria, upright(scene), hanging(scene), "
+                                "inclined(scene), static_tilt(scene), principal_rotation(scene, axis) or equilibrium(scene, point)")
+        require(self.equilibrium, Equilibrium, "the equilibrium")
+
+    @cached_property
+    def linearization(self) -> Linearization:
+        """The field on the tangent space of the coadjoint orbit."""
+        return linearize(self.equilibrium)
+
+    @cached_property
+    def second_variation(self) -> SecondVariation:
+        """With the Casimirs and the integrals of the scene."""
+        return second_variation(self.equilibrium)
+
+    @cached_property
+    def necessary(self) -> Criterion:
+        """Spectral criterion, reduced to independent conditions.
+
+        Modulo the same flows as the sufficient one: they are neutral directions, which a growing mode leaves.
+        """
+        if self.recognised:
+            return replace(_kept(self.recognised.equilibrium).necessary, modulo=self.recognised.modulo)
+        return replace(independent(spectral_criterion(self.linearization), self.equilibrium), modulo=self.second_variation.modulo)
+
+    @cached_property
+    def sufficient(self) -> Criterion:
+        """Formal criterion with the Casimirs and the integrals, reduced to independent conditions."""
+        if self.recognised:
+            return replace(_kept(self.recognised.equilibrium).sufficient, modulo=self.recognised.modulo)
+        return independent(formal_criterion(self.second_variation), self.equilibrium)
+
+    @cached_property
+    def casimirs_only(self) -> Criterion:
+        """Formal criterion with the Casimirs alone, for comparison."""
+        if not self.equilibrium.system.integrals:
+            return self.sufficient
+        return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)), self.equilibrium)
+
+    @cached_property
+    def boundary(self) -> Boundary | None:
+        """What decides where necessary holds and sufficient does not, for a body of revolution; None for other scenes.
+
+        About another axis than the third: of the equilibrium in the standard scene, Boundary.equilibrium.
+        """
+        return boundary_of(self.recognised.equilibrium if self.recognised else self.equilibrium)
+
+    @cached_property
+    def recognised(self) -> Seen | None:
+        """The equilibrium in the standard axes, where the scene is recognised as a body of revolution that is not entered in them."""
+        return seen(self.equilibrium)
+
+    @cached_property
+    def drift(self) -> Drift:
+        """What moves near a tilted equilibrium along its orbit under the spin."""
+        return Drift(self.recognised.equilibrium if self.recognised else self.equilibrium)
+
+    @cached_property
+    def required(self) -> tuple[str, ...]:
+        """Names that a verdict needs."""
+        conditions = [c for criterion in (self.necessary, self.sufficient) for a in criterion.alternatives for c in a]
+        expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(self.equilibrium.existence())
+        return names_in([*expressions, *self.equilibrium.constraints])
+
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
+        eq = self.equilibrium
+        scene = [eq.system.hamiltonian, *eq.system.body.inertia, *eq.system.body.gyrostatic_momentum, *eq.point, *eq.existence()]
+        own = set(names_in([*scene, *(e for pair in eq.relations for e in pair)])) | set(self.required)
+        moving = set(map(str, eq.system.space.coordinates)) - set(names_in(eq.point))
+        return tuple(sorted(n for n in own - moving if n in self.required or n == eq.eliminated or not jet(n)))
+
+    def verdict(self, values: Mapping[str, Any]) -> Decision:
+        """The verdict at a point, exact, equality included.
+
+        Parameters
+        ----------
+        values : mapping of name to number      int, Fraction, Decimal, SymPy rational or algebraic number, a string
+                                                such as "1/2", "0.1", "sqrt(3)/2"; a float is the dyadic rational it is
+
+        Returns
+        -------
+        Decision        STABLE (Lyapunov, modulo what it says), UNSTABLE, or UNDECIDED on the boundary and wherever the sign of a
+                        transcendental margin, or that the point is on the family, is not proved
+
+        Raises
+        ------
+        ValuesError     names are missing or unknown, a number is not finite, a moment is not positive, or the point
+                        is not on the family
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat, upright
+        >>> report = analyze(upright(assemble(symmetric_gyrostat(), axial_potential())))
+        >>> report.verdict({"I1": 1, "I3": "1/2", "l": 2, "pi3_0": 1, "dU": 2}).verdict
+        <Verdict.STABLE: 'a sufficient condition for stability is proved to hold'>
+        """
+        numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
+        margins: dict[Expr, Expr] = {}
+        if numbers.doubt:
+            stable, notion, why, modulo = None, "", numbers.doubt, self.sufficient.modulo
+        else:
+            stable, notion, why, modulo = self._decided(numbers, margins)
+        verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
+        return Decision(verdict, notion, modulo, why, tuple(margins.items()), scene_note(self.equilibrium.system, numbers))
+
+    def itself(self, values: Mapping[str, Any]) -> Decision:
+        """The decision on the point itself, where verdict speaks of it modulo a flow; otherwise the same as verdict.
+
+        A tilted equilibrium that is stable modulo the spin is not Lyapunov stable as a point: relative equilibria near it drift along
+        its orbit (Drift). margins has D, which is not 0 where the linearised flow grows too, by a Jordan block.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, axial_potential, inclined, symmetric_gyrostat
+        >>> report = analyze(inclined(assemble(symmetric_gyrostat(), axial_potential())))
+        >>> values = {"I1": 4, "I3": 5, "l": 2, "omega": 1, "k3": 0, "d2U": 0}
+        >>> report.verdict(values).verdict.name, report.itself(values).verdict.name
+        ('STABLE', 'UNSTABLE')
+        """
+        decision = self.verdict(values)
+        numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
+        known = (self.recognised or seen_at(self.equilibrium, numbers)) if decision.modulo else None
+        if not decision.modulo or not (known or self.boundary) or decision.verdict is not Verdict.STABLE:
+            return replace(decision, modulo=() if decision.verdict is Verdict.UNSTABLE else decision.modulo)
+        margins: dict[Expr, Expr] = {}
+        stable, why = (Drift(known.equilibrium) if known else self.drift).decide(numbers, margins)
+        why = known.worded(why) if known else why
+        verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
+        return Decision(verdict, "" if stable is None else "Lyapunov", (), why, tuple(margins.items()), decision.note)
+
+    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[bool | None, str, str, tuple[Expr, ...]]:
+        """Whether it is stable, the notion, why, and the integrals whose flow is divided out."""
+        modulo = self.sufficient.modulo
+        sufficient = holds(self.sufficient, numbers, margins)
+        if sufficient:
+            return True, "Lyapunov", "the second variation is definite on the symplectic slice", modulo
+        necessary = holds(self.necessary, numbers, margins)
+        if necessary is False:
+            return False, "spectral", "an eigenvalue has a positive real part", modulo
+        if known := seen_at(self.equilibrium, numbers):
+            standard = _kept(known.equilibrium)
+            if missing := ", ".join(name for name in standard.required if symbol(name) not in numbers):
+                return None, "", known.worded(f"give {missing} to decide"), known.modulo
+            stable, notion, why, _ = standard._decided(numbers, margins)
+            return stable, notion, known.worded(why), known.modulo
+        if None in (sufficient, necessary):
+            return None, "", "a margin has no proved sign", modulo
+        between = self.boundary or sphere_of(self.equilibrium)
+        stable, why = between.decide(numbers, margins) if between else self._beyond(numbers)
+        why = self.recognised.worded(why) if self.recognised else why
+        return stable, "" if stable is None else "Lyapunov", why, modulo
+
+    @cached_property
+    def _determinant(self) -> tuple[Expr, tuple[str, ...]]:
+        """Of the linearised field, 0 where the second variation is degenerate; and the names in it."""
+        determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
+        return determinant, names_in([determinant])
+
+    def _beyond(self, numbers: Point) -> tuple[bool | None, str]:
+        """Whether it is stable between the two criteria, by elementary theorems; and why."""
+        eq, (determinant, names) = self.equilibrium, self._determinant
+        if missing := [name for name in names if symbol(name) not in numbers]:
+            return None, f"the point lies between the two criteria; give {', '.join(missing)} to decide"
+        if eq.system.potential is None or sign(determinant, numbers) != 0:
+            return None, "the point lies between the two criteria"
+        if free := torque_free(eq, numbers):
+            return free.decide(lambda momentum: Report(momentum)._decided(Point({}), {})[::2])
+        return Amended(eq, numbers).decide()
+
+
+@once
+def _kept(eq: Equilibrium) -> Report:
+    """The report of an equilibrium in the standard axes, derived once."""
+    return Report(eq)
+
+
+def analyze(eq: Equilibrium) -> Report:
+    """The stability analysis of an equilibrium.
+
+    Examples
+    --------
+    >>> from gyrostat import assemble, axial_potential, inclined, symmetric_gyrostat
+    >>> report = analyze(inclined(assemble(symmetric_gyrostat(), axial_potential())))
+    >>> report.necessary.alternatives[0][0].margin == report.sufficient.alternatives[0][0].margin
+    True
+    """
+    return Report(eq)

@@ -1,0 +1,224 @@
+"""Eigenvalues of an equilibrium along a parameter: continuous columns, and where they collide."""
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise, permutations
+from typing import Any
+
+import numpy as np
+from flint import arb, fmpq
+from sympy import Expr, Rational, Symbol
+
+from ..algebra.exact import ball, evaluate, sign_of_constant
+from ..algebra.floats import Array, in_floats
+from ..algebra.numbers import exact_number
+from ..algebra.polynomials import Ring
+from ..algebra.roots import in_order, real_roots
+from ..algebra.stations import between
+from ..errors import ScopeError, ValuesError, require
+from ..mechanics.equilibria import Equilibrium
+from ..notation import symbol
+from .conditions import spectral_criterion
+from .linearization import linearize
+from .values import check_names, names_in
+
+FINEST, BITS = Fraction(1, 2**48), 192                     # of the range, where a zero of a transcendental margin is looked for
+
+
+@dataclass(frozen=True)
+class Collision:
+    """Where eigenvalues come together and the kind of the spectrum changes.
+
+    Parameters
+    ----------
+    value : float
+    kind : str                  "Hamiltonian Hopf": two pairs meet on the imaginary axis and leave it; "zero eigenvalue": a pair meets at 0;
+                                "real pairs meet" beside it
+    changes : bool              whether spectral stability does
+    eigenvalues : array         where they meet, each once
+    """
+
+    value: float
+    kind: str
+    changes: bool
+    eigenvalues: Array
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Eigenvalues along a parameter.
+
+    Parameters
+    ----------
+    parameter : array, shape (n,)                  the samples, and where eigenvalues meet
+    eigenvalues : complex array, shape (n, d)      d = 2 or 4; each column is continuous
+    collisions : list of Collision
+    """
+
+    parameter: Array
+    eigenvalues: Array
+    collisions: list[Collision]
+
+
+def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str, samples: Sequence[float]) -> Spectrum:
+    """The roots of λ⁴ + p λ² + q, or λ² + p, at values of one parameter, and where p² − 4q or q, or p where q is 0, changes its sign.
+
+    Between two collisions λ² = (−p ± √(p² − 4q))/2 are two continuous functions, as p² − 4q keeps its sign; at a collision each column
+    goes on as the one that has its value there.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+    values : mapping of name to number         for every other name in the spectrum
+    parameter : str
+    samples : sequence of float                of the parameter, from one end to the other
+
+    Raises
+    ------
+    ValuesError            names are missing or unknown, or somewhere between the samples there is no such equilibrium
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
+    >>> found = spectrum(top, {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, "omega3_0", np.linspace(2, 0, 80))
+    >>> [(collision.kind, collision.value, collision.changes) for collision in found.collisions]
+    [('Hamiltonian Hopf', 1.25, True)]
+    """
+    require(eq, Equilibrium, "the equilibrium")
+    linear = linearize(eq)
+    coefficients = [eq.insert(c) for c in linear.coefficients]
+    conditions = spectral_criterion(linear).alternatives[0]
+    check_names([*values, parameter], names_in([*coefficients, symbol(parameter)]), f"the spectrum of {eq.label}")
+    at, free = np.asarray(samples, dtype=float), symbol(parameter)
+    if at.ndim != 1 or len(at) < 2 or not (np.diff(at) * (at[-1] - at[0]) > 0).all():
+        raise ValuesError(f"samples are {samples}: give two values of {parameter} or more, increasing or decreasing")
+    numbers = {symbol(name): exact_number(value, name) for name, value in values.items()}
+    low, high = (exact_number(float(x), parameter) for x in (at.min(), at.max()))
+    placed = [c.xreplace(numbers) for c in coefficients]
+    _exists(eq, placed, numbers, free, low, high)
+    margins = {c.source: eq.insert(c.margin).xreplace(numbers) for c in conditions if c.source != "p" or not coefficients[-1]}
+    zeros = {zero: source for source, margin in margins.items() for zero in changes_of_sign(margin, free, low, high)}
+    touched = {zero for c in conditions if c.source in margins for factor in (c.margin, *c.degenerate)
+               for zero in _zeros_inside(eq.insert(factor).xreplace(numbers), free, low, high)}
+    cuts = [low, *in_order(list({**zeros, **dict.fromkeys(touched)})), high]
+    stable = [all(sign_of_constant(evaluate(eq.insert(c.margin).xreplace(numbers), {free: _inner(a, b)})) != -1 for c in conditions)
+              for a, b in pairwise(cuts)]
+    collisions = [_collision(zeros[zero], zero, placed, free, before != after)
+                  for zero, before, after in zip(cuts[1:], stable, stable[1:]) if zero in zeros]
+    parameter_at, roots = _columns(placed, free, np.sort(at), cuts)
+    order = slice(None) if at[0] < at[-1] else slice(None, None, -1)
+    return Spectrum(parameter_at[order], roots[order], collisions)
+
+
+def _inner(a: Expr, b: Expr) -> Rational:
+    middle = between(a, b)
+    return Rational(middle.numerator, middle.denominator)
+
+
+def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symbol, Expr], free: Symbol, low: Expr, high: Expr) -> None:
+    """Refuse a range in which there is somewhere no such equilibrium."""
+    for e in [*eq.existence(), *eq.system.body.inertia, *([free] if free.is_positive else [])]:
+        placed = e.xreplace(dict(numbers))
+        if placed.free_symbols == {free} and (sign_of_constant(evaluate(placed, {free: low})) != 1 or sign_of_constant(
+                evaluate(placed, {free: high})) != 1 or changes_of_sign(placed, free, low, high)):
+            raise ValuesError(f"{free} goes from {low} to {high}, and {eq.label} exists only where {e} > 0: give a range inside")
+    for c in coefficients:
+        ring = Ring([c, free])
+        bottom = ring.expression(ring.fraction(c)[1])
+        if bottom.has(free) and zeros_of(bottom, free, low, high):
+            raise ValuesError(f"the eigenvalues of {eq.label} are infinite between {free} = {low} and {high}, where {bottom} = 0: give a "
+                              "range without that")
+
+
+def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array, cuts: Sequence[Expr]) -> tuple[Array, Array]:
+    """The samples with the collisions between them, and the eigenvalues, each column continuous."""
+    nodes: list[Array] = []
+    rows: list[Array] = []
+    for a, b in pairwise(cuts):
+        if float(a) == float(b):
+            continue
+        here = np.unique([float(a), *at[(at > float(a)) & (at < float(b))], float(b)])
+        roots = _roots(coefficients, free, here, _inner(a, b))
+        if rows:                                           # the columns go on as those that have their values at the collision
+            orders = np.array(list(permutations(range(roots.shape[1]))))
+            roots = roots[:, orders[np.abs(roots[0][orders] - rows[-1][-1]).sum(axis=1).argmin()]]
+            here, roots = here[1:], roots[1:]
+        nodes.append(here)
+        rows.append(roots)
+    return np.concatenate(nodes), np.concatenate(rows)
+
+
+def _roots(coefficients: Sequence[Expr], free: Symbol, at: Array, inner: Rational) -> Array:
+    """At values between which p² − 4q keeps the sign that it has at an inner one."""
+    p, *rest = (np.broadcast_to(np.asarray(in_floats(c, np, {free: at}), dtype=float), at.shape) for c in coefficients)
+    if not rest:
+        return np.stack([np.sqrt(-p + 0j), -np.sqrt(-p + 0j)], axis=1)
+    sign = sign_of_constant(evaluate(coefficients[0] ** 2 - 4 * coefficients[1], {free: inner})) or 0
+    square = np.sqrt(np.abs(p**2 - 4 * rest[0])) if sign else np.zeros_like(p)
+    if sign < 0:                                           # a complex quadruple
+        one = np.sqrt((-p + 1j * square) / 2)
+        return np.stack([one, -one, one.conj(), -one.conj()], axis=1)
+    first, second = np.sqrt((-p + square) / 2 + 0j), np.sqrt((-p - square) / 2 + 0j)
+    return np.stack([first, -first, second, -second], axis=1)
+
+
+def _collision(source: str, zero: Expr, coefficients: Sequence[Expr], free: Symbol, changes: bool) -> Collision:
+    value, p = float(zero), sign_of_constant(evaluate(coefficients[0], {free: zero}))
+    if source in ("p", "q") or not p or _one_pair(coefficients):
+        return Collision(value, "zero eigenvalue", changes, np.zeros(1, dtype=complex))
+    root = np.sqrt(complex(-float(in_floats(coefficients[0], np, {free: np.float64(value)})) / 2))
+    return Collision(value, "Hamiltonian Hopf" if p == 1 else "real pairs meet", changes, np.array([root, -root]))
+
+
+def _one_pair(coefficients: Sequence[Expr]) -> bool:
+    """Whether p² = 4q everywhere: a disc, I3 = 2 I1, without a rotor."""
+    p, q = coefficients
+    discriminant = p**2 - 4 * q
+    return not Ring([discriminant]).fraction(discriminant)[0]
+
+
+def changes_of_sign(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
+    """Where an expression in one name changes its sign, strictly between two numbers, complete."""
+    cuts = [low, *_zeros_inside(expression, free, low, high), high]
+    signs = [sign_of_constant(evaluate(expression, {free: _inner(a, b)})) for a, b in pairwise(cuts)]
+    return [zero for zero, before, after in zip(cuts[1:], signs, signs[1:]) if before != after]
+
+
+def _zeros_inside(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
+    return zeros_of(expression, free, low, high) if expression.has(free) else []
+
+
+def zeros_of(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
+    """The zeros of an expression in one name: exact where it is rational, else within 2⁻⁴⁸ of the range, by enclosures."""
+    try:
+        return real_roots(expression, free, low, high) or []
+    except ScopeError:
+        start, end = (Fraction(int(x.p), int(x.q)) for x in (low, high))
+        return [Rational(x.numerator, x.denominator) for x in _enclosed(expression, expression.diff(free), free, start, end,
+                                                                       (end - start) * FINEST)]
+
+
+def _enclosed(f: Expr, slope: Expr, free: Symbol, a: Fraction, b: Fraction, finest: Fraction) -> list[Fraction]:
+    """Every zero, by halving: none where the enclosure excludes 0, one or none where that of the slope does."""
+    found: list[Fraction] = []
+    waiting = [(a, b)]
+    while waiting:
+        a, b = waiting.pop()
+        here = {free: arb(fmpq(a.numerator, a.denominator)).union(arb(fmpq(b.numerator, b.denominator)))}
+        if not ball(f, BITS, here).contains(0):
+            continue
+        middle = (a + b) / 2
+        if b - a < finest:
+            if not found or abs(found[-1] - middle) > 4 * finest:
+                found.append(middle)
+            continue
+        inner = ball(slope, BITS, here)
+        if inner.is_finite() and not inner.contains(0) and _sign(f, free, a) * _sign(f, free, b) > 0:
+            continue
+        waiting += [(a, middle), (middle, b)]
+    return sorted(found)
+
+
+def _sign(f: Expr, free: Symbol, x: Fraction) -> int:
+    return sign_of_constant(evaluate(f, {free: Rational(x.numerator, x.denominator)})) or 0

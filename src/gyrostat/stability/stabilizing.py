@@ -1,0 +1,226 @@
+"""Which values of one parameter stabilise an equilibrium: in closed form, or exactly at numbers for all the others."""
+import contextlib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from sympy import Expr, S, Symbol, oo
+
+from ..algebra.exact import Point, evaluate, is_identically_zero, sign
+from ..algebra.numbers import exact_number, shown
+from ..algebra.polynomials import Ring
+from ..algebra.roots import between, real_roots
+from ..errors import ScopeError, ValuesError
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.families import inclined
+from ..notation import jet, symbol
+from .conditions import Condition
+from .decomposition import cut, joined, joined_apart, stable_at
+from .report import Report, analyze
+from .sets import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
+from .solve import CLOSED, solve_condition
+from .sphere import sphere_of
+from .values import unknown
+
+
+def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None = None) -> Solution:
+    """The exact set of one parameter for which an equilibrium exists and is stable, boundary points as the boundary criterion says.
+
+    Where nothing decides between the necessary and the sufficient condition, as for an asymmetric body in a field, the set is given as
+    far as it is proved: parts that are sufficient, parts that are necessary, values that are undecided (Part.meaning).
+
+    Without numbers, or with some: in closed form, with the cases of the other names. With a number for every other name: a union of
+    intervals, whose ends are exact numbers. On E3 with the name eliminated (inclined(scene, eliminate=name)) and k3 left free: one
+    interval for each family of tilts on which the name is monotone, k3 at its ends in Interval.tilt; with the eliminated name given
+    too: the points that the relation leaves.
+
+    Parameters
+    ----------
+    report : Report
+    name : str
+    values : mapping of name to number
+
+    Returns
+    -------
+    Solution
+
+    Raises
+    ------
+    ScopeError       the form is not one that is solved: give numbers for the other names; or U is not rational in k3
+    ValuesError      a name is unknown, or a number is not admissible
+
+    Examples
+    --------
+    >>> from gyrostat import analyze, assemble, symmetric_gyrostat, uniform_field, upright
+    >>> report = analyze(upright(assemble(symmetric_gyrostat(), uniform_field())))
+    >>> ((interval, other),) = (c.intervals for c in stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5}).parts[0].cases)
+    >>> interval.high, interval.high_if, other.low
+    (-7, (1,), -3)
+    """
+    numbers = Point({symbol(n): exact_number(x, n) for n, x in (values or {}).items()})
+    eq, known = report.equilibrium, {*report.parameters, *report.required}
+    if eq.system.potential is not None:
+        eq.system.potential.check_size(numbers)
+    if foreign := sorted({name, *(s.name for s in numbers)} - known):
+        raise ValuesError(unknown(foreign[0], sorted(known), eq.label))
+    if symbol(name) in numbers:
+        raise ValuesError(f"{name} is solved for and given: leave out one of the two")
+    left = [n for n in report.required if symbol(n) not in numbers and n != name]
+    if eq.eliminated == name and left == ["k3"]:
+        return Solution(name, (_along_tilts(report, name, numbers),))
+    if eq.eliminated and (eq.eliminated == name or symbol(eq.eliminated) in numbers):
+        if left:
+            needed = ", ".join(n for n in left if n != "k3" or eq.eliminated != name)
+            leave = f", or leave out {eq.eliminated}" if eq.eliminated != name else "; k3 may stay open" * ("k3" in left)
+            raise ScopeError(f"{eq.label} ties {eq.eliminated} to the other names: {name} is not solved for while {', '.join(left)} are "
+                             f"open; give {'a number' if ',' not in needed else 'numbers'} for {needed}{leave}")
+        if (parts := _where_tied(report, name, numbers)) is not None:
+            return Solution(name, parts)
+    try:
+        return Solution(name, _in_numbers(report, name, numbers) if not left else _in_symbols(report, name, numbers))
+    except ScopeError as reason:
+        if left:
+            raise
+        failed = reason
+    try:                                                   # a transcendental number or U is solved in closed form, or not at all
+        return Solution(name, _in_symbols(report, name, numbers))
+    except ScopeError:
+        raise failed from None
+
+
+def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
+    """Numbers for all other names: the line of this one, cut where a verdict may change."""
+    if report.boundary is not None and not report.boundary.last:
+        raise ScopeError(f"U is not rational in k3, and {name} is not solved for in closed form: ask for a verdict, or a chart")
+    x, at = symbol(name), report.equilibrium.at
+    cells = cut(report, x, numbers, S.Zero if x.is_positive else None, None)
+    return _decided(joined(cells), joined(cells, None), at)
+
+
+def _decided(stable: tuple[Interval, ...], undecided: tuple[Interval, ...], at: Expr) -> tuple[Part, ...]:
+    """What is stable, and besides, if there are any, the values for which nothing is proved."""
+    parts = (Part("stable", S.One, (Case((), stable),), at), Part("undecided", S.One, (Case((), undecided),), at))
+    return parts if undecided else parts[:1]
+
+
+def _where_tied(report: Report, name: str, numbers: Point) -> tuple[Part, ...] | None:
+    """The values that the relation of a family leaves, the eliminated name being given or solved for; None where it leaves all."""
+    eq, x = report.equilibrium, symbol(name)
+    relation = dict(eq.relations)[symbol(str(eq.eliminated))]
+    if eq.eliminated == name:
+        values = [evaluate(relation, numbers)]
+    else:
+        given = relation.xreplace(numbers) - numbers[symbol(str(eq.eliminated))]
+        found = real_roots(given, x, S.Zero if x.is_positive else None)
+        if found is None:
+            return None
+        values = found
+    stable = [(value, stable_at(report, x, value, numbers)) for value in values if value.is_finite]
+    proved, open_ = (tuple(Interval(v, v, INCLUDED, INCLUDED) for v, known in stable if known is wanted) for wanted in (True, None))
+    return _decided(proved, open_, eq.at)
+
+
+def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
+    """Existence and stability, each solved in closed form."""
+    if numbers:
+        report = inserted(report, {s.name: number for s, number in numbers.items()})
+    eq = report.equilibrium
+    tilted = eq.eliminated == "k3" and "omega" in report.parameters and analyze(inclined(eq.system))
+    sufficient = tilted.sufficient if tilted and () in tilted.sufficient.alternatives else report.sufficient     # always, in terms of k3
+    ends = report.boundary or sphere_of(eq)
+    if len(sufficient.alternatives) > 1 or ends and not sufficient.alternatives:
+        raise ScopeError(f"{eq.label} has {len(sufficient.alternatives)} alternatives for stability: give numbers for the other names")
+    x, existence = symbol(name), eq.existence()
+    fixed = [e for e in existence if x not in e.free_symbols and e.free_symbols]
+    parts = [Part("exists", e, (Case(((e, ">"),), (Interval(-oo, oo),)),), eq.at) for e in fixed]
+    parts += [replace(solve_condition(_plain(e, eq), name, None, fixed), meaning="exists") for e in existence if x in e.free_symbols]
+    if not sufficient.alternatives:
+        parts.append(Part("sufficient", -S.One, (Case((), ()),), eq.at))
+    elif not sufficient.alternatives[0]:
+        parts.append(Part("stable", S.One, (Case((), (Interval(S.Zero if x.is_positive else -oo, oo),)),), eq.at))
+    else:
+        solved = (solve_condition(c, name, ends, fixed) for c in sufficient.alternatives[0])
+        parts += [replace(part, meaning="stable" if ends else "sufficient") for part in solved]
+    if not ends and () not in sufficient.alternatives:
+        parts += _necessary(report, name, fixed)
+    return tuple(part if part.meaning == "exists" else _where_existing(part, x, existence) for part in parts)
+
+
+def _necessary(report: Report, name: str, fixed: Sequence[Expr]) -> Iterator[Part]:
+    """The necessary conditions as far as they are solved for; one that is not says nothing."""
+    if not report.necessary.alternatives:
+        yield Part("necessary", -S.One, (Case((), ()),), report.equilibrium.at)
+    for condition in (c for a in report.necessary.alternatives[:1] for c in a):
+        with contextlib.suppress(ScopeError):
+            yield replace(solve_condition(condition, name, CLOSED, fixed), meaning="necessary")
+
+
+def _where_existing(part: Part, x: Symbol, existence: Sequence[Expr]) -> Part:
+    """Without the ends at which the equilibrium does not exist."""
+    def outside(end: Expr) -> bool:
+        return any(is_identically_zero(e.xreplace({x: end})) for e in existence if x in e.free_symbols and end.is_finite)
+
+    cases = []
+    for case in part.cases:
+        ends = (replace(i, low_if=EXCLUDED if outside(i.low) else i.low_if, high_if=EXCLUDED if outside(i.high) else i.high_if)
+                for i in case.intervals)
+        cases.append(replace(case, intervals=tuple(i for i in ends if i.low != i.high or i.low_if)))
+    return replace(part, cases=tuple(cases))
+
+
+def inserted(report: Report, numbers: Mapping[str, Expr]) -> Report:
+    """The report with numbers in place of some of its names."""
+    eq = report.equilibrium
+    if jets := [name for name in numbers if jet(name)]:
+        raise ValuesError(f"{jets[0]} is a derivative of U: give U itself, or ask for a verdict")
+    if eq.eliminated in numbers:
+        raise ValuesError(f"{eq.label} expresses {eq.eliminated} by the other names, {dict(eq.relations)[symbol(eq.eliminated)]}: "
+                          f"leave out {eq.eliminated}")
+    pairs = tuple((symbol(name), number) for name, number in numbers.items() if name in report.parameters)
+    return analyze(_existing(replace(eq, relations=(*eq.relations, *pairs))))
+
+
+def _existing(eq: Equilibrium) -> Equilibrium:
+    for domain, value in zip(eq.domain, eq.existence()):
+        if not value.free_symbols and (known := sign(value, {})) != 1:
+            unknown = ", not proved to be positive" if known is None else ""
+            raise ValuesError(f"{eq.label} exists only where {domain} > 0, here it is {shown(value)}{unknown}: choose other numbers")
+    return eq
+
+
+def _plain(expression: Expr, eq: Equilibrium) -> Condition:
+    ring = Ring([expression])
+    top, bottom = ring.fraction(expression)
+    return Condition(ring.expression(top * bottom), True, "existence", (), eq.at)
+
+
+def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
+    """The stable tilts, and the name along each run of them on which it is monotone."""
+    k3 = symbol("k3")
+    value = dict(report.equilibrium.relations)[symbol(name)].xreplace(numbers)
+    turning = value.diff(k3)
+    cells = cut(report, k3, numbers, S.NegativeOne, S.One, [turning] if turning.free_symbols else [])
+    if is_identically_zero(turning):
+        raise ScopeError(f"{name} is the same for every tilt: {value}; ask at that value for all equilibria (relative_equilibria)")
+    if any(stable is None for *_, stable in cells):
+        raise ScopeError(f"at some tilts nothing is proved, and {name} is not solved for along them: give a number for k3")
+    intervals = []
+    for run in joined_apart(cells, [low for low, high, _ in cells if low == high and _vanishes(turning, k3, low)]):
+        grows = sign(turning, {k3: between(run.low, run.high)}) == 1 if run.low != run.high else True
+        ends = [(_limit(value, k3, k, side if grows else -side), included, k)
+                for k, included, side in ((run.low, run.low_if, -1), (run.high, run.high_if, 1))]
+        if not grows:
+            ends.reverse()
+        (a, a_if, ka), (b, b_if, kb) = ends
+        intervals.append(Interval(a, b, a_if, b_if, (ka, kb)))
+    return Part("stable", S.One, (Case((), tuple(intervals)),), report.equilibrium.at)
+
+
+def _limit(value: Expr, x: Symbol, end: Expr, side: int) -> Expr:
+    """The value at an end of a run, infinite where it has a pole."""
+    there = evaluate(value, {x: end})
+    return there if there.is_finite else side * oo
+
+
+def _vanishes(expression: Expr, x: Symbol, value: Expr) -> bool:
+    return sign(expression, {x: value}) == 0

@@ -1,0 +1,73 @@
+"""A body with a direction k on which no torque acts, because U is constant on |k| = 1: its momentum decides."""
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from sympy import Dummy, Expr, Symbol
+
+from ..algebra.exact import evaluate, sign_of_constant
+from ..algebra.matrices import cross
+from ..algebra.polynomials import Ring
+from ..mechanics.body import Gyrostat
+from ..mechanics.equilibria import Equilibrium, equilibrium
+from ..mechanics.system import assemble
+
+A, B = Dummy("a", real=True), Dummy("b", real=True)
+
+
+@dataclass(frozen=True)
+class TorqueFree:
+    """An equilibrium on e(3)* in a field that exerts no torque: M moves by itself on so(3)*, and M and k are both fixed in space.
+
+    Where M ≠ 0 lies along k, k stays beside it: stable as the free gyrostat is. At rest with k not along M, a gyrostat that turns
+    ever so slowly about M carries k away.
+
+    Parameters
+    ----------
+    body : Gyrostat                      with its numbers
+    momentum : tuple of Expr, shape (3,)     π
+    direction : tuple of Expr, shape (3,)    k
+
+    Source
+    ------
+    Derived: M·k, |M|² and |k|² are conserved.
+    """
+
+    body: Gyrostat
+    momentum: tuple[Expr, ...]
+    direction: tuple[Expr, ...]
+
+    def decide(self, free: Callable[[Equilibrium], tuple[bool | None, str]]) -> tuple[bool | None, str]:
+        """Whether it is stable, None if that is not elementary or not proved; and why; free decides on so(3)*."""
+        total = [p + l for p, l in zip(self.momentum, self.body.gyrostatic_momentum)]
+        rests = _all_zero(self.momentum)
+        if _all_zero(total):
+            if rests:
+                return False, "no torque acts and l = 0: a body that turns, however slowly, carries k away"
+            return None, "no torque acts and M = 0: which way k goes is not elementary"
+        if rests and not _all_zero(cross(total, self.direction)):
+            if not any(sign_of_constant(x) for x in cross(total, self.direction)):
+                return None, "no torque acts, and whether k is along M is not proved"
+            return False, "no torque acts and k is not along M = l: a gyrostat that turns slowly about M carries k away"
+        stable, why = free(equilibrium(assemble(self.body), self.momentum))
+        return stable, f"no torque acts, k is along M, and M is that of a free gyrostat: {why}"
+
+
+def torque_free(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> TorqueFree | None:
+    """The equilibrium without its field, None where U is not proved to be constant on |k| = 1."""
+    potential = eq.system.potential
+    if potential is None or not potential.given:
+        return None
+    below = 1 + A**2 + B**2                            # k = (2a, 2b, 1 − a² − b²)/(1 + a² + b²) is every direction but one
+    k = eq.system.space.coordinates[3:]
+    sphere = dict(zip(k, (2 * A / below, 2 * B / below, (1 - A**2 - B**2) / below)))
+    placed = eq.insert(potential.expression.xreplace(sphere)).xreplace(dict(numbers))
+    ring = Ring([slope := placed.diff(A), other := placed.diff(B)])
+    if any(ring.reduce(ring.fraction(e)[0]) for e in (slope, other)):
+        return None
+    values = [[evaluate(eq.insert(x), numbers) for x in part]
+              for part in (eq.system.body.inertia, eq.system.body.gyrostatic_momentum, eq.point[:3], eq.point[3:])]
+    return TorqueFree(Gyrostat(values[0], values[1]), tuple(values[2]), tuple(values[3]))
+
+
+def _all_zero(numbers: list[Expr] | tuple[Expr, ...]) -> bool:
+    return all(sign_of_constant(x) == 0 for x in numbers)

@@ -1,0 +1,238 @@
+"""A verdict against the motion: how far the motions go that start close to an equilibrium."""
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from sympy import Expr, ImmutableMatrix, Rational
+
+from ..algebra.exact import Point, evaluate, sign_of_constant
+from ..algebra.floats import Array
+from ..algebra.numbers import exact_number
+from ..errors import AccuracyError, ValuesError, require
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.standard import seen_at
+from ..stability.boundary import Boundary
+from ..stability.conditions import holds, sign_at
+from ..stability.report import Decision, Report, Verdict, analyze
+from ..stability.values import exact_values
+from .models import motion, with_numbers
+from .motion import Motion
+
+SIZES = tuple(Rational(1, 10**d) for d in range(2, 9))
+TURNS = tuple(ImmutableMatrix(v) / 60 for v in ([20, -24, 30], [26, 15, -20]))          # directions with nothing special to them
+CHANGES = tuple(ImmutableMatrix(v) / 60 for v in ([-15, 30, 24], [30, 12, -25]))
+POINTS, LOOKS = 500, 4                                 # times of a motion; looks at its largest distance
+TURNED, LATER = 20, 10                                 # turns of a motion without a period; times of growth after an escape
+CLOSE, FLAT, STEEP = 0.12, 0.05, 0.9                   # 1/2, 1/3, 1/4, 1/6, … are told apart; of order one; like a definite form
+
+
+@dataclass(frozen=True)
+class Confirmation:
+    """Excursions from an equilibrium, against the size of the perturbation.
+
+    Parameters
+    ----------
+    decision : Decision                 the verdict
+    sizes : tuple of float              ε; k is turned and π moved by about ε
+    excursions : tuple of float         the largest distance from the equilibrium, modulo the flow that the decision names
+    slope : float                       of log excursion against log ε, at the three smallest ε
+    expected : float or None            what the verdict says of it: 1 where the second variation is definite, less on a stable
+                                        boundary, 0 where it is unstable; None where no theorem says
+    routes : tuple of str               how the motions were found
+    complete : bool                     whether every motion was followed over a whole orbit
+    failure : str                       why a motion could not be followed, if one could not; the sizes end there
+    """
+
+    decision: Decision
+    sizes: tuple[float, ...]
+    excursions: tuple[float, ...]
+    slope: float
+    expected: float | None
+    routes: tuple[str, ...]
+    complete: bool
+    failure: str = ""
+
+    @property
+    def agrees(self) -> bool | None:
+        """Whether the motions do what the verdict says; None where it is undecided, or the sizes are too large to tell.
+
+        Close to a boundary they have to be smaller than the distance from it.
+        """
+        verdict = self.decision.verdict
+        if verdict is Verdict.UNDECIDED or math.isnan(self.slope):
+            return None
+        if verdict is Verdict.UNSTABLE:
+            return True if self.slope < FLAT else False if self.slope > STEEP else None
+        if self.slope < FLAT:
+            return False
+        return True if self.expected is None or abs(self.slope / self.expected - 1) < CLOSE else None
+
+    @property
+    def why(self) -> str:
+        """Why agrees is None; "" where it is not."""
+        if self.agrees is not None:
+            return ""
+        if self.decision.verdict is Verdict.UNDECIDED:
+            return "the verdict is undecided"
+        if self.failure:
+            return self.failure
+        return (f"the excursions go as the power {self.slope:.2f} of the perturbation, {self.expected} is expected for small ones: "
+                "the equilibrium is too close to a boundary for these sizes, give smaller ones")
+
+
+def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SIZES) -> Confirmation:
+    """Follow motions that start close to an equilibrium, and compare how far they go with the verdict.
+
+    Two generic directions, each with both signs; |k| is kept, exactly, and nothing else. A motion with a period, as every one of a body
+    of revolution in U(k3) and of a free body has, is followed over one period, which is the whole orbit modulo the spin; any other over
+    20 turns of the linearised one, and for 10 times of growth after it has escaped.
+
+    Parameters
+    ----------
+    report : Report
+    values : mapping of name to number       those of the verdict, and those of the body and of U that it does not need, such as I3
+    sizes : sequence of numbers              positive, falling; at least three
+
+    Returns
+    -------
+    Confirmation
+
+    Raises
+    ------
+    ScopeError           U is unspecified: there is no motion
+    ValuesError          as for a verdict; a name is missing that the motion needs; sizes that are none
+    MissingExtraError    a motion is to be integrated, and neither SciPy nor heyoka is installed
+
+    Source
+    ------
+    The exponents on a boundary: docs/stability.md.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> sleeping = confirm(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "pi3_0": 2})             # (π3 + l)² = 4 I1 m0
+    >>> sleeping.decision.verdict.name, sleeping.expected, round(sleeping.slope, 3), sleeping.agrees
+    ('STABLE', 0.5, 0.5, True)
+    """
+    require(report, Report, "the report")
+    eq, decision = report.equilibrium, report.verdict(values)
+    numbers = exact_values(eq, values, report.required, report.parameters)
+    if numbers.doubt:
+        raise ValuesError(f"there is nothing to confirm: {numbers.doubt}")
+    steps = [exact_number(size, "sizes") for size in sizes]
+    if len(steps) < 3 or not all(a > b > 0 for a, b in zip(steps, steps[1:])):
+        raise ValuesError(f"sizes = {', '.join(map(str, sizes))}: give at least three, positive and falling")
+    point = [evaluate(eq.insert(x), numbers) for x in eq.point]
+    scene = with_numbers(eq.system, _scene_numbers(eq, numbers))
+    rate, growth = _rates(eq, numbers)
+    distance = _Distance(eq, decision, point)
+    far, routes, complete, failure = [], set(), True, ""
+    for step in steps:
+        here = []
+        try:
+            for turn, change in zip(TURNS, CHANGES):
+                for sign in (1, -1):
+                    moving = motion(scene, moved(point, sign * step * turn, sign * step * change))
+                    routes.add(moving.route)
+                    complete = complete and moving.period is not None
+                    here.append(_excursion(moving, distance, rate, growth, float(step)))
+        except (AccuracyError, ValuesError) as error:
+            failure = f"from a perturbation of size {float(step):.0e} a motion is not followed: {error}"
+            break
+        far.append(max(here))
+    small = [float(step) for step in steps[:len(far)]]
+    slope = float(np.polyfit(np.log(small[-3:]), np.log(far[-3:]), 1)[0]) if len(far) > 2 else math.nan
+    return Confirmation(decision, tuple(small), tuple(far), slope, _expected(report, decision, numbers), tuple(sorted(routes)), complete,
+                        failure)
+
+
+def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix) -> tuple[Expr, ...]:
+    """π changed, and k turned about a vector by twice the arctangent of half its length: rational where all of them are.
+
+    Examples
+    --------
+    >>> moved((0, 0, 1, 0, 0, 1), ImmutableMatrix([1, 0, 0]), ImmutableMatrix([0, 2, 0]))
+    (0, 2, 1, 0, -4/5, 3/5)
+    """
+    pi, k, a = ImmutableMatrix(point[:3]) + change, ImmutableMatrix(point[3:]), turn / 2
+    if k:
+        once = a.cross(k)
+        k = k + 2 * (once + a.cross(once)) / (1 + a.dot(a))
+    return tuple(x.expand() for x in (*pi, *k))
+
+
+class _Distance:
+    """The distance of states from an equilibrium, modulo the rotations about an axis where the decision is."""
+
+    def __init__(self, eq: Equilibrium, decision: Decision, point: Sequence[Expr]):
+        self.point = np.array([float(x) for x in point]).reshape(-1, 3)
+        axes = [np.array([float(x) for x in eq.system.space.gradient(integral)[:3]]) for integral in decision.modulo[:1]]
+        self.axes = [axis / np.linalg.norm(axis) for axis in axes]
+
+    def __call__(self, states: Array) -> Array:
+        vectors = states.reshape(len(states), -1, 3)
+        for axis in self.axes:
+            vectors = self.turned(vectors, axis)
+        return np.sqrt(((vectors - self.point) ** 2).sum(axis=(1, 2)))
+
+    def turned(self, vectors: Array, axis: Array) -> Array:
+        """Each state turned about the axis until it is closest: the difference is then taken without cancellation."""
+        along = (vectors @ axis)[..., None] * axis
+        across, side = vectors - along, np.cross(axis, vectors)
+        cosine, sine = ((part * self.point).sum(axis=(1, 2)) for part in (across, side))
+        angle = np.arctan2(sine, cosine)[:, None, None]
+        return along + np.cos(angle) * across + np.sin(angle) * side
+
+
+def _scene_numbers(eq: Equilibrium, numbers: Point) -> dict[str, Expr]:
+    """The numbers of the body and of U, an eliminated one among them."""
+    scene = eq.system
+    used = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs))
+    found = {s.name: evaluate(eq.insert(s), numbers) for s in sorted(used - set(scene.space.coordinates), key=str)}
+    if missing := [name for name, value in found.items() if value.free_symbols]:
+        raise ValuesError(f"a motion from {eq.label} needs {', '.join(missing)}, a verdict may not: give a number for each")
+    return found
+
+
+def _rates(eq: Equilibrium, numbers: Point) -> tuple[float, float]:
+    """The largest modulus and the largest real part of an eigenvalue of the linearised field."""
+    matrix = eq.insert(eq.at_point(eq.system.jet_jacobian))
+    roots = np.linalg.eigvals(np.array([float(evaluate(x, numbers)) for x in matrix]).reshape(matrix.shape))
+    return float(np.abs(roots).max()), float(roots.real.max())
+
+
+def _excursion(moving: Motion, distance: Callable[[Array], Array], rate: float, growth: float, size: float) -> float:
+    """The largest distance on the way; over a period, with a closer and closer look at where it is largest."""
+    if moving.period is None:
+        rate = rate or 1.0                             # no motion of the linearised field: any time is as good
+        longest = (math.log(1 / size) + LATER) / growth if growth > 1e-6 * rate else TURNED * 2 * math.pi / rate
+        return float(distance(moving(np.linspace(0, longest, max(POINTS, int(8 * longest * rate))))).max())
+    times, largest = np.linspace(0, float(moving.period), POINTS), []
+    for _ in range(LOOKS):                             # close to an unstable boundary an escape is short beside the period
+        far = distance(moving(times))
+        largest.append(float(far.max()))
+        middle = times[far.argmax()]
+        times = np.linspace(middle - (times[1] - times[0]), middle + (times[1] - times[0]), POINTS // 10)
+    return max(largest)
+
+
+def _expected(report: Report, decision: Decision, numbers: Point) -> float | None:
+    """The slope that the verdict implies."""
+    if decision.verdict is not Verdict.STABLE:
+        return 0.0 if decision.verdict is Verdict.UNSTABLE else None
+    if known := seen_at(report.equilibrium, numbers):      # of revolution at these numbers
+        report = analyze(known.equilibrium)
+    if holds(report.sufficient, numbers, {}):
+        return 1.0
+    return _on_boundary(report.boundary, numbers) if report.boundary else None
+
+
+def _on_boundary(boundary: Boundary, numbers: Point) -> float | None:
+    """Of g = c xⁿ⁺² + …: 1/(n + 1); at a pole, where 1 − k3 is half the square of the distance, 1/(2n) unless π3 + l = 0."""
+    n = next(rung.power for rung in boundary.rungs() if sign_at(rung.condition, numbers, {})) - 2
+    eq = boundary.equilibrium
+    axial = evaluate(eq.insert(eq.point[2] + eq.system.body.gyrostatic_momentum[2]), numbers)
+    return 1 / (2 * n) if boundary.pole and sign_of_constant(axial) != 0 else 1 / (n + 1)

@@ -1,0 +1,122 @@
+"""Jacobi's elliptic functions sn, cn, dn from the complementary parameter m1 = 1 − m: sums of positive terms, down to m1 = 0."""
+import math
+
+import numpy as np
+from flint import acb, arb, ctx
+
+from ..algebra.floats import Array
+from ..algebra.precision import own_precision
+from .periods import pair, reduced
+
+
+def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:
+    """(sn, cn, dn) at an array of arguments, to a few units in the last place of 1.
+
+    Parameters
+    ----------
+    u : array of floats         any size: it is reduced to |u| ≤ K
+    complement : float          m1 from 0, the hyperbolic functions, to 1, the circular ones
+
+    Source
+    ------
+    Descending Landen transformation, Abramowitz & Stegun, 16.12, in the steps a, b of the arithmetic-geometric mean, with
+    1 = sn² + cn² inserted wherever terms would cancel; Bulirsch, Numerische Mathematik 7 (1965) 78-90.
+
+    Examples
+    --------
+    >>> sn, cn, dn = jacobi(np.array([0.0, 1.0]), 0.0)
+    >>> bool(sn[1] == np.tanh(1.0)), cn.tolist() == dn.tolist()
+    (True, True)
+    """
+    if complement == 0:
+        sech = 1 / np.cosh(np.clip(u, -710, 710))
+        return np.tanh(u), sech, sech
+    with own_precision(128):
+        half = pair(2 * quarter_period(arb(complement)))
+    n, v = reduced(u, half)
+    levels, a, b = [], 1.0, math.sqrt(complement)
+    while a - b > 4e-16 * a:
+        mean = (a + b) / 2
+        levels.append((a, b, mean))
+        a, b = mean, math.sqrt(a * b)
+    phase, dn = a * v, np.ones_like(v)
+    sn, cn = np.sin(phase), np.cos(phase)
+    for a, b, mean in reversed(levels):
+        cosine, sine = mean * cn * cn, sn * sn
+        below = cosine + a * sine
+        sn, cn, dn = a * sn / below, mean * cn * dn / below, (cosine + b * sine) / below
+    sign = 1 - 2 * (n % 2)
+    return sign * sn, sign * cn, dn
+
+
+def means(complement: arb) -> list[tuple[arb, arb]]:
+    """The arithmetic and geometric means from 1 and √m1 on, until they agree at the precision that is set."""
+    found = [(arb(1), complement.sqrt())]
+    while abs(found[-1][0] - found[-1][1]) > found[-1][0] * arb(2) ** -ctx.prec:
+        a, b = found[-1]
+        found.append(((a + b) / 2, (a * b).sqrt()))
+    return found
+
+
+def jacobi_ball(u: arb, complement: arb, steps: list[tuple[arb, arb]] | None = None) -> tuple[arb, arb, arb]:
+    """(sn, cn, dn) as enclosures, at the precision that is set; each halving of the exponent of m1 costs two or three bits.
+
+    The steps, means(complement), serve many arguments.
+
+    Where m is below ε the amplitude lies between u and u − ε |u|, since its derivative is √(1 − m sin²).
+
+    Examples
+    --------
+    >>> sn, cn, dn = jacobi_ball(arb(1), arb(1) / 2)
+    >>> (sn**2 + cn**2).contains(1), (dn**2 + sn**2 / 2).contains(1)
+    (True, True)
+    """
+    if complement == 0:
+        return u.tanh(), u.sech(), u.sech()
+    steps = steps or means(complement)
+    a, b = steps[-1]
+    phase, parameter = a * u, 1 - (b / a) * (b / a)
+    nothing = arb(0, 1) * parameter * (1 + abs(phase))
+    sn, cn, dn = (phase + nothing).sin(), (phase + nothing).cos(), 1 + nothing
+    for (a, b), (mean, _) in zip(steps[-2::-1], steps[:0:-1]):
+        cosine, sine = mean * cn * cn, sn * sn
+        below = cosine + a * sine
+        sn, cn, dn = a * sn / below, mean * cn * dn / below, (cosine + b * sine) / below
+    return sn, cn, dn
+
+
+def quarter_period(complement: arb) -> arb:
+    """K = π / (2 agm(1, √m1)), at the precision that is set.
+
+    Examples
+    --------
+    >>> quarter_period(arb(1)).contains(arb.pi() / 2)
+    True
+    """
+    return arb.pi() / (2 * acb(1).agm(acb(complement.sqrt())).real)
+
+
+def argument(sine: arb, cosine: arb, complement: arb) -> arb:
+    """u between 0 and 2 K with sn u : cn u = sine : cosine, sine ≥ 0, to the relative precision of the two and of m1.
+
+    u = s R_F(c², c² + m1 s², 1) where s² + c² = 1; near K from there, sn : cn = c : s √m1 at K − u.
+
+    Source
+    ------
+    NIST Digital Library of Mathematical Functions, 19.25.31, 22.4.3.
+
+    Examples
+    --------
+    >>> argument(arb(3), arb(4), arb(0)).overlaps(arb("0.6").atanh())
+    True
+    """
+    if (cosine * cosine - complement * sine * sine) > 0:
+        direct = _integral(sine, abs(cosine), complement)
+        return direct if cosine > 0 else 2 * quarter_period(complement) - direct
+    return quarter_period(complement) - _integral(cosine, sine * complement.sqrt(), complement)
+
+
+def _integral(sine: arb, cosine: arb, complement: arb) -> arb:
+    size = (sine * sine + cosine * cosine).sqrt()
+    s, c = sine / size, cosine / size
+    return s * acb.elliptic_rf(acb(c * c), acb(c * c + complement * s * s), acb(1)).real

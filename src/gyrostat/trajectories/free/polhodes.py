@@ -1,0 +1,197 @@
+"""M of a free body of three different moments in Jacobi's functions, and the period of M in every free gyrostat."""
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import permutations
+
+import numpy as np
+from flint import arb
+from sympy import Expr, Integer
+
+from ...algebra.exact import ball
+from ...algebra.floats import Array
+from ...algebra.precision import own_precision
+from ...errors import AccuracyError
+from ..elliptic import argument, jacobi, jacobi_ball, quarter_period
+from ..periods import double, pair, reduced
+from .uniform import CONSTANT, CYCLIC, ROUNDING, Triple, accurate, decided
+
+SMALLEST = 1e-300                                          # m1 that doubles hold
+
+
+@dataclass(frozen=True)
+class Polhode:
+    """M_a = A_a cn u, M_b = A_b sn u, M_c = A_c dn u, u = rate · t + phase.
+
+    c is the axis about which M goes around, b that of the intermediate moment. On the separatrix m1 = 0, and c is that of the largest.
+
+    Parameters
+    ----------
+    inertia, momentum : three Expr       Iᵢ, and M at the time 0
+    axes : (a, b, c)                     a permutation of 0, 1, 2
+    signs : (1 or −1, ...)               of A_a, A_b, A_c
+    periodic : bool                      whether M is not on the separatrix
+
+    Source
+    ------
+    Landau & Lifshitz, Mechanics, §37, the constants (37.8)-(37.11) written as sums of positive terms.
+    """
+
+    inertia: Triple
+    momentum: Triple
+    axes: tuple[int, int, int]
+    signs: tuple[int, int, int]
+    periodic: bool
+
+    def period(self, bits: int) -> list[arb]:
+        """The period and m1, which says how near the separatrix is."""
+        *_, rate, complement, _ = constants(self, bits)
+        with own_precision(bits + 64):
+            return [4 * quarter_period(complement) / rate, complement]
+
+    @property
+    def error(self) -> float:
+        """Of M, in units of |M|, estimated: the rounding of u."""
+        *_, rate, _, _ = constants(self, CONSTANT)
+        return ROUNDING * (8 + (float(rate * self.period(CONSTANT)[0]) if self.periodic else 0))
+
+    def values(self, t: Array) -> Array:
+        """M at a row of times."""
+        *sizes, rate, complement, phase = map(double, constants(self, CONSTANT))
+        if self.periodic and complement < SMALLEST:
+            raise AccuracyError(f"m1 = {complement}: the motion is too near a separatrix for doubles; give other numbers, or a precision")
+        r = reduced(t, pair(self.period(CONSTANT)[0]))[1] if self.periodic else t
+        sn, cn, dn = jacobi(rate * r + phase, complement)
+        M = np.empty((len(t), 3))
+        for axis, size, part in zip(self.axes, sizes, (cn, sn, dn)):
+            M[:, axis] = size * part
+        return M
+
+    def at(self, t: arb, _: int, precision: int) -> list[arb]:
+        """M at a time, from constants of a precision."""
+        *sizes, rate, complement, phase = constants(self, precision)
+        sn, cn, dn = jacobi_ball(rate * t + phase, complement)
+        parts = dict(zip(self.axes, (size * part for size, part in zip(sizes, (cn, sn, dn)))))
+        return [parts[axis] for axis in range(3)]
+
+
+def polhode(inertia: Triple, momentum: Triple) -> Polhode:
+    """The motion of a free body of three different moments, M not at rest.
+
+    Examples
+    --------
+    >>> from sympy import Integer, Rational
+    >>> polhode(tuple(map(Integer, (1, 2, 3))), (Rational(3, 10), Rational(1, 5), Rational(9, 10))).axes
+    (0, 1, 2)
+    """
+    low, middle, high = order = next((i, j, k) for i, j, k in permutations(range(3)) if all(
+        decided(inertia[b] - inertia[a], "a difference of moments") > 0 for a, b in ((i, j), (j, k))))
+    I, M = inertia, momentum
+    gap = M[high] ** 2 * (1 - I[middle] / I[high]) - M[low] ** 2 * (I[middle] / I[low] - 1)
+    side = decided(gap, "M² − 2 E I for the intermediate moment")
+    a, b, c = axes = order if side >= 0 else (high, middle, low)
+    turn = 1 if (axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1))) == (side >= 0) else -1        # Ṁ_b ∝ M_c M_a (1/I_a − 1/I_c)
+    first, second, third = (decided(M[i], f"M{i + 1}") for i in axes)
+    if side == 0:
+        second = turn * first * third
+    second = second or 1
+    return Polhode(inertia, momentum, axes, (turn * second * third, second, third), side != 0)
+
+
+@lru_cache(maxsize=64)
+def constants(motion: Polhode, bits: int) -> list[arb]:
+    """A_a, A_b, A_c, rate, m1, phase."""
+    (Ia, Ma), (Ib, Mb), (Ic, Mc) = ((motion.inertia[i], motion.momentum[i]) for i in motion.axes)
+    squares = (Ma**2 + Mb**2 * (Ia * (Ic - Ib) / (Ib * (Ic - Ia))), Mb**2 + Ma**2 * (Ib * (Ic - Ia) / (Ia * (Ic - Ib))),
+               Mc**2 + Mb**2 * (Ic * (Ib - Ia) / (Ib * (Ic - Ia))), (1 / Ib - 1 / Ic) * (1 / Ia - 1 / Ic))
+    gap = (Mc**2 * (1 - Ib / Ic) - Ma**2 * (Ib / Ia - 1)) * ((Ic - Ia) / (Ic - Ib))      # M² − 2 E I_b, up to a factor
+    lead = Mb**2 * (1 - Ia / Ib) + Mc**2 * (1 - Ia / Ic)
+
+    def compute(precision: int) -> list[arb]:
+        *sizes, rate = (ball(square, precision).sqrt() for square in squares)
+        complement = ball(gap / lead, precision) if motion.periodic else arb(0)
+        A, B, C = (sign * size for sign, size in zip(motion.signs, sizes))
+        phase = argument(ball(Mb, precision) / B, ball(Ma, precision) / A, complement)
+        return [A, B, C, rate * sizes[2], complement, phase]
+
+    return accurate(compute, bits)
+
+
+def invariants(inertia: Triple, rotor: Triple, momentum: Triple) -> tuple[Expr, Expr, Expr]:
+    """g2, g3 and g2³ − 27 g3² of y² = det(B − λ A), the quadrics A: |M|² = m² and B: Σ (Mᵢ − lᵢ)²/Iᵢ = 2 h.
+
+    M moves along the meet of the two; this curve has the same real period.
+    """
+    e, square = [1 / moment for moment in inertia], sum(x**2 for x in momentum)
+    factor = [sum(y * x * (2 * z - x) for x, y, z in zip(momentum, e, rotor)), square]
+    p = _product(factor, [e[0], -1], [e[1], -1], [e[2], -1])
+    for j, k, i in CYCLIC:
+        lower = _product([(rotor[i] * e[i]) ** 2], [e[j], -1], [e[k], -1])
+        p[:3] = [x - y for x, y in zip(p, lower)]
+    a, b, c, d, f = p[4], p[3] / 4, p[2] / 6, p[1] / 4, p[0]
+    g2 = a * f - 4 * b * d + 3 * c**2
+    g3 = a * c * f + 2 * b * c * d - a * d**2 - b**2 * f - c**3
+    return g2, g3, g2**3 - 27 * g3**2
+
+
+def _product(*factors: list[Expr]) -> list[Expr]:
+    result = [Integer(1)]
+    for factor in factors:
+        result = [sum(result[i] * factor[n - i] for i in range(len(result)) if 0 <= n - i < len(factor))
+                  for n in range(len(result) + len(factor) - 1)]
+    return result
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """The real period of y² = 4 x³ − g2 x − g3, from invariants that are exact.
+
+    Parameters
+    ----------
+    g2, g3, discriminant : Expr
+    sign : int                       of the discriminant g2³ − 27 g3²
+    """
+
+    g2: Expr
+    g3: Expr
+    discriminant: Expr
+    sign: int
+
+    @property
+    def periodic(self) -> bool:
+        """Whether the period is finite: a double root is not the larger one."""
+        return self.sign != 0 or decided(self.g3, "the invariant g3") > 0
+
+    def period(self, bits: int) -> list[arb]:
+        """The period π / agm(√u, √v) and v/u, which says how near the separatrix is.
+
+        u = e1 − e3, v = e1 − e2 for three real roots; for one, e, and H² = 3 e² − g2/4: u = H, v = H/2 + 3 e/4.
+
+        Source
+        ------
+        Abramowitz & Stegun, 18.9; Viète's and Cardano's roots.
+        """
+        return accurate(self._period, bits)
+
+    def _period(self, precision: int) -> list[arb]:
+        g2, g3 = ball(self.g2, precision), ball(self.g3, precision)
+        d = ball(self.discriminant, precision) if self.sign else arb(0)
+        if self.sign >= 0:
+            angle = arb.atan2(d.sqrt(), -g3 * arb(27).sqrt())
+            u, v = g2.sqrt() * ((2 * arb.pi() - angle) / 3).sin(), g2.sqrt() * (angle / 3).sin()
+        else:
+            w = (abs(g3) + (-d / 27).sqrt()).root(3) / (2 if g3 > 0 else -2)
+            e = w + g2 / (12 * w)
+            u = (3 * e * e - g2 / 4).sqrt()
+            v = u / 2 + 3 * e / 4
+        return [arb.pi() / u.sqrt().agm(v.sqrt()), v / u]
+
+
+def meeting(inertia: Triple, rotor: Triple, momentum: Triple) -> Meeting:
+    """The period of M in a gyrostat, decided exactly.
+
+    Raises
+    ------
+    ValuesError      whether M moves on a separatrix is undecided
+    """
+    g2, g3, discriminant = invariants(inertia, rotor, momentum)
+    return Meeting(g2, g3, discriminant, decided(discriminant, "the discriminant of the pencil of |M|² and the energy"))

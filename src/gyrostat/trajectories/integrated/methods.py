@@ -1,0 +1,172 @@
+"""Initial value problems in floats: heyoka's Taylor method, or SciPy's DOP853, from one time to the next."""
+import math
+import operator
+from collections.abc import Callable, Mapping, Sequence
+from functools import reduce
+from typing import Any, NamedTuple
+
+import numpy as np
+from sympy import Add, Expr, Mul, Pow, Rational, Symbol
+
+from ...algebra.floats import Array
+from ...algebra.parts import FUNCTIONS
+from ...errors import AccuracyError, ScopeError, optional
+
+Rates = Sequence[tuple[Symbol, Expr]]
+Rounding = Callable[[Expr], float]
+
+
+def nearest(number: Expr) -> float:
+    """The double next to a number."""
+    return float(number)
+
+
+def beside(number: Expr) -> float:
+    """A number that is a double as it is, of any other the second double above it or the first: as bad a rounding, and another."""
+    value = float(number)
+    return value if Rational(value) == number else math.nextafter(value, math.inf)
+
+
+class Arithmetic(NamedTuple):
+    """What an expression is written in: constants, sums, products, powers that are no whole positive number, functions."""
+
+    constant: Callable[[Expr], Any]
+    add: Callable[[Any, Any], Any]
+    multiply: Callable[[Any, Any], Any]
+    power: Callable[[Any, float], Any]
+    function: Callable[[str], Callable[[Any], Any]]
+
+
+def written(node: Expr, values: Mapping[Symbol, Any], arithmetic: Arithmetic) -> Any:
+    """An expression in another arithmetic, node by node.
+
+    Raises
+    ------
+    ScopeError      a function or a power that no potential here has, such as a Bessel function
+
+    Examples
+    --------
+    >>> from gyrostat.notation import symbol
+    >>> x = symbol("x")
+    >>> written(x**3 / 2 - 1, {x: lambda point: point[0]}, floats(nearest))((2.0,))
+    3.0
+    """
+    if isinstance(node, Symbol):
+        return values[node]
+    if not node.free_symbols:
+        return arithmetic.constant(node)
+    parts = [written(part, values, arithmetic) for part in node.args if not isinstance(node, Pow) or part is node.base]
+    if isinstance(node, (Add, Mul)):
+        return reduce(arithmetic.add if isinstance(node, Add) else arithmetic.multiply, parts)
+    if isinstance(node, Pow) and isinstance(node.exp, Rational):
+        whole = node.exp.is_integer and node.exp > 0
+        return reduce(arithmetic.multiply, parts * int(node.exp)) if whole else arithmetic.power(parts[0], float(node.exp))
+    name = type(node).__name__
+    if name not in FUNCTIONS or len(parts) != 1:
+        raise ScopeError(f"{node} cannot be integrated: write U with + - * /, rational powers and {', '.join(FUNCTIONS)}")
+    return arithmetic.function(name)(parts[0])
+
+
+def _function(name: str) -> Callable[[Any], Any]:
+    function = getattr(math, name)
+    return lambda a: lambda x: function(a(x))
+
+
+def floats(rounding: Rounding) -> Arithmetic:
+    """Functions of a point, which is a sequence of floats."""
+    def constant(number: Expr) -> Callable[[Sequence[float]], float]:
+        value = rounding(number)
+        return lambda x: value
+
+    return Arithmetic(constant, lambda a, b: lambda x: a(x) + b(x), lambda a, b: lambda x: a(x) * b(x),
+                      lambda a, c: lambda x: math.pow(a(x), c), _function)
+
+
+class Taylor:
+    """heyoka's adaptive Taylor method: the order follows from the tolerance."""
+
+    FINE, COARSE = 2.0**-52, 2.0**-40
+
+    def __init__(self, rates: Rates, start: Array, rounding: Rounding, tolerance: float):
+        heyoka = optional("heyoka", "heyoka")
+        names = {s: heyoka.make_vars(f"x{i}") for i, (s, _) in enumerate(rates)}
+        arithmetic = Arithmetic(lambda c: heyoka.expression(rounding(c)), operator.add, operator.mul, operator.pow,
+                                lambda name: getattr(heyoka, name))
+        system = [(names[s], written(rate, names, arithmetic)) for s, rate in rates]
+        self.start, self.steps, self.limit = start, 0, heyoka.taylor_outcome.time_limit
+        self.integrator = heyoka.taylor_adaptive(system, list(start), tol=tolerance)
+
+    @property
+    def time(self) -> float:
+        """Where it is."""
+        return float(self.integrator.time)
+
+    def restart(self) -> None:
+        """Back to time 0."""
+        self.integrator.time, self.integrator.state[:] = 0.0, self.start
+
+    def reach(self, times: Array) -> Array:
+        """The values at times further and further on."""
+        ahead = int(times[0] != self.time)
+        grid = np.concatenate([[self.time], times]) if ahead else times
+        outcome, *_, steps, _, values = self.integrator.propagate_grid(grid)
+        if outcome != self.limit:
+            time = self.time if math.isfinite(self.time) else grid[len(values) - 1]
+            self.restart()
+            raise beyond(time)
+        self.steps += steps
+        return values[ahead:]
+
+
+class RungeKutta:
+    """DOP853, the method of order 8 of Dormand and Prince, in SciPy."""
+
+    FINE, COARSE = 2.5e-14, 1e-12
+
+    def __init__(self, rates: Rates, start: Array, rounding: Rounding, tolerance: float):
+        self.method = optional("scipy.integrate", "trajectories").DOP853
+        names = {s: operator.itemgetter(i) for i, (s, _) in enumerate(rates)}
+        self.rates = [written(rate, names, floats(rounding)) for _, rate in rates]
+        self.start, self.tolerance, self.steps = start, tolerance, 0
+        self.restart()
+
+    def restart(self) -> None:
+        """Back to time 0."""
+        self.time = 0.0
+        self.solver: Any = None
+
+    def field(self, _: float, x: Array) -> list[float]:
+        """The rates at a point; not a number where U is singular, so that the step is made shorter."""
+        point = x.tolist()
+        try:
+            return [rate(point) for rate in self.rates]
+        except (ValueError, ZeroDivisionError, OverflowError):
+            return [math.nan] * len(point)
+
+    def reach(self, times: Array) -> Array:
+        """The values at times further and further on."""
+        if self.solver is None or self.solver.direction * times[-1] < 0:
+            end = math.copysign(math.inf, times[-1])
+            self.solver = self.method(self.field, 0.0, self.start, end, rtol=self.tolerance, atol=self.tolerance)
+        found, done = np.empty((len(times), len(self.start))), 0
+        while done < len(times):
+            while self.solver.t_old is None or abs(times[done]) > abs(self.solver.t):
+                with np.errstate(all="ignore"):        # of a step that is not taken
+                    self.solver.step()
+                self.steps += 1
+                if self.solver.status == "failed":
+                    time = self.solver.t
+                    self.restart()
+                    raise beyond(time)
+            ready = done + int(np.count_nonzero(np.abs(times[done:]) <= abs(self.solver.t)))
+            found[done:ready] = self.solver.dense_output()(times[done:ready]).T
+            self.time, done = self.solver.t_old, ready
+        return found
+
+
+METHODS: dict[str, type[Taylor] | type[RungeKutta]] = {"heyoka": Taylor, "DOP853": RungeKutta}
+
+
+def beyond(time: float) -> AccuracyError:
+    """What to raise where there is no motion."""
+    return AccuracyError(f"the motion cannot be followed beyond t = {time}: U or its gradient is singular there; ask for times before")

@@ -1,0 +1,234 @@
+"""Motion: the state, attitude, periods and invariants of a scene at any time."""
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any
+
+import mpmath
+import numpy as np
+from flint import arb
+from sympy import Add, Expr
+
+from ..algebra.exact import ball
+from ..algebra.floats import Array, in_floats
+from ..algebra.numbers import exact_number, shown
+from ..algebra.precision import own_precision
+from ..errors import AccuracyError, ValuesError, optional
+from ..mechanics.system import System
+from ..stability.notes import state_note
+from .columns import dataset, euler, turns_of
+
+
+class Motion:
+    """The state of a scene at any time.
+
+    Attributes
+    ----------
+    scene : System                     with its numbers
+    state : tuple of Expr              at the time 0
+    route : str                        "equilibrium", "steady precession", "elliptic", "quadrature", "separatrix", "free body",
+                                       "free gyrostat", "heyoka" or "DOP853"
+    period : float or None             of the nutation, or of the momentum in a free body [T]; with precision, mpmath.mpf
+    precession : float or None         angle gained about the vertical in a period, over 2π the rotation number, a half the apsidal
+                                       angle; of a motion without period, the rate [1/T]
+    spin : float or None               the same about the axis of a body of revolution
+    limits : (float, float) or None    lowest and highest component of k along the axis of a body of revolution in a field
+    axis : array, shape (3,)           of a body of revolution; else e3
+    recognised : str                   what the scene is, where it is not entered as a body of revolution in U(k3) but is one; else ""
+    nodes : int                        of the quadrature, or steps of the integration
+    error : float                      of the state, estimated
+    note : str                         what is unusual about the numbers, if anything
+
+    Calling it
+    ----------
+    t : array-like [T]                 any shape; with precision, exact numbers
+    returns                            array of shape (..., n), in the order of scene.space.coordinates; with precision, of mpmath.mpf
+    """
+
+    def __init__(self, scene: System, state: tuple[Expr, ...], route: Any, digits: int | None):
+        self.scene, self.state, self._route, self._digits = scene, state, route, digits
+
+    def __call__(self, t: Any) -> Array:
+        if self._digits is None:
+            times = _times(t)
+            states = np.array(self._route.state(times))
+            states[times == 0] = [float(x) for x in self.state]        # as they were given
+            return states
+        times = np.asarray(t, dtype=object)
+        found = np.empty((*times.shape, len(self.state)), dtype=object)
+        for place in np.ndindex(times.shape):
+            moment, bits = exact_number(times[place], "t"), bits_of(self._digits)
+            if moment == 0:                                # as it was given
+                found[place] = [self._shown(ball(x, bits)) for x in self.state]
+                continue
+            state = self._route.ball_state(ball(moment, 2 * bits), bits)
+            if not _known(state, self._digits):
+                raise AccuracyError(f"at t = {shown(moment)} the state is not known to {self._digits} digits: so late, ask for more")
+            found[place] = [self._shown(x) for x in state]
+        return found
+
+    def attitude(self, t: Any) -> Array:
+        """R from the body to space, x_space = R x_body, in doubles; shape (..., 3, 3).
+
+        The vertical e_z is the direction of the field, R e_z = k/|k| in the rows' sense; of a free body, that of M. At the time 0 the
+        Euler angle φ is 0, and ψ as well where sin θ = 0.
+        """
+        return np.asarray(self._route.attitude(_times(t)))
+
+    def angles(self, t: Any) -> Array:
+        """Euler angles φ, θ, ψ (z-x-z), shape (..., 3), φ and ψ between −π and π; where sin θ = 0, ψ = 0.
+
+        Examples
+        --------
+        >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
+        >>> from gyrostat.trajectories import motion
+        >>> top = motion(assemble(symmetric_gyrostat(), uniform_field()), (0, 1, 5, 0, "0.6", "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
+        >>> top.angles(0.0).round(6)
+        array([0.      , 0.643501, 0.      ])
+        """
+        return euler(self.attitude(t))
+
+    @property
+    def route(self) -> str:
+        return str(self._route.name)
+
+    @property
+    def period(self) -> Any:
+        if self._digits is None:
+            return self._route.period
+        period = self._route.exact_period(bits_of(self._digits))
+        return None if period is None else self._shown(period)
+
+    @property
+    def precession(self) -> Any:
+        return self._gained("precession", 1)
+
+    @property
+    def spin(self) -> Any:
+        return self._gained("spin", 2)
+
+    def _gained(self, name: str, place: int) -> Any:
+        """An angle, of a body of revolution in U(k3) in digits where they are asked for."""
+        if self._digits is not None and hasattr(self._route, "gains"):
+            return self._shown(self._route.gains[place])
+        return getattr(self._route, name, None)
+
+    @property
+    def frequencies(self) -> dict[str, float]:
+        """2π/period, and the mean rates of precession and spin [1/T], as far as they exist."""
+        time, period = self._route.period or 1.0, self._route.period
+        rates = {name: float(gain) / time for name, gain in (("precession", self.precession), ("spin", self.spin)) if gain is not None}
+        return ({"nutation": 2 * np.pi / period} if period else {}) | rates
+
+    @property
+    def limits(self) -> tuple[float, float] | None:
+        return self._route.limits
+
+    @property
+    def axis(self) -> Array:
+        return np.array(getattr(self._route, "axis", (0.0, 0.0, 1.0)))
+
+    @property
+    def recognised(self) -> str:
+        return str(getattr(self._route, "recognised", ""))
+
+    @property
+    def nodes(self) -> int:
+        return int(self._route.nodes)
+
+    @property
+    def error(self) -> float:
+        return float(self._route.error)
+
+    @cached_property
+    def note(self) -> str:
+        return state_note(self.scene, self.state)
+
+    def __repr__(self) -> str:
+        """What is known of the motion, a line each."""
+        each = "in a period" if self._route.period else "per unit of time"
+        lines = [f"Motion: {self.route}"]
+        if self._route.period:
+            lines.append(f"period {float(self._route.period):.12g}")
+        lines += [f"{name} {float(gain):.12g} {each}" for name, gain in (("precession", self.precession), ("spin", self.spin))
+                  if gain is not None]
+        if self.limits:
+            lines.append("k3 from {:.12g} to {:.12g}".format(*self.limits))
+        if self.error:
+            lines.append(f"error {self.error:.1e}, estimated")
+        if self.note:
+            lines.append(f"note: {self.note}")
+        return "\n  ".join(lines)
+
+    @cached_property
+    def invariants(self) -> dict[str, Expr]:
+        """Energy, Casimirs and integrals at the time 0, exact."""
+        point = dict(zip(self.scene.space.coordinates, self.state))
+        return {name: value.xreplace(point) for name, value in self._functions.items()}
+
+    @property
+    def energy(self) -> float:
+        """h at the time 0."""
+        return float(self.invariants["energy"])
+
+    @property
+    def casimirs(self) -> tuple[float, ...]:
+        """The Casimirs at the time 0, in the order of scene.space.casimirs."""
+        return tuple(float(value) for name, value in self.invariants.items() if name.startswith("C"))
+
+    @property
+    def integrals(self) -> tuple[float, ...]:
+        """The integrals at the time 0, in the order of scene.integrals."""
+        return tuple(float(value) for name, value in self.invariants.items() if name.startswith("F"))
+
+    @cached_property
+    def _functions(self) -> dict[str, Expr]:
+        named = [("C", self.scene.space.casimirs), ("F", self.scene.integrals)]
+        return {"energy": self.scene.hamiltonian} | {f"{letter}{i}": f for letter, functions in named for i, f in enumerate(functions, 1)}
+
+    def drift(self, t: Any) -> dict[str, float]:
+        """How far energy, Casimirs C1, C2 and integrals F1, … are off at these times, at most, relative to the largest of their terms."""
+        x = np.asarray(self(t), dtype=float)
+        values = dict(zip(self.scene.space.coordinates, np.moveaxis(x, -1, 0)))
+        start = {s: np.asarray(float(value)) for s, value in zip(self.scene.space.coordinates, self.state)}
+        found = {}
+        for name, function in self._functions.items():
+            size = max(abs(float(in_floats(term, np, start))) for term in Add.make_args(function.expand()))
+            off = np.abs(in_floats(function, np, values) - float(self.invariants[name]))
+            found[name] = float(np.max(off, initial=0.0)) / (size or 1.0)
+        return found
+
+    def to_xarray(self, t: Any) -> Any:
+        """The motion as an xarray.Dataset: state, ω, quaternion and Euler's angles over the times, with units; the rest as attributes.
+
+        Raises
+        ------
+        MissingExtraError      pip install "gyrostat[charts]"
+        """
+        optional("xarray", "charts")
+        times = _times(t)
+        if times.ndim != 1:
+            raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
+        return dataset(self, times, np.asarray(self(t), dtype=float), turns_of(self, times))
+
+    def _shown(self, x: arb) -> mpmath.mpf:
+        mantissa, exponent = map(int, x.mid().man_exp())
+        return mpmath.mpf((mantissa, exponent), dps=self._digits)
+
+
+def _known(state: Sequence[arb], digits: int) -> bool:
+    """Whether every number is enclosed to so many digits of the largest, or of 1."""
+    with own_precision(64):
+        allowed = max([abs(x) for x in state] + [arb(1)], key=arb.mid) * arb(10) ** -digits
+        return all(x.is_finite() and x.rad() <= allowed for x in state)
+
+
+def bits_of(digits: int) -> int:
+    """Bits for so many decimal digits."""
+    return int(3.33 * digits) + 8
+
+
+def _times(t: Any) -> Array:
+    times = np.asarray(t, dtype=float)
+    if not np.isfinite(times).all():
+        raise ValuesError("a time is not a finite number: give finite ones")
+    return times

@@ -1,0 +1,202 @@
+"""The level of the integrals on which a body of revolution in U(k3) moves: g(k3) = I1² k̇3², and what has to be decided of it, exactly."""
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import zip_longest
+from typing import Any
+
+from flint import arb, ctx, fmpq
+from sympy import Expr, Poly, Rational, S, sqrt, trigsimp
+
+from ...algebra.algebraic import is_algebraic
+from ...algebra.exact import ball, sign_of_constant
+from ...errors import ValuesError
+from ...mechanics.system import System
+from ...notation import symbol
+
+K3 = symbol("k3")
+
+
+@dataclass(frozen=True)
+class Level:
+    """The level of the integrals on which a state moves, in exact numbers; g(z) = (|p|² + 2 I1 (U(k3) − U(z))) (|k|² − z²) − (v − P z)².
+
+    The numbers are fmpq where all of them are rational and U is a polynomial, else expressions.
+
+    Parameters
+    ----------
+    scene : System               a body of revolution in U(k3), all of it numbers
+    state : tuple of six Expr    exact numbers; |k| > 0
+    """
+
+    scene: System
+    state: tuple[Expr, ...]
+
+    @cached_property
+    def numbers(self) -> tuple[Any, ...]:
+        """I1, I3, l, then the state."""
+        body = self.scene.body
+        given = (body.inertia[0], body.inertia[2], body.gyrostatic_momentum[2], *self.state)
+        rational = self.field is not None and all(isinstance(x, Rational) for x in (*given, *self.field))
+        return tuple(map(quotient, given)) if rational else given
+
+    @cached_property
+    def field(self) -> tuple[Expr, ...] | None:
+        """Coefficients of U, the constant first; None where it is no polynomial."""
+        return coefficients(self.potential)
+
+    @property
+    def potential(self) -> Expr:
+        """U as a function of k3."""
+        return self.scene.potential.expression if self.scene.potential else S.Zero
+
+    @property
+    def inertia(self) -> Any:
+        """I1."""
+        return self.numbers[0]
+
+    @property
+    def height(self) -> Any:
+        """k3 at the start."""
+        return self.numbers[8]
+
+    @cached_property
+    def square_radius(self) -> Any:
+        """|k|²."""
+        square = sum(x * x for x in self.numbers[6:])
+        return square if isinstance(square, fmpq) or is_algebraic(square) else trigsimp(square)
+
+    @cached_property
+    def axial(self) -> Any:
+        """P = π3 + l."""
+        return self.numbers[5] + self.numbers[2]
+
+    @cached_property
+    def across(self) -> Any:
+        """|p|² = π1² + π2² at the start."""
+        return self.numbers[3] * self.numbers[3] + self.numbers[4] * self.numbers[4]
+
+    @cached_property
+    def twist(self) -> Any:
+        """π1 k1 + π2 k2 at the start, v − P k3."""
+        return self.numbers[3] * self.numbers[6] + self.numbers[4] * self.numbers[7]
+
+    @cached_property
+    def level(self) -> Any:
+        """v = M·k."""
+        return self.twist + self.axial * self.height
+
+    @cached_property
+    def kinetic(self) -> Expr:
+        """|p|² as a function of k3."""
+        moved = self.potential.xreplace({K3: expression(self.height)}) - self.potential
+        return expression(self.across) + 2 * expression(self.inertia) * moved
+
+    @cached_property
+    def slope(self) -> Expr:
+        """g′ as a function of k3, by the rule of products: SymPy takes long over numbers of many digits."""
+        fall, turned = self._fall, expression(self.twist) + expression(self.axial) * (expression(self.height) - K3)
+        return fall * (expression(self.square_radius) - K3**2) - 2 * K3 * self.kinetic + 2 * expression(self.axial) * turned
+
+    @cached_property
+    def curvature(self) -> Expr:
+        """g″ as a function of k3."""
+        fall = self._fall
+        return (fall.diff(K3) * (expression(self.square_radius) - K3**2) - 4 * K3 * fall - 2 * self.kinetic
+                - 2 * expression(self.axial) ** 2)
+
+    @property
+    def _fall(self) -> Expr:
+        """The derivative of |p|²."""
+        return -2 * expression(self.inertia) * self.potential.diff(K3)
+
+    @cached_property
+    def polynomial(self) -> list[Any] | None:
+        """Coefficients of g, the constant first; None where U is no polynomial."""
+        if self.field is None:
+            return None
+        U = [quotient(c) if isinstance(self.height, fmpq) else c for c in self.field]
+        fall = [-2 * self.inertia * c for c in U]
+        fall[0] = fall[0] + self.across - sum(c * self.height**n for n, c in enumerate(fall))
+        turned = [self.level * self.level, -2 * self.level * self.axial, self.axial * self.axial]
+        g = [self.square_radius * a - b for a, b in zip([*fall, 0, 0], [0, 0, *fall])]
+        return [a - b for a, b in zip_longest(g, turned, fillvalue=0)]
+
+    @cached_property
+    def poles(self) -> tuple[int, int]:
+        """Signs of v + P |k| and v − P |k|, 0 where the axis may pass the lower and the upper pole."""
+        lower, upper = (self._sign(side * self.axial) for side in (1, -1))
+        return lower, upper
+
+    def _sign(self, axial: Any) -> int:
+        """Of v + P |k|."""
+        first, second = known(self.level), known(axial)
+        if first * second >= 0:
+            return first or second
+        return first * known(self.level * self.level - axial * axial * self.square_radius)
+
+    @cached_property
+    def direction(self) -> int:
+        """Sign of k̇3 at the start; at rest 0."""
+        return known(self.numbers[4] * self.numbers[6] - self.numbers[3] * self.numbers[7])
+
+    @cached_property
+    def turn(self) -> int:
+        """Sign of k̈3 at the start where k̇3 is 0; 0 on a steady precession."""
+        if self.polynomial is None:
+            return known(self.slope.xreplace({K3: self.height}))
+        return known(sum(n * c * self.height ** (n - 1) for n, c in enumerate(self.polynomial) if n))
+
+    @cached_property
+    def contact(self) -> tuple[int, int]:
+        """Multiplicity of −|k| and |k| as roots of g: 0, 1, and 2 where the motion is asymptotic to the pole; 3 stands for more."""
+        lower, upper = (self._multiplicity(sign, side) for sign, side in zip(self.poles, (-1, 1)))
+        return lower, upper
+
+    def _multiplicity(self, sign: int, side: int) -> int:
+        if sign:
+            return 0
+        pole = side * sqrt(expression(self.square_radius))
+        if known(self.kinetic.xreplace({K3: pole})):
+            return 1
+        return 2 if known(self.curvature.xreplace({K3: pole})) else 3
+
+    @cached_property
+    def at_pole(self) -> int:
+        """1 or −1 where the motion starts at the upper or the lower pole, else 0."""
+        return known(self.height) if known(self.square_radius - self.height * self.height) == 0 else 0
+
+
+@lru_cache(maxsize=64)
+def coefficients(U: Expr) -> tuple[Expr, ...] | None:
+    """Of a polynomial in k3, the constant first; None where it is none."""
+    return tuple(reversed(Poly(U, K3).all_coeffs())) if U.is_polynomial(K3) else None
+
+
+def quotient(number: Rational) -> fmpq:
+    """A rational number, as fast as can be."""
+    return fmpq(int(number.p), int(number.q))
+
+
+def expression(number: Any) -> Expr:
+    """A number of either kind as an expression."""
+    return Rational(int(number.p), int(number.q)) if isinstance(number, fmpq) else S(number)
+
+
+def enclosed(number: Any) -> arb:
+    """An enclosure at the precision of the moment."""
+    return arb(number) if isinstance(number, fmpq) else ball(number, ctx.prec)
+
+
+def known(constant: Any) -> int:
+    """The sign of a constant, which has to be proved here.
+
+    Raises
+    ------
+    ValuesError      it is not: it may be 0
+    """
+    if isinstance(constant, fmpq):
+        return (constant > 0) - (constant < 0)
+    if (sign := sign_of_constant(constant)) is None:
+        raise ValuesError(f"whether {constant} is 0 is not proved, and the motion depends on it: write the numbers with rationals and "
+                          "roots")
+    return sign

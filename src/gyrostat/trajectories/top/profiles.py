@@ -1,0 +1,60 @@
+"""g on a level of the integrals in balls: its values and derivatives, and what is left of it next to a pole that is a root."""
+from functools import lru_cache
+
+from flint import arb, ctx
+from sympy import Expr
+
+from ...algebra.exact import ball
+from .level import K3, Level, enclosed, expression
+
+
+class Profile:
+    """g(z) = T (r² − z²) − w², T = |p|² + 2 I1 (U(k3) − U(z)), w = v − P z, of a level, at the precision of the moment.
+
+    Parameters
+    ----------
+    level : Level
+
+    Attributes
+    ----------
+    radius : arb         r = |k|
+    """
+
+    def __init__(self, level: Level):
+        self._field = derivatives(level.potential)
+        self._inertia, self._height, self._axial = enclosed(level.inertia), enclosed(level.height), enclosed(level.axial)
+        self._across, self._twist, self._square = enclosed(level.across), enclosed(level.twist), enclosed(level.square_radius)
+        self._start = ball(level.potential.xreplace({K3: expression(level.height)}), ctx.prec)
+        self.radius = self._square.sqrt()
+
+    def kinetic(self, z: arb) -> arb:
+        """T = |p|²."""
+        return self._across + 2 * self._inertia * (self._start - self._potential(z, 0))
+
+    def __call__(self, z: arb, order: int = 0) -> arb:
+        """g, g′ or g″."""
+        w = self._twist + self._axial * (self._height - z)
+        if order == 0:
+            return self.kinetic(z) * (self._square - z * z) - w * w
+        if order == 1:
+            return self._fall(z, 1) * (self._square - z * z) - 2 * z * self.kinetic(z) + 2 * self._axial * w
+        return self._fall(z, 2) * (self._square - z * z) - 4 * z * self._fall(z, 1) - 2 * self.kinetic(z) - 2 * self._axial * self._axial
+
+    def divided(self, z: arb, side: int, order: int = 0) -> arb:
+        """g/(r − side z) or its derivative, where the pole side · r is a root: w = P (side r − z)."""
+        if order == 0:
+            return self.kinetic(z) * (self.radius + side * z) - self._axial * self._axial * (self.radius - side * z)
+        return self._fall(z, 1) * (self.radius + side * z) + side * (self.kinetic(z) + self._axial * self._axial)
+
+    def _potential(self, z: arb, order: int) -> arb:
+        return ball(self._field[order], ctx.prec, {K3: z})
+
+    def _fall(self, z: arb, order: int) -> arb:
+        """A derivative of T."""
+        return -2 * self._inertia * self._potential(z, order)
+
+
+@lru_cache(maxsize=64)
+def derivatives(U: Expr) -> tuple[Expr, Expr, Expr]:
+    """U, U′ and U″ as functions of k3."""
+    return U, U.diff(K3), U.diff(K3, 2)

@@ -1,0 +1,193 @@
+"""Turning points: between which roots of g a body of revolution in U(k3) nutates, proved."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_poly
+from sympy import sqrt
+
+from ...errors import AccuracyError, ScopeError
+from .level import Level, enclosed
+from .profiles import Profile
+
+FOLLOWED = 24                                              # coefficients of a polynomial that stands for g
+CLOSE = 50                                                 # times closer than the size of an interval: not known well from it
+KNOWN = 64                                                 # bits of g from which they come
+
+
+@dataclass(frozen=True)
+class Roots:
+    """The real line around a motion: lower ≤ k3 ≤ upper, and the other roots of g.
+
+    Parameters
+    ----------
+    lower, upper : arb
+    double : (bool, bool)                 whether they are double roots, which are approached and not reached
+    others : list of (acb, int)           with multiplicity; where g is no polynomial, approximately and not all
+    leading : arb or None                 coefficient of a polynomial g
+    """
+
+    lower: arb
+    upper: arb
+    double: tuple[bool, bool]
+    others: list[tuple[acb, int]]
+    leading: arb | None
+
+
+def roots_of(level: Level) -> Roots:
+    """The roots of g between which k3 moves and those around, at the precision of the moment (flint.ctx).
+
+    Raises
+    ------
+    ScopeError        the motion approaches a root of third or higher order, so slowly that no exponential describes it
+    AccuracyError     two roots are not told apart at this precision
+    """
+    if level.polynomial is None:
+        found, ends = _of_function(level)
+    else:
+        found = _of_polynomial(level, level.polynomial)
+        ends = _ends(level, found)
+    (lower, m), (upper, n) = ends
+    if max(m, n) > 2:
+        raise ScopeError(f"k3 approaches a root of order {max(m, n)} of g: its motion is neither periodic nor exponential")
+    others = [(x, k) for x, k in found if not (x.imag == 0 and (x.real.overlaps(lower) or x.real.overlaps(upper)))]
+    leading = None if level.polynomial is None else enclosed(next(c for c in reversed(level.polynomial) if c != 0))
+    return Roots(lower, upper, (m == 2, n == 2), others, leading)
+
+
+def _ends(level: Level, found: Sequence[tuple[acb, int]]) -> list[tuple[arb, int]]:
+    """Of all roots those between which the motion is."""
+    z = enclosed(level.height)
+    at_start = level.direction == 0
+    ends: list[tuple[arb, int]] = []
+    for side in (-1, 1):
+        if at_start and level.turn == -side:
+            ends.append((z, 1))
+            continue
+        beyond = [(x.real, m) for x, m in found if x.imag == 0 and not x.real.overlaps(z) and (x.real > z) == (side > 0)]
+        near = [x for x, _ in found if x.imag == 0 and x.real.overlaps(z)]
+        if not beyond or len(near) > at_start:
+            raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
+        ends.append(min(beyond, key=lambda pair: abs(pair[0] - z).mid()))
+    return ends
+
+
+def _of_polynomial(level: Level, g: Sequence[Any]) -> list[tuple[acb, int]]:
+    """All roots with their multiplicities."""
+    if isinstance(g[0], fmpq):
+        return [(acb(x), m) for x, m in fmpq_poly(g).complex_roots()]
+    left, poles = [enclosed(c) for c in g], []
+    for side, m in zip((-1, 1), level.contact):
+        if m:
+            poles.append((acb(side * enclosed(level.square_radius).sqrt()), m))
+        for _ in range(m):
+            left = _divided(left, side * enclosed(level.square_radius).sqrt())
+    return poles + [(x, 1) for x in _simple(arb_poly(left))]
+
+
+def _divided(coefficients: list[arb], root: arb) -> list[arb]:
+    """The quotient by x − root, by Horner's rule."""
+    quotient = [coefficients[-1]]
+    for c in coefficients[-2:0:-1]:
+        quotient.append(c + quotient[-1] * root)
+    return quotient[::-1]
+
+
+def _simple(polynomial: arb_poly) -> list[acb]:
+    """The roots of a polynomial without multiple ones, by Newton's method in balls; of the real ones the imaginary part is 0."""
+    try:
+        isolated = polynomial.complex_roots(tol=arb(2) ** (-ctx.prec // 2), maxprec=8 * ctx.prec)
+    except ValueError as error:
+        raise AccuracyError(f"the roots of {polynomial} are not told apart") from error
+    found, slope = [], polynomial.derivative()
+    for x in map(acb, isolated):
+        real = x.imag.contains(0)                          # conjugate to itself, for it is isolated
+        x = acb(x.real) if real else x
+        for _ in range(2):
+            middle = acb(x.real.mid(), x.imag.mid())
+            x = middle - polynomial(middle) / slope(x)
+        found.append(acb(x.real) if real else x)
+    return found
+
+
+def _of_function(level: Level) -> tuple[list[tuple[acb, int]], list[tuple[arb, int]]]:
+    """Other roots, approximately; and the turning points."""
+    g, ends = Profile(level), list[tuple[arb, int]]()
+    for side, m in zip((-1, 1), level.contact):
+        if level.direction == 0 and level.turn == -side:
+            ends.append((enclosed(level.height), 1))
+        elif (root := _first(level, g, side, m)) is not None:
+            ends.append((root, 1))
+        else:
+            ends.append((side * g.radius, m))
+    if not ends[0][0] < ends[1][0]:
+        raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
+    return [(x, 1) for x in _around(g, ends)], ends
+
+
+def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
+    """The root of g nearest to the start on the way to a pole; None: there is none before the pole, a root itself of order m."""
+    def value(x: arb) -> arb:
+        return g(x) if m == 0 else g.divided(x, side)
+
+    def slope(x: arb) -> arb:
+        return g(x, 1) if m == 0 else g.divided(x, side, 1)
+
+    start, way = enclosed(level.height), enclosed(side * sqrt(level.square_radius) - level.height)
+    cells = [(fmpq(0), fmpq(1))]
+    while cells:
+        low, high = cells.pop()
+        x, middle, end = start + way * arb(low).union(arb(high)), start + way * (low + high) / 2, start + way * high
+        steep = side * slope(x)                            # > 0: g grows on the way
+        positive = value(middle) + side * steep * (x - middle) > 0 or (steep < 0 and value(end) > 0)
+        if positive or (low == 0 and level.direction == 0 and steep > 0) or (high == 1 and m == 2 and steep < 0):
+            continue
+        if steep < 0 and value(end) < 0:
+            for _ in range(2 * ctx.prec.bit_length()):
+                x = x.intersection(x.mid() - value(arb(x.mid())) / slope(x))
+            if x.is_finite() and x.overlaps(side * g.radius):
+                raise AccuracyError(f"a turning point is not told apart from the pole k3 = {float(side * g.radius):g}")
+            if x.is_finite():                              # the slope keeps its sign in the smaller balls, too
+                return x
+        if high - low < fmpq(1, 2 ** (ctx.prec // 2)):
+            raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
+        cells += [((low + high) / 2, high), (low, (low + high) / 2)]
+    return None
+
+
+def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
+    """Other roots, approximately: of polynomials that interpolate g around the motion, and around what it almost meets."""
+    (lower, _), (upper, _) = ends
+    width = upper - lower
+    others = _interpolated(g, lower - width / 8, upper + width / 8)
+    for x, m in ends:                                      # those that stand for the turning points themselves
+        others = sorted(others, key=lambda y: abs(y - x).mid())[m:]
+    for x in [y.real for y in others if y.imag > 0 and 8 * y.imag < min(y.real - lower, upper - y.real, key=arb.mid)]:
+        others = _closer(g, x, 0, others, width)
+    for x, m in ends:
+        beyond = x - 2 * g(x, 1) / g(x, 2)       # of the parabola there
+        if m == 1 and CLOSE * abs(beyond - x) < width and not any(abs(beyond - y) < abs(beyond - x) for y in others):
+            others.append(acb(beyond))
+        others = _closer(g, x, m, others, width)
+    return [x for x in others if not (x.imag == 0 and lower < x.real < upper)]
+
+
+def _closer(g: Profile, x: arb, m: int, others: list[acb], width: arb) -> list[acb]:
+    """The others, those next to x found again: on smaller and smaller intervals, until they are as far from it as an interval is long."""
+    while CLOSE * (least := min((abs(y - x).mid() for y in others), default=width)) < width:
+        width = max(8 * least, width / CLOSE, key=arb.mid).mid()
+        around = sorted(_interpolated(g, x - width, x + width), key=lambda y: abs(y - x).mid())[m:]
+        others = [y for y in others if abs(y - x).mid() > width / 2] + [y for y in around if abs(y - x).mid() <= width / 2]
+    return others
+
+
+def _interpolated(g: Profile, low: arb, high: arb) -> list[acb]:
+    """Roots of the polynomial that interpolates g on an interval, as far as k3 can be there."""
+    low, high = max(low, -g.radius, key=arb.mid), min(high, g.radius, key=arb.mid)
+    middle, half = ((low + high) / 2).mid(), ((high - low) / 2).mid()
+    nodes = [arb.cos_pi_fmpq(fmpq(2 * j + 1, 2 * FOLLOWED)) for j in range(FOLLOWED)]
+    values = [g(middle + half * y) for y in nodes]
+    if max(x.rel_accuracy_bits() for x in values) < KNOWN:
+        raise AccuracyError(f"g is not known between {low} and {high}")
+    fitted = arb_poly([0 if c.contains(0) else c.mid() for c in arb_poly.interpolate(nodes, values).coeffs()])
+    return [middle + half * y for y in _simple(fitted)]

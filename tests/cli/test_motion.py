@@ -1,0 +1,249 @@
+"""gyrostat motion: tables, data, pictures, animations; bodies, states and times; errors."""
+import sys
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+from matplotlib.animation import FFMpegWriter
+from PIL import Image
+
+import gyrostat as gs
+from gyrostat.cli.options import body_of
+from gyrostat.cli.parser import main
+from gyrostat.plotting.looks import BLUE
+from gyrostat.trajectories import motion
+
+NUMBERS = ("I1=1", "I3=0.6", "l=0.4", "m0=1")
+TOP = ["--potential", "m0*k3", *(f"--set={number}" for number in NUMBERS), "--state", "0.3,-0.2,sqrt(2),0.6,0,0.8"]
+FREE = ["--potential", "none", *(f"--set={number}" for number in ("I1=1", "I2=2", "I3=5/2", "l=1/4")), "--state", "1/3,2,-0.1"]
+
+
+def run(capsys, *arguments):
+    status = main(["motion", *arguments])
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
+
+
+def rows(text):
+    return [line.split(",") for line in text.splitlines() if not line.startswith("#")]
+
+
+@pytest.fixture(scope="module")
+def scene():
+    return gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+
+
+def the_top(scene, **options):
+    return motion(scene, ("0.3", "-0.2", "sqrt(2)", "0.6", 0, "0.8"), dict(number.split("=") for number in NUMBERS), **options)
+
+
+def the_box():
+    return motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, "1/4"))), ("1/3", 2, "-0.1"))
+
+
+def test_the_table_is_the_motion(capsys, scene):
+    """Read back, each double is that of the library; what is known of the motion goes to standard error."""
+    status, out, err = run(capsys, *TOP, "--until", "30")
+    top, (header, *lines) = the_top(scene), rows(out)
+    found = np.array(lines, dtype=float)
+    assert status == 0 and header[:7] == ["time", "pi1", "pi2", "pi3", "k1", "k2", "k3"] and len(found) == 201
+    assert found[:, 0].tolist() == [3 * n / 20 for n in range(201)]
+    np.testing.assert_array_equal(found[:, 1:7], top(found[:, 0]))
+    known = dict(line.split(maxsplit=1) for line in err.splitlines())
+    assert known["route"] == "elliptic" and float(known["period"]) == top.period
+    assert known["precession"] == f"{top.precession} in a period" and float(known["error"].split(",")[0]) < 1e-13
+    worst, name, _ = known["drift"].split(", ")
+    drift = top.drift(found[:, 0])
+    assert worst == f"{max(drift.values()):.1e}" and f"{drift[name.removeprefix('of ')]:.1e}" == worst
+
+
+@pytest.mark.parametrize(("arguments", "times"), [
+    (["--until", "1", "--count", "11"], [0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1]),
+    (["--until", "1", "--step", "0.3"], [0, 0.3, 0.6, 0.9]), (["--until", "-1/3", "--step", "1/6"], [0, -1 / 6, -1 / 3]),
+    (["--until", "2*pi", "--step", "pi/2"], [0, np.pi / 2, np.pi, 3 * np.pi / 2, 2 * np.pi])])
+def test_times(capsys, arguments, times):
+    """Each the double next to the exact time, from 0 forwards or back, T included where a step reaches it."""
+    _, out, _ = run(capsys, *FREE, *arguments)
+    assert [float(row[0]) for row in rows(out)[1:]] == times
+
+
+def test_all_digits(capsys, scene):
+    """With --precision the times are decimals, and the states those at the times as written."""
+    _, out, err = run(capsys, *TOP, "--until", "1e9/3", "--count", "3", "--precision", "25")
+    top, lines = the_top(scene, precision=25), rows(out)[1:]
+    assert [line[0] for line in lines] == ["0", "166666666.6666666666666667", "333333333.3333333333333333"]
+    for time, *state in lines:
+        assert state == [mpmath.nstr(x, 25) for x in top(Fraction(time))]
+    assert f"period      {mpmath.nstr(top.period, 25)}\n" in err and "error" not in err and "drift" not in err
+    _, out, _ = run(capsys, *TOP, "--until", "1", "--step", "0.1", "--precision", "20")
+    assert [row[0] for row in rows(out)[1:5]] == ["0", "0.1", "0.2", "0.3"]
+
+
+def test_files_of_numbers(capsys, tmp_path):
+    """The table in a file; netCDF holds the dataset of the library."""
+    import xarray as xr
+    box = the_box()
+    status, out, err = run(capsys, *FREE, "--until", "9", "--count", "120", "--output", str(tmp_path / "box.csv"))
+    assert status == 0 and out == "" and err.startswith("route       free gyrostat\n")
+    found = np.array(rows((tmp_path / "box.csv").read_text())[1:], dtype=float)
+    np.testing.assert_array_equal(found[:, 1:4], box(found[:, 0]))
+    assert run(capsys, *FREE, "--until", "9", "--count", "120", "--output", str(tmp_path / "box.nc"))[0] == 0
+    with xr.open_dataset(tmp_path / "box.nc") as data:
+        xr.testing.assert_identical(data.load(), box.to_xarray(found[:, 0]))
+
+
+@pytest.mark.parametrize(("potential", "names", "inertia", "rotor"), [
+    ("k3", "I1 I3 l", "I1 I1 I3", "0 0 l"), ("k3", "I1 I2 I3 l", "I1 I2 I3", "0 0 l"), ("k1*k3", "I1 I2 I3 l", "I1 I2 I3", "0 0 l"),
+    ("k3", "I1 I3 l1 l2 l3", "I1 I1 I3", "l1 l2 l3"), ("none", "I1 I2 I3 l1 l2 l3", "I1 I2 I3", "l1 l2 l3")])
+def test_bodies(potential, names, inertia, rotor):
+    """I2, k1 or k2, or no field at all: three moments; l1, l2, l3: any rotor."""
+    body = body_of(potential, names.split()).body
+    assert " ".join(map(str, body.inertia)) == inertia and " ".join(map(str, body.gyrostatic_momentum)) == rotor
+
+
+def test_a_general_body_is_integrated(capsys, tmp_path, monkeypatch):
+    """Three moments, three components of the rotor, U(k1, k2, k3); on a terminal a bar, wiped before the table."""
+    import xarray as xr
+    monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)  # heyoka compiles longer than this takes
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
+    sets = [f"--set={number}" for number in ("I1=1", "I2=2", "I3=3", "l1=0", "l2=0.1", "l3=1/2", "a=-1")]
+    given = ["--potential", "a*k1*k2 + k3", *sets, "--state", "0.1,0,5,0,0,1", "--until", "-2", "--count", "4"]
+    status, out, err = run(capsys, *given)
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, "0.1", "1/2")), gs.general_potential(lambda x, y, z: z - x * y))
+    found, wanted = np.array(rows(out)[1:], dtype=float), motion(scene, ("0.1", 0, 5, 0, 0, 1))
+    np.testing.assert_array_equal(found[:, 1:7], wanted(found[:, 0]))
+    assert status == 0 and "period" not in err and "route       DOP853" in err
+    assert "motion       [" in err and "] 4/4" in err and " \rroute" in err
+    assert run(capsys, *given, "--output", str(tmp_path / "body.nc"))[0] == 0
+    with xr.open_dataset(tmp_path / "body.nc") as data:                            # the steps are those of all times
+        xr.testing.assert_identical(data.load(), wanted.to_xarray(found[:, 0]))
+
+
+@pytest.fixture
+def drawn(monkeypatch):
+    """Figures that are not written."""
+    figures = []
+    monkeypatch.setattr("gyrostat.cli.motion.save_picture", lambda figure, path: figures.append(figure))
+    return figures
+
+
+def path_of(ax, width):
+    lines = [np.array(line.get_data_3d()).T for line in ax.lines if (line.get_color(), line.get_linewidth()) == (BLUE, width)]
+    return {tuple(point) for line in lines for point in line.round(12).tolist() if np.isfinite(point).all()}
+
+
+def test_a_picture_in_a_field(capsys, tmp_path, scene, drawn):
+    """The path of e3, and π and k over the time."""
+    assert run(capsys, *TOP, "--until", "9", "--count", "50", "--output", str(tmp_path / "top.png"))[0] == 0
+    top, times = the_top(scene), np.array([9 * n / 49 for n in range(50)])
+    sphere, momenta, directions = drawn[0].axes
+    assert {tuple(point) for point in top.attitude(times)[..., 2].round(12).tolist()} <= path_of(sphere, 1.4)
+    for ax, names, columns in ((momenta, "pi", slice(0, 3)), (directions, "k", slice(3, 6))):
+        np.testing.assert_array_equal([line.get_ydata() for line in ax.lines], top(times)[:, columns].T)
+        np.testing.assert_array_equal(ax.lines[0].get_xdata(), times)
+        assert [text.get_text().strip("$\\") for text in ax.get_legend().get_texts()] == [f"{names}_{i}" for i in (1, 2, 3)]
+        assert len({line.get_linestyle() for line in ax.lines}) == 3 or len({str(line._dash_pattern) for line in ax.lines}) == 3
+    assert directions.get_xlabel() == "$t$"
+
+
+def test_a_picture_of_a_free_body(capsys, tmp_path, drawn):
+    """The momentum sphere with the path of M = π + l."""
+    assert run(capsys, *FREE, "--until", "-9", "--count", "50", "--output", str(tmp_path / "box.pdf"))[0] == 0
+    sphere, momenta = drawn[0].axes
+    times = np.array([-9 * n / 49 for n in range(50)])
+    M = the_box()(times) + [0, 0, 0.25]
+    assert {tuple(point) for point in M.round(12).tolist()} <= path_of(sphere, 2.4)
+    assert sphere.get_legend().get_texts()[0].get_text() == "polhode" and len(momenta.lines) == 3
+    polhode = np.array(sorted(path_of(sphere, 0.9)))
+    energies = (polhode - [0, 0, 0.25])**2 @ (0.5 / np.array([1, 2, 2.5]))
+    np.testing.assert_allclose(energies, the_box().energy, rtol=1e-4)      # a chord, where the curve passes behind the sphere
+
+
+def test_a_picture_file(capsys, tmp_path):
+    """There is something on both sides of it."""
+    assert run(capsys, *FREE, "--until", "9", "--count", "30", "--output", str(tmp_path / "box.png"))[0] == 0
+    with Image.open(tmp_path / "box.png") as image:
+        left, right = (np.asarray(image.convert("L").crop(box)) for box in (
+            (0, 0, image.width // 2, image.height), (image.width // 2, 0, *image.size)))
+        assert image.width > 1000 and left.min() < 80 and right.min() < 80 and left.std() > 10 and right.std() > 10
+
+
+def test_an_animation(capsys, tmp_path, monkeypatch):
+    """A picture for each time, of a body that turns; on a terminal a bar."""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
+    status, out, err = run(capsys, *FREE, "--until", "3", "--count", "3", "--output", str(tmp_path / "box.gif"))
+    assert status == 0 and out == "" and "animation    [" in err and "] 3/3" in err and "\rroute" in err
+    with Image.open(tmp_path / "box.gif") as film:
+        frames = []
+        for n in range(film.n_frames):
+            film.seek(n)
+            frames.append(np.asarray(film.convert("L"), dtype=int))
+    assert len(frames) == 3 and all(np.abs(a - b).max() > 80 for a, b in zip(frames, frames[1:]))
+
+
+def test_no_film_without_its_program(capsys, tmp_path, monkeypatch):
+    """It is said before anything is drawn."""
+    monkeypatch.setattr(FFMpegWriter, "isAvailable", lambda: False)
+    monkeypatch.setattr("gyrostat.plotting.animate_top", None)
+    status, _, err = run(capsys, *FREE, "--until", "3", "--output", str(tmp_path / "box.mp4"))
+    assert status == 2 and "needs the program ffmpeg" in err and list(tmp_path.iterdir()) == []
+
+
+def test_numbers_below_0_after_an_option(capsys):
+    """--state -1/3,2,0 --until -1 --set and --potential -k3 are values, not options; -h is help."""
+    separate = run(capsys, *FREE[:-1], "-1/3,2,0", "--until", "-1/2", "--count", "2")
+    assert separate[0] == 0 and separate == run(capsys, *FREE[:-2], "--state=-1/3,2,0", "--until=-1/2", "--count=2")
+    for arguments in (["--potential", "-m0*k3"], ["--fragment", "--format", "latex"]):
+        assert main(["report", "--equilibrium", "E1", *arguments]) == 0
+    with pytest.raises(SystemExit) as stop:
+        main(["report", "--fragment", "-h"])
+    assert stop.value.code == 0
+
+
+@pytest.mark.parametrize(("arguments", "why"), [
+    (["--until", "0"], "--until 0 is no end of a motion that starts at 0: give another time"), (["--until", "1e400"], "give another time"),
+    (["--until", "1", "--count", "1"], "--count 1 is 1 times"), (["--until", "1", "--step", "2"], "--step 2 is 1 times"),
+    (["--until", "1", "--step", "1e-9"], "1000000001 times"), (["--until", "1", "--step", "-1"], "--step -1 is not positive"),
+    (["--until", "1", "--step", "0"], "--step 0 is not positive"), (["--until", "soon"], "give a number"),
+    (["--until", "1", "--tolerance", "0"], "--tolerance 0 is not positive"),
+    (["--until", "1", "--precision", "0", "--count", "2"], "precision = 0"),
+    (["--until", "1", "--precision", "20", "--output", "top.nc"], "--precision 20 is for a table, top.nc holds doubles: leave it out"),
+    (["--until", "1", "--precision", "20", "--set", "I2=2"], "this scene is integrated, in doubles"),
+    (["--until", "1", "--set", "l1=1"], "both l and l1 are given, l is the rotor along axis 3: give l, or l1, l2, l3"),
+    (["--until", "1", "--set", "mass=1"], "no parameter mass"), (["--until", "1", "--state", "1,2,3"], "3 numbers, the body 6 coordinates"),
+    (["--until", "1", "--state", "__import__('os'),0,0,0,0,1"], "cannot read"), (["--until", "1", "--state", "1,0,x,0,0,1"], "pi3 = x"),
+    (["--until", "1", "--potential", "k1"], "no number for I2, and the body has the moments (I1, I2, I3), the rotor (0, 0, l): add --set"),
+    (["--until", "1", "--output", "top.txt"], "of no kind that is written: name a table, motion.csv"),
+    (["--until", "1", "--output", "missing/top.csv"], "cannot write")])
+def test_bad_input_exits_2(capsys, tmp_path, monkeypatch, arguments, why):
+    """A clear error on stderr, nothing on stdout, nothing written."""
+    monkeypatch.chdir(tmp_path)
+    status, out, err = run(capsys, *TOP, *arguments)
+    assert status == 2 and out == "" and err.startswith("gyrostat: ") and why in err and len(err.splitlines()) == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_field_is_needed(capsys):
+    """An unspecified U moves nothing."""
+    status, out, err = run(capsys, *TOP[2:], "--until", "1")
+    assert status == 2 and out == "" and "--potential is missing" in err and "none for a free body" in err
+
+
+@pytest.mark.parametrize(("missing", "kind", "extra"), [("matplotlib", "png", "plot"), ("matplotlib", "gif", "plot"),
+                                                        ("netCDF4", "nc", "charts"), ("xarray", "nc", "charts")])
+def test_missing_extras_are_named(capsys, tmp_path, monkeypatch, missing, kind, extra):
+    """The pip command, exit status 2."""
+    monkeypatch.setitem(sys.modules, missing, None)
+    status, out, err = run(capsys, *TOP, "--until", "1", "--output", str(tmp_path / f"top.{kind}"))
+    assert status == 2 and out == "" and f'pip install "gyrostat[{extra}]"' in err and list(tmp_path.iterdir()) == []
+
+
+def test_help(capsys):
+    """With examples."""
+    with pytest.raises(SystemExit) as stop:
+        main(["motion", "--help"])
+    out = capsys.readouterr().out
+    assert stop.value.code == 0 and "gyrostat motion --potential" in out and "--state PI1,PI2,PI3,K1,K2,K3" in out

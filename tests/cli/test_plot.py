@@ -1,0 +1,180 @@
+"""gyrostat plot: each picture is that of the library; files and errors."""
+import sys
+
+import numpy as np
+import pytest
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from PIL import Image
+
+import gyrostat as gs
+from gyrostat import plotting
+from gyrostat.cli.parser import main
+from gyrostat.trajectories import motion
+
+
+def sets(text):
+    return [f"--set={setting}" for setting in text.split()]
+
+
+HEAVY = ["--potential", "m0*k3", *sets("I1=1 I3=1/2 l=0 m0=1")]
+BODY = {"I1": 1, "I3": "1/2", "l": 0, "m0": 1}
+STATE = ["--state", "0,0,3,0.8,0,0.6"]
+HOPF = ["--potential", "m0*k3", *sets("I1=1 I3=1.6 l=0 m0=1"), "--equilibrium", "E1"]
+
+
+def space(elev=22, azim=40):
+    return Figure().add_subplot(projection="3d", elev=elev, azim=azim)
+
+
+def flat():
+    return Figure().subplots()
+
+
+@pytest.fixture(scope="module")
+def heavy():
+    return gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+
+
+def sphere(heavy):
+    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "0.55"))), {}, 2, ax=space())
+
+
+def level(heavy):
+    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, "1/4", "1/2"))), {}, 2, [1, 1.5], ax=space())
+
+
+def nutation(heavy):
+    top = motion(heavy, (0, 0, 3, "0.8", 0, "0.6"), BODY)
+    return plotting.draw_nutation(top, [n / 4 for n in range(9)], space())
+
+
+def well(heavy):
+    return plotting.draw_effective_potential(heavy, BODY | {"p_phi": 1, "p_psi": 1}, "1.9", flat())
+
+
+def branches(heavy):
+    return plotting.draw_bifurcation_diagram(heavy, BODY, "omega", ("-1/2", 3), flat())
+
+
+def diagram(heavy):
+    return plotting.draw_energy_momentum(heavy, BODY | {"p_psi": 1}, ax=flat())
+
+
+def hopf(heavy):
+    eq, samples = gs.upright(heavy, spin="omega3_0"), np.linspace(2.2, 0, 40)
+    return plotting.draw_eigenvalues(eq, {"I1": 1, "I3": "1.6", "l": 0, "m0": 1}, "omega3_0", samples.tolist(), flat())
+
+
+def rolling(heavy):
+    return plotting.draw_cones((2, 1), 1, "2", space(14, 12))
+
+
+def contents(figure):
+    """All that is drawn, as numbers and texts."""
+    found = []
+    for ax in figure.axes:
+        found += [ax.get_xlabel(), ax.get_ylabel(), ax.name, getattr(ax, "azim", 0), *(text.get_text() for text in ax.texts)]
+        found += [np.nan_to_num(np.array(line.get_data_3d() if ax.name == "3d" else line.get_data())).tolist() for line in ax.lines]
+        found += [np.array(c.get_segments()).tolist() if type(c) is LineCollection else type(c).__name__ for c in ax.collections]
+    return found
+
+
+@pytest.mark.parametrize(("arguments", "ours"), [
+    (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0.55"), "--momentum", "2"], sphere),
+    (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l1=0 l2=1/4 l3=1/2"), "--momentum", "2", "--energy", "1", "--energy", "1.5"], level),
+    (["nutation", *HEAVY, *STATE, "--until", "2", "--step", "1/4"], nutation),
+    (["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1"), "--energy", "1.9"], well),
+    (["bifurcations", *HEAVY, "--x", "omega=-1/2:3"], branches), (["energy-momentum", *HEAVY, *sets("p_psi=1")], diagram),
+    (["eigenvalues", *HOPF, "--x", "omega3_0=2.2:0:40"], hopf),
+    (["cones", *sets("I1=2 I3=1"), "--transverse", "1", "--axial", "2"], rolling)], ids=lambda value: getattr(value, "__name__", ""))
+def test_pictures_of_the_library(capsys, tmp_path, monkeypatch, heavy, arguments, ours):
+    """The same lines, labels and view."""
+    figures = []
+    monkeypatch.setattr("gyrostat.plotting.energy_momentum.CELLS", 40)                    # coarse regions, sooner
+    monkeypatch.setattr("gyrostat.cli.plot.save_picture", lambda figure, path: figures.append(figure))
+    assert main(["plot", *arguments, "--output", str(tmp_path / "picture.png")]) == 0
+    assert capsys.readouterr() == ("", "")
+    assert contents(figures[0]) == contents(ours(heavy).figure)
+
+
+def test_files(capsys, tmp_path):
+    """.png, .pdf and .svg; there is something on them."""
+    for kind, start, arguments in (("png", b"\x89PNG", ["nutation", *HEAVY, *STATE, "--until", "9"]),
+                                   ("pdf", b"%PDF", ["eigenvalues", *HOPF, "--x", "omega3_0=2.2:0"]),
+                                   ("svg", b"<?xml", ["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1")])):
+        path = tmp_path / f"picture.{kind}"
+        assert main(["plot", *arguments, "--output", str(path)]) == 0 and path.read_bytes().startswith(start)
+        assert path.stat().st_size > 5000
+    with Image.open(tmp_path / "picture.png") as image:
+        pixels = np.asarray(image.convert("L"))
+    assert image.width > 500 and pixels.min() < 80 and pixels.std() > 10
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize(("arguments", "why"), [
+    (["eigenvalues", *HOPF[:-2], "--x", "omega3_0=0:1", "--output", "x.png"], "--equilibrium is missing, a picture is of one"),
+    (["eigenvalues", *HOPF, "--x", "l=0:1", "--output", "x.png"], "l is given twice, by --set and as the axis --x: leave out one"),
+    (["eigenvalues", *HOPF, "--set", "pi3_0=1", "--x", "omega3_0=0:1", "--output", "x.png"], "both pi3_0 and omega3_0"),
+    (["eigenvalues", *HOPF, "--x", "omega3_0=0:1:1", "--output", "x.png"], "COUNT 1"),
+    (["eigenvalues", *HOPF, "--x", "omega3_0=0", "--output", "x.png"], "is not NAME=LOW:HIGH[:COUNT]: write"),
+    (["bifurcations", *HEAVY, "--x", "omega=0:1:9", "--output", "x.png"], "is not NAME=LOW:HIGH: write, for example, --x l=-2:2\n"),
+    (["bifurcations", *HEAVY, "--x", "omega=1:0", "--output", "x.png"], "the lower one first"),
+    (["bifurcations", *HEAVY[2:], "--x", "omega=0:1", "--output", "x.png"], "--potential is missing, and bifurcations is of a field"),
+    (["energy-momentum", *HEAVY, "--potential", "none", "--output", "x.png"], "--potential is none, and energy-momentum is of a field"),
+    (["energy-momentum", *HEAVY, "--output", "x.png"], "needs p_psi"),
+    (["energy-momentum", *HEAVY, *sets("p_psi=1")], "--output is missing, a picture goes to a file: name energy-momentum.png"),
+    (["nutation", *HEAVY, *STATE, "--until", "1", "--output", "x.gif"], "of no kind"),
+    (["nutation", *HEAVY, *STATE, "--until", "0", "--output", "x.png"], "give another time"),
+    (["cones", *sets("I1=1 I2=1"), "--transverse", "1", "--axial", "2", "--output", "x.png"], "give I1 and I3"),
+    (["cones", *sets("I1=1 I3=1"), "--transverse", "1", "--axial", "2", "--output", "x.png"], "there is no space cone"),
+    (["momentum-sphere", *sets("I1=1 I3=3 l=0"), "--momentum", "1", "--output", "x.png"], "no number for I2"),
+    (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0"), "--momentum", "0", "--output", "x.png"], "give a positive number"),
+    (["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1"), "--energy", "E", "--output", "missing/x.png"], "cannot write")])
+def test_bad_input_exits_2(capsys, tmp_path, monkeypatch, arguments, why):
+    """A clear error on stderr, nothing on stdout, nothing written."""
+    monkeypatch.chdir(tmp_path)
+    status = main(["plot", *arguments])
+    out, err = capsys.readouterr()
+    assert status == 2 and out == "" and err.startswith("gyrostat: ") and why in err and len(err.splitlines()) == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_matplotlib_is_named_where_it_is_missing(capsys, tmp_path, monkeypatch):
+    """The pip command, exit status 2."""
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    status = main(["plot", "nutation", *HEAVY, *STATE, "--until", "1", "--output", str(tmp_path / "x.png")])
+    assert status == 2 and 'pip install "gyrostat[plot]"' in capsys.readouterr().err
+
+
+def test_help(capsys):
+    """Of the verb with examples and all kinds, and of each kind with what it needs."""
+    from gyrostat.cli.plot import DRAWN
+    helped = {}
+    for kind in ("", *DRAWN):
+        with pytest.raises(SystemExit) as stop:
+            main(["plot", *filter(None, [kind]), "--help"])
+        assert stop.value.code == 0
+        helped[kind] = capsys.readouterr().out
+    assert all(f"gyrostat plot {kind}" in helped[""] and "--output" in helped[kind] for kind in DRAWN)
+    assert "--x NAME=LOW:HIGH[:COUNT]" in helped["eigenvalues"] and "--potential" not in helped["momentum-sphere"]
+    with pytest.raises(SystemExit) as stop:
+        main(["plot", "fly"])
+    assert stop.value.code == 2
+
+
+CONES = ["plot", "cones", *sets("I1=1 I3=3"), "--transverse", "1", "--axial", "2", "--output", "a.png"]
+NOTED = [["plot", "momentum-sphere", *sets("I1=1 I2=1 I3=3 l=0.1"), "--momentum", "1", "--output", "a.png"],
+         ["plot", "energy-momentum", "--potential", "k3", *sets("I1=1 I3=3 l=0 p_psi=1"), "--output", "a.png"],
+         ["chart", "--potential", "k3", "--equilibrium", "E1", *sets("I1=1 I3=3"), "--x", "l=0:1:2", "--y", "omega3_0=0:1:2",
+          "--output", "a.nc"]]
+
+
+@pytest.mark.parametrize("arguments", [CONES, *(pytest.param(arguments, marks=pytest.mark.slow) for arguments in NOTED)])
+def test_a_picture_says_what_is_unusual(arguments, tmp_path, monkeypatch, capsys):
+    """No rigid body has the moments 1, 1, 3: said on standard error, as of a motion; of a body that there is, nothing."""
+    monkeypatch.chdir(tmp_path)
+    assert main(arguments) == 0
+    assert capsys.readouterr().err.startswith("note        no rigid body has the moments 1, 1, 3: ")
+    assert main([text.replace("I3=3", "I3=2") for text in arguments]) == 0
+    assert capsys.readouterr().err == ""

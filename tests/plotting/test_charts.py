@@ -1,0 +1,190 @@
+"""Pictures of charts: what is where, in which look, with which names."""
+import sys
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import QuadMesh
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+
+import gyrostat as gs
+from gyrostat.charts.chart import stability_chart
+from gyrostat.charts.datasets import CODES
+from gyrostat.errors import MissingExtraError, ValuesError
+from gyrostat.plotting import caption, charts, draw_chart
+from gyrostat.plotting.looks import LOOKS
+
+NAMES = {code: name for name, code in CODES.items()}
+
+
+@pytest.fixture(scope="module")
+def wedge(asymmetric):
+    """A chart with undecided regions."""
+    report = gs.analyze(gs.equilibrium(asymmetric, (0, 0, gs.symbol("pi3_0"), 0, 0, 1)))
+    return stability_chart(report, x=("m0", np.linspace(-4, 8, 61)), y=("l", np.linspace(0, 8, 51)),
+                           fixed={"I1": 2, "I2": "3/2", "I3": 1, "m1": "1/4", "pi3_0": 1})
+
+
+@pytest.fixture(scope="module")
+def tilted(e3):
+    """A chart with points at which there is no equilibrium."""
+    return stability_chart(e3, x=("k3", np.linspace(-1.5, 1.5, 41)), y=("d2U", np.linspace(-6, 2, 33)),
+                           fixed={"I1": 1, "I3": "1/2", "l": "0.3", "omega": 1})
+
+
+def drawn(ds, **kwargs):
+    ax = Figure(figsize=(6, 5)).subplots()
+    return draw_chart(ds, ax, **kwargs)
+
+
+def seen(ax, x, y):
+    """The colour at a point of the data."""
+    canvas = FigureCanvasAgg(ax.figure)
+    canvas.draw()
+    column, row = ax.transData.transform((x, y)).round().astype(int)
+    pixels = np.asarray(canvas.buffer_rgba())
+    return pixels[pixels.shape[0] - row - 1, column, :3] / 255
+
+
+def legend(ax):
+    return [text.get_text() for text in ax.get_legend().get_texts()]
+
+
+def widening(low, high, n):
+    part = np.linspace(0, 1, n)
+    return low + (high - low) * (part + part**2) / 2
+
+
+@pytest.mark.parametrize("turned", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
+@pytest.mark.parametrize("spacing", [np.linspace, widening])
+def test_every_verdict_has_its_look_in_its_place(e3, turned, spacing):
+    """Evenly spaced or not, axes in either direction: the colour at a point of the chart is that of its verdict."""
+    xs, ys = spacing(-1.5, 1.5, 21)[::turned[0]], spacing(-6, 2, 17)[::turned[1]]
+    chart = stability_chart(e3, x=("k3", xs), y=("d2U", ys), fixed={"I1": 1, "I3": "1/2", "l": "0.3", "omega": 1})
+    ax = drawn(chart)
+    assert bool([c for c in ax.collections if isinstance(c, QuadMesh)]) == (spacing is not np.linspace) and len(ax.images) == (
+        spacing is np.linspace)
+    assert ax.get_xlim()[0] < ax.get_xlim()[1] and ax.get_ylim()[0] < ax.get_ylim()[1]
+    for x, y in ((-0.9, -1), (0.05, -5), (0.05, 1), (0.93, -1.1)):
+        point = chart.verdict.sel(k3=x, d2U=y, method="nearest")
+        colour = LOOKS[NAMES[int(point)]][0]
+        assert np.allclose(seen(ax, point.k3.item(), point.d2U.item()), to_rgb(colour), atol=0.01), (x, y)
+    assert NAMES[int(chart.verdict.sel(k3=-1.4, d2U=0, method="nearest"))] == "no_equilibrium" and "no equilibrium" in legend(ax)
+
+
+def test_names_and_legend(wedge, tilted):
+    """Axes as in the notation; the legend has what occurs and no more, above the axes; the boundary is a black line."""
+    ax = drawn(wedge, title=caption(wedge))
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$m_0$", "$l$") and legend(ax) == ["stable", "undecided", "unstable", "boundary"]
+    assert ax.get_title() == "E: $\\pi_3^0 = 1$, $I_1 = 2$, $I_2 = 3/2$, $I_3 = 1$, $m_1 = 1/4$"
+    ax.figure.canvas.draw()
+    assert ax.get_legend().get_window_extent().y0 >= ax.get_window_extent().y1 - 1
+    assert ax.get_legend().get_window_extent().y1 <= ax.title.get_window_extent().y0 + 1
+    (line,) = ax.lines
+    assert line.get_color() == "black"
+    np.testing.assert_array_equal(line.get_xdata(), wedge.boundary_x)
+    np.testing.assert_array_equal(line.get_ydata(), wedge.boundary_y)
+    ax = drawn(tilted)
+    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_title()) == ("$k_3$", "$U''(k_3)$", "")
+    assert legend(ax) == ["stable modulo the spin", "unstable", "no equilibrium", "boundary"]
+    ax = drawn(tilted.isel(k3=slice(18, 22), d2U=slice(28, 32)).drop_vars(["boundary_x", "boundary_y"]))
+    assert legend(ax) == ["stable modulo the spin"] and not ax.lines
+
+
+@pytest.mark.parametrize("scale", [1e-12, 1.0, 1e12])
+def test_spacing_is_seen_at_every_scale(e1, scale):
+    """Cells of values that are not evenly spaced are where their values are, however small these are."""
+    xs = widening(-4, 4, 33) * scale
+    ax = drawn(stability_chart(e1, x=("pi3_0", xs), y=("l", np.linspace(-2, 2, 9) * scale), fixed={"I1": 1, "dU": scale**2}))
+    (mesh,) = (c for c in ax.collections if isinstance(c, QuadMesh))
+    corners = mesh.get_coordinates()[0, :, 0]
+    assert not ax.images and ((corners[:-1] < xs) & (xs < corners[1:])).all()
+
+
+def test_the_legend_has_no_boundary_that_is_not_seen(e1):
+    """Of a part of a chart in which there is none."""
+    chart = stability_chart(e1, x=("pi3_0", np.linspace(-4, 4, 41)), y=("l", np.linspace(-2, 2, 9)), fixed={"I1": 1, "dU": 1})
+    assert legend(drawn(chart.isel(pi3_0=slice(None, 3), l=slice(None, 3)))) == ["stable"]
+
+
+def test_undecided_is_hatched(wedge):
+    """By a hatch, not by colour alone."""
+    hatched = [c for c in drawn(wedge).collections if "////" in (getattr(c, "hatches", None) or [])]
+    assert len(hatched) == 1 and len(hatched[0].get_paths()[0].vertices) > 10
+
+
+def test_a_transposed_chart_has_the_same_boundary(wedge):
+    """The line follows the axes, whichever is horizontal."""
+    ax = drawn(wedge.transpose())
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$l$", "$m_0$")
+    np.testing.assert_array_equal(ax.lines[0].get_xdata(), wedge.boundary_y)
+
+
+def test_axes_are_made_only_where_none_are_given(wedge, monkeypatch):
+    """No figure besides the one that is given; a new one of pyplot where none is."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    before = plt.get_fignums()
+    given = Figure().subplots()
+    assert draw_chart(wedge, ax=given) is given and plt.get_fignums() == before
+    new = draw_chart(wedge)
+    assert plt.get_fignums() != before and new.figure.number not in before
+    plt.close(new.figure)
+
+
+def test_arguments_go_to_the_image(wedge):
+    """Whatever imshow takes, before what is chosen here."""
+    (image,) = drawn(wedge, alpha=0.5, zorder=-3, cmap="viridis").images
+    assert image.get_alpha() == 0.5 and image.get_zorder() == -3 and image.get_cmap().name == "viridis"
+
+
+def test_other_numbers_of_axes_are_refused(e1):
+    """Three axes or one: the message says how to choose."""
+    chart = stability_chart(e1, x=("pi3_0", [0, 1]), y=("l", [0, 1]), axes={"dU": [1, 2]}, fixed={"I1": 1})
+    with pytest.raises(ValuesError, match=r"has the axes dU, l, pi3_0, two are drawn: choose values of the others with ds.sel\(dU="):
+        draw_chart(chart)
+    with pytest.raises(ValuesError, match="has the axes pi3_0"):
+        draw_chart(chart.isel(dU=0, l=0))
+    ax = drawn(chart.sel(dU=1))
+    assert not ax.lines and ax.get_xlabel() == r"$\pi_3^0$" and "U'(1) = 1" in caption(chart.sel(dU=1))
+
+
+def test_from_a_file_and_from_a_store(e1, tmp_path):
+    """The same picture from memory, netCDF and Zarr."""
+    grid = {"x": ("pi3_0", np.linspace(-4, 4, 50)), "y": ("l", np.linspace(2, -2, 40)), "fixed": {"I1": "1/3", "dU": 1}}
+    memory = stability_chart(e1, **grid)
+    memory.to_netcdf(tmp_path / "chart.nc", engine="netcdf4")
+    stored = stability_chart(e1, **grid, store=tmp_path / "chart.zarr")
+    pictures = []
+    with xr.open_dataset(tmp_path / "chart.nc") as file:
+        for chart in (memory, file, stored, xr.open_zarr(tmp_path / "chart.zarr", consolidated=False)):
+            ax = drawn(chart, title=caption(chart))
+            FigureCanvasAgg(ax.figure).draw()
+            pictures.append(np.asarray(ax.figure.canvas.buffer_rgba()).tobytes())
+    assert len(set(pictures)) == 1
+
+
+def test_a_large_chart_is_thinned(e1, monkeypatch):
+    """Of more values than are drawn, every second, third, …; evenly spaced ones stay an image."""
+    monkeypatch.setattr(charts, "SHOWN", 20)
+    chart = stability_chart(e1, x=("pi3_0", np.linspace(-4, 4, 50)), y=("l", np.linspace(-2, 2, 20)), fixed={"I1": 1, "dU": 1}).chunk()
+    (image,) = drawn(chart).images
+    assert image.get_array().shape == (20, 17)
+    np.testing.assert_array_equal(image.get_array(), chart.verdict[:, ::3])
+
+
+def test_one_value_is_a_strip(e1):
+    """An axis of one value, and a chart of one point, are drawn."""
+    for xs, ys in (([1.0], [0.0, 1.0, 2.0]), ([1.0], [0.5])):
+        ax = drawn(stability_chart(e1, x=("pi3_0", xs), y=("l", ys), fixed={"I1": 1, "dU": 1}))
+        assert ax.get_xlim() == (0.5, 1.5) and ax.get_legend()
+
+
+def test_a_missing_extra_is_named(wedge, monkeypatch):
+    """The message has the pip command."""
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(MissingExtraError, match=r'matplotlib cannot be imported.*pip install "gyrostat\[plot\]"'):
+        draw_chart(wedge)

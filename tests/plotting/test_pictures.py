@@ -1,0 +1,36 @@
+"""The page of pictures: its blocks run as they stand and write the pictures that it shows; all of them as vectors too."""
+import re
+from pathlib import Path
+
+import matplotlib
+import pytest
+from PIL import Image
+
+PAGE = Path(__file__).parents[2] / "docs" / "pictures.md"
+SHOWN = re.findall(r"!\[[^\]]+\]\(([\w-]+\.\w+)\)", PAGE.read_text(encoding="utf-8"))
+BLOCKS = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+
+
+def test_every_picture_has_its_block():
+    """The picture that is shown is the one that the block after it writes; it is there, and small."""
+    assert len(SHOWN) == len(BLOCKS)
+    for name, block in zip(SHOWN, BLOCKS):
+        assert f'"{name}"' in block and 1000 < (PAGE.parent / name).stat().st_size < 150_000
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name, block", list(zip(SHOWN, BLOCKS)), ids=SHOWN)
+def test_the_blocks_run_as_shown(name, block, tmp_path, monkeypatch):
+    """In a new folder, with the picture as the result; its figures are written as PDF and SVG without a raster image."""
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    exec(block, names)
+    with Image.open(tmp_path / name) as ours, Image.open(PAGE.parent / name) as shown:
+        assert ours.size == shown.size
+    for kind in ("pdf", "svg"):
+        names["figure"].savefig(tmp_path / f"picture.{kind}")
+    svg = (tmp_path / "picture.svg").read_text(encoding="utf-8")
+    assert svg.count("<image") == (name == "eigenvalues.png")          # its colour bar
+    plt.close("all")

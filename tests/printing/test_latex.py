@@ -1,0 +1,73 @@
+"""LaTeX in the notation of the sources; every public object; documents that are complete."""
+import re
+
+import pytest
+from sympy import Matrix, symbols
+
+import gyrostat as gs
+from gyrostat.algebra.numbers import parse
+from gyrostat.printing.article import to_latex
+from gyrostat.printing.document import report_blocks
+from gyrostat.printing.unicode import text, unicode
+
+
+def test_conditions_are_in_the_notation_of_the_source(e1, e2, e3):
+    """U'(1), U'(-1), U''(k_3), \\pi_3^0, \\omega."""
+    assert to_latex(e1.sufficient) == r"\left(\pi_3^0 + l\right)^{2} > 4 I_1 U'(1)"
+    assert to_latex(e1.necessary) == r"\left(\pi_3^0 + l\right)^{2} \geq 4 I_1 U'(1)"
+    assert to_latex(e2.sufficient) == r"\left(\pi_3^0 + l\right)^{2} > - 4 I_1 U'(-1)"
+    assert "U''(k_3)" in to_latex(e3.sufficient) and r"\omega" in to_latex(e3.sufficient)
+    assert to_latex(e3.casimirs_only) == r"\text{no information}"
+
+
+def test_degenerate_factors_are_shown(e1):
+    """The unreduced test says where the discriminant vanishes through its square factor."""
+    discriminant = gs.spectral_criterion(e1.linearization).alternatives[0][2]
+    assert to_latex(discriminant).endswith("= 0") and r"\lor" in to_latex(discriminant)
+
+
+@pytest.mark.parametrize("get", [
+    lambda r: r.equilibrium.system.body, lambda r: r.equilibrium.system.potential, lambda r: r.equilibrium.system.space,
+    lambda r: r.equilibrium.system, lambda r: r.equilibrium, lambda r: r.linearization, lambda r: r.second_variation,
+    lambda r: r.necessary, lambda r: r.sufficient.alternatives[0][0], lambda r: r,
+    lambda r: r.verdict({"I1": 1, "l": 0, "pi3_0": 3, "dU": 1})])
+def test_jupyter_shows_every_public_object(e1, get):
+    """_repr_latex_ is one displayed formula with balanced braces and environments, not a document."""
+    shown = get(e1)._repr_latex_()
+    assert shown.startswith("$") and shown.endswith("$") and "documentclass" not in shown
+    assert shown.count("{") == shown.count("}")
+    assert sorted(re.findall(r"\\begin{(\w+)}", shown)) == sorted(re.findall(r"\\end{(\w+)}", shown))
+    assert shown.count(r"\left") == shown.count(r"\right") and not re.search("[^\\x00-\\x7f]", shown)
+
+
+def test_matrices_and_polynomials(e1):
+    """Expressions and matrices of the user too."""
+    assert to_latex(e1.linearization.matrix).startswith(r"\begin{pmatrix} 0 & ")
+    assert r"\lambda^{4}" in to_latex(e1.linearization.characteristic_polynomial())
+    assert to_latex(Matrix([[1, 2]])) == r"\begin{pmatrix} 1 & 2 \end{pmatrix}"
+    assert to_latex(symbols("alpha") / 2) == r"\frac{\alpha}{2}"
+    with pytest.raises(TypeError, match="not str"):
+        to_latex("I1")
+
+
+def test_a_report_is_a_document(e1, e2, e3):
+    """A plain article; one document for several reports; only ASCII, balanced."""
+    for document in (to_latex(e1), to_latex([e1, e2, e3])):
+        assert document.startswith(r"\documentclass{article}") and document.rstrip().endswith(r"\end{document}")
+        assert document.count("{") == document.count("}") and document.count(r"\begin{equation}") == document.count(r"\end{equation}") > 20
+        assert document.isascii()
+    assert to_latex([e1, e2, e3]).count(r"\section*") == 5       # scene, three equilibria, references
+
+
+@pytest.mark.parametrize("potential", [
+    "m0*k3", pytest.param("m0/(k3 + 2)", marks=pytest.mark.slow), pytest.param("exp(a*k3)", marks=pytest.mark.slow)])
+def test_a_given_field_is_inserted_throughout(potential):
+    """U' stands only where it is said what it is: in the derivation, the eigenvalues and the proofs its value does."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(parse(potential)))
+    for family in (gs.upright, gs.hanging, gs.inclined):
+        report = gs.analyze(family(scene))
+        for part in (report.linearization, report.second_variation, report.necessary, report.sufficient):
+            assert "U'" not in to_latex(part) and "U′" not in unicode(part)
+        lines = text(report_blocks(report)).splitlines()
+        said = [line for line in lines if re.search("U[′″]|dU|d2U", line)]
+        assert said and all(re.match(r"  Of this potential: U′|    U′\(k₃\) = ", line) for line in said)

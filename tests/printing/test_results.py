@@ -1,0 +1,82 @@
+"""What is found beyond a report reads as a person would write it, in text and in LaTeX."""
+import pytest
+from sympy import Rational, oo
+
+import gyrostat as gs
+from gyrostat.mechanics.reduction import reduce
+from gyrostat.printing.article import to_latex
+from gyrostat.printing.results import result_blocks
+from gyrostat.stability.bifurcations import KINDS, bifurcation_points, bifurcations
+from gyrostat.stability.branches import relative_equilibria
+from gyrostat.stability.sets import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
+from gyrostat.stability.stabilizing import stabilizing_set
+
+BODY = gs.symmetric_gyrostat()
+HEAVY = gs.assemble(BODY, gs.uniform_field())
+l, m0, k3 = map(gs.symbol, ("l", "m0", "k3"))
+
+
+def test_rumiantsev_solved_reads_as_three_cases():
+    """Which l stabilises the upright heavy gyrostat."""
+    solution = stabilizing_set(gs.analyze(gs.upright(HEAVY)), "l")
+    assert str(solution) == ("Stable for m₀ < 0: every l.\nStable for m₀ = 0: l ≠ −π₃⁰.\n"
+                             "Stable for m₀ > 0: l ≤ −π₃⁰ − 2 √(I₁ m₀) or l ≥ 2 √(I₁ m₀) − π₃⁰.")
+    assert r"\text{Stable for }m_0 > \text{0: }l \leq - \pi_3^0 - 2 \sqrt{I_1 m_0}\text{ or }l \geq 2" in to_latex(solution)
+
+
+@pytest.mark.parametrize(("intervals", "shown"), [
+    ((), "no l"), ((Interval(-oo, oo),), "every l"), ((Interval(m0, m0, INCLUDED, INCLUDED),), "l = m₀"),
+    ((Interval(m0, 2 * m0, INCLUDED, EXCLUDED),), "m₀ ≤ l < 2 m₀"), ((Interval(m0, oo, EXCLUDED),), "l > m₀"),
+    ((Interval(m0, oo, (k3,)),), "l > m₀; l = m₀ too where k₃ > 0"),
+    ((Interval(m0, oo, (k3, l)),), "l > m₀; l = m₀ too where k₃ > 0, or k₃ = 0 and l > 0"),
+    ((Interval(m0, oo, (k3, m0 / m0)),), "l > m₀; l = m₀ too where k₃ > 0, or k₃ = 0"),
+    ((Interval(m0, oo, (-k3**2,)),), "l > m₀"), ((Interval(m0, oo, (-k3**2, l)),), "l > m₀; l = m₀ too where k₃ = 0 and l > 0"),
+    ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(2 * m0, oo, (k3,))), "l < m₀ or l > 2 m₀; the ends too where k₃ > 0"),
+    ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(m0, oo, (k3,))), "l ≠ m₀; l = m₀ too where k₃ > 0"),
+    ((Interval(m0, 2 * m0, INCLUDED, EXCLUDED, (Rational(1, 2), Rational(1))),), "m₀ ≤ l < 2 m₀ (k₃ from 1/2 to 1)")])
+def test_sets_in_words(intervals, shown):
+    """Ends, which of them belong, and on what it depends."""
+    assert str(Solution("l", (Part("stable", l, (Case((), intervals),), k3),))) == f"Stable: {shown}."
+
+
+def test_positive_names_start_at_zero():
+    """A moment of inertia below a bound."""
+    text = str(stabilizing_set(gs.analyze(gs.upright(HEAVY)), "I1"))
+    assert "Stable for m₀ > 0 and π₃⁰ + l ≠ 0: I₁ ≤ (π₃⁰ + l)²/(4 m₀)." in text and "m₀ = 0 and π₃⁰ + l ≠ 0: every I₁." in text
+
+
+def test_branches_bifurcations_and_the_rest():
+    """Each has a text and a formula; derivatives of U are taken where they are meant."""
+    found = relative_equilibria(HEAVY, {"I1": 2, "I3": 1, "l": 1, "m0": 1, "omega": 2})
+    assert list(map(str, found)) == ["E1 at k₃ = 1, ω = 2, σ = 0: stable", "E3 at k₃ = 1/4, ω = 2, σ = 0: stable",
+                                     "E2 at k₃ = −1, ω = 2, σ = 0: stable"]
+    every = relative_equilibria(HEAVY, {"I1": 2, "I3": 2, "l": 1, "m0": 1, "omega": 1})
+    assert str(every[1]) == "E3 at ω = 1, σ = 0, every k₃: stable"
+    scene = gs.assemble(BODY, gs.axial_potential())
+    equations = {b.kind: str(b) for b in bifurcations(scene)}
+    assert equations.keys() == KINDS.keys() and "ω² (I₁ − I₃) − ω l + U′(1) = 0" in equations["E3 leaves E1"]
+    assert "p_ψ" in equations["fold on a level"] and r"p_{\psi}" in to_latex(bifurcations(scene)[-1])
+    points = bifurcation_points(HEAVY, {"I1": 2, "I3": 1, "m0": 3, "omega": 1}, "l")
+    assert [str(p) for p in points] == ["E3 leaves E2 at l = 2, k₃ = −1", "E3 leaves E1 at l = 4, k₃ = 1"]
+    report = gs.analyze(gs.inclined(scene))
+    assert "D = " in str(report.drift) and "∂σ/∂k₃" in str(report.drift)
+    assert str(gs.analyze(gs.upright(scene)).boundary).splitlines()[0] == "−c₃ ∝ U′(1) + U″(1)"
+    assert "k̇₃² = 2 I₁" in str(reduce(scene))
+    for thing in (*found, *points, *bifurcations(scene), report.drift, report.boundary, reduce(scene)):
+        assert to_latex(thing).startswith(r"\begin{aligned}") and thing._repr_latex_().startswith("$")
+    with pytest.raises(TypeError, match="no result"):
+        result_blocks(3)
+
+
+def test_roots_of_polynomials_are_shown_as_decimals():
+    """Twelve digits and an ellipsis; JSON has the exact root."""
+    report = gs.analyze(gs.inclined(gs.assemble(BODY, gs.axial_potential(lambda z: z**5 - z**2 + z))))
+    text = str(stabilizing_set(report, "l", {"I1": 2, "I3": 1, "omega": 1}))
+    assert "0.723697637602… ≤ l < 7 (k₃ from 0.368403149864… to −1)" in text
+
+
+def test_what_is_long_under_a_root_has_a_name():
+    """E3 in the Newtonian field solved for ω: R1, R2, … and what they stand for."""
+    report = gs.analyze(gs.inclined(gs.assemble(BODY, gs.newtonian_field(2))))
+    text = " ".join(str(stabilizing_set(report, "omega")).split())
+    assert "ω < −√R₄ or −√R₅ < ω < √R₅ or ω > √R₄" in text and "There: R₁ = " in text and "√R₃/(2 I₁)" in text

@@ -1,0 +1,95 @@
+"""The house: packages that import downwards only, and what importing the library loads."""
+import ast
+import subprocess
+import sys
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+import gyrostat
+
+SRC = Path(gyrostat.__file__).parent
+FLOORS = "version errors notation algebra mechanics stability printing charts trajectories plotting published cli __main__".split()
+OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka", "contourpy", "plotly"}
+
+
+def imports(path):
+    """(module, inside a function) of every import of ours or of others in a file; ours as paths below the package."""
+    tree, here = ast.parse(path.read_text(encoding="utf-8")), path.relative_to(SRC).with_suffix("").parts
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            module = (*here[:len(here) - node.level], *(node.module or "").split("."))
+            for alias in node.names:
+                inner = (*filter(None, module), alias.name)
+                ours = inner if SRC.joinpath(*inner).with_suffix(".py").exists() or SRC.joinpath(*inner).is_dir() else inner[:-1]
+                yield ours, node not in tree.body
+        elif isinstance(node, ast.Import | ast.ImportFrom):
+            for name in [node.module] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]:
+                yield name, node not in tree.body
+
+
+def test_imports_point_downwards_and_in_no_circle():
+    """A package uses those below it only, imports inside functions counted; within it no module needs itself."""
+    graph = {}
+    for path in SRC.rglob("*.py"):
+        here = path.relative_to(SRC).with_suffix("").parts
+        graph[here] = {module for module, _ in imports(path) if isinstance(module, tuple)}
+        if here != ("__init__",):
+            assert all(FLOORS.index(module[0]) <= FLOORS.index(here[0]) for module in graph[here]), (path, graph[here])
+    list(TopologicalSorter(graph).static_order())
+
+
+def test_only_optional_packages_are_imported_inside_functions():
+    """What is always there stands at the top."""
+    for path in SRC.rglob("*.py"):
+        for module, inside in imports(path):
+            assert not inside or isinstance(module, str) and module.split(".")[0] in OPTIONAL, (path, module)
+
+
+def loaded(code):
+    """Names of all modules loaded after running code in a new process."""
+    run = subprocess.run([sys.executable, "-c", f"{code}; import sys; print(*sys.modules)"], capture_output=True, text=True, check=True)
+    return set(run.stdout.split())
+
+
+def above(modules):
+    """Those among the modules that stand above stability, but for what answers Ctrl-C while the rest is loaded."""
+    floors = FLOORS[FLOORS.index("printing"):]
+    return {m for m in modules if m.startswith("gyrostat.") and m.split(".")[1] in floors} - {"gyrostat.cli", "gyrostat.cli.start"}
+
+
+def test_import_loads_sympy_and_nothing_heavier():
+    """import gyrostat loads no numpy, scipy or matplotlib, and no view."""
+    new = loaded("import gyrostat")
+    assert "sympy" in new and "gyrostat.stability.report" in new
+    assert not {"numpy", "scipy", "matplotlib", "rich"} & {m.split(".")[0] for m in new}
+    assert not above(new)
+
+
+def test_a_verdict_loads_no_view_and_no_numpy():
+    """A derivation and a verdict need neither typesetting nor floating-point arrays."""
+    new = loaded("import gyrostat as g; "
+                 "r = g.analyze(g.upright(g.assemble(g.symmetric_gyrostat(), g.uniform_field()))); "
+                 "r.verdict({'I1': 1, 'l': 0, 'm0': 1, 'pi3_0': 3})")
+    assert not above(new) and "numpy" not in new
+
+
+def test_help_does_not_load_the_derivation_views():
+    """The command line understands its arguments before it loads what typesets."""
+    new = loaded("import gyrostat.cli.parser; gyrostat.cli.parser.parser()")
+    assert "gyrostat.printing.document" not in new and "gyrostat.published" not in new
+
+
+def test_oracle_imports_nothing_of_ours():
+    """The oracle is independent."""
+    tree = ast.parse((Path(__file__).parent / "oracles" / "oracle.py").read_text(encoding="utf-8"))
+    names = {alias.name for n in ast.walk(tree) if isinstance(n, ast.Import) for alias in n.names}
+    names |= {n.module for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)}
+    assert names == {"fractions", "mpmath", "numpy"}
+
+
+def test_no_text_is_evaluated():
+    """eval, exec and sympify, which execute text, occur nowhere in the library."""
+    for path in SRC.rglob("*.py"):
+        calls = {n.func.id for n in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+                 if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}
+        assert not calls & {"eval", "exec", "sympify", "parse_expr"}, path
