@@ -23,7 +23,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "oracl
 import shown  # noqa: E402
 
 from gyrostat.errors import GyrostatError
-from gyrostat.published import SOURCES, Finding, load, outcome_of
+from gyrostat.published import SOURCES, Finding, load
+from gyrostat.published.checks import outcome_of
 from gyrostat.published.listing import to_json
 
 # Mutants that are as true as the original: a pattern of source:key: mutant, and why.

@@ -15,16 +15,17 @@ OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llv
 def imports(path):
     """(module, inside a function) of every import of ours or of others in a file; ours as paths below the package."""
     tree, here = ast.parse(path.read_text(encoding="utf-8")), path.relative_to(SRC).with_suffix("").parts
+    inside = {inner for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) for inner in ast.walk(node)}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.level:
             module = (*here[:len(here) - node.level], *(node.module or "").split("."))
             for alias in node.names:
                 inner = (*filter(None, module), alias.name)
                 ours = inner if SRC.joinpath(*inner).with_suffix(".py").exists() or SRC.joinpath(*inner).is_dir() else inner[:-1]
-                yield ours, node not in tree.body
+                yield ours, node in inside
         elif isinstance(node, ast.Import | ast.ImportFrom):
             for name in [node.module] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]:
-                yield name, node not in tree.body
+                yield name, node in inside
 
 
 def test_imports_point_downwards_and_in_no_circle():

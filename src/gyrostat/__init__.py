@@ -1,6 +1,14 @@
-"""Lie-Poisson gyrostat stability analyser: from the bracket to the stability inequalities."""
-from importlib import import_module
+"""Lie-Poisson gyrostat stability analyser: from the bracket to the stability inequalities.
 
+A scene is a body and a field, `assemble`d into a Lie-Poisson system; its equilibria (`upright`, `hanging`, `inclined`, …, or all by
+`relative_equilibria`) are analysed (`analyze`) into conditions and verdicts, and those solved for parameters (`stabilizing_set`).
+Beyond that: `gyrostat.charts`, verdicts over ranges of parameters; `gyrostat.trajectories`, motions; `gyrostat.mechanics`, the classical
+formulas; `gyrostat.plotting`, pictures; `gyrostat.published`, printed formulas checked. What these need is loaded when they are used.
+"""
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from . import errors
 from .cli import start as _start  # noqa: F401 (what Ctrl-C does while the rest is loaded)
 from .mechanics.body import Gyrostat, symmetric_gyrostat
 from .mechanics.equilibria import Equilibrium, equilibrium
@@ -9,6 +17,7 @@ from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
 from .mechanics.liepoisson import LiePoisson, lie_poisson
 from .mechanics.orbit import orbit_tangent, symplectic_slice
 from .mechanics.potential import Potential, axial_potential, general_potential
+from .mechanics.reduction import reduce
 from .mechanics.system import System, assemble
 from .notation import Shown, symbol
 from .stability.conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
@@ -17,14 +26,40 @@ from .stability.linearization import Linearization, linearize
 from .stability.report import Decision, Report, Verdict, analyze
 from .version import __version__
 
+if TYPE_CHECKING:
+    from . import charts, mechanics, plotting, published, trajectories
+    from .printing.article import to_latex
+    from .stability.bifurcations import bifurcation_points, bifurcations
+    from .stability.branches import relative_equilibria
+    from .stability.solve import solve_condition
+    from .stability.stabilizing import stabilizing_set
+
 Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(shown)       # loaded when something is shown
 Shown.plain = lambda shown: import_module("gyrostat.printing.unicode").plain(shown)
+
+_NAMESPACES = ("charts", "mechanics", "plotting", "published", "trajectories")
+_LATER = {"relative_equilibria": "stability.branches", "stabilizing_set": "stability.stabilizing", "solve_condition": "stability.solve",
+          "bifurcations": "stability.bifurcations", "bifurcation_points": "stability.bifurcations", "to_latex": "printing.article"}
+
 __all__ = [
-    "__version__",
-    "analyze", "assemble", "augmented_hessian", "axial_potential", "Condition", "Criterion",
-    "Decision", "Equilibrium", "equilibrium", "formal_criterion", "general_potential", "Gyrostat",
-    "hanging", "ideal_fluid", "inclined", "independent", "lie_poisson", "LiePoisson", "Linearization",
-    "linearize", "multipliers", "newtonian_field", "orbit_tangent", "Potential", "principal_rotation",
-    "Report", "second_variation", "SecondVariation", "spectral_criterion", "static_tilt", "symbol",
-    "symmetric_gyrostat", "symplectic_slice", "System", "uniform_field", "upright", "Verdict",
+    "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "bifurcation_points", "bifurcations", "charts",
+    "Condition", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential", "Gyrostat",
+    "hanging", "ideal_fluid", "inclined", "independent", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics",
+    "multipliers", "newtonian_field", "orbit_tangent", "plotting", "Potential", "principal_rotation", "published", "reduce",
+    "relative_equilibria", "Report", "second_variation", "SecondVariation", "solve_condition", "spectral_criterion", "stabilizing_set",
+    "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright",
+    "Verdict",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """What is loaded when it is used for the first time."""
+    if name in _NAMESPACES:
+        return import_module(f".{name}", __name__)
+    if name in _LATER:
+        return getattr(import_module(f".{_LATER[name]}", __name__), name)
+    raise AttributeError(f"gyrostat has no {name}: dir(gyrostat) lists what there is")
+
+
+def __dir__() -> list[str]:
+    return __all__

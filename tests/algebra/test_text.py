@@ -331,8 +331,8 @@ def test_trivial_conditions_are_not_shown():
     """|0| < 1 and 1 > 0 say nothing."""
     scene = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, symbol("l"))), gs.axial_potential(lambda k3: k3**2 / 2))
     assert "|0| < 1" not in str(gs.analyze(gs.static_tilt(scene)))
-    condition = gs.conditions.Condition(sympy.S.One, True, "p", (symbol("l"),), symbol("k3"))
-    assert str(condition) == "l ≠ 0" and gs.latex.formula(condition) == r"l \neq 0"
+    condition = gs.stability.conditions.Condition(sympy.S.One, True, "p", (symbol("l"),), symbol("k3"))
+    assert str(condition) == "l ≠ 0" and gs.printing.latex.formula(condition) == r"l \neq 0"
 
 
 def test_the_command_line_ends_with_a_sentence(capsys):

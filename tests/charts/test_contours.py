@@ -49,12 +49,12 @@ def drawn(case):
     report, x, y, fixed = case
     chart = stability_chart(report, x=x, y=y, fixed=fixed)
     points = np.array([chart.boundary_x.values, chart.boundary_y.values])
-    numbers = {symbol(name): gs.expressions.exact_number(value) for name, value in fixed.items()}
+    numbers = {symbol(name): gs.algebra.numbers.exact_number(value) for name, value in fixed.items()}
     criteria = [c.margin for k in (report.necessary, report.sufficient) for a in k.alternatives for c in a]
     existing = [e.together().as_numer_denom() for e in report.equilibrium.existence()]
     margins = [m.xreplace(numbers) for m in dict.fromkeys([*criteria, *(top * bottom for top, bottom in existing)])]
     return chart, points[:, ~np.isnan(points[0])], [lambda a, b, m=m: m.xreplace(
-        {symbol(x[0]): gs.expressions.exact_number(a), symbol(y[0]): gs.expressions.exact_number(b)}) for m in margins]
+        {symbol(x[0]): gs.algebra.numbers.exact_number(a), symbol(y[0]): gs.algebra.numbers.exact_number(b)}) for m in margins]
 
 
 @pytest.mark.parametrize("number", range(7))

@@ -278,7 +278,7 @@ CONSTANTS = [Fraction(1, 3), Fraction(1, 10**400), 10**400, 2**60 + 1, Decimal("
 @pytest.mark.parametrize("number", CONSTANTS, ids=str)
 def test_exact_numbers(reports, number):
     """Fractions, roots, functions of numbers, long integers and texts are what they say, next to the boundary too."""
-    exact = gs.expressions.exact_number(number)
+    exact = gs.algebra.numbers.exact_number(number)
     square = exact**2 / 4
     near = [square, square * (1 + Rational(1, 2**60)), square * (1 - Rational(1, 2**60))]
     dU = np.empty(3, dtype=object)

@@ -14,7 +14,8 @@ from sympy import Expr, MatrixBase, Rational
 import gyrostat
 from gyrostat.errors import ExpressionError, GyrostatError, PublishedError, ValuesError
 from gyrostat.notation import symbol
-from gyrostat.published import SOURCES, check, independent_names, load, outcome_of
+from gyrostat.published import SOURCES, check, independent_names, load
+from gyrostat.published.checks import outcome_of
 from gyrostat.published.errata import latex
 from gyrostat.published.language import comparisons, decimal, read
 from gyrostat.published.listing import to_json

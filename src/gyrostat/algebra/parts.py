@@ -98,8 +98,8 @@ def of_power(base: Cost, exponent: Rational) -> Cost:
 
 def factored(base: Part, root: int) -> int:
     """Bits of the number that SymPy factors for a root, where it writes n**(-1/7) as n**(6/7)/n; 0 where there is no root."""
-    inside = [part.exp.q for part in Mul.make_args(base.value) if isinstance(part, Pow) and isinstance(part.exp, Rational)]
-    order = root * max(inside, default=1)
+    factors = Mul.make_args(base.value) if isinstance(base.value, Expr) else ()         # of what is only typeset nothing is computed
+    order = root * max((part.exp.q for part in factors if isinstance(part, Pow) and isinstance(part.exp, Rational)), default=1)
     bits = base.cost.bits if not isinstance(base.value, Rational) else max(map(_without_tens, (int(base.value.p), int(base.value.q))))
     return order * bits if order > 1 else 0
 

@@ -6,3 +6,9 @@ point, exactly where floats do not. Over boxes it runs in `intervals`: `regions`
 `contours` follow the curves between verdicts; a `chart` is all of it as one labelled dataset (`datasets`), larger than memory in `stores`
 (`layout`, `marks`), with a bar of `progress`.
 """
+from .boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
+from .chart import stability_chart
+from .numeric import compile_margin
+from .verdicts import verdicts
+
+__all__ = ["BoxDecision", "CertifiedChart", "certified_chart", "certify_box", "compile_margin", "stability_chart", "verdicts"]

@@ -6,3 +6,17 @@ convention, and the Hamiltonian give the equations of motion and the integrals (
 A body of revolution has one degree of freedom (`reduction`); which scene is one, about which axis, is proved (`spherical`,
 `recognition`, `standard`). `attitude` and `freebody` hold Euler's angles, the Lagrangian and the classical formulas.
 """
+from .attitude import (
+    angle_rates,
+    angular_momentum,
+    angular_velocity,
+    effective_potential,
+    lagrangian,
+    momenta,
+    rotation,
+)
+from .freebody import FreePrecession, free_precession, momentum_limits, polhode_period, torque_equations
+from .reduction import Reduction, expansion
+
+__all__ = ["FreePrecession", "Reduction", "angle_rates", "angular_momentum", "angular_velocity", "effective_potential", "expansion",
+           "free_precession", "lagrangian", "momenta", "momentum_limits", "polhode_period", "rotation", "torque_equations"]
