@@ -1,6 +1,9 @@
-"""A body of revolution in U(k3) by Taylor series in whole numbers, to any number of digits; gyrostat is not used.
+"""A body of revolution in U(k3) by Taylor series in whole numbers, to any number of digits.
 
-π̇ = (π + l) × ω + k × ∇U, k̇ = k × ω, ωᵢ = πᵢ/Iᵢ, ∇U = U′(k3) e3. U is a sum of terms, each with its own recurrence:
+Gyrostat is not used.
+
+π̇ = (π + l) × ω + k × ∇U, k̇ = k × ω, ωᵢ = πᵢ/Iᵢ, ∇U = U′(k3) e3. U is a sum of terms, each with its own
+    recurrence:
 
     ("polynomial", c0, c1, …)     Σ cₙ k3ⁿ
     ("exp", A, B)                 A exp(B k3)
@@ -17,7 +20,8 @@ from operator import mul
 
 from mpmath import cos, exp, floor, mp, mpf, sin, tan, workprec
 
-GUARD = 96                                             # bits beyond the digits: for what grows, e.g. away from an unstable pole
+# bits beyond the digits: for what grows, e.g. away from an unstable pole
+GUARD = 96
 
 
 class Reference:
@@ -25,10 +29,12 @@ class Reference:
 
     Parameters
     ----------
-    terms : list of tuple       U
+    terms : list of tuple
+        U
     I1, I3, l : Fraction
     state : six Fractions
-    digits : int                of the states
+    digits : int
+        of the states
     """
 
     def __init__(self, terms, I1, I3, l, state, digits=40):
@@ -55,7 +61,9 @@ class Reference:
             h = min(self.step, time - self.time)
             columns = self.series(self.x, self.fixed(h))
             last = max(abs(c) for column in columns for c in column[-6:])
-            factor = Fraction(min(4.0, max(0.05, (small / max(last, 1)) ** (1 / self.order)))).limit_denominator(100)
+            factor = Fraction(
+                min(4.0, max(0.05, (small / max(last, 1)) ** (1 / self.order)))
+            ).limit_denominator(100)
             if last > 64 * small:
                 self.step = h * factor
                 continue
@@ -82,7 +90,8 @@ class Reference:
             new = [product(p2, w3) - product(p3, w2) - (l * w2[-1] >> bits) + product(k2, slope),
                    product(p3, w1) - product(p1, w3) + (l * w1[-1] >> bits) - product(k1, slope),
                    product(p1, w2) - product(p2, w1),
-                   product(k2, w3) - product(k3, w2), product(k3, w1) - product(k1, w3), product(k1, w2) - product(k2, w1)]
+                   product(k2, w3) - product(k3, w2), product(k3, w1) - product(k1, w3),
+                   product(k1, w2) - product(k2, w1)]
             for column, change in zip(columns, new):
                 column.append((change * h >> bits) // n)
         return columns
@@ -105,7 +114,8 @@ class Reference:
             n = len(z) - 1
             for i in range(len(slopes) - 1, -1, -1):
                 constant = slopes[i] if n == 0 else 0
-                parts[i].append(constant + (sum(map(mul, z, reversed(parts[i + 1]))) >> self.bits if i + 1 < len(slopes) else 0))
+                parts[i].append(constant + (sum(map(mul, z, reversed(parts[i + 1]))) >> self.bits
+                                            if i + 1 < len(slopes) else 0))
             yield parts[0][n]
 
     def exp(self, z, A, B):

@@ -1,11 +1,13 @@
-"""How long does a chart take, from the call to the picture, and how much of a region does a certified chart leave undecided?
+"""How long does a chart take, from the call to the picture, and how much of a region does a certified chart
+leave undecided?
 
     python benchmarks/bench_charts.py            all of it; prints the rows of RESULTS.md
     python benchmarks/bench_charts.py --quick    small, for breakage
 
-The picture: E1 of a heavy gyrostat in (l, π3) and E3 in U = k3⁴ − k3²/2 in (ω, k3), as gyrostat chart draws it. The error: the verdict at
-random points of the chart, and at the points on both sides of its boundary, against Report.verdict. The certified chart: E1 in (l, π3),
-both in [−4, 4], I1 = m0 = 1; the error: Report.verdict at random points of its boxes.
+The picture: E1 of a heavy gyrostat in (l, π3) and E3 in U = k3⁴ − k3²/2 in (ω, k3), as gyrostat chart draws
+it. The error: the verdict at random points of the chart, and at the points on both sides of its boundary,
+against Report.verdict. The certified chart: E1 in (l, π3), both in [−4, 4], I1 = m0 = 1; the error:
+Report.verdict at random points of its boxes.
 """
 import argparse
 import io
@@ -39,7 +41,10 @@ def picture(report, x, y, fixed):
 
 
 def wrong_in_chart(report, chart, rng, count):
-    """Points whose code is not that of Report.verdict: random ones, and neighbours of another verdict along a row."""
+    """Points whose code is not that of Report.verdict.
+
+    Random ones, and neighbours of another verdict along a row.
+    """
     codes = chart.verdict.values
     rows, columns = np.nonzero(codes[:, 1:] != codes[:, :-1])
     some = rng.integers(0, max(len(rows), 1), count) if len(rows) else np.empty(0, int)
@@ -77,29 +82,38 @@ def timed(call, rounds):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     quick = parser.parse_args().quick
-    n, rounds, count, rng = (200, 1, 20, np.random.default_rng(5)) if quick else (2000, 9, 1000, np.random.default_rng(5))
-    print(f"{date.today()}, {platform.machine()}, Python {platform.python_version()}, numpy {version('numpy')}, "
+    n, rounds, count, rng = (
+        (200, 1, 20, np.random.default_rng(5)) if quick else (2000, 9, 1000, np.random.default_rng(5))
+    )
+    print(f"{date.today()}, {platform.machine()}, Python {platform.python_version()}, numpy "
+          f"{version('numpy')}, "
           f"matplotlib {version('matplotlib')}; median (min–max) of {rounds} after a first one.\n")
     print("| | first, s | then, s | wrong |\n|---|---|---|---|")
     failed = 0
-    charts = (("E1, (l, π3)", TOP, ("pi3_0", np.linspace(-4, 4, n)), ("l", np.linspace(-2, 2, n)), {"I1": 1, "m0": 1}),
-              ("E3, (ω, k3)", TILT, ("k3", np.linspace(-0.6, 0.6, n)), ("omega", np.linspace(-1, 1, n)), {"I1": 2}))
+    charts = (("E1, (l, π3)", TOP, ("pi3_0", np.linspace(-4, 4, n)), ("l", np.linspace(-2, 2, n)),
+               {"I1": 1, "m0": 1}),
+              ("E3, (ω, k3)", TILT, ("k3", np.linspace(-0.6, 0.6, n)), ("omega", np.linspace(-1, 1, n)),
+               {"I1": 2}))
     for name, report, x, y, fixed in charts:
         chart, first, then = timed(lambda r=report, x=x, y=y, f=fixed: picture(r, x, y, f), rounds)
         wrong, points = wrong_in_chart(report, chart, rng, count)
         failed += wrong
-        print(f"| chart to PNG, {n} × {n}, {name} | {first:.2f} | {statistics.median(then):.2f} ({min(then):.2f}–{max(then):.2f}) | "
+        print(f"| chart to PNG, {n} × {n}, {name} | {first:.2f} | {statistics.median(then):.2f} "
+              f"({min(then):.2f}–{max(then):.2f}) | "
               f"{wrong} of {points} |")
     resolution = Fraction(1, 256) if quick else Fraction(1, 8192)
     region = {"I1": 1, "m0": 1, "l": (-4, 4), "pi3_0": (-4, 4)}
-    chart, first, then = timed(lambda: certified_chart(TOP, region, resolution=resolution, progress=False), rounds)
+    chart, first, then = timed(lambda: certified_chart(TOP, region, resolution=resolution, progress=False),
+                               rounds)
     undecided = float(chart.measure["undecided"])
     wrong, points = wrong_in_boxes(TOP, chart, rng, count)
     failed += wrong
-    print(f"| certified chart, E1, (l, π3): {len(chart.code)} boxes, undecided {undecided:.2e} of the region | {first:.2f} | "
+    print(f"| certified chart, E1, (l, π3): {len(chart.code)} boxes, undecided {undecided:.2e} of the "
+          f"region | {first:.2f} | "
           f"{statistics.median(then):.2f} ({min(then):.2f}–{max(then):.2f}) | {wrong} of {points} |")
     return 1 if failed else 0
 

@@ -1,10 +1,11 @@
-"""How long does the whole derivation take, beside SymPy used naively, SymPy used with care, and PoissonGeometry?
+"""How long does the whole derivation take, beside SymPy used naively, SymPy used with care, and
+PoissonGeometry?
 
     python benchmarks/bench_derivation.py            all of it, several minutes, writes benchmarks/RESULTS.md
     python benchmarks/bench_derivation.py --quick    once each, for breakage; writes nothing
 
-Every route runs in processes of its own, in turn with the others. The last column says whether the result is the
-printed one: E1 (π3 + l)² > 4 I1 U'(1) and p of E3, Vera & Viguera (2003), §4.1 and §5.
+Every route runs in processes of its own, in turn with the others. The last column says whether the result is
+the printed one: E1 (π3 + l)² > 4 I1 U'(1) and p of E3, Vera & Viguera (2003), §4.1 and §5.
 """
 import argparse
 import datetime
@@ -45,7 +46,8 @@ def child(route: str, repeats: int) -> None:
 def spawn(route: str, repeats: int, limit: float) -> dict | None:
     """One route in a new process; None beyond the limit, an "error" where it raises."""
     try:
-        run = subprocess.run([sys.executable, __file__, "--child", route, str(repeats)], capture_output=True, text=True, timeout=limit)
+        run = subprocess.run([sys.executable, __file__, "--child", route, str(repeats)], capture_output=True,
+                             text=True, timeout=limit)
     except subprocess.TimeoutExpired:
         return None
     if run.returncode:
@@ -94,7 +96,8 @@ def steps(kind: str, limit: float) -> list[str]:
 
 
 def main() -> None:
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments = argparse.ArgumentParser(description=__doc__,
+                                        formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--quick", action="store_true")
     arguments.add_argument("--child", nargs=2, metavar=("ROUTE", "REPEATS"), help=argparse.SUPPRESS)
     given = arguments.parse_args()
@@ -119,24 +122,32 @@ def main() -> None:
     imports = [r["import"] for r in results["gyrostat"]]
     lines = [
         "# Results", "", "## The whole derivation (`bench_derivation.py`)", "",
-        f"{datetime.date.today()}, commit {commit()}, {platform.machine()} ({os.cpu_count()} cores, shared), Python "
+        f"{datetime.date.today()}, commit {commit()}, {platform.machine()} ({os.cpu_count()} cores, "
+        "shared), Python "
         f"{platform.python_version()}, " + ", ".join(f"{name} {installed(name)}" for name in PACKAGES)
-        + f"; medians and (min–max) of {rounds} rounds, everything in turn. Seconds; ratios are of the same round.", "",
+        + f"; medians and (min–max) of {rounds} rounds, everything in turn. Seconds; ratios are of the "
+          "same round.", "",
         "| whole process | seconds | × `import sympy` |", "|---|---|---|",
-        *(f"| `{name}` | {spread(times)} | {ratio(times, processes['import sympy'])} |" for name, times in processes.items()), "",
-        "| derivation, U(k3) undefined: bracket with Jacobi check, E1, E2, E3, both criteria | first in its process | repeated | "
+        *(f"| `{name}` | {spread(times)} | {ratio(times, processes['import sympy'])} |"
+          for name, times in processes.items()), "",
+        "| derivation, U(k3) undefined: bracket with Jacobi check, E1, E2, E3, both criteria | first in "
+        "its process | repeated | "
         "repeated × `import sympy` there | result |", "|---|---|---|---|---|"]
     for route, name in (("gyrostat", "gyrostat"), ("careful", "SymPy with care (no criteria, no reduction)")):
         runs = results[route]
         warm = [statistics.median(r["warm"]) for r in runs]
-        lines.append(f"| {name} | {spread([r['cold'] for r in runs])} | {spread(warm)} | {ratio(warm, imports)} | "
+        lines.append(f"| {name} | {spread([r['cold'] for r in runs])} | {spread(warm)} | "
+                     f"{ratio(warm, imports)} | "
                      f"{'right' if all(r['right'] for r in runs) else 'wrong'} |")
-    for kind, title in (("naive", "SymPy as one writes it first (`jacobian`, `subs`, `charpoly`, `simplify`, `solve`), U undefined"),
+    for kind, title in (("naive",
+                         "SymPy as one writes it first (`jacobian`, `subs`, `charpoly`, `simplify`, "
+                         "`solve`), U undefined"),
                         ("poissongeometry", "PoissonGeometry, where it has the feature, U = m0 k3")):
         if kind == "poissongeometry" and installed(kind) == "not installed":
             lines += ["", f"{title}: not installed (`pip install poissongeometry`)."]
             continue
-        lines += ["", f"| {title} | seconds, limit {limit:.0f} s a step | result |", "|---|---|---|", *steps(kind, limit)]
+        lines += ["", f"| {title} | seconds, limit {limit:.0f} s a step | result |", "|---|---|---|",
+                  *steps(kind, limit)]
     text = "\n".join(lines) + "\n"
     print(text)
     if not given.quick:
@@ -146,7 +157,8 @@ def main() -> None:
 
 
 def commit() -> str:
-    run = subprocess.run(["git", "-C", str(HERE), "rev-parse", "--short", "HEAD"], capture_output=True, text=True)
+    run = subprocess.run(["git", "-C", str(HERE), "rev-parse", "--short", "HEAD"], capture_output=True,
+                         text=True)
     return run.stdout.strip() or "unknown"
 
 

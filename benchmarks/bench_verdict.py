@@ -3,9 +3,10 @@
     python benchmarks/bench_verdict.py            all of it; prints the rows of RESULTS.md
     python benchmarks/bench_verdict.py --quick    few points, for breakage
 
-A verdict reads the numbers, checks them (positive, on the family, U real there), decides, on the boundary by the reduced motion, and
-says why. The baseline is SymPy's subs on the same margin, alone: no check, no boundary. Both are timed in turn at the same random
-rational points, a third of them exactly on the boundary, and compared with the margin in fractions.
+A verdict reads the numbers, checks them (positive, on the family, U real there), decides, on the boundary by
+the reduced motion, and says why. The baseline is SymPy's subs on the same margin, alone: no check, no
+boundary. Both are timed in turn at the same random rational points, a third of them exactly on the boundary,
+and compared with the margin in fractions.
 """
 import argparse
 import platform
@@ -52,7 +53,8 @@ def inclined(coefficients):
         slope = sum(n * c * z ** (n - 1) for n, c in enumerate(a, 1))
         bend = sum(n * (n - 1) * c * z ** (n - 2) for n, c in enumerate(a, 1) if n > 1)
         l = slope / w + w * z * (I1 - I3)
-        if on:                                             # U'' is corrected with U' kept: a2 (z² − 2 z·z) has the slope 0
+        # U'' is corrected with U' kept: a2 (z² − 2 z·z) has the slope 0
+        if on:
             wanted = -(I3 * w * z + l - 2 * I1 * w * z) ** 2 / (I1 * (1 - z * z)) - I1 * w * w
             a[1], a[0], bend = a[1] + (wanted - bend) / 2, a[0] - (wanted - bend) * z, wanted
         margin = (I3 * w * z + l - 2 * I1 * w * z) ** 2 + I1 * (1 - z * z) * (I1 * w * w + bend)
@@ -65,7 +67,8 @@ def inclined(coefficients):
 def cases():
     body, k3 = gs.symmetric_gyrostat(), gs.symbol("k3")
     polynomial = gs.axial_potential(sum(gs.symbol(f"a{n}") * k3**n for n in range(1, DEGREE + 1)))
-    for field, name in ((gs.axial_potential(), "U unspecified"), (polynomial, f"U of degree {DEGREE}, its coefficients too")):
+    for field, name in ((gs.axial_potential(), "U unspecified"),
+                        (polynomial, f"U of degree {DEGREE}, its coefficients too")):
         scene, given = gs.assemble(body, field), name != "U unspecified"
         yield f"E1, {name}", gs.analyze(gs.upright(scene)), vertical(1, given)
         yield f"E2, {name}", gs.analyze(gs.hanging(scene)), vertical(-1, given)
@@ -79,7 +82,8 @@ def timed(report, point, blocks, draw):
     report.verdict(point(draw, False)[0])
     for _ in range(blocks):
         points = [point(draw, n % 3 == 0) for n in range(BLOCK)]
-        rationals = [{gs.symbol(name): sympy.Rational(v.numerator, v.denominator) for name, v in values.items()} for values, _ in points]
+        rationals = [{gs.symbol(name): sympy.Rational(v.numerator, v.denominator)
+                      for name, v in values.items()} for values, _ in points]
         begin = time.perf_counter()
         decisions = [report.verdict(values) for values, _ in points]
         middle = time.perf_counter()
@@ -87,7 +91,8 @@ def timed(report, point, blocks, draw):
         theirs.append((time.perf_counter() - middle) / BLOCK)
         ours.append((middle - begin) / BLOCK)
         for (_, margin), decision, value in zip(points, decisions, inserted):
-            exact = (margin > 0) - (margin < 0)            # positive factors are taken out of ours: the same sign
+            # positive factors are taken out of ours: the same sign
+            exact = (margin > 0) - (margin < 0)
             wrong += sympy.sign(decision.margins[0][1]) != exact
             wrong += exact != 0 and decision.verdict.name != ("STABLE" if exact > 0 else "UNSTABLE")
             wrong_subs += sympy.sign(value) != exact
@@ -99,13 +104,16 @@ def micro(times):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     blocks = 1 if parser.parse_args().quick else 9
     draw, failed = random.Random(20261121), 0
-    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {sympy.__version__}; medians (min–max) "
+    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {sympy.__version__}; medians "
+          "(min–max) "
           f"of {blocks} blocks of {BLOCK} points, in turn")
-    print("| one verdict | `Report.verdict`, µs | `margin.subs`, µs | ratio | wrong verdicts | wrong signs of subs |")
+    print("| one verdict | `Report.verdict`, µs | `margin.subs`, µs | ratio | wrong verdicts | wrong signs "
+          "of subs |")
     print("|---|---|---|---|---|---|")
     for name, report, point in cases():
         ours, theirs, wrong, wrong_subs = timed(report, point, blocks, draw)

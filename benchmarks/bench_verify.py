@@ -1,4 +1,5 @@
-"""How long does it take to check all published formulas, and how does the zero test compare with SymPy's simplify?
+"""How long does it take to check all published formulas, and how does the zero test compare with SymPy's
+simplify?
 
     python benchmarks/bench_verify.py            all of it, some minutes; prints the rows of RESULTS.md
     python benchmarks/bench_verify.py --quick    one source, once, without the comparison, for breakage
@@ -30,7 +31,8 @@ def differences():
             if statement.kind in ("identity", "family") and statement.key not in load(source).expected:
                 r = Reading(statement)
                 printed, derived = (r.finish(read(x, r.own)) for x in (statement.printed, statement.quantity))
-                found.append(list(printed - derived) if isinstance(printed, MatrixBase) else [printed - derived])
+                found.append(list(printed - derived) if isinstance(printed, MatrixBase)
+                             else [printed - derived])
     return found
 
 
@@ -56,30 +58,37 @@ def spread(values):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     given = parser.parse_args()
     rounds, sources = (1, ("AR",)) if given.quick else (5, SOURCES)
     cold, warm, wrong = [], [], 0
     for _ in range(rounds):
         begin = time.perf_counter()
-        subprocess.run([sys.executable, "-m", "gyrostat", "verify", *sources], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([sys.executable, "-m", "gyrostat", "verify", *sources], check=True,
+                       stdout=subprocess.DEVNULL)
         cold.append(time.perf_counter() - begin)
         check(sources)                             # what a first run leaves in SymPy's caches
         begin = time.perf_counter()
         wrong += sum(f.status != f.expected for f in check(sources))
         warm.append(time.perf_counter() - begin)
-    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {sympy.__version__}, {rounds} rounds")
+    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {sympy.__version__}, {rounds} "
+          "rounds")
     print("| all published formulas | seconds | not as expected |\n|---|---|---|")
-    print(f"| `gyrostat verify`, whole process | {spread(cold)} | 0 |\n| `check()`, repeated | {spread(warm)} | {wrong} |")
+    print(f"| `gyrostat verify`, whole process | {spread(cold)} | 0 |\n| `check()`, repeated | "
+          f"{spread(warm)} | {wrong} |")
     if given.quick:
         return 1 if wrong else 0
     formulas = differences()
-    ours, theirs = [decided(is_zero, f) for f in formulas], [decided(lambda e: sympy.simplify(e) == 0, f) for f in formulas]
-    print(f"\n| {len(formulas)} confirmed identities, zero test | seconds in all | right | stopped at {LIMIT} s |\n|---|---|---|---|")
+    ours, theirs = [decided(is_zero, f) for f in formulas], [decided(lambda e: sympy.simplify(e) == 0, f)
+                                                             for f in formulas]
+    print(f"\n| {len(formulas)} confirmed identities, zero test | seconds in all | right | stopped at "
+          f"{LIMIT} s |\n|---|---|---|---|")
     for name, results in (("`is_zero`", ours), ("`sympy.simplify(…) == 0`", theirs)):
         answers = [answer for answer, _ in results]
-        print(f"| {name} | {sum(t for _, t in results):.2f} | {answers.count(True)} | {answers.count(None)} |")
+        print(f"| {name} | {sum(t for _, t in results):.2f} | {answers.count(True)} | "
+              f"{answers.count(None)} |")
     return 1 if wrong or not all(a for a, _ in ours) else 0
 
 

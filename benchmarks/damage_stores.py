@@ -1,13 +1,16 @@
-"""Is a store that was damaged, or whose process was killed, the undisturbed one after the same call, byte for byte?
+"""Is a store that was damaged, or whose process was killed, the undisturbed one after the same call, byte for
+byte?
 
     python benchmarks/damage_stores.py            200 mutilations, 20 kills, 20 power cuts, 6 pairs of writers
-    python benchmarks/damage_stores.py --quick    a seeded part, for breakage; exit status 1 if a store is silently wrong
+    python benchmarks/damage_stores.py --quick    a seeded part, for breakage; exit status 1 if a store is
+        silently wrong
 
-A mutilation: one to three files of any kind (chunks, marks, descriptions of the group and of its arrays, coordinates, boundary) missing,
-cut off, emptied, zeroed, with a bit flipped, exchanged with another, or their folder missing. A kill: SIGKILL at a random moment of the
-call, the making of the store included, until a call ends by itself. A power cut: the same, and every file that was not flushed to the
-disk is missing, emptied, cut off or zeroed. Each is followed by the call. It ends in the undisturbed store (the bytes of every file), in
-a StoreError, or it is silently wrong.
+A mutilation: one to three files of any kind (chunks, marks, descriptions of the group and of its arrays,
+coordinates, boundary) missing, cut off, emptied, zeroed, with a bit flipped, exchanged with another, or their
+folder missing. A kill: SIGKILL at a random moment of the call, the making of the store included, until a call
+ends by itself. A power cut: the same, and every file that was not flushed to the disk is missing, emptied,
+cut off or zeroed. Each is followed by the call. It ends in the undisturbed store (the bytes of every file),
+in a StoreError, or it is silently wrong.
 """
 import argparse
 import os
@@ -43,19 +46,25 @@ def flipped(data, rng):
     return data[:place] + bytes([data[place] ^ 1 << rng.randrange(8)]) + data[place + 1:]
 
 
-CHARTS = [{"x": ("pi3_0", np.linspace(-4, 4, 90)), "y": ("l", np.linspace(-2, 2, 68)), "fixed": {"I1": "1/3", "dU": 1}},
-          {"x": ("pi3_0", np.linspace(-4, 4, 30)), "y": ("l", np.linspace(-2, 2, 21)), "axes": {"dU": [0.5, 1.0, 2.0]},
+CHARTS = [{"x": ("pi3_0", np.linspace(-4, 4, 90)), "y": ("l", np.linspace(-2, 2, 68)),
+           "fixed": {"I1": "1/3", "dU": 1}},
+          {"x": ("pi3_0", np.linspace(-4, 4, 30)), "y": ("l", np.linspace(-2, 2, 21)),
+           "axes": {"dU": [0.5, 1.0, 2.0]},
            "fixed": {"I1": "1/3"}, "margins": True}]
-for ready in CHARTS:                                       # what is loaded and derived is so once, before there are processes
+# what is loaded and derived is so once, before there are processes
+for ready in CHARTS:
     stability_chart(TOP, **ready)
-POINTS = {False: 630, True: 8 * 210}                       # of a block, so that there are about ten; the last one is not a full one
+# of a block, so that there are about ten; the last one is not a full one
+POINTS = {False: 630, True: 8 * 210}
 KINDS = {"missing": lambda data, rng: None, "cut off": lambda data, rng: data[:rng.randrange(len(data) + 1)],
-         "emptied": lambda data, rng: b"", "zeroed": lambda data, rng: bytes(len(data)), "bit flipped": flipped}
+         "emptied": lambda data, rng: b"", "zeroed": lambda data, rng: bytes(len(data)),
+         "bit flipped": flipped}
 
 
 def contents(path):
     """The bytes of every file, but for those that a killed process had not moved into place."""
-    return {str(p.relative_to(path)): p.read_bytes() for p in path.rglob("*") if p.is_file() and p.suffix != ".partial"}
+    return {str(p.relative_to(path)): p.read_bytes()
+            for p in path.rglob("*") if p.is_file() and p.suffix != ".partial"}
 
 
 def kind_of(name):
@@ -63,7 +72,13 @@ def kind_of(name):
     first, *rest = name.split("/")
     if not rest:
         return "group"
-    whose = "mark" if first == "complete" else "data" if first == "verdict" or first.startswith("margin") else "coordinate or curve"
+    whose = (
+        "mark"
+        if first == "complete"
+        else "data"
+        if first == "verdict" or first.startswith("margin")
+        else "coordinate or curve"
+    )
     return f"{whose}: {'description' if rest == ['zarr.json'] else 'bytes'}"
 
 
@@ -95,7 +110,8 @@ def called(chart, path, flushed=None):
 
 def ended(child):
     """How a call ended."""
-    return {0: "done", 2: "StoreError", 3: "another exception"}.get(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), "killed")
+    return {0: "done", 2: "StoreError",
+            3: "another exception"}.get(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), "killed")
 
 
 def outcome(chart, path, truth):
@@ -132,7 +148,10 @@ def mutilated(path, rng):
 
 
 def place(path, name):
-    """Where a file lies after it was moved into place, from where it was flushed: beside it, or in a store that was being made."""
+    """Where a file lies after it was moved into place, from where it was flushed.
+
+    Beside it, or in a store that was being made.
+    """
     if ".new/" in name:
         return str(path / name.split(".new/", 1)[1])
     return name.removesuffix(".partial").rsplit(".", 1)[0] if name.endswith(".partial") else name
@@ -161,11 +180,13 @@ def stopped(chart, folder, truth, rng, power, longest):
         kills += 1
         if power and path.exists():
             cut(path, flushed, rng)
-    return (said if said != "done" else "bit-identical" if contents(path) == truth else "silently wrong"), kills
+    return (said if said != "done" else "bit-identical" if contents(path) == truth
+            else "silently wrong"), kills
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--seed", type=int, default=7)
     given = parser.parse_args()
@@ -196,7 +217,8 @@ def main():
             while done < kills:
                 which = rng.randrange(len(CHARTS))
                 with tempfile.TemporaryDirectory(dir=folder) as own:
-                    result, killed = stopped(CHARTS[which], Path(own), truths[which], rng, power, 1.2 * seconds)
+                    result, killed = stopped(CHARTS[which], Path(own), truths[which], rng, power,
+                                             1.2 * seconds)
                 done += killed
                 counts[name, "killed"] += killed
                 counts[name, result] += 1
@@ -206,9 +228,12 @@ def main():
                 pair = [called(CHARTS[which], Path(own) / "chart.zarr") for _ in range(2)]
                 results = {ended(child) for child in pair}
                 same = contents(Path(own) / "chart.zarr") == truths[which]
-                counts["two writers", "bit-identical" if results == {"done"} and same else "silently wrong"] += 1
-    print(f"{date.today()}, {platform.machine()} ({os.cpu_count()} cores, shared), Python {platform.python_version()}, seed {given.seed}, "
-          f"zarr {zarr.__version__}, xarray {xarray.__version__}, dask {dask.__version__}, {time.perf_counter() - begin:.0f} s")
+                counts["two writers", "bit-identical" if results == {"done"} and same
+                       else "silently wrong"] += 1
+    print(f"{date.today()}, {platform.machine()} ({os.cpu_count()} cores, shared), Python "
+          f"{platform.python_version()}, seed {given.seed}, "
+          f"zarr {zarr.__version__}, xarray {xarray.__version__}, dask {dask.__version__}, "
+          f"{time.perf_counter() - begin:.0f} s")
     for (what, result), count in sorted(counts.items()):
         print(f"{what}: {result}: {count}")
     print("damaged: " + ", ".join(f"{kind}: {count}" for kind, count in sorted(damage.items())))

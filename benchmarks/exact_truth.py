@@ -1,13 +1,17 @@
-"""What is true of the floats of a point: margins and coefficients of the reduced motion in whole numbers; gyrostat is not used.
+"""What is true of the floats of a point: margins and coefficients of the reduced motion in whole numbers.
 
-The numbers of a point are the dyadic rationals that its floats are. A margin is a sum a + b that vanishes on the boundary:
+Gyrostat is not used.
+
+The numbers of a point are the dyadic rationals that its floats are. A margin is a sum a + b that vanishes on
+the boundary:
 
     E1, E2    P² − 4 s I1 U'
     E3        p = I1 (1 − k3²) U'' − 2 I1 k3 U' + I1² ω² + ((I1 − I3) ω k3 − l)², U' = ω l − ω² k3 (I1 − I3)
 
-with b the part that has U' at E1 and E2, U'' at E3. The relative distance to the boundary is |a + b| / max(|a|, |b|), its rounding the
-only one. Where the margin is 0, the first coefficient of the reduced motion that does not vanish decides. In U = b exp(50 k3) the sign
-is that of an enclosure with 480 digits, which has to leave out 0.
+with b the part that has U' at E1 and E2, U'' at E3. The relative distance to the boundary is abs(a + b) /
+max(abs(a), abs(b)), its rounding the only one. Where the margin is 0, the first coefficient of the reduced motion
+that does not vanish decides. In U = b exp(50 k3) the sign is that of an enclosure with 480 digits, which has
+to leave out 0.
 """
 from collections.abc import Iterator
 from math import perm
@@ -32,7 +36,8 @@ class Dyadic:
     def of(cls, floats) -> "Dyadic":
         fraction, power = np.frexp(np.atleast_1d(np.asarray(floats, dtype=np.float64)))
         low = int(power.min(initial=0))
-        return cls((fraction * 2.0**53).astype(np.int64).astype(object) << (power - low).astype(object), low - 53)
+        return cls((fraction * 2.0**53).astype(np.int64).astype(object) << (power - low).astype(object),
+                   low - 53)
 
     def aligned(self, other):
         """Whole parts at one power, and the power."""
@@ -101,7 +106,10 @@ def sides(kind: str, scene: str, v: dict) -> tuple:
 
 
 def coefficients(kind: str, scene: str, v: dict) -> Iterator[tuple]:
-    """What decides on the boundary, in order: whether k3 escapes whatever the sign, and a number that is negative where it is held."""
+    """What decides on the boundary, in order.
+
+    Whether k3 escapes whatever the sign, and a number that is negative where it is held.
+    """
     highest = 4 if scene == "unspecified" else 2 + sum(name[0] == "a" for name in v)
     z = v["k3"] if kind == "E3" else SIDE[kind]
     derivatives = jets(scene, v, z, highest)
@@ -113,7 +121,12 @@ def coefficients(kind: str, scene: str, v: dict) -> Iterator[tuple]:
             yield n % 2 == 1, 2 * n * z * U[n - 1] + n * (n - 1) * U[n - 2] - (1 - z * z) * U[n]
     else:
         for n in range(1, len(U) - 1):
-            yield False, (-1) ** n * (2 * U[n + 1] + (n + 1) * U[n]) if kind == "E1" else (n + 1) * U[n] - 2 * U[n + 1]
+            yield (
+                False,
+                (-1) ** n * (2 * U[n + 1] + (n + 1) * U[n])
+                if kind == "E1"
+                else (n + 1) * U[n] - 2 * U[n + 1],
+            )
 
 
 def truth(kind: str, scene: str, values: dict) -> tuple[np.ndarray, np.ndarray]:

@@ -1,13 +1,16 @@
-"""Does any text hang, break or execute? Random texts through every route into the library, each with its CPU time and memory measured.
+"""Does any text hang, break or execute? Random texts through every route into the library, each with its CPU
+time and memory measured.
 
     python benchmarks/fuzz_texts.py                  1 000 000 texts through the gate
-    python benchmarks/fuzz_texts.py --verbs          20 000 accepted ones through the verbs of the command line, --timeout 2
+    python benchmarks/fuzz_texts.py --verbs          20 000 accepted ones through the verbs of the command
+        line, --timeout 2
     python benchmarks/fuzz_texts.py --quick          a part of both, in less than 30 s
 
-A tenth of the texts are towers, tan(exp(1e50)) and chains of abbreviations; the others are drawn from the grammar, mutated, or random
-characters. A worker that does not come back is ended, its text counted as a hang, and the next one goes on. Printed are the counts of
-texts accepted and refused, of hangs, slow texts, exceptions that are no GyrostatError, and executions that an audit hook has seen; the
-exit status is 1 if one of the last four is not 0.
+A tenth of the texts are towers, tan(exp(1e50)) and chains of abbreviations; the others are drawn from the
+grammar, mutated, or random characters. A worker that does not come back is ended, its text counted as a hang,
+and the next one goes on. Printed are the counts of texts accepted and refused, of hangs, slow texts,
+exceptions that are no GyrostatError, and executions that an audit hook has seen; the exit status is 1 if one
+of the last four is not 0.
 """
 
 import argparse
@@ -28,7 +31,8 @@ from pathlib import Path
 TEXTS, QUICK, HANG, SLOW, MEMORY = 1_000_000, 12_000, 5.0, 0.5, 500 * 2**20
 VERBS, QUICK_VERBS, TIMEOUT, ENDED = 20_000, 60, 2, 3.0
 NAMES = ["k3", "m0", "m1", "I1", "I3", "l", "a", "b", "omega", "x", "k1", "k2", "pi"]
-FUNCTIONS = ["sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"]
+FUNCTIONS = ["sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh",
+             "asinh", "acosh", "atanh"]
 STRANGE = [
     "nan",
     "inf",
@@ -82,13 +86,15 @@ def number(chance):
     """A number: ordinary, long, huge or tiny."""
     kind = chance.random()
     if kind < 0.5:
-        return chance.choice(["0", "1", "2", "3", "7", "1/2", "0.1", "1.6", "3/5", "12", "100", "0.25", "1e-3", ".5"])
+        return chance.choice(["0", "1", "2", "3", "7", "1/2", "0.1", "1.6", "3/5", "12", "100", "0.25",
+                              "1e-3", ".5"])
     if kind < 0.8:
         return f"{chance.randint(0, 10 ** chance.randint(1, 6))}{chance.choice(['', '.5', 'e2', 'e-7'])}"
     if kind < 0.95:
         exponent = chance.choice([8, 50, 99, 300, 400, 401, 999, 10**9, 10**30])
         return f"{chance.choice(['', '-'])}{chance.randint(1, 9)}e{chance.choice(['', '-'])}{exponent}"
-    return "".join(chance.choice("0123456789") for _ in range(chance.choice([20, 100, 399, 400, 401, 4400, 5000])))
+    return "".join(chance.choice("0123456789")
+                   for _ in range(chance.choice([20, 100, 399, 400, 401, 4400, 5000])))
 
 
 def grown(chance, depth):
@@ -109,7 +115,8 @@ def grown(chance, depth):
 def tower(chance):
     """Functions, powers and roots of one another, of huge and tiny numbers."""
     text = chance.choice(
-        [number(chance), number(chance), chance.choice(NAMES), f"{number(chance)}*{chance.choice(NAMES)}", "pi", "sqrt(2)"]
+        [number(chance), number(chance), chance.choice(NAMES), f"{number(chance)}*{chance.choice(NAMES)}",
+         "pi", "sqrt(2)"]
     )
     for _ in range(chance.randint(1, 6)):
         kind = chance.random()
@@ -131,11 +138,15 @@ def mutated(chance, text):
         if kind < 0.3:
             del characters[place : place + chance.randint(1, 3)]
         elif kind < 0.6:
-            characters[place:place] = chance.choice([*"()+-*/.,e^ ", "**", "1e9", chance.choice(FUNCTIONS), chance.choice(NAMES), *STRANGE])
+            characters[place:place] = chance.choice([*"()+-*/.,e^ ", "**", "1e9", chance.choice(FUNCTIONS),
+                                                     chance.choice(NAMES), *STRANGE])
         elif kind < 0.8:
-            characters[place:place] = characters[place : place + chance.randint(1, 30)] * chance.randint(1, 20)
+            characters[place:place] = characters[place : place
+                                                 + chance.randint(1, 30)] * chance.randint(1, 20)
         else:
-            chance.shuffle(characters) if chance.random() < 0.1 else characters.reverse() if chance.random() < 0.05 else None
+            chance.shuffle(
+                characters
+            ) if chance.random() < 0.1 else characters.reverse() if chance.random() < 0.05 else None
     return "".join(characters)
 
 
@@ -148,7 +159,8 @@ def drawn(index, seed):
     if kind < 0.35:
         return grown(chance, chance.randint(1, 5)), chance
     if kind < 0.7:
-        return mutated(chance, grown(chance, chance.randint(1, 4)) if chance.random() < 0.8 else tower(chance)), chance
+        return mutated(chance, grown(chance, chance.randint(1, 4)) if chance.random() < 0.8
+                       else tower(chance)), chance
     if kind < 0.9:
         return "".join(
             chance.choice([*"()+-*/. 0123456789", "**", "e5", "9**9", "_", *FUNCTIONS, *NAMES, *STRANGE])
@@ -176,7 +188,11 @@ def routes(folder):
     file = folder / f"{os.getpid()}.toml"
 
     def line(text, chance):
-        raw = json.dumps({chance.choice(["I1", "l", text[:20]]): text, "m0": 1}) if chance.random() < 0.5 else f'{{"I1": {text}}}'
+        raw = (
+            json.dumps({chance.choice(["I1", "l", text[:20]]): text, "m0": 1})
+            if chance.random() < 0.5
+            else f'{{"I1": {text}}}'
+        )
         for name, value in json_object(raw.encode("utf-8", "replace")).items():
             exact_number(value, name)
 
@@ -194,7 +210,8 @@ def routes(folder):
         file.write_text(
             chance.choice(
                 [
-                    '[source]\nname = "n"\ntitle = {0}\n[[formula]]\nkey = {0}\nwhere = "w"\nquantity = "I1"\n'
+                    '[source]\nname = "n"\ntitle = {0}\n[[formula]]\nkey = {0}\nwhere = "w"\nquantity = '
+                    '"I1"\n'
                     'printed = {0}\nkind = "identity"\n',
                     "{0}\n",
                     "a = {0}\n",
@@ -228,6 +245,7 @@ def work(start, stop, step, seed, progress, pipe, folder):
     os.environ["SYMPY_USE_CACHE"] = os.environ.get("SYMPY_USE_CACHE", "yes")
     ways, seen, inside = routes(Path(folder)), [], [False]
     import sympy.physics.units  # noqa: F401 (SymPy loads it when it meets some sums, and makes its names by exec)
+
     for text in ("tan(k3)+exp(2*pi)", "asin(1/3)**2", "2**(1/3)", "k3**"):  # what is loaded on first use
         for way in ways.values():
             try:
@@ -237,7 +255,8 @@ def work(start, stop, step, seed, progress, pipe, folder):
                 pass
 
     def watch(event, given):
-        if inside[0] and (event in FORBIDDEN or event in LOADED and not _loading(given) or event == "open" and _writes(given)):
+        if inside[0] and (event in FORBIDDEN or event in LOADED and not _loading(given) or event == "open"
+                          and _writes(given)):
             seen.append(f"{event} {str(given)[:100]}")
 
     sys.addaudithook(watch)
@@ -287,7 +306,9 @@ def _spent(pid):
 
 
 def _loading(given):
-    """Whether code comes from a file, as that of a module does, is SymPy's own for monomials, or Cython's for the frame of an error."""
+    """Whether code comes from a file, as that of a module does, is SymPy's own for monomials, or Cython's for
+    the frame of an error.
+    """
     if given[0] == b"_getframe()" and str(given[1]).endswith(".pyx"):
         return True
     if (
@@ -303,12 +324,22 @@ def _loading(given):
 
 def _writes(given):
     mode, flags = given[1], given[2]
-    return any(c in str(mode or "") for c in "wax+") or bool(flags & (os.O_WRONLY | os.O_RDWR)) if isinstance(flags, int) else False
+    return (
+        any(c in str(mode or "") for c in "wax+") or bool(flags & (os.O_WRONLY | os.O_RDWR))
+        if isinstance(flags, int)
+        else False
+    )
 
 
 def gate(count, seed, processes):
     """The texts through the gate; the number of those that are bad."""
-    context, totals, bad, slowest, largest = multiprocessing.get_context("fork"), {"accepted": 0, "refused": 0}, [], (0.0, ""), 0
+    context, totals, bad, slowest, largest = (
+        multiprocessing.get_context("fork"),
+        {"accepted": 0, "refused": 0},
+        [],
+        (0.0, ""),
+        0,
+    )
     began = time.time()
     with tempfile.TemporaryDirectory() as folder:
         running = {}
@@ -316,7 +347,8 @@ def gate(count, seed, processes):
         def launch(lane, start):
             shared, (near, far) = mmap.mmap(-1, 8), context.Pipe(False)
             shared[:8] = start.to_bytes(8, "little")
-            process = context.Process(target=work, args=(start, count, processes, seed, shared, far, folder), daemon=True)
+            process = context.Process(target=work, args=(start, count, processes, seed, shared, far, folder),
+                                      daemon=True)
             process.start()
             far.close()
             running[lane] = [process, shared, near, start, 0.0]
@@ -337,7 +369,11 @@ def gate(count, seed, processes):
                 index = int.from_bytes(shared[:8], "little")
                 if index != last:
                     running[lane][3:] = [index, _spent(process.pid)]
-                elif process.is_alive() and index < count and _spent(process.pid) - since > HANG + 5 * (index == lane):
+                elif (
+                    process.is_alive()
+                    and index < count
+                    and _spent(process.pid) - since > HANG + 5 * (index == lane)
+                ):
                     process.kill()
                 if not process.is_alive():
                     del running[lane]
@@ -348,9 +384,12 @@ def gate(count, seed, processes):
         print(f"{kind} at {index} ({name}): {text[:300]!r}: {why}")
     kinds = {kind: sum(b[0] == kind for b in bad) for kind in ("hang", "slow", "foreign", "execution")}
     print(
-        f"gate: {count} texts, seed {seed}: {totals['accepted']} accepted, {totals['refused']} refused; {kinds['hang']} hangs, "
-        f"{kinds['slow']} over {SLOW} s, {kinds['foreign']} foreign exceptions, {kinds['execution']} executions; slowest "
-        f"{slowest[0]:.3f} s ({slowest[1][:80]!r}); largest process {largest // 1024} MB; {time.time() - began:.0f} s"
+        f"gate: {count} texts, seed {seed}: {totals['accepted']} accepted, {totals['refused']} refused; "
+        f"{kinds['hang']} hangs, "
+        f"{kinds['slow']} over {SLOW} s, {kinds['foreign']} foreign exceptions, {kinds['execution']} "
+        "executions; slowest "
+        f"{slowest[0]:.3f} s ({slowest[1][:80]!r}); largest process {largest // 1024} MB; "
+        f"{time.time() - began:.0f} s"
     )
     return len(bad)
 
@@ -389,12 +428,16 @@ def _batch(accepted, seed):
     """Through decide --batch: each line answered, in order and in time."""
     chance, bad, times = random.Random(seed), [], []
     command = [sys.executable, "-m", "gyrostat", "decide", "--batch", "-", "--timeout", str(TIMEOUT)]
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=_environment()) as run:
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          env=_environment()) as run:
         threading.Thread(target=lambda: [None for _ in run.stderr], daemon=True).start()
         for n, (text, names) in enumerate(accepted, 1):
-            numbers = {name: chance.choice(["1", "2", "1/2", "0.3", "3", "1e8", "1e-9", "sqrt(2)"]) for name in names - {"k1", "k2", "k3"}}
-            numbers = {"I1": "1", "I3": "1/2", "l": "1/3", "equilibrium": chance.choice(["E1", "E2"])} | numbers
-            line = numbers | ({"potential": text, "pi3_0": "2"} if "k3" in names else {"potential": "m0*k3", "m0": "1", "pi3_0": text})
+            numbers = {name: chance.choice(["1", "2", "1/2", "0.3", "3", "1e8", "1e-9", "sqrt(2)"])
+                       for name in names - {"k1", "k2", "k3"}}
+            numbers = {"I1": "1", "I3": "1/2", "l": "1/3",
+                       "equilibrium": chance.choice(["E1", "E2"])} | numbers
+            line = numbers | ({"potential": text, "pi3_0": "2"} if "k3" in names
+                              else {"potential": "m0*k3", "m0": "1", "pi3_0": text})
             began = time.time()
             try:
                 run.stdin.write(json.dumps(line).encode() + b"\n")
@@ -406,10 +449,15 @@ def _batch(accepted, seed):
             times.append(time.time() - began)
             if times[-1] > ENDED and n > 1:  # the first one waits for the start
                 bad.append(("late", text, f"{times[-1]:.1f} s"))
-            if answer.get("line") != n or not {"error", "equilibria"} & answer.keys() or "Traceback" in str(answer):
+            if (
+                answer.get("line") != n
+                or not {"error", "equilibria"} & answer.keys()
+                or "Traceback" in str(answer)
+            ):
                 bad.append(("foreign", text, str(answer)[:200]))
         run.stdin.close()
-    print(f"decide --batch: {len(times)} lines, median {sorted(times)[len(times) // 2]:.3f} s, longest {max(times[1:], default=0):.2f} s")
+    print(f"decide --batch: {len(times)} lines, median {sorted(times)[len(times) // 2]:.3f} s, longest "
+          f"{max(times[1:], default=0):.2f} s")
     return bad
 
 
@@ -434,7 +482,8 @@ def _single(accepted, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--verbs", action="store_true")
     parser.add_argument("--count", type=int, help="of the texts, in place of the full number")
@@ -445,14 +494,16 @@ def main():
     import sympy
 
     print(
-        f"{platform.processor() or platform.machine()}, {given.processes} processes; Python {platform.python_version()}, "
+        f"{platform.processor() or platform.machine()}, {given.processes} processes; Python "
+        f"{platform.python_version()}, "
         f"SymPy {sympy.__version__}, python-flint {flint.__version__}"
     )
     bad = 0
     if not given.verbs:
         bad += gate(given.count or (QUICK if given.quick else TEXTS), given.seed, given.processes)
     if given.verbs or given.quick:
-        bad += verbs(given.count if given.verbs and given.count else QUICK_VERBS if given.quick else VERBS, given.seed)
+        bad += verbs(given.count if given.verbs and given.count else QUICK_VERBS if given.quick else VERBS,
+                     given.seed)
     return int(bad > 0)
 
 

@@ -1,4 +1,7 @@
-"""Points in float64 at which verdicts go wrong, by family, with the truth in whole numbers; gyrostat is not used."""
+"""Points in float64 at which verdicts go wrong, by family, with the truth in whole numbers.
+
+Gyrostat is not used.
+"""
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -10,11 +13,14 @@ from flint import arb, ctx
 
 KINDS, DEGREE = ("E1", "E2", "E3"), 20
 EXPONENTS = range(2, 16)
-FAMILIES = {"a": "near and on the boundary", "b": "cancelling momenta", "c": "I1 → I3, |k3| → 1", "d": "stiff fields",
+FAMILIES = {"a": "near and on the boundary", "b": "cancelling momenta", "c": "I1 → I3, |k3| → 1",
+            "d": "stiff fields",
             "e": "random", "f": "extreme scales"}
 # sizes of I1 and I3 and of P, or of ω, as powers of ten
-VERTICAL_SCALES = ((0, 150), (0, -150), (150, 0), (-150, 0), (150, 150), (-150, -150), (0, -155), (0, -160), (-10, -160), (-315, -315))
-INCLINED_SCALES = ((150, 0), (-150, 0), (0, 150), (0, -150), (75, 75), (-75, -75), (0, -157), (0, -160), (-310, 0), (-318, 0))
+VERTICAL_SCALES = ((0, 150), (0, -150), (150, 0), (-150, 0), (150, 150), (-150, -150), (0, -155), (0, -160),
+                   (-10, -160), (-315, -315))
+INCLINED_SCALES = ((150, 0), (-150, 0), (0, 150), (0, -150), (75, 75), (-75, -75), (0, -157), (0, -160),
+                   (-310, 0), (-318, 0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,12 +29,18 @@ class Batch:
 
     Parameters
     ----------
-    family, label : str       "a" … "f"; the distance asked for, or the like
-    kind : str                "E1", "E2" or "E3"
-    field : str               "unspecified", "polynomial" (a1, a2, … in values) or "exponential" (b in values)
-    values : dict             columns of float64; at E3 in a given field l follows from the relation and is left out
-    truth : int8 array        1 stable, -1 unstable; at E3 modulo the spin
-    distance : float64 array  relative distance to the boundary
+    family, label : str
+        "a" … "f"; the distance asked for, or the like
+    kind : str
+        "E1", "E2" or "E3"
+    field : str
+        "unspecified", "polynomial" (a1, a2, … in values) or "exponential" (b in values)
+    values : dict
+        columns of float64; at E3 in a given field l follows from the relation and is left out
+    truth : int8 array
+        1 stable, -1 unstable; at E3 modulo the spin
+    distance : float64 array
+        relative distance to the boundary
     """
 
     family: str
@@ -45,7 +57,8 @@ class Batch:
 
     def at(self, where) -> "Batch":
         """The points at some places."""
-        return Batch(self.family, self.label, self.kind, self.field, {name: x[where] for name, x in self.values.items()},
+        return Batch(self.family, self.label, self.kind, self.field,
+                     {name: x[where] for name, x in self.values.items()},
                      self.truth[where], self.distance[where])
 
 
@@ -54,9 +67,11 @@ def _batch(family, label, kind, scene, values):
 
 
 def near(kind: str, values: dict, shifts, scene: str = "unspecified") -> dict:
-    """The points with U' at E1 and E2, U'' at E3, moved to a relative distance from the boundary and rounded; positive shifts are stable.
+    """The points with U' at E1 and E2, U'' at E3, moved to a relative distance from the boundary and rounded;
+    positive shifts are stable.
 
-    A shift of 0 gives one of the two floats next to the boundary. It is dU or d2U that moves, a1 in a polynomial (a1 and a2 at E3).
+    A shift of 0 gives one of the two floats next to the boundary. It is dU or d2U that moves, a1 in a
+    polynomial (a1 and a2 at E3).
     """
     name = "d2U" if kind == "E3" else "dU" if scene == "unspecified" else "a1"
     values = {**values} if scene == "polynomial" else {**values, name: np.zeros(len(shifts))}
@@ -83,9 +98,11 @@ def ordinary(kind: str, n: int, rng, momenta: float = 1.0) -> dict:
     """Random points of no special kind."""
     draw = {"I1": rng.uniform(0.5, 2, n), "I3": rng.uniform(0.5, 2, n), "l": momenta * rng.uniform(-4, 4, n)}
     if kind == "E3":
-        draw |= {"omega": rng.uniform(0.2, 3, n) * rng.choice([-1, 1], n), "k3": rng.uniform(-0.95, 0.95, n), "d2U": rng.uniform(-12, 3, n)}
+        draw |= {"omega": rng.uniform(0.2, 3, n) * rng.choice([-1, 1], n), "k3": rng.uniform(-0.95, 0.95, n),
+                 "d2U": rng.uniform(-12, 3, n)}
     else:
-        draw |= {"pi3_0": momenta * rng.uniform(-4, 4, n), "dU": SIDE[kind] * rng.uniform(-1, 6, n), "d2U": rng.uniform(-3, 3, n)}
+        draw |= {"pi3_0": momenta * rng.uniform(-4, 4, n), "dU": SIDE[kind] * rng.uniform(-1, 6, n),
+                 "d2U": rng.uniform(-3, 3, n)}
     return draw | {"d3U": rng.uniform(-3, 3, n), "d4U": rng.uniform(-3, 3, n)}
 
 
@@ -100,7 +117,8 @@ def cases(n: int, seed: int = 20261122) -> Iterator[Batch]:
         rng = np.random.default_rng([seed, KINDS.index(kind)])
         for exponent in EXPONENTS:
             yield _batch("a", f"1e-{exponent:02}", kind, "unspecified",
-                         near(kind, ordinary(kind, n, rng), 10.0**-exponent * np.where(np.arange(n) % 2, 1, -1)))
+                         near(kind, ordinary(kind, n, rng),
+                              10.0**-exponent * np.where(np.arange(n) % 2, 1, -1)))
         yield _batch("a", "next float", kind, "unspecified", near(kind, ordinary(kind, n, rng), np.zeros(n)))
         yield _batch("a", "boundary", kind, "unspecified", on_boundary(kind, n, rng))
         for label, values in cancelling(kind, n, rng):
@@ -121,7 +139,8 @@ def on_boundary(kind: str, n: int, rng) -> dict:
         z = np.where(case < 2, rng.integers(-15, 16, n) / 16, 0.0)
         across = I1 * (1 - z * z)
         rest = across * q + I1 * w * z
-        jets = {"d2U": -across * q * q - I1 * w * w, "d3U": np.where(case == 3, 6 * w * rest, third), "d4U": fourth}
+        jets = {"d2U": -across * q * q - I1 * w * w, "d3U": np.where(case == 3, 6 * w * rest, third),
+                "d4U": fourth}
         return {"I1": I1, "I3": I3, "l": rest + (I1 - I3) * w * z, "omega": w, "k3": z, **jets}
     s = SIDE[kind]
     slope = s * I1 * q * q
@@ -153,21 +172,27 @@ def limits(kind: str, n: int, rng) -> dict:
 
 def stiff(kind: str, n: int, rng) -> tuple[dict, np.ndarray, str]:
     """Coefficients a1 … a20 of sizes up to 10³."""
-    v = {name: x for name, x in ordinary(kind, n, rng).items() if name not in JETS and (kind != "E3" or name != "l")}
+    v = {name: x for name, x in ordinary(kind, n, rng).items() if name not in JETS
+         and (kind != "E3" or name != "l")}
     v |= {f"a{m}": rng.uniform(-1, 1, n) * 10 ** rng.uniform(0, 3, n) for m in range(1, DEGREE + 1)}
     return v, shifts(n, rng), "polynomial"
 
 
 def steep(kind: str, n: int, rng) -> dict:
-    """U = b exp(50 k3), b next to the boundary; at E3 u = U' solves u²/ω² + c I1 u + I1² ω² = 0, c = 50 (1 − k3²) − 2 k3."""
-    v = {name: x for name, x in ordinary(kind, n, rng).items() if name not in JETS and (kind != "E3" or name != "l")}
+    """U = b exp(50 k3), b next to the boundary.
+
+    At E3 u = U' solves u²/ω² + c I1 u + I1² ω² = 0, c = 50 (1 − k3²) − 2 k3.
+    """
+    v = {name: x for name, x in ordinary(kind, n, rng).items() if name not in JETS
+         and (kind != "E3" or name != "l")}
     v["b"] = np.zeros(n)
     with ctx.workprec(BITS):
         for i, shift in enumerate(map(float, shifts(n, rng))):
             x = {name: arb(float(column[i])) for name, column in v.items()}
             if kind == "E3":
                 c = STEEP * (1 - x["k3"] ** 2) - 2 * x["k3"]
-                slope, exponent = x["omega"] ** 2 * x["I1"] * ((-1) ** (i // 2) * (c * c - 4).sqrt() - c) / 2, STEEP * x["k3"]
+                slope, exponent = x["omega"] ** 2 * x["I1"] * ((-1) ** (i // 2) * (c * c - 4).sqrt()
+                                                               - c) / 2, STEEP * x["k3"]
             else:
                 slope, exponent = SIDE[kind] * momentum(x) ** 2 / (4 * x["I1"]), arb(STEEP * SIDE[kind])
             v["b"][i] = float((slope * (1 - arb(shift)) / (STEEP * exponent.exp())).mid())
@@ -177,7 +202,8 @@ def steep(kind: str, n: int, rng) -> dict:
 def scaled(kind: str, n: int, rng) -> dict:
     """Units so large or small that squares overflow, underflow, or are subnormal."""
     v = ordinary(kind, n, rng)
-    sizes = np.array(INCLINED_SCALES if kind == "E3" else VERTICAL_SCALES)[np.arange(n) // 2 % 10].astype(float)
+    sizes = np.array(INCLINED_SCALES if kind == "E3"
+                     else VERTICAL_SCALES)[np.arange(n) // 2 % 10].astype(float)
     inertia, other = (_power(column) for column in sizes.T)
     rate = ("omega", "l") if kind == "E3" else ("pi3_0", "l")
     v |= {name: v[name] * inertia for name in ("I1", "I3")} | {name: v[name] * other for name in rate}

@@ -11,11 +11,14 @@ from matplotlib.transforms import Bbox
 OURS = "gyrostat"
 STYLES = {                                                 # family: label, colour, marker
     "heyoka": ("heyoka", "#0072b2", "o"), "Strang, order 2": ("Strang 2", "#8c8c8c", "v"),
-    "Blanes-Moan, order 4": ("Blanes-Moan 4", "#009e73", "D"), "Kahan-Li, order 8": ("Kahan-Li 8", "#00573f", "s"),
-    "SciPy RK45": ("RK45", "#e69f00", "<"), "SciPy DOP853": ("DOP853", "#d55e00", ">"), "SciPy Radau": ("Radau", "#a6761d", "P"),
+    "Blanes-Moan, order 4": ("Blanes-Moan 4", "#009e73", "D"),
+    "Kahan-Li, order 8": ("Kahan-Li 8", "#00573f", "s"),
+    "SciPy RK45": ("RK45", "#e69f00", "<"), "SciPy DOP853": ("DOP853", "#d55e00", ">"),
+    "SciPy Radau": ("Radau", "#a6761d", "P"),
     "SciPy LSODA": ("LSODA", "#cc79a7", "X"),
 }
-ROWS = (("M1", "M2", "M3", "M4", "top"), ("generic", "generic", "generic", "near", "near"), ("sleep", "sleep", "sleep", "near", "near"))
+ROWS = (("M1", "M2", "M3", "M4", "top"), ("generic", "generic", "generic", "near", "near"),
+        ("sleep", "sleep", "sleep", "near", "near"))
 SMALLEST = 1e-18                                           # where an error of 0 is drawn
 DPI = 110
 
@@ -51,18 +54,25 @@ def table(case, rows, limit):
     for (family, late), group in groupby(rows, lambda row: (row.family, bool(row.expected))):
         if late:
             settings, times = zip(*((row.setting, f"{1e3 * row.expected:.0e}") for row in group))
-            yield line(family, ", ".join(settings), "", f"> {1e3 * limit:.0f} (about {', '.join(times)})", *["—"] * (1 + len(names)))
+            yield line(family, ", ".join(settings), "", f"> {1e3 * limit:.0f} (about {', '.join(times)})",
+                       *["—"] * (1 + len(names)))
             continue
         for row in group:
             first, *later = row.setup
-            setup = f"{1e3 * first:.3g}" + (f"; {spread(later)}" if later else "") if family in (OURS, "heyoka") else "—"
-            yield line(family, row.setting, setup, spread(row.run), f"{row.error:.1e}", *(f"{d:.0e}" for d in row.drifts))
+            setup = (
+                f"{1e3 * first:.3g}" + (f"; {spread(later)}" if later else "")
+                if family in (OURS, "heyoka")
+                else "—"
+            )
+            yield line(family, row.setting, setup, spread(row.run), f"{row.error:.1e}",
+                       *(f"{d:.0e}" for d in row.drifts))
 
 
 def short_table(panels):
     """Of each case the time and error of ours, and of the most accurate of each other kind."""
     kinds = ("heyoka", "SciPy", "order")
-    yield from (line("case", "time", "ours: set-up + run, ms", "error", *(f"most accurate: {k}" for k in ("heyoka", "SciPy", "splitting"))),
+    yield from (line("case", "time", "ours: set-up + run, ms", "error",
+                     *(f"most accurate: {k}" for k in ("heyoka", "SciPy", "splitting"))),
                 "|---" * 7 + "|")
     for case, label, rows in panels:
         cells = []
@@ -70,7 +80,8 @@ def short_table(panels):
             done = [row for row in rows if kind in row.family and row.error is not None]
             best = min(done, key=lambda row: row.error, default=None)
             if kind == OURS and best:
-                cells += [f"{1e3 * (statistics.median(best.setup) + statistics.median(best.run)):.3g}", f"{best.error:.1e}"]
+                cells += [f"{1e3 * (statistics.median(best.setup) + statistics.median(best.run)):.3g}",
+                          f"{best.error:.1e}"]
             else:
                 cells.append(f"{1e3 * statistics.median(best.run):.3g} ms, {best.error:.1e}" if best else "—")
         yield line(case.name, label, *cells)
@@ -87,7 +98,8 @@ def draw(panels, limit, path):
         panel = next(panel for panel in left if panel[0].name.startswith(start))
         left.remove(panel)
         _panel(axes, *panel, limit)
-    figure.supxlabel("time of one state, ms; gyrostat without set-up (hollow star) and with it, the others without compilation", size=12)
+    figure.supxlabel("time of one state, ms; gyrostat without set-up (hollow star) and with it, the others "
+                     "without compilation", size=12)
     figure.supylabel("error of the state", size=12)
     figure.canvas.draw()
     for axes in grid.flat:
@@ -108,13 +120,16 @@ def _panel(axes, case, label, rows, limit):
         axes.plot([run, run + setup], [place] * 2, markevery=[1], label=f"gyrostat: {row.setting}", **star)
         axes.plot(run, place, markerfacecolor="white", **star)
     for family, (name, colour, marker) in STYLES.items():
-        points = [(1e3 * statistics.median(row.run), max(row.error, SMALLEST)) for row in rows if row.family == family and not row.expected]
+        points = [(1e3 * statistics.median(row.run), max(row.error, SMALLEST))
+                  for row in rows if row.family == family and not row.expected]
         if points:
-            axes.plot(*zip(*points), color=colour, marker=marker, markersize=6.5, linewidth=1.1, markeredgecolor="white",
+            axes.plot(*zip(*points), color=colour, marker=marker, markersize=6.5, linewidth=1.1,
+                      markeredgecolor="white",
                       markeredgewidth=0.5, label=name)
     late = [STYLES[row.family][0] for row in rows if row.expected]
     names = [f"{name} ({late.count(name)})" for name in dict.fromkeys(late)]
-    lines = [f"longer than {limit:.0f} s:"] * bool(names) + [", ".join(names[i:i + 4]) for i in range(0, len(names), 4)]
+    lines = [f"longer than {limit:.0f} s:"] * bool(names) + [", ".join(names[i:i + 4])
+                                                             for i in range(0, len(names), 4)]
     axes.text(0.025, 0.02, "\n".join(lines), transform=axes.transAxes, fontsize=7, color="0.35")
 
 
@@ -123,7 +138,8 @@ def _name(axes):
     curves = [(line, axes.transData.transform(line.get_xydata())) for line in axes.lines]
     spots = np.concatenate([a + (b - a) * np.linspace(0, 1, 9)[:, None] for _, points in curves
                             for a, b in zip(points, [*points[1:], points[-1]])])
-    frame, boxes = axes.get_window_extent(), [text.get_window_extent() for text in axes.texts if text.get_text()]
+    frame, boxes = axes.get_window_extent(), [text.get_window_extent()
+                                              for text in axes.texts if text.get_text()]
     for curve, points in curves:
         if curve.get_label().startswith("_"):
             continue
@@ -135,8 +151,10 @@ def _name(axes):
                 low = point + size * side + away
                 box = Bbox([low, low + size])
                 crossed = np.sum(np.all((spots > low - 1) & (spots < low + size + 1), axis=1))
-                out = not (frame.x0 < box.x0 and box.x1 < frame.x1 and frame.y0 < box.y0 and box.y1 < frame.y1)
-                found.append((crossed + 20 * sum(box.overlaps(other) for other in boxes) + 100 * out + 0.1 * n, len(found), box))
+                out = not (frame.x0 < box.x0 and box.x1 < frame.x1 and frame.y0 < box.y0
+                           and box.y1 < frame.y1)
+                found.append((crossed + 20 * sum(box.overlaps(other) for other in boxes) + 100 * out + 0.1
+                              * n, len(found), box))
         box = min(found)[2]
         text.set_position((box.x0, box.y0))
         boxes.append(box)

@@ -1,4 +1,7 @@
-"""The integrators of motion_speed_against_error.py: SciPy's, heyoka's, and Lie-Poisson splittings; gyrostat is not used."""
+"""The integrators of motion_speed_against_error.py: SciPy's, heyoka's, and Lie-Poisson splittings.
+
+Gyrostat is not used.
+"""
 import time
 from fractions import Fraction
 
@@ -45,16 +48,20 @@ def field(x, p):
 
 def parameters(case):
     rate = [1 / Fraction(i) for i in case.inertia]
-    return np.array([float(c) for c in (rate[2] - rate[1], rate[0] - rate[2], rate[1] - rate[0], *rate, *case.rotor, *case.slope)])
+    return np.array([float(c) for c in (rate[2] - rate[1], rate[0] - rate[2], rate[1] - rate[0], *rate,
+                                        *case.rotor, *case.slope)])
 
 
 def scipy_run(name, tolerance):
-    """SciPy's stepper without the storage of solve_ivp, relative tolerance as given, absolute a thousandth of it."""
+    """SciPy's stepper without the storage of solve_ivp, relative tolerance as given, absolute a thousandth of
+    it.
+    """
     def prepare(case, t, limit):
         from scipy import integrate
         p, start = parameters(case), np.array(case.state)
         def run():
-            stepper = getattr(integrate, name)(lambda _, x: field(x, p), 0.0, start, t, rtol=tolerance, atol=1e-3 * tolerance)
+            stepper = getattr(integrate, name)(lambda _, x: field(x, p), 0.0, start, t, rtol=tolerance,
+                                               atol=1e-3 * tolerance)
             end = time.perf_counter() + limit
             while stepper.status == "running":
                 stepper.step()
@@ -69,7 +76,8 @@ def heyoka_stepper(case, tolerance):
     """heyoka's Taylor integrator; its code is compiled, or comes from its cache in memory."""
     number = np.longdouble if tolerance == "80 bits" else float
     tolerance = {"tol": tolerance} if tolerance and number is float else {}
-    return heyoka.taylor_adaptive(heyoka_field(case, number), np.array(case.state, number), fp_type=number, **tolerance)
+    return heyoka.taylor_adaptive(heyoka_field(case, number), np.array(case.state, number), fp_type=number,
+                                  **tolerance)
 
 
 def forget():
@@ -104,7 +112,8 @@ def heyoka_field(case, number):
     """The equations, without the terms that are 0, and with their numbers in the code."""
     p = [number(c.numerator) / number(c.denominator) for c in map(Fraction, case.inertia)]
     rate = [1 / Fraction(i) for i in case.inertia]
-    gap = [number(c.numerator) / number(c.denominator) for c in (rate[2] - rate[1], rate[0] - rate[2], rate[1] - rate[0])]
+    gap = [number(c.numerator) / number(c.denominator)
+           for c in (rate[2] - rate[1], rate[0] - rate[2], rate[1] - rate[0])]
     names = ["pi1", "pi2", "pi3", "k1", "k2", "k3"][:len(case.state)]
     x = heyoka.make_vars(*names)
     w, zero = [a / b for a, b in zip(x, p)], heyoka.expression(number(0))
@@ -113,14 +122,18 @@ def heyoka_field(case, number):
     rates = []
     for i, j, m in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         new = scaled(gap[i], x[j] * x[m]) + scaled(case.rotor[j], w[m]) - scaled(case.rotor[m], w[j])
-        rates.append(new if case.free else new + scaled(case.slope[m], x[3 + j]) - scaled(case.slope[j], x[3 + m]))
+        rates.append(new if case.free else new + scaled(case.slope[m], x[3 + j])
+                     - scaled(case.slope[j], x[3 + m]))
     if not case.free:
         rates += [x[3 + j] * w[m] - x[3 + m] * w[j] for j, m in ((1, 2), (2, 0), (0, 1))]
     return list(zip(x, rates))
 
 
 def both(outer, inner):
-    """Weights of a splitting that reads the same backwards, from the first half; the outer part has the middle one."""
+    """Weights of a splitting that reads the same backwards, from the first half.
+
+    The outer part has the middle one.
+    """
     return (*outer, *outer[-2::-1]), (*inner, *inner[::-1])
 
 
@@ -130,21 +143,27 @@ def composed(*weights):
     return tuple((a + b) / 2 for a, b in zip((0, *inner), (*inner, 0))), inner
 
 
-SPLITTINGS = {                                             # order, steps in a turn of the body, weights of the outer and of the inner part
+# order, steps in a turn of the body, weights of the outer and of the inner part
+SPLITTINGS = {
     "Strang": (2, (20, 100, 1000), composed(1.0)),
     "Blanes-Moan": (4, (8, 30, 150), both(                 # J. Comput. Appl. Math. 142 (2002) 313-330, S6
         (0.0792036964311957, 0.353172906049774, -0.0420650803577195, 0.2193769557534996),
         (0.209515106613362, -0.143851773179818, 0.434336666566456))),
     "Kahan-Li": (8, (3, 5, 8, 16, 28), composed(               # Math. Comp. 66 (1997) 1089-1099, 17 stages
-        0.13020248308889008087881763, 0.56116298177510838456196441, -0.38947496264484728640807860, 0.15884190655515560089621075,
-        -0.39590389413323757733623154, 0.18453964097831570709183254, 0.25837438768632204729397911, 0.29501172360931029887096624,
+        0.13020248308889008087881763, 0.56116298177510838456196441, -0.38947496264484728640807860,
+        0.15884190655515560089621075,
+        -0.39590389413323757733623154, 0.18453964097831570709183254, 0.25837438768632204729397911,
+        0.29501172360931029887096624,
         -0.60550853383003451169892108)),
 }
 
 
 @njit(cache=True)
 def of_revolution(x, p, outer, inner, n):
-    """n steps for a body of revolution in U = p₁ k3, in a frame that turns with π3/I3 − M3/I1: k̇ = k × M/I1, and Ṁ = k × ∇U."""
+    """n steps for a body of revolution in U = p₁ k3, in a frame that turns with π3/I3 − M3/I1.
+
+    K̇ = k × M/I1, and Ṁ = k × ∇U.
+    """
     I1, g = p
     m1, m2, m3, k1, k2, k3 = x
     for _ in range(n):
@@ -172,7 +191,10 @@ def turned(u, v, angle):
 
 @njit(cache=True)
 def of_free_body(x, p, outer, inner, n):
-    """n steps for a free body: rotations about the axes, the third one inside, the second one once before and once after it."""
+    """n steps for a free body.
+
+    Rotations about the axes, the third one inside, the second one once before and once after it.
+    """
     m1, m2, m3 = x
     for _ in range(n):
         before = 0.0
@@ -189,7 +211,10 @@ def of_free_body(x, p, outer, inner, n):
 
 @njit(cache=True)
 def of_any_body(x, p, outer, inner, n):
-    """n steps for a gyrostat in a uniform field: the kick k × ∇U outside, then rotations of M = π + l and k about the axes."""
+    """n steps for a gyrostat in a uniform field.
+
+    The kick k × ∇U outside, then rotations of M = π + l and k about the axes.
+    """
     m1, m2, m3, k1, k2, k3 = x
     r1, r2, r3, l1, l2, l3, g1, g2, g3 = p
     for _ in range(n):
@@ -216,7 +241,10 @@ def of_any_body(x, p, outer, inner, n):
 
 
 def splitting_run(name, per_turn):
-    """A splitting with a constant step; the turn about axis 3, which commutes with all of it, comes once, at the end."""
+    """A splitting with a constant step.
+
+    The turn about axis 3, which commutes with all of it, comes once, at the end.
+    """
     def prepare(case, t, limit):
         n = max(round(t / case.turn * per_turn), 1)
         outer, inner = (np.array(weights) * (t / n) for weights in SPLITTINGS[name][2])
@@ -227,8 +255,10 @@ def splitting_run(name, per_turn):
         if not case.revolution:
             p = np.array([*rate, *case.rotor, *case.slope], float)
             return lambda: of_any_body(start, p, outer, inner, n) - rotor
-        p, I1, I3 = np.array([case.inertia[0], case.slope[2]]), Fraction(case.inertia[0]), Fraction(case.inertia[2])
-        angle = (Fraction(case.state[2]) / I3 - (Fraction(case.state[2]) + Fraction(case.rotor[2])) / I1) * Fraction(t)
+        p, I1, I3 = np.array([case.inertia[0],
+                              case.slope[2]]), Fraction(case.inertia[0]), Fraction(case.inertia[2])
+        angle = (Fraction(case.state[2]) / I3 - (Fraction(case.state[2]) + Fraction(case.rotor[2]))
+                 / I1) * Fraction(t)
         with workdps(50):
             c, s = (float(f(mpf(angle.numerator) / angle.denominator)) for f in (cos, sin))
         def run():
@@ -241,10 +271,14 @@ def splitting_run(name, per_turn):
 
 
 def methods():
-    """(family, setting) ↦ a function of (case, time, limit in seconds) that prepares a run, a call without arguments for the end state."""
+    """(family, setting) ↦ a function of (case, time, limit in seconds) that prepares a run, a call without
+    arguments for the end state.
+    """
     found = {}
     if heyoka:
-        found = {("heyoka", f"{tol or 2.2e-16:.0e}" if tol != "80 bits" else tol): heyoka_run(tol) for tol in HEYOKA}
+        found = {("heyoka", f"{tol or 2.2e-16:.0e}" if tol != "80 bits" else tol): heyoka_run(tol)
+                 for tol in HEYOKA}
     for name, (order, steps, _) in SPLITTINGS.items():
         found |= {(f"{name}, order {order}", f"{n} steps a turn"): splitting_run(name, n) for n in steps}
-    return found | {(f"SciPy {name}", f"{tol:.0e}"): scipy_run(name, tol) for name, tolerances in SCIPY.items() for tol in tolerances}
+    return found | {(f"SciPy {name}", f"{tol:.0e}"): scipy_run(name, tol)
+                    for name, tolerances in SCIPY.items() for tol in tolerances}

@@ -1,11 +1,16 @@
-"""How long does a state of a motion take, how large is its error, and what do h and the Casimirs lose on the way?
+"""How long does a state of a motion take, how large is its error, and what do h and the Casimirs lose on the
+way?
 
-    python benchmarks/motion_speed_against_error.py              all of it; prints the tables of RESULTS.md, draws the figure
-    python benchmarks/motion_speed_against_error.py --quick      small, for breakage; exit status 1 if an error or a drift is too large
-    python benchmarks/motion_speed_against_error.py --save FILE  what is printed, into a file too; --limit S for the longest run
+    python benchmarks/motion_speed_against_error.py              all of it; prints the tables of RESULTS.md,
+        draws the figure
+    python benchmarks/motion_speed_against_error.py --quick      small, for breakage; exit status 1 if an
+        error or a drift is too large
+    python benchmarks/motion_speed_against_error.py --save FILE  what is printed, into a file too; --limit S
+        for the longest run
 
-Every number is a float64 and means the rational that it is. The reference is a Taylor series in whole numbers with 40 digits
-(motion_reference.py), and for long times motion(…, precision=40), which is compared with that series in the same run.
+Every number is a float64 and means the rational that it is. The reference is a Taylor series in whole numbers
+with 40 digits (motion_reference.py), and for long times motion(…, precision=40), which is compared with that
+series in the same run.
 """
 # ruff: noqa: E402
 import os
@@ -44,7 +49,8 @@ def scene_of(case):
         return gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), values
     body = gs.Gyrostat(case.inertia, case.rotor)
     slope = [*map(Rational, case.slope)]
-    return gs.assemble(body, None if case.free else gs.general_potential(lambda *k: sum(g * c for g, c in zip(slope, k)))), None
+    return gs.assemble(body, None if case.free
+                       else gs.general_potential(lambda *k: sum(g * c for g, c in zip(slope, k)))), None
 
 
 def ours(case):
@@ -72,7 +78,8 @@ def measured(case, t, chosen, truth, limit, known, rounds):
     rows, again = [], []
     forget()
     for key, prepare in chosen.items():
-        rows.append(row := Row(*key, expected=expected if (expected := known.get((case.name, key), 0) * t) > limit else None))
+        rows.append(row := Row(*key, expected=expected
+                               if (expected := known.get((case.name, key), 0) * t) > limit else None))
         if row.expected:
             continue
         begin = time.perf_counter()
@@ -84,7 +91,12 @@ def measured(case, t, chosen, truth, limit, known, rounds):
         except TooLong as stopped:
             row.expected = limit / stopped.args[0]
         else:
-            row.setup, row.run, row.error, row.drifts = [ready - begin], [time.perf_counter() - ready], error(x, truth), case.drifts(x)
+            row.setup, row.run, row.error, row.drifts = (
+                [ready - begin],
+                [time.perf_counter() - ready],
+                error(x, truth),
+                case.drifts(x),
+            )
             if row.run[0] + row.setup[0] < SHORT:
                 again.append((row, prepare, run))
         known[case.name, key] = (row.expected or row.run[0]) / t if key[0] != OURS else 0
@@ -93,7 +105,8 @@ def measured(case, t, chosen, truth, limit, known, rounds):
             begin = time.perf_counter()
             fresh = prepare(case, t, limit)
             ready = time.perf_counter()
-            (fresh if row.family == OURS else run)()       # ours may keep what it found; heyoka's first run is slower
+            # ours may keep what it found; heyoka's first run is slower
+            (fresh if row.family == OURS else run)()
             row.run.append(time.perf_counter() - ready)
             row.setup.append(ready - begin)
     for row, _, _ in again:
@@ -102,8 +115,12 @@ def measured(case, t, chosen, truth, limit, known, rounds):
 
 
 def checks(some, wrong):
-    """motion(…, precision=40) against the series, and its period against the roots of the cubic; what is wrong is added to a list."""
-    yield from (line("case", "time", "motion(…, precision=40) − Taylor series", "period − 4 K/√…"), "|---" * 4 + "|")
+    """motion(…, precision=40) against the series, and its period against the roots of the cubic.
+
+    What is wrong is added to a list.
+    """
+    yield from (line("case", "time", "motion(…, precision=40) − Taylor series", "period − 4 K/√…"),
+                "|---" * 4 + "|")
     for case in some:
         scene, values = scene_of(case)
         solved, (label, t) = motion(scene, case.state, values), [*case.times.items()][0]
@@ -113,20 +130,24 @@ def checks(some, wrong):
         gap = "—"
         with workdps(DIGITS + 10):
             if case.revolution:
-                gap = nstr(abs(mpf(solved.period) - nutation_period(case.inertia, case.rotor[2], case.slope[2], case.state)), 2)
+                gap = nstr(abs(mpf(solved.period)
+                               - nutation_period(case.inertia, case.rotor[2], case.slope[2], case.state)), 2)
             apart = max(abs(a - b) for a, b in zip(exact, series))
             yield line(case.name, label, nstr(apart, 2), gap)
         if apart > 1e-35:
-            wrong.append(f"{case.name}: motion(…, precision={DIGITS}) and the series differ by {nstr(apart, 2)}")
+            wrong.append(f"{case.name}: motion(…, precision={DIGITS}) and the series differ by "
+                         f"{nstr(apart, 2)}")
 
 
 def many(case, t, n, rounds):
     """n times up to t: ours, and heyoka's own grid of dense output."""
     scene, values = scene_of(case)
-    solved, times, some = motion(scene, case.state, values), np.linspace(0, t, n), np.linspace(n // 7, n - 1, 20).astype(int)
+    solved, times, some = motion(scene, case.state,
+                                 values), np.linspace(0, t, n), np.linspace(n // 7, n - 1, 20).astype(int)
     sharp = motion(scene, case.state, values, precision=DIGITS)
     truth = [sharp(float(u)) for u in times[some]]
-    yield from (line("route", "times", "periods", "run, ms", "ns a state", "largest error of 20"), "|---" * 6 + "|")
+    yield from (line("route", "times", "periods", "run, ms", "ns a state", "largest error of 20"),
+                "|---" * 6 + "|")
     routes = {OURS: lambda: solved(times)}
     if heyoka:
         routes["heyoka 2e-16, propagate_grid"] = heyoka_grid(case, times)
@@ -137,11 +158,14 @@ def many(case, t, n, rounds):
             x = route()
             seconds.append(time.perf_counter() - begin)
         worst = max(error(x[i], r) for i, r in zip(some, truth))
-        yield line(name, n, f"{t / solved.period:.0f}", spread(seconds), f"{1e9 * statistics.median(seconds) / n:.0f}", f"{worst:.1e}")
+        yield line(name, n, f"{t / solved.period:.0f}", spread(seconds),
+                   f"{1e9 * statistics.median(seconds) / n:.0f}", f"{worst:.1e}")
 
 
 def one_state(case, t, rounds):
-    """One state after a long time, ours from the assembled scene on, against heyoka at its tightest tolerance, in turn."""
+    """One state after a long time, ours from the assembled scene on, against heyoka at its tightest
+    tolerance, in turn.
+    """
     scene, values = scene_of(case)
     names = ("ours, with set-up", "heyoka 2e-16, run alone", "with set-up from its cache", "with compilation")
     seconds = {name: [] for name in names}
@@ -162,7 +186,8 @@ def one_state(case, t, rounds):
             seconds[name].append(running + more)
     yield from (line(f"one state of the {case.name} at t = {t:.4g}", "ms", "× ours"), "|---" * 3 + "|")
     for name, list_ in seconds.items():
-        yield line(name, spread(list_), f"{statistics.median(b / a for a, b in zip(seconds[names[0]], list_)):.3g}")
+        yield line(name, spread(list_),
+                   f"{statistics.median(b / a for a, b in zip(seconds[names[0]], list_)):.3g}")
 
 
 def bound(row):
@@ -177,7 +202,12 @@ def bound(row):
 def failures(case, rows):
     """What is wrong in the quick run: an error, a drift, a Casimir of a splitting."""
     for row in rows:
-        bad = row.expected or max(row.error, *row.drifts) > bound(row) or "order" in row.family and max(row.drifts[1:]) > 1e-13
+        bad = (
+            row.expected
+            or max(row.error, *row.drifts) > bound(row)
+            or "order" in row.family
+            and max(row.drifts[1:]) > 1e-13
+        )
         if bad:
             yield f"{case.name}, {row.family}, {row.setting}: error {row.error}, drifts {row.drifts}"
 
@@ -200,7 +230,8 @@ def versions(*names):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--save", type=Path)
     parser.add_argument("--limit", type=float, default=60.0)
@@ -211,21 +242,28 @@ def main():
         for text in lines:
             print(text, flush=True)
             said.append(text)
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    say(f"{date.today()}, commit {commit}, {platform.machine()} ({os.cpu_count()} cores, shared), Python {platform.python_version()}, "
-        f"{', '.join(versions('numpy', 'scipy', 'numba', 'heyoka', 'python-flint', 'mpmath'))}; one core; medians (min–max) of {rounds} "
-        f"rounds in turn, one run where it takes more than {SHORT} s. Errors: largest deviation of a coordinate.", "",
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True,
+                            text=True).stdout.strip()
+    say(f"{date.today()}, commit {commit}, {platform.machine()} ({os.cpu_count()} cores, shared), Python "
+        f"{platform.python_version()}, "
+        f"{', '.join(versions('numpy', 'scipy', 'numba', 'heyoka', 'python-flint', 'mpmath'))}; one core; "
+        f"medians (min–max) of {rounds} "
+        f"rounds in turn, one run where it takes more than {SHORT} s. Errors: largest deviation of a "
+        "coordinate.", "",
         f"First calls: {'; '.join(first_calls())}.", "")
     panels, known, wrong = [], {}, []
     for case in cases(given.quick):
         for label, t in case.times.items():
             truth, source = reference(case, t)
-            others = {key: method for key, method in methods().items() if not given.quick or key[1] in QUICK and not panels}
+            others = {key: method for key, method in methods().items() if not given.quick or key[1] in QUICK
+                      and not panels}
             rows = measured(case, t, ours(case) | others, truth, given.limit, known, rounds)
             panels.append((case, label, rows))
-            say(f"### {case.name}, {label}", "", f"Reference: {source}.", "", *table(case, rows, given.limit), "")
+            say(f"### {case.name}, {label}", "", f"Reference: {source}.", "",
+                *table(case, rows, given.limit), "")
             wrong += failures(case, rows) if given.quick else []
-    say(*short_table(panels), "", *checks(list({case.name: case for case, _, _ in panels}.values()), wrong), "")
+    say(*short_table(panels), "", *checks(list({case.name: case for case, _, _ in panels}.values()), wrong),
+        "")
     long = next(case for case in cases(given.quick) if case.revolution and case.slope[2] == 1)
     times = [*long.times.values()]
     say(*many(long, times[len(times) // 2], 10**4 if given.quick else 10**6, rounds), "")

@@ -2,10 +2,11 @@
 
     python benchmarks/mutate_published.py [SOURCE ...] [--count N | --quick] [--jobs N] [--show]
 
-Each confirmed formula is changed in one place: a sign, an index, an exponent, a prime, a coefficient, a relation, a verdict.
-Every mutant has to be reported as a misprint, with a counterexample, or a point at which it is not sharp;
-those that are true as well are listed, with the reason. The numbers shown are read again, from the JSON output, by tests/oracles/shown.py,
-which uses nothing of gyrostat: the evidence is false if they do not show what they are shown for. --count takes a seeded sample.
+Each confirmed formula is changed in one place: a sign, an index, an exponent, a prime, a coefficient, a
+relation, a verdict. Every mutant has to be reported as a misprint, with a counterexample, or a point at which
+it is not sharp; those that are true as well are listed, with the reason. The numbers shown are read again,
+from the JSON output, by tests/oracles/shown.py, which uses nothing of gyrostat: the evidence is false if they
+do not show what they are shown for. --count takes a seeded sample.
 """
 import argparse
 import platform
@@ -33,22 +34,27 @@ EQUIVALENT = (
     (r"AR:2K-rate-1: -", "both sides are 0"),
     (r"AR:norm-rate(-cross)?: (3|-)", "M·(dM/dt) is 0, whatever multiplies it"),
     (r"AR:stationary-\d|EA:axis-3-point", "every momentum along a principal axis is at rest"),
-    (r"VV2003:(E1|E2|Rumiantsev-point|Cavas-Viguera-point): ", "every spin about the vertical is an equilibrium, up or down"),
+    (r"VV2003:(E1|E2|Rumiantsev-point|Cavas-Viguera-point): ",
+     "every spin about the vertical is an equilibrium, up or down"),
     (r"VV2003:symmetric-", "the source has I2 = I1 here"),
     (r"VV2003:(involution|Casimir-2|integrals-2): ", "k² is a Casimir: its bracket with everything is 0"),
-    (r"VV2003:(heavy-existence|newtonian-existence|k3-inside): .*<=", "at equality the point is E1 or E2, an equilibrium too"),
+    (r"VV2003:(heavy-existence|newtonian-existence|k3-inside): .*<=",
+     "at equality the point is E1 or E2, an equilibrium too"),
     (r"VV2003:(E1-instability|E3-p): [ab] = ", "the name enters squared"),
     (r"VV2003:E3-polynomial: ", "q is 0 on the family"),
-    (r"VV2003:E3-necessary: (p >= 0 and q >= 0 and p.*>= 0$|q = |p = I1\*\*3|.*q <= 0)", "q is 0 on the family: the sign of p is left"),
+    (r"VV2003:E3-necessary: (p >= 0 and q >= 0 and p.*>= 0$|q = |p = I1\*\*3|.*q <= 0)",
+     "q is 0 on the family: the sign of p is left"),
     (r"N2025:semi-axis-order: ", "true wherever I1 < I2 < I3"),
     (r"N2025:(omega-x1|symmetric-second-order): \w+ = -", "the name enters squared"),
     (r"N2025:(omega-constant|amplitude): ", "Ω3 is constant, and cos² + sin² = 1, whatever ω"),
     (r"EA:angle-constant: ", "ω3 and ω1² + ω2² are constant, and with them every function of them"),
     (r"(EA:rotation-rate|literature:(S1-E[12]|S8-\w+|F1)): \w+ = -\(", "the name enters squared"),
     (r"literature:F2(-sphere)?: \w+ = -\(", "another sign of a root: F2 has all four, σ = sign(ac)"),
-    (r"literature:F2: [xy] = sqrt\(1/I(\d) - 1/I\1\)", "μ = 0 and the motion is a rotation about an axis, a solution too"),
+    (r"literature:F2: [xy] = sqrt\(1/I(\d) - 1/I\1\)",
+     "μ = 0 and the motion is a rotation about an axis, a solution too"),
     (r"literature:F3-solution: [uvrs] = -\(", "two components or the time change sign: a solution too"),
-    (r"literature:A1-Energy-Casimir: .*>=", "at equality the form is semidefinite: nothing is known there, and it is not confirmed"),
+    (r"literature:A1-Energy-Casimir: .*>=",
+     "at equality the form is semidefinite: nothing is known there, and it is not confirmed"),
 )
 INDEX = re.compile(r"(?<![A-Za-z0-9_])([A-Za-z]+(?:_[a-z]+)?)([123])(?=(?:_0)?(?![A-Za-z0-9_]))")
 NEXT = {"1": "2", "2": "3", "3": "1"}
@@ -64,13 +70,23 @@ def mutants_of(text):
         if text[:place].strip():
             yield "sign", text[:place] + "+-"[text[place] == "+"] + text[place + 1:]
     if not re.search("[<>]", text):
-        yield "sign", text[1:] if text.startswith("-") else f"-{text}" if re.fullmatch(r"[\w.]+", text) else f"-({text})"
+        yield (
+            "sign",
+            text[1:]
+            if text.startswith("-")
+            else f"-{text}"
+            if re.fullmatch(r"[\w.]+", text)
+            else f"-({text})",
+        )
     for match in INDEX.finditer(text):
         yield "index", text[:match.start(2)] + NEXT[match[2]] + text[match.end(2):]
     for match in re.finditer(r"\*\*(\d+)", text):
         yield "exponent", f"{text[:match.start(1)]}{int(match[1]) + 1}{text[match.end(1):]}"
     for match in re.finditer(r"\bd(\d?)U\b", text):
-        yield "prime", f"{text[:match.start()]}d{2 if not match[1] else 3 if match[1] == '2' else ''}U{text[match.end():]}"
+        yield (
+            "prime",
+            f"{text[: match.start()]}d{2 if not match[1] else 3 if match[1] == '2' else ''}U{text[match.end() :]}",
+        )
     for match in re.finditer(r"(?<![A-Za-z0-9_.*])(\d+)(?![.\d])(?=\*[^*]|/)", text):
         yield "coefficient", f"{text[:match.start()]}{int(match[1]) + 1}{text[match.end():]}"
     for match in re.finditer(r"(?<![A-Za-z0-9_])\d*\.\d+", text):
@@ -79,7 +95,12 @@ def mutants_of(text):
     for match in re.finditer(r"[<>]=?", text):
         flipped = match[0].translate(str.maketrans("<>", "><"))
         yield "relation", text[:match.start()] + flipped + text[match.end():]
-        yield "relation", text[:match.start()] + (match[0][0] if match[0].endswith("=") else match[0] + "=") + text[match.end():]
+        yield (
+            "relation",
+            text[: match.start()]
+            + (match[0][0] if match[0].endswith("=") else match[0] + "=")
+            + text[match.end() :],
+        )
 
 
 def placed(value, path=()):
@@ -93,7 +114,8 @@ def placed(value, path=()):
 
 def put(value, path, text):
     """The value with the text at the place."""
-    return text if not path else [put(part, path[1:], text) if i == path[0] else part for i, part in enumerate(value)]
+    return text if not path else [put(part, path[1:], text) if i == path[0] else part
+                                  for i, part in enumerate(value)]
 
 
 def mutants(statement):
@@ -122,17 +144,21 @@ def evidence(mutant, outcome):
     if not example:
         return "none", ""
     entries = data["difference"] or [{"entry": None}]
-    statement = {"entry": entries[0]["entry"], "let": dict(mutant.let), "at": dict(mutant.at), "given": mutant.given,
+    statement = {"entry": entries[0]["entry"], "let": dict(mutant.let), "at": dict(mutant.at),
+                 "given": mutant.given,
                  **{key: data[key] for key in ("quantity", "printed", "kind")}}
     try:
-        answer = shown.is_true(statement, dict(mutant.scene.table), example, weaker=not data["counterexample"])
+        answer = shown.is_true(statement, dict(mutant.scene.table), example,
+                               weaker=not data["counterexample"])
     except (ArithmeticError, AssertionError, IndexError, LookupError, TypeError, ValueError) as error:
         return "unread", f"{type(error).__name__}: {error}"
     return {True: "true", False: "false", None: "unread"}[answer], "" if answer else str(example)
 
 
 def tried(task):
-    """killed, weaker, survived, refused (an index the scene does not have, a division by zero), or stuck (another error); the evidence."""
+    """killed, weaker, survived, refused (an index the scene does not have, a division by zero), or stuck
+    (another error); the evidence.
+    """
     source, key, kind, label, mutant = task
     start, seen = time.process_time(), ("none", "")
     try:
@@ -151,7 +177,8 @@ def tried(task):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("sources", nargs="*", default=SOURCES)
     parser.add_argument("--count", type=int, help="a seeded sample of so many mutants")
     parser.add_argument("--quick", action="store_true", help="a sample of 60")
@@ -160,7 +187,8 @@ def main():
     given, start = parser.parse_args(), time.perf_counter()
     statements = [s for source in given.sources for s in load(source).statements]
     expected = {source: load(source).expected for source in given.sources}
-    tasks = [(s.source, s.key, *mutant) for s in statements if expected[s.source].get(s.key, "confirmed") == "confirmed"
+    tasks = [(s.source, s.key, *mutant) for s in statements
+             if expected[s.source].get(s.key, "confirmed") == "confirmed"
              for mutant in mutants(s)]
     whole, count = len(tasks), 60 if given.quick else given.count
     if count and count < whole:
@@ -171,7 +199,8 @@ def main():
             results.append(found)
             if given.show:
                 source, key, kind, label, result, seconds, proof, _ = found
-                print(f"{source}:{key}: {kind}: {label}: {result}, evidence {proof} ({seconds:.2f} s)", flush=True)
+                print(f"{source}:{key}: {kind}: {label}: {result}, evidence {proof} ({seconds:.2f} s)",
+                      flush=True)
     return report(results, whole, time.perf_counter() - start)
 
 
@@ -183,14 +212,19 @@ def report(results, whole, seconds):
     left = [r for r in read if r[4] not in ("killed", "weaker") and r not in [e for e, _ in equivalent]]
     kinds = ", ".join(f"{n} {kind}" for kind, n in Counter(r[2] for r in read).most_common())
     reported = counted["killed"] + counted["weaker"]
-    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {version('sympy')}, python-flint {version('python-flint')}; "
+    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {version('sympy')}, "
+          f"python-flint {version('python-flint')}; "
           f"{seconds:.0f} s; of CPU for each mutant at most {max(r[5] for r in results):.1f} s, in the mean "
           f"{sum(r[5] for r in results) / len(results):.2f} s")
-    print(f"{len(results)} mutants of {whole}, {len(results) - len(read)} refused as no formula of their scene; "
+    print(f"{len(results)} mutants of {whole}, {len(results) - len(read)} refused as no formula of their "
+          "scene; "
           f"the others: {len(read)} ({kinds})")
-    print(f"{reported} reported as misprints, {counted['killed']} with a counterexample, {counted['weaker']} not sharp; "
-          f"{len(equivalent)} equivalent, {len(left)} neither: kill rate {100 * reported / max(1, len(read) - len(equivalent)):.1f} %")
-    print(f"evidence read again: {proofs['true']} true, {proofs['false']} false; {proofs['unread']} not read again, "
+    print(f"{reported} reported as misprints, {counted['killed']} with a counterexample, "
+          f"{counted['weaker']} not sharp; "
+          f"{len(equivalent)} equivalent, {len(left)} neither: kill rate "
+          f"{100 * reported / max(1, len(read) - len(equivalent)):.1f} %")
+    print(f"evidence read again: {proofs['true']} true, {proofs['false']} false; {proofs['unread']} not "
+          "read again, "
           f"{proofs['none']} without numbers")
     for (source, key, _, label, *_), why in equivalent:
         print(f"  equivalent: {source}:{key}: {label}: {why}")
@@ -198,7 +232,8 @@ def report(results, whole, seconds):
         print(f"  NOT REPORTED: {source}:{key}: {kind}: {label}: {result}")
     for source, key, kind, label, _, _, proof, why in read:
         if proof in ("false", "unread"):
-            print(f"  {'FALSE EVIDENCE' if proof == 'false' else 'not read again'}: {source}:{key}: {kind}: {label}: {why}")
+            print(f"  {'FALSE EVIDENCE' if proof == 'false' else 'not read again'}: {source}:{key}: "
+                  f"{kind}: {label}: {why}")
     return 1 if left or proofs["false"] else 0
 
 

@@ -1,12 +1,16 @@
-"""Is every motion answered that starts close to a pole, and is it right; does every equilibrium confirm its verdict, or say why not?
+"""Is every motion answered that starts close to a pole, and is it right.
+
+Does every equilibrium confirm its verdict, or say why not?
 
     python benchmarks/near_poles.py            500 starts of each kind, 200 equilibria
-    python benchmarks/near_poles.py --quick    a seeded part; exit status 1 if anything is not answered, wrong or in contradiction
+    python benchmarks/near_poles.py --quick    a seeded part; exit status 1 if anything is not answered, wrong
+        or in contradiction
 
-Starts: 10⁻⁴ to 10⁻¹⁴ from either pole, at rest, with a momentum of that size or with any; U a polynomial, exponential, rational or
-trigonometric; l of both signs; oblate and prolate. Hard starts: fields with a singularity near the pole, roots and logarithms, scales
-from 10⁻⁶ to 10⁶, starts close to separatrices and to steady precessions, at the pole itself. The reference: Taylor series to 40 digits
-(axial_reference.py), at ten times over three periods. The deviation is that of the worst coordinate, over the size of momenta.
+Starts: 10⁻⁴ to 10⁻¹⁴ from either pole, at rest, with a momentum of that size or with any; U a polynomial,
+exponential, rational or trigonometric; l of both signs; oblate and prolate. Hard starts: fields with a
+singularity near the pole, roots and logarithms, scales from 10⁻⁶ to 10⁶, starts close to separatrices and to
+steady precessions, at the pole itself. The reference: Taylor series to 40 digits (axial_reference.py), at ten
+times over three periods. The deviation is that of the worst coordinate, over the size of momenta.
 """
 import argparse
 import platform
@@ -24,7 +28,8 @@ from gyrostat.errors import GyrostatError
 from gyrostat.trajectories import confirm, motion
 
 K3 = gs.symbol("k3")
-TIMES, PERIODS, LONGEST = 10, 3, 200                   # LONGEST: of a motion without a period, and of what the reference follows
+# LONGEST: of a motion without a period, and of what the reference follows
+TIMES, PERIODS, LONGEST = 10, 3, 200
 ALLOWED = 1e-13
 
 
@@ -53,7 +58,8 @@ def field(rng, kind):
         terms = [("power", a / 1000, rng.choice((-1, 1)) * (1 + F(1, 10 ** rng.randint(1, 4))), -1)]
     elif kind == "root":
         c = fraction(rng, 2, 3)
-        terms = [rng.choice((("power", a, c, F(rng.choice((1, 3, -1)), 2)), ("log", a, c), ("tan", a, F(1, 2))))]
+        terms = [rng.choice((("power", a, c, F(rng.choice((1, 3, -1)), 2)), ("log", a, c),
+                             ("tan", a, F(1, 2))))]
     else:
         terms = [("exp", a, b), ("polynomial", 0, fraction(rng), fraction(rng)), ("sin", fraction(rng), b, 0)]
     if kind in ("rational", "exponential") and rng.random() < 0.3:
@@ -64,9 +70,11 @@ def field(rng, kind):
 def expression(terms):
     def one(kind, *given):
         c = [sympy.Rational(F(x).numerator, F(x).denominator) for x in given]
-        return {"polynomial": lambda: sum(x * K3**n for n, x in enumerate(c)), "exp": lambda: c[0] * sympy.exp(c[1] * K3),
+        return {"polynomial": lambda: sum(x * K3**n for n, x in enumerate(c)),
+                "exp": lambda: c[0] * sympy.exp(c[1] * K3),
                 "sin": lambda: c[0] * sympy.sin(c[1] * K3 + c[2]), "tan": lambda: c[0] * sympy.tan(c[1] * K3),
-                "power": lambda: c[0] * (K3 + c[1]) ** c[2], "log": lambda: c[0] * sympy.log(K3 + c[1])}[kind]()
+                "power": lambda: c[0] * (K3 + c[1]) ** c[2],
+                "log": lambda: c[0] * sympy.log(K3 + c[1])}[kind]()
 
     return sum(one(*term) for term in terms)
 
@@ -94,7 +102,8 @@ def scaled(rng, kind):
     """Moments of 10⁻⁶ to 10⁶, U and momenta so that times are of order one."""
     terms, I1, I3, l, x = start(rng, rng.choice(KINDS))
     unit = F(10) ** rng.choice((-6, -3, 3, 6))
-    terms = [(name, *(c * unit if i == 0 or name == "polynomial" else c for i, c in enumerate(given))) for name, *given in terms]
+    terms = [(name, *(c * unit if i == 0 or name == "polynomial" else c for i, c in enumerate(given)))
+             for name, *given in terms]
     return terms, I1 * unit, I3 * unit, l * unit, (*(c * unit for c in x[:3]), *x[3:])
 
 
@@ -121,33 +130,48 @@ def through_pole(rng, kind):
 def near_steady(rng, kind):
     """About 10⁻⁴ to 10⁻¹⁴ from a steady precession: P = (U′ + I1 k3 W²)/W, p = I1 W (k1, k2)."""
     terms, I1, I3, l, _ = start(rng, rng.choice(("polynomial", "rational")))
-    k1, k2, k3 = rng.choice(((F(3, 5), 0, F(4, 5)), (F(4, 5), 0, F(-3, 5)), (1, 0, 0), (F(5, 13), 0, F(12, 13))))
+    k1, k2, k3 = rng.choice(((F(3, 5), 0, F(4, 5)), (F(4, 5), 0, F(-3, 5)), (1, 0, 0),
+                             (F(5, 13), 0, F(12, 13))))
     W = nonzero(rng)
-    slope = expression(terms).diff(K3).subs(K3, sympy.Rational(k3.numerator, k3.denominator) if isinstance(k3, F) else k3)
+    slope = expression(terms).diff(K3).subs(K3, sympy.Rational(k3.numerator, k3.denominator)
+                                            if isinstance(k3, F) else k3)
     slope = F(int(slope.p), int(slope.q))
     P, e = (slope + I1 * k3 * W * W) / W, F(10) ** -rng.randint(4, 14)
-    return terms, I1, I3, l, (I1 * W * k1 + e * fraction(rng), e * fraction(rng), P - l + e * fraction(rng), k1, k2, k3)
+    return terms, I1, I3, l, (I1 * W * k1 + e * fraction(rng), e * fraction(rng), P - l + e * fraction(rng),
+                              k1, k2, k3)
 
 
 def near_separatrix(rng, kind):
-    """The energy and v of an unstable pole but for 10⁻⁴ to 10⁻¹⁴: p across the meridian of the size that reaches it."""
+    """The energy and v of an unstable pole but for 10⁻⁴ to 10⁻¹⁴.
+
+    P across the meridian of the size that reaches it.
+    """
     while True:
         terms, I1, I3, l, _ = start(rng, "polynomial")
         k1, k3 = rng.choice(((F(3, 5), F(4, 5)), (F(4, 5), F(-3, 5)), (F(5, 13), F(12, 13))))
         pole = 1 if k3 > 0 else -1
-        values = [sum(c * z**n for n, c in enumerate(terms[0][1:])) for z in (F(pole), k3)] if len(terms) == 1 else None
+        values = (
+            [sum(c * z**n for n, c in enumerate(terms[0][1:])) for z in (F(pole), k3)]
+            if len(terms) == 1
+            else None
+        )
         spin = fraction(rng, -1, 1)
         if values is None:
             continue
         first = (spin + l) * (pole - k3) / k1
         square = 2 * I1 * (values[0] - values[1]) - first**2
         if square > 0:
-            second = F(int(float(square) ** 0.5 * 10**12), 10**12) if rng.random() < 0.5 else F(float(square) ** 0.5)
+            second = (
+                F(int(float(square) ** 0.5 * 10**12), 10**12)
+                if rng.random() < 0.5
+                else F(float(square) ** 0.5)
+            )
             second += F(10) ** -rng.randint(4, 14)
             return terms, I1, I3, l, (first, second, spin, k1, F(0), k3)
 
 
-FAMILIES = {**dict.fromkeys((*KINDS, *HARD), start), "scaled": scaled, "at the pole": at_pole, "through a pole": through_pole,
+FAMILIES = {**dict.fromkeys((*KINDS, *HARD), start), "scaled": scaled, "at the pole": at_pole,
+            "through a pole": through_pole,
             "near a steady precession": near_steady, "near a separatrix": near_separatrix}
 
 
@@ -158,7 +182,8 @@ def number(x):
 def deviation_of(case, precision=None):
     """The worst deviation over three periods, and the route."""
     terms, I1, I3, l, state = case
-    scene = gs.assemble(gs.Gyrostat(tuple(map(number, (I1, I1, I3))), (0, 0, number(l))), gs.axial_potential(expression(terms)))
+    scene = gs.assemble(gs.Gyrostat(tuple(map(number, (I1, I1, I3))), (0, 0, number(l))),
+                        gs.axial_potential(expression(terms)))
     moving = motion(scene, tuple(map(number, state)), precision=precision)
     end = min(PERIODS * float(moving.period), LONGEST) if moving.period else min(20, LONGEST)
     if moving.period is not None and not 0 < moving.period < float("inf"):
@@ -172,16 +197,27 @@ def deviation_of(case, precision=None):
 
 
 def starts(seed, count, kinds, precision=None):
-    """Print, for each kind of start, how many were answered, refused or broke, and the worst deviation; whether all is well."""
+    """Print, for each kind of start, how many were answered, refused or broke, and the worst deviation.
+
+    Whether all is well.
+    """
     well = True
     for kind in kinds:
-        rng, routes, worst, failed, began = random.Random(f"{seed} {kind}"), Counter(), (0.0, None), [], time.time()
+        rng, routes, worst, failed, began = (
+            random.Random(f"{seed} {kind}"),
+            Counter(),
+            (0.0, None),
+            [],
+            time.time(),
+        )
         for n in range(count):
             case = FAMILIES[kind](rng, kind)
             try:
                 off, route = deviation_of(case, precision)
             except Exception as error:
-                failed.append(f"{n}: {type(error).__name__}{'' if isinstance(error, GyrostatError) else ' (not ours)'}: {error}: {case}")
+                failed.append(
+                    f"{n}: {type(error).__name__}{'' if isinstance(error, GyrostatError) else ' (not ours)'}: {error}: {case}"
+                )
                 continue
             routes[route] += 1
             worst = max(worst, (off, (n, case)), key=lambda pair: pair[0])
@@ -201,8 +237,16 @@ def of_revolution(rng):
     U, I3 = expression(terms), number(F(rng.randint(1, 24), 8))
     family, boundary = rng.choice((gs.upright, gs.hanging, gs.inclined)), rng.random() < 0.4
     if family is gs.inclined:
-        I1, omega, k3 = number(fraction(rng, 1, 3)), number(nonzero(rng)), rng.choice((number(fraction(rng, 0, 0) + F(3, 5)), *map(number, (
-            0, F(-4, 5), F(1, 3), F(999, 1000), F(-9999, 10000)))))
+        I1, omega, k3 = (
+            number(fraction(rng, 1, 3)),
+            number(nonzero(rng)),
+            rng.choice(
+                (
+                    number(fraction(rng, 0, 0) + F(3, 5)),
+                    *map(number, (0, F(-4, 5), F(1, 3), F(999, 1000), F(-9999, 10000))),
+                )
+            ),
+        )
         if boundary:                                   # the curvature of U that makes the margin 0
             slope, A = U.diff(K3).subs(K3, k3), I1 * omega**2
             wanted = -(A**2 + slope**2 - 2 * k3 * slope * A) / ((1 - k3**2) * A)
@@ -214,7 +258,11 @@ def of_revolution(rng):
     boundary = boundary and bool(slope > 0)
     I1 = P**2 / (4 * slope) if boundary else number(fraction(rng, 1, 4))
     eq = family(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U)))
-    return eq, {"I1": I1, "I3": I3, "l": l, "pi3_0": P - l}, ("E1" if pole == 1 else "E2") + " on a boundary" * boundary
+    return (
+        eq,
+        {"I1": I1, "I3": I3, "l": l, "pi3_0": P - l},
+        ("E1" if pole == 1 else "E2") + " on a boundary" * boundary,
+    )
 
 
 def free(rng):
@@ -224,20 +272,24 @@ def free(rng):
         inertia[rng.randrange(3)] = inertia[0]
     rotor, point = [0, 0, 0], [0, 0, 0]
     rotor[axis], point[axis] = number(fraction(rng) * rng.choice((0, 1))), number(nonzero(rng))
-    if rng.random() < 0.3:                             # the rate that makes the body as if it had an equal moment
+    # the rate that makes the body as if it had an equal moment
+    if rng.random() < 0.3:
         other = inertia[(axis + 1) % 3]
         rotor[axis] = point[axis] * (other / inertia[axis] - 1)
     return gs.equilibrium(gs.assemble(gs.Gyrostat(inertia, rotor)), point), {}, "free"
 
 
 def general(rng):
-    """A body without symmetry, spinning about the vertical, which is a principal axis and an axis of its field."""
+    """A body without symmetry, spinning about the vertical, which is a principal axis and an axis of its
+    field.
+    """
     inertia = [number(fraction(rng, 1, 4)) for _ in range(3)]
     c = [number(fraction(rng, -2, 2)) for _ in range(4)]
     (m, n), c[3] = rng.choice(((2, 2), (2, 4), (4, 4))), c[3] * rng.choice((0, 1))
     U = gs.general_potential(lambda x, y, z: c[0] * x**m + c[1] * y**n + c[2] * z + c[3] * sympy.exp(z))
     l, spin = number(fraction(rng)), number(fraction(rng))
-    return gs.equilibrium(gs.assemble(gs.Gyrostat(inertia, (0, 0, l)), U), (0, 0, spin, 0, 0, rng.choice((1, -1)))), {}, "general"
+    return gs.equilibrium(gs.assemble(gs.Gyrostat(inertia, (0, 0, l)), U),
+                          (0, 0, spin, 0, 0, rng.choice((1, -1)))), {}, "general"
 
 
 def confirmations(seed, count, sizes):
@@ -247,13 +299,15 @@ def confirmations(seed, count, sizes):
         made = rng.choices((of_revolution, free, general), (6, 2, 2))[0]
         try:
             eq, values, name = made(rng)
-        except GyrostatError:                          # a field without derivatives there, moments that are none
+        # a field without derivatives there, moments that are none
+        except GyrostatError:
             outcome["no equilibrium"] += 1
             continue
         try:
             found = confirm(gs.analyze(eq), values, sizes)
         except Exception as error:
-            failed.append(f"{n}: {name}: {type(error).__name__}: {error}: {eq.system.potential}, {eq.system.body}, {values}")
+            failed.append(f"{n}: {name}: {type(error).__name__}: {error}: {eq.system.potential}, "
+                          f"{eq.system.body}, {values}")
             continue
         answer = {True: "agrees", False: "contradicts", None: found.why}[found.agrees]
         outcome[name, found.decision.verdict.name, answer] += 1
@@ -262,12 +316,14 @@ def confirmations(seed, count, sizes):
     for key, number_of in sorted(outcome.items(), key=str):
         print(f"{number_of:5}  {key}")
     print(*(f"     {text}\n" for text in failed), sep="", end="")
-    print(f"{count} equilibria, {len(failed)} contradicted, without a reason or not answered, {time.time() - began:.0f} s")
+    print(f"{count} equilibria, {len(failed)} contradicted, without a reason or not answered, "
+          f"{time.time() - began:.0f} s")
     return not failed
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--seed", default=1)
     parser.add_argument("--count", type=int)
@@ -275,7 +331,8 @@ def main():
     parser.add_argument("--precision", type=int, help="decimal digits of the motions")
     parser.add_argument("--equilibria", type=int)
     given = parser.parse_args()
-    print(platform.processor() or platform.machine(), "Python", platform.python_version(), "gyrostat", gs.__version__)
+    print(platform.processor() or platform.machine(), "Python", platform.python_version(), "gyrostat",
+          gs.__version__)
     well = starts(given.seed, given.count or (2 if given.quick else 500), given.kinds, given.precision)
     sizes = [F(1, 10**d) for d in ((3, 5, 7) if given.quick else range(2, 9))]
     many = given.equilibria if given.equilibria is not None else 4 if given.quick else 200

@@ -1,12 +1,13 @@
 """How do time and memory grow with the points, the axes and the degree of U; and are 10⁹ verdicts all right?
 
     python benchmarks/scale.py            all of it; prints the rows of RESULTS.md
-    python benchmarks/scale.py --quick    small, for breakage; exit status 1 if a verdict is wrong or undecided
+    python benchmarks/scale.py --quick    small, for breakage; exit status 1 if a verdict is wrong or
+        undecided
 
-Each measurement has a process of its own. The peak is the largest resident memory less that after the imports, the input and a small
-first call; the result is a new array. The truth at 10⁹ points: where a margin in float64 is further from 0 than a bound of its error,
-its sign; everywhere else, at both points beside each change of the verdict along a row, and at a random 10⁶, whole numbers
-(exact_truth.py).
+Each measurement has a process of its own. The peak is the largest resident memory less that after the
+imports, the input and a small first call; the result is a new array. The truth at 10⁹ points: where a margin
+in float64 is further from 0 than a bound of its error, its sign; everywhere else, at both points beside each
+change of the verdict along a row, and at a random 10⁶, whole numbers (exact_truth.py).
 """
 # ruff: noqa: E402
 import os
@@ -31,8 +32,10 @@ from gyrostat.charts.numeric import compile_margin
 from gyrostat.charts.verdicts import verdicts
 
 TILT = {"I1": 1.25, "I3": 0.75, "l": 0.5, "d2U": -2.0, "d3U": 0.25, "d4U": 0.5}
-TOP = {"I1": 1.5, "m0": 1.5}                           # its boundary |π3 + l| = 3 runs through points of the grid
-RANGES = {"omega": 3.0, "k3": 0.99, "l": 2.0, "d2U": -4.0, "I3": 0.5}         # axes in the order in which they are added
+# its boundary |π3 + l| = 3 runs through points of the grid
+TOP = {"I1": 1.5, "m0": 1.5}
+# axes in the order in which they are added
+RANGES = {"omega": 3.0, "k3": 0.99, "l": 2.0, "d2U": -4.0, "I3": 0.5}
 
 
 def tilted(degree=None):
@@ -55,7 +58,13 @@ def arrangement(points, axes, degree):
         n, names = round(points ** (1 / axes)), list(RANGES)[:axes]
         moving = {}
         for place, name in enumerate(names):
-            low, high = (0.25, 1.25) if name == "I3" else (-4.0, 2.0) if name == "d2U" else (-RANGES[name], RANGES[name])
+            low, high = (
+                (0.25, 1.25)
+                if name == "I3"
+                else (-4.0, 2.0)
+                if name == "d2U"
+                else (-RANGES[name], RANGES[name])
+            )
             moving[name] = np.linspace(low, high, n).reshape((n,) + (1,) * (axes - 1 - place))
     if degree is None:
         return {**TILT, "k3": 0.5, **moving}
@@ -80,7 +89,8 @@ def measured(what, backend, points, axes, degree):
     result = call(arguments)
     seconds = time.perf_counter() - compiled
     undecided = int(np.count_nonzero(result.reshape(-1)[:10**6] == 0)) if what == "verdicts" else 0
-    return {"first call": compiled - begin, "seconds": seconds, "peak": peak() - before, "result": result.nbytes, "points": result.size,
+    return {"first call": compiled - begin, "seconds": seconds, "peak": peak() - before,
+            "result": result.nbytes, "points": result.size,
             "undecided": undecided}
 
 
@@ -90,23 +100,27 @@ def peak():
 
 def in_a_process(**order):
     """One measurement in a fresh process."""
-    done = subprocess.run([sys.executable, __file__, "--one", json.dumps(order)], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, __file__, "--one", json.dumps(order)], capture_output=True,
+                          text=True)
     if done.returncode:
         raise SystemExit(f"{order}: {done.stderr[-2000:]}")
     return json.loads(done.stdout.splitlines()[-1])
 
 
 def sweep(quick):
-    """The table: seconds of the second call, points per second, and the peak next to the size of the result."""
+    """The table: seconds of the second call, points per second, and the peak next to the size of the result.
+    """
     sizes = (10**5,) if quick else (10**4, 10**5, 10**6, 10**7, 10**8, 10**9)
     many = 10**5 if quick else 10**8
     orders = [(n, 2, None) for n in sizes] + [(n, 0, None) for n in sizes[:-1]]
     orders += [(many, axes, None) for axes in ((3,) if quick else (1, 3, 4, 5))]
-    orders += [(many if axes else many // 10, axes, d) for axes in (2, 0) for d in ((6,) if quick else (1, 2, 5, 10, 20, 40))]
+    orders += [(many if axes else many // 10, axes, d) for axes in (2, 0)
+               for d in ((6,) if quick else (1, 2, 5, 10, 20, 40))]
     orders = [orders[0], orders[-1]] if quick else orders
     routes = [(what, backend) for what in ("verdicts", "compile_margin") for backend in ("numba", "numpy")]
     first, worst = {route: [] for route in routes}, dict.fromkeys(routes, 0.0)
-    print("| points | arrangement | degree of U |", *(f" {what}, {backend} |" for what, backend in routes), sep="")
+    print("| points | arrangement | degree of U |", *(f" {what}, {backend} |" for what, backend in routes),
+          sep="")
     print("|---" * (3 + len(routes)) + "|")
     for points, axes, degree in orders:
         cells = []
@@ -118,24 +132,33 @@ def sweep(quick):
             first[what, backend].append(r["first call"])
             if points >= 10**7:
                 worst[what, backend] = max(worst[what, backend], r["peak"] / r["result"])
-            cells.append(f"{r['seconds']:.2g} s, {r['points'] / r['seconds']:.2g}/s, {r['peak'] / 1e6:.3g} of {r['result'] / 1e6:.3g} MB")
-        print(f"| {r['points']:.3g} | {f'grid, {axes} axes' if axes else 'list'} | {degree or 'any U'} | {' | '.join(cells)} |", flush=True)
-    print("| | first calls, s |", *(f" | {min(first[route]):.2f}–{max(first[route]):.2f}" for route in routes), " |", sep="")
+            cells.append(f"{r['seconds']:.2g} s, {r['points'] / r['seconds']:.2g}/s, {r['peak'] / 1e6:.3g} "
+                         f"of {r['result'] / 1e6:.3g} MB")
+        print(f"| {r['points']:.3g} | {f'grid, {axes} axes' if axes else 'list'} | {degree or 'any U'} | "
+              f"{' | '.join(cells)} |", flush=True)
+    print("| | first calls, s |", *(f" | {min(first[route]):.2f}–{max(first[route]):.2f}"
+                                    for route in routes), " |", sep="")
     if not quick:
-        print("| | largest peak / result from 10⁷ points on |", *(f" | {worst[route]:.2f}" for route in routes), " |", sep="")
+        print("| | largest peak / result from 10⁷ points on |",
+              *(f" | {worst[route]:.2f}" for route in routes), " |", sep="")
 
 
 def filtered(kind, a, b):
-    """Signs of a margin in float64 in a block of rows, 0 where it is not further from 0 than 8 and 64 times its rounding errors."""
+    """Signs of a margin in float64 in a block of rows, 0 where it is not further from 0 than 8 and 64 times
+    its rounding errors.
+    """
     if kind == "E1":
-        momenta = a[:, None] + b                           # five roundings, each of at most 2⁻⁵³ of a + b or of a term
+        # five roundings, each of at most 2⁻⁵³ of a + b or of a term
+        momenta = a[:, None] + b
         square, rest = momenta * momenta, 4 * TOP["I1"] * TOP["m0"]
         value, bound = square - rest, 2.0**-50 * (square + rest)
-    else:                                                  # (l + (I3 − 2 I1) ω k3)² + I1 (1 − k3²) (I1 ω² + U''): 13 roundings
+    # (l + (I3 − 2 I1) ω k3)² + I1 (1 − k3²) (I1 ω² + U''): 13 roundings
+    else:
         I1, I3, l, bend = (TILT[name] for name in ("I1", "I3", "l", "d2U"))
         product, push = a[:, None] * b * (I3 - 2 * I1), (I1 * a * a + bend)[:, None] * I1
         value = (l + product) ** 2 + push * (1 - b * b)
-        bound = 2.0**-46 * ((abs(l) + abs(product)) ** 2 + (I1 * (I1 * a * a + abs(bend)))[:, None] * (1 + b * b))
+        bound = 2.0**-46 * ((abs(l) + abs(product)) ** 2 + (I1 * (I1 * a * a + abs(bend)))[:, None]
+                            * (1 + b * b))
     return np.where(abs(value) > bound, np.sign(value), 0).astype(np.int8)
 
 
@@ -143,20 +166,23 @@ def exact(kind, a, b):
     """Truth at lists of points, in whole numbers, 10⁵ at a time."""
     fixed = {"I1": TOP["I1"], "a1": TOP["m0"]} if kind == "E1" else TILT
     names, scene = (("l", "pi3_0"), "polynomial") if kind == "E1" else (("omega", "k3"), "unspecified")
-    found = [truth(kind, scene, {**fixed, names[0]: a[i:i + 10**5], names[1]: b[i:i + 10**5]})[0] for i in range(0, len(a), 10**5)]
+    found = [truth(kind, scene, {**fixed, names[0]: a[i:i + 10**5], names[1]: b[i:i + 10**5]})[0]
+             for i in range(0, len(a), 10**5)]
     return np.concatenate(found) if found else np.empty(0, np.int8)
 
 
 def billion(kind, n, backend="numba"):
     """Counts of the check of an n × n grid, with a tenth of its points at random, 10⁶ at most."""
-    if kind == "E1":                                       # steps of a power of two: sums are exact, some of them ±3
+    # steps of a power of two: sums are exact, some of them ±3
+    if kind == "E1":
         first = second = (np.arange(n) - n // 2) * 2.0 ** (3 - int(np.log2(n)))
     else:
         first, second = np.linspace(-3, 3, n), np.linspace(-0.99, 0.99, n)
     report, fixed, names = (top(), TOP, ("l", "pi3_0")) if kind == "E1" else (tilted(), TILT, ("omega", "k3"))
     begin = time.perf_counter()
     result = verdicts(report, {**fixed, names[0]: first[:, None], names[1]: second}, backend=backend)
-    counts = {"seconds": time.perf_counter() - begin, "points": result.size, "undecided": 0, "wrong by the filter": 0, "wrong exactly": 0,
+    counts = {"seconds": time.perf_counter() - begin, "points": result.size, "undecided": 0,
+              "wrong by the filter": 0, "wrong exactly": 0,
               "left by the filter": 0, "beside a change": 0, "random": min(10**6, result.size // 10)}
     step = max(1, 2**21 // n)
     for low in range(0, n, step):
@@ -171,14 +197,16 @@ def billion(kind, n, backend="numba"):
         for name, some in (("left by the filter", signs == 0), ("beside a change", beside)):
             i, j = np.nonzero(some)
             counts[name] += len(i)
-            counts["wrong exactly"] += int(np.count_nonzero(exact(kind, first[low + i], second[j]) != block[i, j]))
+            counts["wrong exactly"] += int(np.count_nonzero(exact(kind, first[low + i], second[j])
+                                                            != block[i, j]))
     i, j = np.random.default_rng(5).integers(0, n, (2, counts["random"]))
     counts["wrong exactly"] += int(np.count_nonzero(exact(kind, first[i], second[j]) != result[i, j]))
     return counts
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--one", help=argparse.SUPPRESS)
     given = parser.parse_args()
@@ -186,8 +214,10 @@ def main():
         order = json.loads(given.one)
         print(json.dumps(billion(**order) if "kind" in order else measured(**order)))
         return 0
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    print(f"{date.today()}, commit {commit}, {platform.machine()} ({os.cpu_count()} cores, shared), Python {platform.python_version()}, "
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True,
+                            text=True).stdout.strip()
+    print(f"{date.today()}, commit {commit}, {platform.machine()} ({os.cpu_count()} cores, shared), Python "
+          f"{platform.python_version()}, "
           f"numpy {np.__version__}\n")
     n, failed = 400 if given.quick else 31623, 0
     rows = {kind: in_a_process(kind=kind, n=n) for kind in ("E1", "E3")}
@@ -196,7 +226,8 @@ def main():
         print(f"| {name} | {rows['E1'][name]:.6g} | {rows['E3'][name]:.6g} |" if name == "seconds" else
               f"| {name} | {rows['E1'][name]} | {rows['E3'][name]} |")
     print()
-    failed = sum(row[name] for row in rows.values() for name in ("undecided", "wrong by the filter", "wrong exactly"))
+    failed = sum(row[name] for row in rows.values()
+                 for name in ("undecided", "wrong by the filter", "wrong exactly"))
     sweep(given.quick)
     return 1 if failed else 0
 

@@ -1,10 +1,13 @@
 """How fast is each route to a verdict, and how often is it wrong where it is hard?
 
-    python benchmarks/speed_against_error.py            all of it; prints the tables of RESULTS.md, draws speed_against_error.png
-    python benchmarks/speed_against_error.py --quick    few points, for breakage; exit status 1 if an exact or certified route fails
+    python benchmarks/speed_against_error.py            all of it; prints the tables of RESULTS.md, draws
+        speed_against_error.png
+    python benchmarks/speed_against_error.py --quick    few points, for breakage; exit status 1 if an exact or
+        certified route fails
 
-Every input is a float64 and the truth is that of these floats as rationals (exact_truth.py). All work is timed in turn in one process,
-on one core; matrices are assembled before the clock starts, results are written into arrays that exist.
+Every input is a float64 and the truth is that of these floats as rationals (exact_truth.py). All work is
+timed in turn in one process, on one core; matrices are assembled before the clock starts, results are written
+into arrays that exist.
 """
 # ruff: noqa: E402
 import os
@@ -34,36 +37,51 @@ from gyrostat.charts.verdicts import verdicts
 from gyrostat.stability.linearization import linearize
 
 FIXED = {"E1": {"I1": 1.25, "dU": 1.5}, "E3": {"I1": 1.25, "I3": 0.75, "l": 0.5, "d2U": -2.0}}
-JET = {"E1": {"d2U": 0.5, "d3U": 0.25}, "E3": {"d3U": 0.25, "d4U": 0.5}}       # a certified verdict may need them on the boundary
+# a certified verdict may need them on the boundary
+JET = {"E1": {"d2U": 0.5, "d3U": 0.25}, "E3": {"d3U": 0.25, "d4U": 0.5}}
 GROUPS = {"E1": "E1, E2", "E2": "E1, E2", "E3": "E3"}
 COLUMNS = {"near": "(a) near", "on": "(a) on it", **{x: f"({x}) {FAMILIES[x]}" for x in "bcdef"}}
 ROUNDS = {True: 2, False: 7}
-TARGETS = (("compiled64 numba", "E1", 10_000), ("certified numba", "E1", 5_000), ("certified numba", "E3", 3_000),
+TARGETS = (("compiled64 numba", "E1", 10_000), ("certified numba", "E1", 5_000),
+           ("certified numba", "E3", 3_000),
            ("compiled64 numpy", "E1", 800), ("compiled64 numpy", "E3", 300), ("certified numpy", "E1", 250))
 
 
 def check_matrices():
-    """The matrices of the eigenvalue routes have the characteristic polynomials of gyrostat's, at random rational points."""
+    """The matrices of the eigenvalue routes have the characteristic polynomials of gyrostat's, at random
+    rational points.
+    """
     rng = np.random.default_rng(7)
     for kind in KINDS:
         for _ in range(3):
-            v = {name: Fraction(float(x[0])).limit_denominator(20) for name, x in ordinary(kind, 1, rng).items()}
+            v = {name: Fraction(float(x[0])).limit_denominator(20)
+                 for name, x in ordinary(kind, 1, rng).items()}
             across = Fraction(0)
             if kind == "E3":
                 t = Fraction(int(rng.integers(2, 9)), 10)
                 v["k3"], across = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
             linear = linearize(routes.report_of(kind, "unspecified").equilibrium)
-            values = {s: sympy.Rational(v[s.name].numerator, v[s.name].denominator) for s in linear.matrix.free_symbols}
+            values = {s: sympy.Rational(v[s.name].numerator, v[s.name].denominator)
+                      for s in linear.matrix.free_symbols}
             theirs = linear.matrix.subs(values, simultaneous=True).charpoly().all_coeffs()
-            for rows in (restricted(kind, "unspecified", v, across), euler_poisson(kind, "unspecified", v, across)[0]):
-                ours = sympy.Matrix([[sympy.Rational(str(x)) for x in row] for row in rows]).charpoly().all_coeffs()
+            for rows in (restricted(kind, "unspecified", v, across),
+                         euler_poisson(kind, "unspecified", v, across)[0]):
+                ours = sympy.Matrix([[sympy.Rational(str(x)) for x in row]
+                                     for row in rows]).charpoly().all_coeffs()
                 if ours[:5] != theirs or any(ours[5:]):
                     raise SystemExit(f"the matrix of {kind} is not that of gyrostat: {ours} and {theirs}")
 
 
 def errors(n, few):
-    """Points, wrong stable, wrong unstable and undecided by route, group and column; the same by route, group and distance."""
-    by_family, by_distance, distances = defaultdict(lambda: np.zeros(4, int)), defaultdict(lambda: np.zeros(4, int)), defaultdict(list)
+    """Points, wrong stable, wrong unstable and undecided by route, group and column.
+
+    The same by route, group and distance.
+    """
+    by_family, by_distance, distances = (
+        defaultdict(lambda: np.zeros(4, int)),
+        defaultdict(lambda: np.zeros(4, int)),
+        defaultdict(list),
+    )
     for batch in cases(n):
         if batch.family == "a":
             distances[batch.label] += list(batch.distance)
@@ -72,7 +90,8 @@ def errors(n, few):
             verdict = route.verdicts(part)
             if verdict is None:
                 continue
-            counts = np.array([len(verdict), np.sum((verdict == 1) & (part.truth < 0)), np.sum((verdict == -1) & (part.truth > 0)),
+            counts = np.array([len(verdict), np.sum((verdict == 1) & (part.truth < 0)),
+                               np.sum((verdict == -1) & (part.truth > 0)),
                                np.sum(verdict == 0)])
             column = batch.family if batch.family != "a" else "on" if batch.label == "boundary" else "near"
             by_family[route.name, GROUPS[batch.kind], column] += counts
@@ -85,7 +104,8 @@ def grid(kind, n, single):
     """Arguments of a square grid in (l, π3) or (ω, k3)."""
     a, b = (("l", 4.0), ("pi3_0", 4.0)) if kind == "E1" else (("omega", 3.0), ("k3", 0.99))
     number = np.float32 if single else np.float64
-    axes = {a[0]: np.linspace(-a[1], a[1], n, dtype=number)[:, None], b[0]: np.linspace(-b[1], b[1], n, dtype=number)}
+    axes = {a[0]: np.linspace(-a[1], a[1], n, dtype=number)[:, None],
+            b[0]: np.linspace(-b[1], b[1], n, dtype=number)}
     return {**{name: number(x) for name, x in FIXED[kind].items()}, **axes}
 
 
@@ -103,11 +123,17 @@ def work(kind, quick):
     for size in (4, 6):
         A = matrices(many, size)
         limit = 1e-10 * abs(A).sum(2).max(1)
-        jobs[f"eigvals {size}×{size}"] = lambda A=A, limit=limit: np.linalg.eigvals(A).real.max(1) <= limit, len(A), "points"
+        jobs[f"eigvals {size}×{size}"] = (
+            lambda A=A, limit=limit: np.linalg.eigvals(A).real.max(1) <= limit,
+            len(A),
+            "points",
+        )
     A = matrices(many, 4)
     jobs["traces"] = lambda: routes.traces(many, A), len(A), "points"
-    slow = {"SciPy loop": (routes.scipy_loop, 1000), "mpmath": (routes.mpmath_eig, 40), "expanded": (routes.expanded, 10**6),
-            **{f"acb {b}": (routes.balls(b), 400) for b in routes.BALLS}, "Report.verdict": (routes.one_by_one, 1000),
+    slow = {"SciPy loop": (routes.scipy_loop, 1000), "mpmath": (routes.mpmath_eig, 40),
+            "expanded": (routes.expanded, 10**6),
+            **{f"acb {b}": (routes.balls(b), 400) for b in routes.BALLS},
+            "Report.verdict": (routes.one_by_one, 1000),
             "fmpq": (routes.rationals(routes.as_fmpq), 5000), "Fraction": (routes.rationals(Fraction), 2000)}
     for name, (route, n) in slow.items():
         batch = some(n)
@@ -120,21 +146,47 @@ def work(kind, quick):
         for bits in (32, 64):
             arguments = grid(kind, n, bits == 32)
             f, out = compile_margin(report.sufficient, backend=backend), np.empty((n, n), bool)
-            jobs[f"compiled{bits} {backend}"] = lambda f=f, a=arguments, out=out: f(**a, out=out), n * n, f"{n}²"
-            columns = {name: listed.values[name].astype(np.float32 if bits == 32 else np.float64) for name in f.names}
+            jobs[f"compiled{bits} {backend}"] = (
+                lambda f=f, a=arguments, out=out: f(**a, out=out),
+                n * n,
+                f"{n}²",
+            )
+            columns = {name: listed.values[name].astype(np.float32 if bits == 32 else np.float64)
+                       for name in f.names}
             one = np.empty(len(listed.truth), bool)
-            jobs[f"compiled{bits} {backend}, list"] = lambda f=f, c=columns, out=one: f(**c, out=out), len(one), "points"
+            jobs[f"compiled{bits} {backend}, list"] = (
+                lambda f=f, c=columns, out=one: f(**c, out=out),
+                len(one),
+                "points",
+            )
         proved, given = np.empty((n, n), np.int8), {**arguments, **JET[kind]}
         call = {"backend": backend, "out": proved}
-        jobs[f"certified {backend}"] = lambda a=given, call=call: verdicts(report, **a, **call), n * n, f"{n}²"
+        jobs[f"certified {backend}"] = (
+            lambda a=given, call=call: verdicts(report, **a, **call),
+            n * n,
+            f"{n}²",
+        )
         columns = routes.asked(listed)[1] | {"backend": backend, "out": np.empty(len(listed.truth), np.int8)}
-        jobs[f"certified {backend}, list"] = lambda c=columns: verdicts(report, **c), len(listed.truth), "points"
-    n = 512 if quick else 32768                            # long enough that two threads have something to share
+        jobs[f"certified {backend}, list"] = (
+            lambda c=columns: verdicts(report, **c),
+            len(listed.truth),
+            "points",
+        )
+    # long enough that two threads have something to share
+    n = 512 if quick else 32768
     large, proved = grid(kind, n, False), np.empty((n, n), np.int8)
     for threads in (1, 2):
-        jobs[f"compiled64 numba, {threads} of 2"] = lambda t=threads: f(**large, out=proved.view(bool), threads=t), n * n, f"{n}²"
+        jobs[f"compiled64 numba, {threads} of 2"] = (
+            lambda t=threads: f(**large, out=proved.view(bool), threads=t),
+            n * n,
+            f"{n}²",
+        )
         call = {"backend": "numba", "out": proved, "threads": threads}
-        jobs[f"certified numba, {threads} of 2"] = lambda call=call: verdicts(report, **large, **JET[kind], **call), n * n, f"{n}²"
+        jobs[f"certified numba, {threads} of 2"] = (
+            lambda call=call: verdicts(report, **large, **JET[kind], **call),
+            n * n,
+            f"{n}²",
+        )
     return jobs
 
 
@@ -156,7 +208,13 @@ def speeds(kind, quick):
 def share(counts):
     """Wrong stable / wrong unstable / undecided in per cent of the points."""
     def per_cent(k):
-        return "0" if k == 0 else f"{100 * k / counts[0]:.2g}" if 100 * k < 10 * counts[0] else f"{100 * k / counts[0]:.0f}"
+        return (
+            "0"
+            if k == 0
+            else f"{100 * k / counts[0]:.2g}"
+            if 100 * k < 10 * counts[0]
+            else f"{100 * k / counts[0]:.0f}"
+        )
     return " / ".join(map(per_cent, counts[1:])) if counts[0] else "—"
 
 
@@ -169,7 +227,8 @@ def ratio(one, other):
 
 
 def table(by_family, rates, arrangements):
-    heads = ["equilibria", "route", "points", "points/s, list", "points/s, grid", "× eigvals 4×4, list / grid", *COLUMNS.values()]
+    heads = ["equilibria", "route", "points", "points/s, list", "points/s, grid",
+             "× eigvals 4×4, list / grid", *COLUMNS.values()]
     print(line(heads), "|---" * len(heads) + "|", sep="\n")
     for group, rate in (("E1, E2", rates["E1"]), ("E3", rates["E3"])):
         base = rate["eigvals 4×4"]
@@ -179,7 +238,8 @@ def table(by_family, rates, arrangements):
             listed = rate[f"{name}, list" if gridded else name]
             grids = f"{spread(rate[name])} on {arrangements[name]}" if gridded else "—"
             times = f"{ratio(listed, base):.2g}" + (f" / {ratio(rate[name], base):.3g}" if gridded else "")
-            print(line([group, route.name, sum(c[0] for c in cells), spread(listed), grids, times, *map(share, cells)]))
+            print(line([group, route.name, sum(c[0] for c in cells), spread(listed), grids, times,
+                        *map(share, cells)]))
 
 
 def distance_table(by_distance, medians):
@@ -200,7 +260,8 @@ def line(cells):
 
 
 def first_calls(firsts):
-    print("\n| first call, s: compiling, or reading what was compiled before, included | E1 | E3 |\n|---|---|---|")
+    print("\n| first call, s: compiling, or reading what was compiled before, included | E1 | E3 "
+          "|\n|---|---|---|")
     for name in ("compiled64 numpy", "certified numpy", "compiled64 numba", "certified numba"):
         print(line([name, *(f"{firsts[kind][name]:.2f}" for kind in firsts)]))
 
@@ -208,27 +269,36 @@ def first_calls(firsts):
 def targets(rates, arrangements):
     print("\n| target, ratio in the same round | target | reached |\n|---|---|---|")
     for name, kind, wanted in TARGETS:
-        print(f"| {name}, {kind}, × eigvals 4×4 | {wanted} | {ratio(rates[kind][name], rates[kind]['eigvals 4×4']):.0f} |")
+        print(f"| {name}, {kind}, × eigvals 4×4 | {wanted} | "
+              f"{ratio(rates[kind][name], rates[kind]['eigvals 4×4']):.0f} |")
     for name in ("compiled64 numba", "certified numba"):
         for kind in rates:
             two = ratio(rates[kind][f"{name}, 2 of 2"], rates[kind][f"{name}, 1 of 2"])
-            print(f"| {name}, {kind}, two threads × one, on {arrangements['certified numba, 2 of 2']} | 1.7 | {two:.2f} |")
+            print(f"| {name}, {kind}, two threads × one, on {arrangements['certified numba, 2 of 2']} | "
+                  f"1.7 | {two:.2f} |")
 
 
 def short_table(by_family, rates):
     """The rows of the README."""
-    chosen = ("eigvals 4×4, Re ≤ 1e-12‖A‖", "eigvals 4×4, Re ≤ 1e-08‖A‖", "mpmath eig, 50 digits, 1e-20‖A‖", "flint acb_mat eig, 256 bits",
-              "p, q, p² − 4q from traces", "compiled margin, float64, numba", "certified arrays, numpy", "certified arrays, numba")
-    print("\n| route to a verdict | points/s E1 / E3 | × eigvals E1 / E3 | wrong E1, E2 / E3 | undecided |\n|---|---|---|---|---|")
+    chosen = ("eigvals 4×4, Re ≤ 1e-12‖A‖", "eigvals 4×4, Re ≤ 1e-08‖A‖", "mpmath eig, 50 digits, 1e-20‖A‖",
+              "flint acb_mat eig, 256 bits",
+              "p, q, p² − 4q from traces", "compiled margin, float64, numba", "certified arrays, numpy",
+              "certified arrays, numba")
+    print("\n| route to a verdict | points/s E1 / E3 | × eigvals E1 / E3 | wrong E1, E2 / E3 | undecided "
+          "|\n|---|---|---|---|---|")
     for route in (r for r in routes.ROUTES if r.name in chosen):
-        counts = [sum((by_family[route.name, group, column] for column in COLUMNS), np.zeros(4, int)) for group in ("E1, E2", "E3")]
+        counts = [sum((by_family[route.name, group, column] for column in COLUMNS), np.zeros(4, int))
+                  for group in ("E1, E2", "E3")]
         wrong, undecided = ([100 * part / c[0] for part, c in zip(parts, counts)] for parts in (
             [c[1] + c[2] for c in counts], [c[3] for c in counts]))
         rate = [rates[kind][route.timed] for kind in ("E1", "E3")]
         print(line([route.name, " / ".join(f"{statistics.median(r):.1e}" for r in rate),
-                    " / ".join(f"{ratio(r, rates[kind]['eigvals 4×4']):.2g}" if ratio(r, rates[kind]["eigvals 4×4"]) < 100 else
-                               f"{ratio(r, rates[kind]['eigvals 4×4']):.0f}" for r, kind in zip(rate, ("E1", "E3"))),
-                    *(" / ".join(f"{x:.3g} %" if x >= 99.5 else f"{x:.2g} %" if x else "0" for x in part) for part in (wrong, undecided))]))
+                    " / ".join(f"{ratio(r, rates[kind]['eigvals 4×4']):.2g}"
+                               if ratio(r, rates[kind]["eigvals 4×4"]) < 100 else
+                               f"{ratio(r, rates[kind]['eigvals 4×4']):.0f}"
+                               for r, kind in zip(rate, ("E1", "E3"))),
+                    *(" / ".join(f"{x:.3g} %" if x >= 99.5 else f"{x:.2g} %" if x else "0" for x in part)
+                      for part in (wrong, undecided))]))
 
 
 def failures(by_family):
@@ -238,13 +308,18 @@ def failures(by_family):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     quick = parser.parse_args().quick
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    versions = ", ".join(f"{name} {version(name)}" for name in ("numpy", "scipy", "numba", "python-flint", "mpmath", "sympy"))
-    print(f"{date.today()}, commit {commit}, {platform.machine()} ({os.cpu_count()} cores, shared), Python {platform.python_version()}, "
-          f"{versions}; medians (min–max) of {ROUNDS[quick]} rounds in turn, one core. Errors: called stable but unstable / "
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True,
+                            text=True).stdout.strip()
+    versions = ", ".join(f"{name} {version(name)}"
+                         for name in ("numpy", "scipy", "numba", "python-flint", "mpmath", "sympy"))
+    print(f"{date.today()}, commit {commit}, {platform.machine()} ({os.cpu_count()} cores, shared), Python "
+          f"{platform.python_version()}, "
+          f"{versions}; medians (min–max) of {ROUNDS[quick]} rounds in turn, one core. Errors: called "
+          "stable but unstable / "
           "called unstable but stable / undecided, in % of the points.\n")
     check_matrices()
     by_family, by_distance, medians = errors(12 if quick else 1000, 0.05 if quick else 1)
@@ -260,7 +335,8 @@ def main():
         from speed_figure import draw
         draw(routes.ROUTES, by_family, by_distance, medians, rates, Path(__file__).with_suffix(".png"))
     for key, counts in (failed := failures(by_family)).items():
-        print(f"{', '.join(key)}: {counts[1]} wrong stable, {counts[2]} wrong unstable, {counts[3]} undecided of {counts[0]}")
+        print(f"{', '.join(key)}: {counts[1]} wrong stable, {counts[2]} wrong unstable, {counts[3]} "
+              f"undecided of {counts[0]}")
     return 1 if failed else 0
 
 

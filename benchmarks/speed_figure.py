@@ -1,4 +1,7 @@
-"""The figure of speed_against_error.py: time against wrong verdicts, and wrong verdicts against the distance to the boundary."""
+"""The figure of speed_against_error.py.
+
+Time against wrong verdicts, and wrong verdicts against the distance to the boundary.
+"""
 import statistics
 
 import matplotlib
@@ -27,18 +30,24 @@ def draw(routes, by_family, by_distance, medians, rates, path):
     timed = {route.name: route.timed for route in routes}
     figure, (left, right) = plt.subplots(1, 2, figsize=(13, 5.6), constrained_layout=True)
     for name, (label, colour, marker) in STYLES.items():
-        style = {"color": colour, "marker": marker, "markersize": 13 if marker == "*" else 8, "markeredgecolor": "white",
+        style = {"color": colour, "marker": marker, "markersize": 13 if marker == "*" else 8,
+                 "markeredgecolor": "white",
                  "markeredgewidth": 0.6}
         total = sum(counts for (route, *_), counts in by_family.items() if route == name)
         seconds = statistics.mean(1 / statistics.median(rate[timed[name]]) for rate in rates.values())
         left.plot(_drawn(total), seconds, linestyle="", label=label, **style)
         if (unknown := total[3] / total[0]) > 0.02:
-            left.annotate(f"{100 * unknown:.0f} % undecided", (_drawn(total), seconds), (9, -3), textcoords="offset points", fontsize=8)
+            left.annotate(f"{100 * unknown:.0f} % undecided", (_drawn(total), seconds), (9, -3),
+                          textcoords="offset points", fontsize=8)
         labels = sorted(medians, key=medians.get)
-        shares = [_drawn(sum(c for (route, _, where), c in by_distance.items() if (route, where) == (name, x))) for x in labels]
-        right.plot([medians[x] or min(filter(None, medians.values())) / 30 for x in labels], shares, linewidth=1.3, **style)
-    left.set(xscale="log", yscale="log", xlabel="share of wrong verdicts, all families", ylabel="time per point, s")
-    right.set(xscale="log", yscale="log", xlabel="relative distance to the boundary", ylabel="share of wrong verdicts")
+        shares = [_drawn(sum(c for (route, _, where),
+                             c in by_distance.items() if (route, where) == (name, x))) for x in labels]
+        right.plot([medians[x] or min(filter(None, medians.values())) / 30 for x in labels], shares,
+                   linewidth=1.3, **style)
+    left.set(xscale="log", yscale="log", xlabel="share of wrong verdicts, all families",
+             ylabel="time per point, s")
+    right.set(xscale="log", yscale="log", xlabel="relative distance to the boundary",
+              ylabel="share of wrong verdicts")
     shown = np.array([ALL_RIGHT, 1e-4, 1e-3, 1e-2, 1e-1, 1])
     names = ["none", "0.01 %", "0.1 %", "1 %", "10 %", "100 %"]
     left.set_xticks(shown, names)
@@ -54,7 +63,8 @@ def draw(routes, by_family, by_distance, medians, rates, path):
         axes.set_axisbelow(True)
     left.set_title("E1, E2 and E3, families (a) to (f)", fontsize=11)
     right.set_title("E1, E2 and E3, family (a), both sides", fontsize=11)
-    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4, columnspacing=1.5, frameon=False, fontsize=9)
+    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4, columnspacing=1.5,
+                  frameon=False, fontsize=9)
     figure.savefig(path, dpi=130)
     plt.close(figure)
 

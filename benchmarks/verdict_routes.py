@@ -1,4 +1,7 @@
-"""The routes that speed_against_error.py compares: each says of the points of a batch 1 stable, -1 unstable, or 0, not known."""
+"""The routes that speed_against_error.py compares.
+
+Each says of the points of a batch 1 stable, -1 unstable, or 0, not known.
+"""
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
@@ -27,10 +30,14 @@ class Route:
 
     Parameters
     ----------
-    name, timed : str         the second names the work that is timed; routes that differ in a threshold share it
-    verdicts : callable       of a batch: int8 array, or None where the route has no answer for such a field
-    most : int                points of a batch that it gets
-    certain : bool            whether it claims never to be wrong and always to know
+    name, timed : str
+        the second names the work that is timed; routes that differ in a threshold share it
+    verdicts : callable
+        of a batch: int8 array, or None where the route has no answer for such a field
+    most : int
+        points of a batch that it gets
+    certain : bool
+        whether it claims never to be wrong and always to know
     """
 
     name: str
@@ -46,7 +53,10 @@ def answers(stable: np.ndarray, known: np.ndarray | bool = True) -> np.ndarray:
 
 @lru_cache(maxsize=4)
 def growth(batch: Batch, size: int) -> tuple[np.ndarray, np.ndarray]:
-    """Largest real part by NumPy's eigvals, and the norm (largest sum of a row); NaN where an entry is not finite."""
+    """Largest real part by NumPy's eigvals, and the norm (largest sum of a row).
+
+    NaN where an entry is not finite.
+    """
     A = matrices(batch, size)
     finite = np.isfinite(A).all((1, 2))
     largest = np.full(len(A), np.nan)
@@ -66,7 +76,8 @@ def scipy_loop(batch: Batch, tolerance: float = 1e-10) -> np.ndarray:
     found = []
     for A in matrices(batch, 4):
         finite = np.isfinite(A).all()
-        found.append(0 if not finite else 1 if scipy.linalg.eigvals(A).real.max() <= tolerance * abs(A).sum(1).max() else -1)
+        found.append(0 if not finite else 1 if scipy.linalg.eigvals(A).real.max() <= tolerance
+                     * abs(A).sum(1).max() else -1)
     return np.array(found, dtype=np.int8)
 
 
@@ -82,7 +93,10 @@ def mpmath_eig(batch: Batch) -> np.ndarray:
 
 
 def balls(bits: int) -> Callable:
-    """Enclosed eigenvalues: one to the right of the axis is unstable; all apart, and each alone near its own mirror image, stable."""
+    """Enclosed eigenvalues: one to the right of the axis is unstable.
+
+    All apart, and each alone near its own mirror image, stable.
+    """
     def route(batch):
         with ctx.workprec(bits):
             return np.array([_enclosed(A) for A in assembled(batch, arb, arb.exp, arb.sqrt)], dtype=np.int8)
@@ -97,14 +111,19 @@ def _enclosed(A):
     if any(e.real > 0 for e in spectrum):
         return -1
     apart = all(not a.overlaps(b) for i, a in enumerate(spectrum) for b in spectrum[:i])
-    return int(apart and all(not (-a.conjugate()).overlaps(b) for i, a in enumerate(spectrum) for j, b in enumerate(spectrum) if i != j))
+    return int(apart and all(not (-a.conjugate()).overlaps(b) for i, a in enumerate(spectrum)
+                             for j, b in enumerate(spectrum) if i != j))
 
 
 def invariants(p, q, tilted: bool) -> np.ndarray:
     """p ≥ 0, q ≥ 0, p² − 4q ≥ 0; at E3 p ≥ 0 alone, q being 0."""
     with np.errstate(all="ignore"):
         D = p * p - 4 * q
-        return answers(p >= 0, np.isfinite(p)) if tilted else answers((p >= 0) & (q >= 0) & (D >= 0), np.isfinite(D))
+        return (
+            answers(p >= 0, np.isfinite(p))
+            if tilted
+            else answers((p >= 0) & (q >= 0) & (D >= 0), np.isfinite(D))
+        )
 
 
 def traces(batch: Batch, A: np.ndarray | None = None) -> np.ndarray:
@@ -119,7 +138,10 @@ def traces(batch: Batch, A: np.ndarray | None = None) -> np.ndarray:
 def _expanded(tilted: bool, by_rate: bool):
     I1, I3, l, spin, w, z, U1, U2 = names = sympy.symbols("I1 I3 l spin w z U1 U2")
     if tilted:
-        p, q = I1 * (1 - z**2) * U2 - 2 * I1 * z * U1 + I1**2 * w**2 + ((I1 - I3) * w * z - l) ** 2, sympy.S.Zero
+        p, q = (
+            I1 * (1 - z**2) * U2 - 2 * I1 * z * U1 + I1**2 * w**2 + ((I1 - I3) * w * z - l) ** 2,
+            sympy.S.Zero,
+        )
     else:                                              # U1 stands for s U'
         momentum = I3 * spin if by_rate else spin
         a, square = momentum / I3 - (momentum + l) / (2 * I1), (momentum + l) ** 2 / (4 * I1**2) - U1 / I1
@@ -139,17 +161,21 @@ def expanded(batch: Batch) -> np.ndarray:
         else:
             slope = SIDE[batch.kind] * jets(batch.field, v, SIDE[batch.kind], 1)[0]
             by_rate = "omega3_0" in v
-            p, q = _expanded(False, by_rate)(v["I1"], v["I3"], v["l"], v["omega3_0" if by_rate else "pi3_0"], 0.0, 1.0, slope, 0.0)
+            p, q = _expanded(False, by_rate)(v["I1"], v["I3"], v["l"], v["omega3_0" if by_rate else "pi3_0"],
+                                             0.0, 1.0, slope, 0.0)
     return invariants(np.broadcast_to(p, n), np.broadcast_to(q, n), batch.kind == "E3")
 
 
 @cache
 def report_of(kind: str, scene: str, spin: str = "pi3_0") -> gs.Report:
     k3 = gs.symbol("k3")
-    potential = {"unspecified": None, "polynomial": sum(gs.symbol(f"a{n}") * k3**n for n in range(1, DEGREE + 1)),
+    potential = {"unspecified": None, "polynomial": sum(gs.symbol(f"a{n}") * k3**n
+                                                        for n in range(1, DEGREE + 1)),
                  "exponential": gs.symbol("b") * sympy.exp(STEEP * k3)}[scene]
-    system = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential() if potential is None else gs.axial_potential(potential))
-    return gs.analyze(gs.inclined(system) if kind == "E3" else (gs.upright if kind == "E1" else gs.hanging)(system, spin))
+    system = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential() if potential is None
+                         else gs.axial_potential(potential))
+    return gs.analyze(gs.inclined(system) if kind == "E3"
+                      else (gs.upright if kind == "E1" else gs.hanging)(system, spin))
 
 
 def asked(batch: Batch) -> tuple[gs.Report, dict]:
@@ -159,7 +185,8 @@ def asked(batch: Batch) -> tuple[gs.Report, dict]:
     return report, {name: x for name, x in batch.values.items() if name in names}
 
 
-once_compiled = cache(lambda report, backend: compile_margin(report.sufficient.alternatives[0][0], backend=backend))
+once_compiled = cache(lambda report, backend: compile_margin(report.sufficient.alternatives[0][0],
+                                                             backend=backend))
 
 
 def compiled(backend: str, kind: type = np.float64) -> Callable:
@@ -187,7 +214,8 @@ def one_by_one(batch: Batch) -> np.ndarray:
     report, columns = asked(batch)
     value = {"STABLE": 1, "UNSTABLE": -1, "UNDECIDED": 0}
     rows = zip(*(x.tolist() for x in columns.values()))
-    return np.array([value[report.verdict(dict(zip(columns, row))).verdict.name] for row in rows], dtype=np.int8)
+    return np.array([value[report.verdict(dict(zip(columns, row))).verdict.name] for row in rows],
+                    dtype=np.int8)
 
 
 FORMULAS = {                                           # what one writes by hand, where U is unspecified
@@ -228,7 +256,8 @@ def as_fmpq(x):
 
 
 ROUTES = [
-    *(Route(f"eigvals {n}×{n}, Re ≤ {t:g}{'‖A‖' if t else ''}", f"eigvals {n}×{n}", eigvals(n, t)) for n in (4, 6) for t in TOLERANCES),
+    *(Route(f"eigvals {n}×{n}, Re ≤ {t:g}{'‖A‖' if t else ''}", f"eigvals {n}×{n}", eigvals(n, t))
+      for n in (4, 6) for t in TOLERANCES),
     Route("SciPy eigvals loop, 1e-10‖A‖", "SciPy loop", scipy_loop, 400),
     Route("mpmath eig, 50 digits, 1e-20‖A‖", "mpmath", mpmath_eig, 40),
     *(Route(f"flint acb_mat eig, {b} bits", f"acb {b}", balls(b), 60) for b in BALLS),
@@ -236,7 +265,8 @@ ROUTES = [
     Route("p, q, p² − 4q expanded", "expanded", expanded),
     *(Route(f"compiled margin, float{b}, {name}", f"compiled{b} {name}", compiled(name, kind))
       for b, kind in ((32, np.float32), (64, np.float64)) for name in ("numpy", "numba")),
-    *(Route(f"certified arrays, {name}", f"certified {name}", certified(name), certain=True) for name in ("numpy", "numba")),
+    *(Route(f"certified arrays, {name}", f"certified {name}", certified(name), certain=True)
+      for name in ("numpy", "numba")),
     Route("Report.verdict, exact", "Report.verdict", one_by_one, 100, True),
     Route("exact rationals, flint fmpq", "fmpq", rationals(as_fmpq), 400, True),
     Route("exact rationals, Fraction", "Fraction", rationals(Fraction), 400, True),

@@ -2,9 +2,10 @@
 
     python benchmarks/zero_identities.py [--quick] [--seed N]
 
-Each kind writes one number in two ways: by polynomial identities between symbols, which then become numbers (π, e^(k/n), roots,
-cosines), by the addition theorems, by the rules of logarithms, by denesting roots. The sign of the difference has to be 0, that of
-the difference ± 10⁻³⁰ has to be ±1. Undecided and wrong answers and everything over 20 s are counted, by kind.
+Each kind writes one number in two ways: by polynomial identities between symbols, which then become numbers
+(π, e^(k/n), roots, cosines), by the addition theorems, by the rules of logarithms, by denesting roots. The
+sign of the difference has to be 0, that of the difference ± 10⁻³⁰ has to be ±1. Undecided and wrong answers
+and everything over 20 s are counted, by kind.
 """
 import argparse
 import platform
@@ -17,7 +18,27 @@ from collections import Counter
 
 import flint
 import sympy
-from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, Symbol, cos, cosh, exp, log, pi, root, sin, sinh, sqrt, symbols, tan, tanh
+from sympy import (
+    Add,
+    CRootOf,
+    Expr,
+    Mul,
+    Pow,
+    Rational,
+    Symbol,
+    cos,
+    cosh,
+    exp,
+    log,
+    pi,
+    root,
+    sin,
+    sinh,
+    sqrt,
+    symbols,
+    tan,
+    tanh,
+)
 
 import gyrostat
 from gyrostat.algebra.exact import ball, sign_of_constant
@@ -47,9 +68,17 @@ def algebraic(rng: random.Random) -> Expr:
 
 
 def spelled(rng: random.Random) -> Expr:
-    """A polynomial or rational identity between symbols: an expression that is 0, written as the difference of two forms."""
+    """A polynomial or rational identity between symbols.
+
+    An expression that is 0, written as the difference of two forms.
+    """
     def factor() -> Expr:
-        return rational(rng) * X ** rng.randint(0, 3) + rational(rng) * A + rational(rng) * B * X ** rng.randint(0, 1) + rational(rng)
+        return (
+            rational(rng) * X ** rng.randint(0, 3)
+            + rational(rng) * A
+            + rational(rng) * B * X ** rng.randint(0, 1)
+            + rational(rng)
+        )
 
     f, g, h = factor(), factor(), factor()
     return rng.choice((
@@ -83,7 +112,8 @@ def of_one_power(rng: random.Random) -> Expr:
 def of_logarithms(rng: random.Random) -> Expr:
     """Σ c log r with one product of powers of rationals that is 1."""
     primes = (2, 3, 5, 7, 11, 13)
-    parts = [{p: rng.randint(-3, 3) for p in rng.sample(primes, rng.randint(1, 4))} for _ in range(rng.randint(1, 4))]
+    parts = [{p: rng.randint(-3, 3) for p in rng.sample(primes, rng.randint(1, 4))}
+             for _ in range(rng.randint(1, 4))]
     scale = rng.choice((rational(rng), algebraic(rng)))
     terms, total = [], Counter()
     for part in parts:
@@ -144,7 +174,8 @@ def of_nested_roots(rng: random.Random) -> Expr:
     value = sqrt(a + b + 2 * sqrt(a * b))
     return rng.choice((Add(value * scale, -sqrt(a) * scale, -sqrt(b) * scale),
                        Add(1 / (value + scale), -1 / (sqrt(a) + sqrt(b) + scale)),
-                       Add((value + scale) ** 3, -sympy.expand((X + A + B) ** 3).xreplace({X: sqrt(a), A: sqrt(b), B: scale}))))
+                       Add((value + scale) ** 3,
+                           -sympy.expand((X + A + B) ** 3).xreplace({X: sqrt(a), A: sqrt(b), B: scale}))))
 
 
 KINDS = {"ℚ(α)(π)": of_pi, "e^(a/n)": of_one_power, "logarithms": of_logarithms, "sin, cos of rπ": of_turns,
@@ -189,17 +220,20 @@ def run(seed: int, count: int) -> tuple[Counter, dict[str, list[float]]]:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="400 signs in place of 10⁴")
     parser.add_argument("--seed", type=int, default=1)
     given = parser.parse_args()
     outcome, spent = run(given.seed, 400 if given.quick else 10_000)
-    print(f"gyrostat {gyrostat.__version__}, SymPy {sympy.__version__}, python-flint {flint.__version__}, Python "
+    print(f"gyrostat {gyrostat.__version__}, SymPy {sympy.__version__}, python-flint {flint.__version__}, "
+          "Python "
           f"{platform.python_version()}, {platform.machine()}; seed {given.seed}")
     print("kind                     signs  wrong  undecided  hung   median    worst")
     for kind in KINDS:
         times = spent[kind]
-        print(f"{kind:24s} {len(times):5d} {outcome[kind, 'wrong']:6d} {outcome[kind, 'undecided']:10d} {outcome[kind, 'hung']:5d} "
+        print(f"{kind:24s} {len(times):5d} {outcome[kind, 'wrong']:6d} {outcome[kind, 'undecided']:10d} "
+              f"{outcome[kind, 'hung']:5d} "
               f"{1e3 * statistics.median(times):6.1f} ms {1e3 * max(times):6.0f} ms")
     return int(any(answer != "right" for _, answer in outcome))
 

@@ -4,7 +4,8 @@ from hypothesis import settings
 
 import gyrostat as gs
 
-settings.register_profile("thorough", deadline=None, derandomize=True, max_examples=200)       # pytest --hypothesis-profile thorough
+# pytest --hypothesis-profile thorough
+settings.register_profile("thorough", deadline=None, derandomize=True, max_examples=200)
 settings.register_profile("exact", deadline=None, derandomize=True, max_examples=25)
 settings.load_profile("exact")
 

@@ -14,4 +14,5 @@ def _unit(t, flip):
     return (s, -c if flip else c)
 
 
-tilts = st.builds(_unit, st.fractions(min_value=Fraction(1, 40), max_value=40, max_denominator=40), st.booleans())
+tilts = st.builds(_unit, st.fractions(min_value=Fraction(1, 40), max_value=40, max_denominator=40),
+                  st.booleans())

@@ -9,33 +9,48 @@ import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
 FLOORS = "version errors notation algebra mechanics stability printing charts trajectories plotting published cli __main__".split()
-OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka", "contourpy", "plotly"}
+OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka",
+            "contourpy", "plotly"}
 
 
 def imports(path):
-    """(module, inside a function) of every import of ours or of others in a file; ours as paths below the package."""
+    """(module, inside a function) of every import of ours or of others in a file.
+
+    Ours as paths below the package.
+    """
     tree, here = ast.parse(path.read_text(encoding="utf-8")), path.relative_to(SRC).with_suffix("").parts
-    inside = {inner for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) for inner in ast.walk(node)}
+    inside = {inner for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)
+              for inner in ast.walk(node)}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.level:
             module = (*here[:len(here) - node.level], *(node.module or "").split("."))
             for alias in node.names:
                 inner = (*filter(None, module), alias.name)
-                ours = inner if SRC.joinpath(*inner).with_suffix(".py").exists() or SRC.joinpath(*inner).is_dir() else inner[:-1]
+                ours = (
+                    inner
+                    if SRC.joinpath(*inner).with_suffix(".py").exists() or SRC.joinpath(*inner).is_dir()
+                    else inner[:-1]
+                )
                 yield ours, node in inside
         elif isinstance(node, ast.Import | ast.ImportFrom):
-            for name in [node.module] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]:
+            for name in (
+                [node.module] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]
+            ):
                 yield name, node in inside
 
 
 def test_imports_point_downwards_and_in_no_circle():
-    """A package uses those below it only, imports inside functions counted; within it no module needs itself."""
+    """A package uses those below it only, imports inside functions counted.
+
+    Within it no module needs itself.
+    """
     graph = {}
     for path in SRC.rglob("*.py"):
         here = path.relative_to(SRC).with_suffix("").parts
         graph[here] = {module for module, _ in imports(path) if isinstance(module, tuple)}
         if here != ("__init__",):
-            assert all(FLOORS.index(module[0]) <= FLOORS.index(here[0]) for module in graph[here]), (path, graph[here])
+            assert all(FLOORS.index(module[0]) <= FLOORS.index(here[0])
+                       for module in graph[here]), (path, graph[here])
     list(TopologicalSorter(graph).static_order())
 
 
@@ -48,14 +63,20 @@ def test_only_optional_packages_are_imported_inside_functions():
 
 def loaded(code):
     """Names of all modules loaded after running code in a new process."""
-    run = subprocess.run([sys.executable, "-c", f"{code}; import sys; print(*sys.modules)"], capture_output=True, text=True, check=True)
+    run = subprocess.run([sys.executable, "-c", f"{code}; import sys; print(*sys.modules)"],
+                         capture_output=True, text=True, check=True)
     return set(run.stdout.split())
 
 
 def above(modules):
-    """Those among the modules that stand above stability, but for what answers Ctrl-C while the rest is loaded."""
+    """Those among the modules that stand above stability, but for what answers Ctrl-C while the rest is
+    loaded.
+    """
     floors = FLOORS[FLOORS.index("printing"):]
-    return {m for m in modules if m.startswith("gyrostat.") and m.split(".")[1] in floors} - {"gyrostat.cli", "gyrostat.cli.start"}
+    return {m for m in modules if m.startswith("gyrostat.") and m.split(".")[1] in floors} - {
+        "gyrostat.cli",
+        "gyrostat.cli.start",
+    }
 
 
 def test_import_loads_sympy_and_nothing_heavier():

@@ -27,12 +27,17 @@ def powers(name):
 
 
 def test_length_is_the_third_dimension():
-    """m0 = m g z0, m1 r is an acceleration, Jₙ a mass times a length to the n, p0²/mass an energy, the rest as before."""
-    assert powers("mass1") == powers("mass3") == (1, 0, 0) and powers("r") == (0, 1, 0) and powers("p0") == (1, 1, 1)
+    """m0 = m g z0, m1 r is an acceleration, Jₙ a mass times a length to the n, p0²/mass an energy, the rest
+    as before.
+    """
+    assert powers("mass1") == powers("mass3") == (1, 0, 0)
+    assert powers("r") == (0, 1, 0)
+    assert powers("p0") == (1, 1, 1)
     assert tuple(a + b for a, b in zip(powers("m1"), powers("r"))) == (0, 1, 2)
     assert [powers(f"J{n}") for n in (3, 4, 9)] == [(1, 3, 0), (1, 4, 0), (1, 9, 0)]
     assert tuple(2 * a - b for a, b in zip(powers("p0"), powers("mass1"))) == powers("m0") == (1, 2, 2)
-    assert {n for n in NOTATION if NOTATION[n].length} == {"r", "p0", "mass1", "mass3", *(f"J{n}" for n in range(3, 10))}
+    assert {n for n in NOTATION if NOTATION[n].length} == {"r", "p0", "mass1", "mass3",
+                                                           *(f"J{n}" for n in range(3, 10))}
 
 
 def test_no_two_names_are_typeset_alike():
@@ -61,7 +66,9 @@ def test_other_names_are_no_derivatives(name):
 
 def test_derivatives_print_with_their_argument():
     """U'(1), U''(k3), as the sources write them."""
-    assert typeset("dU", 1) == "U'(1)" and typeset("dU", -1) == "U'(-1)" and typeset("d2U", symbol("k3")) == "U''(k_3)"
+    assert typeset("dU", 1) == "U'(1)"
+    assert typeset("dU", -1) == "U'(-1)"
+    assert typeset("d2U", symbol("k3")) == "U''(k_3)"
     assert typeset("dU", -1, "text") == "U′(−1)" and typeset("d3U", None, "text") == "U‴(k₃)"
     assert typeset("d5U", 1) == "U^{(5)}(1)" and typeset("d2U_13") == r"\partial_{13} U"
 
@@ -70,14 +77,21 @@ def test_parameters_of_the_user_are_typeset():
     """Greek letters and numbers are set, underscores are escaped."""
     assert typeset("alpha2") == r"\alpha_{2}" and typeset("mass_a") == r"\mathrm{mass\_a}"
     assert typeset("m_0") != typeset("m0") and typeset("x_1") != typeset("x1")
-    assert typeset("c") == "c" and typeset("beta", style="text") == "β" and typeset("a1", style="text") == "a₁"
+    assert typeset("c") == "c"
+    assert typeset("beta", style="text") == "β"
+    assert typeset("a1", style="text") == "a₁"
 
 
 @pytest.mark.parametrize(("name", "latex", "text"), [
-    ("phi_dot", r"\dot{\phi}", "φ\u0307"), ("psi_ddot", r"\ddot{\psi}", "ψ\u0308"), ("A1_dot", r"\dot{A_{1}}", "A\u0307₁"),
+    ("phi_dot", r"\dot{\phi}", "φ\u0307"), ("psi_ddot", r"\ddot{\psi}", "ψ\u0308"),
+    ("A1_dot", r"\dot{A_{1}}", "A\u0307₁"),
     ("delta_pi3", r"\delta \pi_3", "δπ₃"), ("Omega_b", r"\Omega_{b}", "Ω_b"), ("omega2", r"\omega_{2}", "ω₂"),
-    ("mass1", r"\bar{m}_1", "mass₁"), ("mass3", r"\bar{m}_3", "mass₃"), ("p0", "p_0", "p₀"), ("r", "r", "r"), ("J3", "J_3", "J₃"),
+    ("mass1", r"\bar{m}_1", "mass₁"), ("mass3", r"\bar{m}_3", "mass₃"), ("p0", "p_0", "p₀"), ("r", "r", "r"),
+    ("J3", "J_3", "J₃"),
     ("J9", "J_9", "J₉"), ("J10", "J_{10}", "J₁₀"), ("spring_rate", r"\mathrm{spring\_rate}", "spring_rate")])
 def test_names_are_typeset(name, latex, text):
-    """A rate has its dots, a variation its δ, a single letter or Greek name its subscript; masses keep apart from m1 = 3 g/r."""
+    """A rate has its dots, a variation its δ, a single letter or Greek name its subscript.
+
+    Masses keep apart from m1 = 3 g/r.
+    """
     assert typeset(name) == latex and typeset(name, style="text") == text

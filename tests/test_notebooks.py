@@ -1,4 +1,7 @@
-"""The notebooks as they are committed: executed, small, readable, and made of public names. CI runs them again."""
+"""The notebooks as they are committed.
+
+Executed, small, readable, and made of public names. CI runs them again.
+"""
 import ast
 import importlib
 import json
@@ -11,7 +14,8 @@ KEPT = {"kernelspec": {"display_name": "Python 3", "language": "python", "name":
 
 
 def cells(path, kind):
-    return [cell for cell in json.loads(path.read_text(encoding="utf-8"))["cells"] if cell["cell_type"] == kind]
+    return [cell for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
+            if cell["cell_type"] == kind]
 
 
 def code(path):
@@ -47,4 +51,5 @@ class TestNotebook:
                 assert node.end_lineno - node.lineno < 5, node.name
             if isinstance(node, ast.ImportFrom) and node.module.startswith("gyrostat"):
                 module = importlib.import_module(node.module)
-                assert all(hasattr(module, name.name) and not name.name.startswith("_") for name in node.names)
+                assert all(hasattr(module, name.name) and not name.name.startswith("_")
+                           for name in node.names)

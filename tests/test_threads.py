@@ -22,15 +22,18 @@ def states(scene, *start):
     """At three times, with the period, in doubles and to 25 digits."""
     def found():
         doubles, digits = motion(scene, start), motion(scene, start, precision=25)
-        return [doubles([0.0, 1.5, 1e4]).tolist(), doubles.period, doubles.attitude(2.5).tolist(), str(digits([0, "7/3"])),
+        return [doubles([0.0, 1.5, 1e4]).tolist(), doubles.period, doubles.attitude(2.5).tolist(),
+                str(digits([0, "7/3"])),
                 str(digits.period)]
     return found
 
 
 def verdict():
     """On the boundary, with roots, and close to it, with an exponential function."""
-    top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda z: exp(z) / 2 + z))))
-    critical = {"I1": 1, "I3": 1, "l": 0, "pi3_0": exact_number("sqrt(4+2*exp(1))", "pi3_0") + Rational(1, 10**30)}
+    top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(),
+                                            gs.axial_potential(lambda z: exp(z) / 2 + z))))
+    critical = {"I1": 1, "I3": 1, "l": 0, "pi3_0": exact_number("sqrt(4+2*exp(1))", "pi3_0")
+                + Rational(1, 10**30)}
     heavy = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
     at = heavy.verdict({"I1": sqrt(2), "m0": sqrt(2), "l": sqrt(3), "pi3_0": 2 * sqrt(2) - sqrt(3)})
     spins = np.linspace(2.0, 2.6, 30)
@@ -38,9 +41,11 @@ def verdict():
 
 
 COMPUTATIONS = {
-    "elliptic": states(of_revolution(lambda z: z), HALF, Rational(1, 5), 1, Rational(3, 5), 0, Rational(4, 5)),
+    "elliptic": states(of_revolution(lambda z: z), HALF, Rational(1, 5), 1, Rational(3, 5), 0,
+                       Rational(4, 5)),
     "quadrature": states(of_revolution(exp), HALF, Rational(1, 5), 1, Rational(3, 5), 0, Rational(4, 5)),
-    "separatrix": states(of_revolution(lambda z: 5 * z), 1, 1, Rational(5, 2), Rational(3, 5), 0, Rational(4, 5)),
+    "separatrix": states(of_revolution(lambda z: 5 * z), 1, 1, Rational(5, 2), Rational(3, 5), 0,
+                         Rational(4, 5)),
     "steady": states(of_revolution(exp), 0, 0, 1, 0, 0, 1),
     "free body": states(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), 1, HALF, sqrt(2)),
     "free gyrostat": states(gs.assemble(gs.Gyrostat((1, 2, 3), (HALF, 0, 1))), 1, HALF, sqrt(2)),
@@ -55,7 +60,10 @@ def expected():
 @pytest.mark.parametrize("name", COMPUTATIONS)
 @pytest.mark.parametrize("bits", [2, 1000])
 def test_nothing_depends_on_the_precision_outside(expected, name, bits):
-    """Whatever flint.ctx.prec is around a computation: the same results to the last bit, and it is left as it was."""
+    """Whatever flint.ctx.prec is around a computation.
+
+    The same results to the last bit, and it is left as it was.
+    """
     with ctx.workprec(bits):
         assert COMPUTATIONS[name]() == expected[name]
         assert ctx.prec == bits
@@ -66,5 +74,6 @@ def test_threads_do_not_change_each_others_precision(expected):
     names = [*COMPUTATIONS] * 2
     before = ctx.prec
     with ThreadPoolExecutor(8) as pool:
-        assert all(found == expected[name] for name, found in zip(names, pool.map(lambda name: COMPUTATIONS[name](), names)))
+        assert all(found == expected[name]
+                   for name, found in zip(names, pool.map(lambda name: COMPUTATIONS[name](), names)))
     assert ctx.prec == before

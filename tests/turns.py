@@ -1,4 +1,7 @@
-"""Axes of bodies of revolution that are not entered in the standard way: scenes, points and fields about them, for the tests."""
+"""Axes of bodies of revolution that are not entered in the standard way.
+
+Scenes, points and fields about them, for the tests.
+"""
 from fractions import Fraction as F
 
 from sympy import ImmutableMatrix, Matrix, Rational, sqrt
@@ -7,9 +10,12 @@ import gyrostat as gs
 
 K = [gs.symbol(f"k{i}") for i in (1, 2, 3)]
 TURNS = {                                              # R with R c = e3, proper
-    "axis 1": Matrix([[0, 1, 0], [0, 0, 1], [1, 0, 0]]), "axis 2": Matrix([[0, 0, 1], [1, 0, 0], [0, 1, 0]]), "axis 3": Matrix.eye(3),
-    "(1, 2, 2)": Matrix([[2, 1, -2], [-2, 2, -1], [1, 2, 2]]) / 3, "(3, 4, 0)": Matrix([[0, 0, 5], [4, -3, 0], [3, 4, 0]]) / 5,
-    "(1, 1, 1)": Matrix([[1 / sqrt(2), -1 / sqrt(2), 0], [1 / sqrt(6), 1 / sqrt(6), -2 / sqrt(6)], [1 / sqrt(3)] * 3])}
+    "axis 1": Matrix([[0, 1, 0], [0, 0, 1], [1, 0, 0]]), "axis 2": Matrix([[0, 0, 1], [1, 0, 0], [0, 1, 0]]),
+    "axis 3": Matrix.eye(3),
+    "(1, 2, 2)": Matrix([[2, 1, -2], [-2, 2, -1], [1, 2, 2]]) / 3,
+    "(3, 4, 0)": Matrix([[0, 0, 5], [4, -3, 0], [3, 4, 0]]) / 5,
+    "(1, 1, 1)": Matrix([[1 / sqrt(2), -1 / sqrt(2), 0], [1 / sqrt(6), 1 / sqrt(6), -2 / sqrt(6)],
+                         [1 / sqrt(3)] * 3])}
 OBLIQUE = [name for name in TURNS if name.startswith("(")]
 
 
@@ -20,11 +26,14 @@ def rational(x):
 def turned(name, x):
     """Rᵀ applied to π and to k."""
     back = TURNS[name].T
-    return tuple(y for v in (x[:3], x[3:]) for y in back * ImmutableMatrix([y if hasattr(y, "free_symbols") else rational(y) for y in v]))
+    return tuple(y for v in (x[:3], x[3:]) for y in back
+                 * ImmutableMatrix([y if hasattr(y, "free_symbols") else rational(y) for y in v]))
 
 
 def scene(name, I1, I3, l, coefficients, other=()):
-    """A body of revolution about an axis, U = Σ cₙ (c·k)ⁿ from n = 1 on, and (|k|² − 1) (a·k) on top of it."""
+    """A body of revolution about an axis, U = Σ cₙ (c·k)ⁿ from n = 1 on, and (abs(k)² − 1) (a·k) on top of
+    it.
+    """
     R = TURNS[name]
     moments = [I1, I1, I1] if name in OBLIQUE else [int(x) for x in abs(R.T) * Matrix([0, 0, 1])]
     moments = moments if name in OBLIQUE else [I3 if x else I1 for x in moments]

@@ -1,9 +1,11 @@
 """Lie-Poisson gyrostat stability analyser: from the bracket to the stability inequalities.
 
-A scene is a body and a field, `assemble`d into a Lie-Poisson system; its equilibria (`upright`, `hanging`, `inclined`, …, or all by
-`relative_equilibria`) are analysed (`analyze`) into conditions and verdicts, and those solved for parameters (`stabilizing_set`).
-Beyond that: `gyrostat.charts`, verdicts over ranges of parameters; `gyrostat.trajectories`, motions; `gyrostat.mechanics`, the classical
-formulas; `gyrostat.plotting`, pictures; `gyrostat.published`, printed formulas checked. What these need is loaded when they are used.
+A scene is a body and a field, `assemble`d into a Lie-Poisson system; its equilibria (`upright`, `hanging`,
+`inclined`, …, or all by `relative_equilibria`) are analysed (`analyze`) into conditions and verdicts, and
+those solved for parameters (`stabilizing_set`). Beyond that: `gyrostat.charts`, verdicts over ranges of
+parameters; `gyrostat.trajectories`, motions; `gyrostat.mechanics`, the classical formulas;
+`gyrostat.plotting`, pictures; `gyrostat.published`, printed formulas checked. What these need is loaded when
+they are used.
 """
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -34,20 +36,29 @@ if TYPE_CHECKING:
     from .stability.solve import solve_condition
     from .stability.stabilizing import stabilizing_set
 
-Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(shown)       # loaded when something is shown
+# loaded when something is shown
+Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(shown)
 Shown.plain = lambda shown: import_module("gyrostat.printing.unicode").plain(shown)
 
 _NAMESPACES = ("charts", "mechanics", "plotting", "published", "trajectories")
-_LATER = {"relative_equilibria": "stability.branches", "stabilizing_set": "stability.stabilizing", "solve_condition": "stability.solve",
-          "bifurcations": "stability.bifurcations", "bifurcation_points": "stability.bifurcations", "to_latex": "printing.article"}
+_LATER = {"relative_equilibria": "stability.branches", "stabilizing_set": "stability.stabilizing",
+          "solve_condition": "stability.solve",
+          "bifurcations": "stability.bifurcations", "bifurcation_points": "stability.bifurcations",
+          "to_latex": "printing.article"}
 
 __all__ = [
-    "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "bifurcation_points", "bifurcations", "charts",
-    "Condition", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential", "Gyrostat",
-    "hanging", "ideal_fluid", "inclined", "independent", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics",
-    "multipliers", "newtonian_field", "orbit_tangent", "plotting", "Potential", "principal_rotation", "published", "reduce",
-    "relative_equilibria", "Report", "second_variation", "SecondVariation", "solve_condition", "spectral_criterion", "stabilizing_set",
-    "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright",
+    "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "bifurcation_points",
+    "bifurcations", "charts",
+    "Condition", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors", "formal_criterion",
+    "general_potential", "Gyrostat",
+    "hanging", "ideal_fluid", "inclined", "independent", "lie_poisson", "LiePoisson", "Linearization",
+    "linearize", "mechanics",
+    "multipliers", "newtonian_field", "orbit_tangent", "plotting", "Potential", "principal_rotation",
+    "published", "reduce",
+    "relative_equilibria", "Report", "second_variation", "SecondVariation", "solve_condition",
+    "spectral_criterion", "stabilizing_set",
+    "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories",
+    "uniform_field", "upright",
     "Verdict",
 ]
 

@@ -4,7 +4,8 @@ from importlib.util import find_spec
 from types import ModuleType
 from unicodedata import category
 
-_STEERING = ("Cc", "Cf", "Cs", "Zl", "Zp")             # controls, marks of direction, halves of pairs, separators of lines
+# controls, marks of direction, halves of pairs, separators of lines
+_STEERING = ("Cc", "Cf", "Cs", "Zl", "Zp")
 
 
 class GyrostatError(Exception):
@@ -23,7 +24,8 @@ def printable(text: str) -> str:
     top\u001b[2J
     """
     return text if text.isprintable() else "".join(
-        c if category(c) not in _STEERING or c in "\n\t" else f"\\u{ord(c):04x}" if ord(c) < 0x10000 else f"\\U{ord(c):08x}" for c in text)
+        c if category(c) not in _STEERING or c in "\n\t" else f"\\u{ord(c):04x}" if ord(c) < 0x10000
+        else f"\\U{ord(c):08x}" for c in text)
 
 
 def brief(value: object) -> str:
@@ -44,7 +46,8 @@ class ArgumentError(GyrostatError, TypeError):
 def require(value: object, kind: type, what: str) -> None:
     """Raise ArgumentError unless the value is of the kind wanted."""
     if not isinstance(value, kind):
-        raise ArgumentError(f"{what} is {article(type(value))}, not {article(kind)}: check the order and kind of the arguments")
+        raise ArgumentError(f"{what} is {article(type(value))}, not {article(kind)}: check the order and "
+                            "kind of the arguments")
 
 
 def article(kind: type) -> str:
@@ -85,7 +88,10 @@ class ValuesError(GyrostatError, ValueError):
 
 
 class PublishedError(GyrostatError, ValueError):
-    """A file of published formulas, or one of its formulas, cannot be read; the message names the file and the key."""
+    """A file of published formulas, or one of its formulas, cannot be read.
+
+    The message names the file and the key.
+    """
 
 
 class AccuracyError(GyrostatError, ArithmeticError):
@@ -93,7 +99,10 @@ class AccuracyError(GyrostatError, ArithmeticError):
 
 
 class ResolutionError(AccuracyError):
-    """A series is not exhausted by as many nodes as are taken: something else is too close to the motion for it."""
+    """A series is not exhausted by as many nodes as are taken.
+
+    Something else is too close to the motion for it.
+    """
 
 
 class StoreError(GyrostatError, ValueError):
@@ -105,17 +114,23 @@ class MissingExtraError(GyrostatError, ImportError):
 
 
 _EXTRAS = {
-    "fast": ("numba",), "charts": ("xarray", "dask", "distributed", "zarr", "netCDF4", "contourpy"), "plot": ("matplotlib",),
+    "fast": ("numba",), "charts": ("xarray", "dask", "distributed", "zarr", "netCDF4", "contourpy"),
+    "plot": ("matplotlib",),
     "interactive": ("plotly",), "trajectories": ("scipy",), "heyoka": ("heyoka",)}
 
 
 def optional(module: str, extra: str) -> ModuleType:
-    """A module that the extra brings, imported when it is first used; where it is missing, all that is missing of the extra is named."""
+    """A module that the extra brings, imported when it is first used.
+
+    Where it is missing, all that is missing of the extra is named.
+    """
     try:
         return import_module(module)
     except ImportError as error:
         missing = [name for name in _EXTRAS[extra] if find_spec(name) is None] or [module]
         several = len(missing) > 1
-        raise MissingExtraError(f"{', '.join(missing)} cannot be imported ({error}): {'they are' if several else 'it is an'} optional "
-                                f'package{"s" if several else ""}; install {"them" if several else "it"} with '
+        raise MissingExtraError(f"{', '.join(missing)} cannot be imported ({error}): "
+                                f"{'they are' if several else 'it is an'} optional "
+                                f'package{"s" if several else ""}; install {"them" if several else "it"} '
+                                'with '
                                 f'pip install "gyrostat[{extra}]"') from error

@@ -44,32 +44,43 @@ def jet(name: str) -> tuple[int, str] | None:
     return int(match[1] or 1), match[2] or ""
 
 
-_ORDERS = range(3, 10)                     # of the J_n of the table; those above are real parameters like any other
+# of the J_n of the table; those above are real parameters like any other
+_ORDERS = range(3, 10)
 
 
 def _table() -> Mapping[str, Entry]:
     sub = "₀₁₂₃₄₅₆₇₈₉"
-    rows = [Entry(f"pi{i}_0", rf"\pi_{i}^0", f"π{sub[i]}⁰", (1, 1), f"π{i} at the equilibrium") for i in (1, 2, 3)]
-    rows += [Entry(f"omega{i}_0", rf"\omega_{i}^0", f"ω{sub[i]}⁰", (0, 1), f"body rate about axis {i} at the equilibrium")
+    rows = [Entry(f"pi{i}_0", rf"\pi_{i}^0", f"π{sub[i]}⁰", (1, 1), f"π{i} at the equilibrium")
+            for i in (1, 2, 3)]
+    rows += [Entry(f"omega{i}_0", rf"\omega_{i}^0", f"ω{sub[i]}⁰", (0, 1),
+                   f"body rate about axis {i} at the equilibrium")
              for i in (1, 2, 3)]
-    rows += [Entry(f"pi{i}", rf"\pi_{i}", f"π{sub[i]}", (1, 1), f"angular momentum of the locked body, axis {i}")
+    rows += [Entry(f"pi{i}", rf"\pi_{i}", f"π{sub[i]}", (1, 1),
+                   f"angular momentum of the locked body, axis {i}")
              for i in (1, 2, 3)]
     rows += [Entry("omega", r"\omega", "ω", (0, 1), "rate about the vertical: ω = omega·k"),
              Entry("l", "l", "l", (1, 1), "gyrostatic momentum along the axis of symmetry")]
-    rows += [Entry(f"l{i}", f"l_{i}", f"l{sub[i]}", (1, 1), f"gyrostatic momentum, axis {i}") for i in (1, 2, 3)]
+    rows += [Entry(f"l{i}", f"l_{i}", f"l{sub[i]}", (1, 1), f"gyrostatic momentum, axis {i}")
+             for i in (1, 2, 3)]
     rows += [Entry(f"I{i}", f"I_{i}", f"I{sub[i]}", (1, 0), f"principal moment of inertia, axis {i}", True)
              for i in (1, 2, 3)]
     rows += [Entry("m0", "m_0", "m₀", (1, 2), "weight times height of the centre of mass: m g z0"),
              Entry("m1", "m_1", "m₁", (0, 2), "3 g / r, r the distance of the centre of attraction"),
-             Entry("r", "r", "r", (0, 0), "distance of the centre of attraction from the fixed point", True, 1)]
-    rows += [Entry(f"J{n}", f"J_{n}", f"J{sub[n]}", (1, 0), f"∫ |x|^{n} P_{n}(x3/|x|) dm over the body", length=n - 2) for n in _ORDERS]
+             Entry("r", "r", "r", (0, 0), "distance of the centre of attraction from the fixed point", True,
+                   1)]
+    rows += [Entry(f"J{n}", f"J_{n}", f"J{sub[n]}", (1, 0), f"∫ |x|^{n} P_{n}(x3/|x|) dm over the body",
+                   length=n - 2) for n in _ORDERS]
     rows += [Entry("p0", "p_0", "p₀", (1, 1), "magnitude of the impulse in an ideal fluid", True, -1)]
-    rows += [Entry(f"mass{i}", rf"\bar{{m}}_{i}", f"mass{sub[i]}", (1, 0), f"mass with added mass of the fluid, axis {i}", True, -2)
+    rows += [Entry(f"mass{i}", rf"\bar{{m}}_{i}", f"mass{sub[i]}", (1, 0),
+                   f"mass with added mass of the fluid, axis {i}", True, -2)
              for i in (1, 3)]
-    rows += [Entry(f"k{i}", f"k_{i}", f"k{sub[i]}", (0, 0), f"direction of the field (Poisson vector), axis {i}")
+    rows += [Entry(f"k{i}", f"k_{i}", f"k{sub[i]}", (0, 0),
+                   f"direction of the field (Poisson vector), axis {i}")
              for i in (1, 2, 3)]
-    rows += [Entry(jet_name(n), "U" + "'" * n, "U" + "′″‴"[n - 1], (1, 2), f"derivative {n} of U along k3") for n in (1, 2, 3)]
-    rows += [Entry("nu1", r"\nu_1", "ν₁", (0, 1), "multiplier of C1"), Entry("nu2", r"\nu_2", "ν₂", (1, 2), "multiplier of C2"),
+    rows += [Entry(jet_name(n), "U" + "'" * n, "U" + "′″‴"[n - 1], (1, 2), f"derivative {n} of U along k3")
+             for n in (1, 2, 3)]
+    rows += [Entry("nu1", r"\nu_1", "ν₁", (0, 1), "multiplier of C1"),
+             Entry("nu2", r"\nu_2", "ν₂", (1, 2), "multiplier of C2"),
              Entry("nu3", r"\nu_3", "ν₃", (0, 1), "multiplier of an integral"),
              Entry("lamda", r"\lambda", "λ", (0, 1), "eigenvalue of the linearised field")]
     return MappingProxyType({row.name: row for row in rows})
@@ -83,14 +94,20 @@ INTERNAL = frozenset({"nu1", "nu2", "nu3", "lamda"})   # names that a derivation
 
 
 def of_the_motion(symbols: Iterable[Symbol]) -> list[str]:
-    """The names among the symbols that mean something of the motion, and so cannot be parameters of a body or a potential."""
+    """The names among the symbols that mean something of the motion, and so cannot be parameters of a body or
+    a potential.
+    """
     return sorted(s.name for s in symbols if jet(s.name) or (s.name in NOTATION and s.name not in PARAMETERS))
 
 
 @lru_cache(maxsize=4096)                                # a second symbol of one name is equal to the first
 def symbol(name: str) -> Symbol:
     """The one symbol of that name; names that are not in the table are real parameters."""
-    return Symbol(name, positive=True) if name in NOTATION and NOTATION[name].positive else Symbol(name, real=True)
+    return (
+        Symbol(name, positive=True)
+        if name in NOTATION and NOTATION[name].positive
+        else Symbol(name, real=True)
+    )
 
 
 def own(expression: Expr) -> Expr:
@@ -106,7 +123,10 @@ class Stored:
 
 
 class Shown:
-    """What Jupyter shows typeset and what prints as a person reads it; the package root says how, printing stands above this."""
+    """What Jupyter shows typeset and what prints as a person reads it.
+
+    The package root says how, printing stands above this.
+    """
 
     formula: ClassVar[Callable[[Any], str]]                # in LaTeX
     plain: ClassVar[Callable[[Any], str]]                  # in Unicode
@@ -144,8 +164,10 @@ def _typeset_jet(order: int, axes: str, at: Any, style: str) -> str:
 
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "kappa": "κ", "lambda": "λ", "mu": "μ",
-          "nu": "ν", "rho": "ρ", "sigma": "σ", "tau": "τ", "theta": "θ", "phi": "φ", "chi": "χ", "psi": "ψ", "xi": "ξ",
+_GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "kappa": "κ", "lambda": "λ",
+          "mu": "μ",
+          "nu": "ν", "rho": "ρ", "sigma": "σ", "tau": "τ", "theta": "θ", "phi": "φ", "chi": "χ", "psi": "ψ",
+          "xi": "ξ",
           "omega": "ω", "Omega": "Ω", "pi": "π"}
 
 
@@ -157,9 +179,12 @@ def _typeset_parameter(name: str, style: str) -> str:
         return rf"\{rate[2]}{{{inner}}}" if style == "latex" else f"{inner[0]}{dots}{inner[1:]}"
     if name.startswith("delta_"):                      # a variation
         return (r"\delta " if style == "latex" else "δ") + typeset(name[6:], style=style)
-    if (subscript := re.fullmatch(r"([A-Za-z]+)_([A-Za-z]+)", name)) and (subscript[1] in _GREEK or len(subscript[1]) == 1):
+    if (subscript := re.fullmatch(r"([A-Za-z]+)_([A-Za-z]+)", name)) and (
+        subscript[1] in _GREEK or len(subscript[1]) == 1
+    ):
         below = _typeset_parameter(subscript[2], style) if subscript[2] in _GREEK else subscript[2]
-        return _typeset_parameter(subscript[1], style) + (rf"_{{{below}}}" if style == "latex" else f"_{below}")
+        return _typeset_parameter(subscript[1], style) + (rf"_{{{below}}}" if style == "latex"
+                                                          else f"_{below}")
     match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
     if match is None:
         return r"\mathrm{" + name.replace("_", r"\_") + "}" if style == "latex" else name

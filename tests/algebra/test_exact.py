@@ -42,18 +42,23 @@ def test_zeros_that_do_not_simplify():
 
 
 @pytest.mark.parametrize("zero", [
-    sqrt(1 + sympy.cbrt(2)) * sqrt(1 + sympy.cbrt(3)) - sqrt(sympy.expand((1 + sympy.cbrt(2)) * (1 + sympy.cbrt(3)))),
+    sqrt(1 + sympy.cbrt(2)) * sqrt(1 + sympy.cbrt(3))
+    - sqrt(sympy.expand((1 + sympy.cbrt(2)) * (1 + sympy.cbrt(3)))),
     1 / (sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7)) - sympy.radsimp(1 / (sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7))),
     sympy.cbrt(sqrt(5) + 2) - sympy.cbrt(sqrt(5) - 2) - 1, sqrt(2) ** 3 / 2 - sqrt(2)])
 def test_separation_bounds(zero):
     """Zero where it is zero, and of the right sign at the least distance that the bound allows to be seen."""
     held = sympy.Add(zero, sqrt(2) - sympy.root(4, 4), evaluate=False)
     assert sign_of_constant(held) == 0
-    assert sign_of_constant(zero + Rational(1, 10**5000)) == 1 and sign_of_constant(zero - sqrt(2) / 10**5000) == -1
+    assert sign_of_constant(zero + Rational(1, 10**5000)) == 1
+    assert sign_of_constant(zero - sqrt(2) / 10**5000) == -1
 
 
 def test_small_units_are_not_zero():
-    """A unit of ℚ(√2, √3) with three conjugates of size 10²⁰ is itself 10⁻⁶⁰: small beside its coefficients, and not 0."""
+    """A unit of ℚ(√2, √3) with three conjugates of size 10²⁰ is itself 10⁻⁶⁰.
+
+    Small beside its coefficients, and not 0.
+    """
     unit = sympy.expand((sqrt(2) - 1) ** 52 * (sqrt(3) - sqrt(2)) ** 40 * (2 - sqrt(3)) ** 36)
     assert unit.is_Add and sign_of_constant(unit) == 1 and sign_of_constant(-unit) == -1
 
@@ -66,7 +71,9 @@ def test_transcendental_signs_are_proved():
 
 
 def test_what_cannot_be_proved_is_none():
-    """A zero between numbers that have no normal form, a distance below 4096 bits, a root of a negative number."""
+    """A zero between numbers that have no normal form, a distance below 4096 bits, a root of a negative
+    number.
+    """
     third = Rational(1, 3)
     assert sign_of_constant(16 * atan(Rational(1, 5)) - 4 * atan(Rational(1, 239)) - pi) is None
     assert sign_of_constant(exp(third) - exp(third + Rational(1, 10**1500))) is None
@@ -75,10 +82,12 @@ def test_what_cannot_be_proved_is_none():
     assert sign(1 / x, {x: Integer(0)}) is None
 
 
-@pytest.mark.parametrize("f", [exp(x) / 3 + sin(x) * pi, sqrt(x) ** 3 + x ** Rational(1, 5), sympy.atan(x) - sympy.tanh(x) ** 2])
+@pytest.mark.parametrize("f", [exp(x) / 3 + sin(x) * pi, sqrt(x) ** 3 + x ** Rational(1, 5),
+                               sympy.atan(x) - sympy.tanh(x) ** 2])
 def test_balls_enclose_the_value(f):
     """The enclosure contains the value mpmath finds with 50 digits."""
     value = f.subs(x, Rational(7, 5))
     enclosure, reference = ball(value, 100), Rational(value.evalf(50))
-    centre, radius = (Fraction(int(part.fmpq().p), int(part.fmpq().q)) for part in (enclosure.mid(), enclosure.rad()))
+    centre, radius = (Fraction(int(part.fmpq().p), int(part.fmpq().q))
+                      for part in (enclosure.mid(), enclosure.rad()))
     assert abs(centre - Fraction(int(reference.p), int(reference.q))) <= radius + Fraction(1, 10**45)

@@ -18,13 +18,17 @@ from gyrostat.algebra.parts import FUNCTIONS
 from gyrostat.errors import ExpressionError, ValuesError
 from gyrostat.notation import symbol
 
-LEAVES = st.one_of(st.integers(0, 99).map(str), st.decimals(0, 9, places=2).map(str), st.sampled_from(["x", "y", "k3"]))
+LEAVES = st.one_of(st.integers(0, 99).map(str), st.decimals(0, 9, places=2).map(str),
+                   st.sampled_from(["x", "y", "k3"]))
 
 
 def _grow(inner):
-    return st.one_of(st.tuples(inner, st.sampled_from(["+", "-", "*", "/"]), inner).map(lambda t: f"({t[0]} {t[1]} {t[2]})"),
-                     inner.map(lambda t: f"-{t}"), st.tuples(inner, st.integers(0, 3)).map(lambda t: f"({t[0]})**{t[1]}"),
-                     st.tuples(inner, inner).map(lambda t: f"{t[0]} - {t[1]}"), st.tuples(inner, inner).map(lambda t: f"{t[0]}*{t[1]}"))
+    return st.one_of(st.tuples(inner, st.sampled_from(["+", "-", "*", "/"]),
+                               inner).map(lambda t: f"({t[0]} {t[1]} {t[2]})"),
+                     inner.map(lambda t: f"-{t}"),
+                     st.tuples(inner, st.integers(0, 3)).map(lambda t: f"({t[0]})**{t[1]}"),
+                     st.tuples(inner, inner).map(lambda t: f"{t[0]} - {t[1]}"),
+                     st.tuples(inner, inner).map(lambda t: f"{t[0]}*{t[1]}"))
 
 
 def python_value(text, values):
@@ -46,7 +50,8 @@ def test_arithmetic_is_what_python_makes_of_it(text):
     except ExpressionError as error:
         assert "divides by zero" in str(error)         # such as x/(y - y)
     else:
-        assert expected is None or ours == Rational(Fraction(expected).numerator, Fraction(expected).denominator)
+        assert expected is None or ours == Rational(Fraction(expected).numerator,
+                                                    Fraction(expected).denominator)
 
 
 @given(st.text(max_size=60))
@@ -61,7 +66,8 @@ def test_any_text_is_an_expression_or_a_clear_error(text):
         assert "cannot read" in str(error) or "longer than" in str(error)
 
 
-@given(st.lists(st.sampled_from([*"()+-*/. 0123456789", "**", "k3", "x", "exp", "sqrt", "sin", "log", "9**", "e5", "pi", "_", "__"]),
+@given(st.lists(st.sampled_from([*"()+-*/. 0123456789", "**", "k3", "x", "exp", "sqrt", "sin", "log", "9**",
+                                 "e5", "pi", "_", "__"]),
                 max_size=25).map("".join))
 def test_token_soup_is_an_expression_or_a_clear_error(text):
     """Fuzz in the alphabet of the grammar, where the deep cases are."""
@@ -70,9 +76,12 @@ def test_token_soup_is_an_expression_or_a_clear_error(text):
 
 
 @pytest.mark.parametrize("text", [
-    "9**9**9", "9**-9**9", "(1+k3)**101", "(x+y+k3+1)**40", "((x+1)**50)**50", "10**99**2", "1e999999999", "9" * 1000, "(" * 500,
-    "exp(exp(exp(exp(exp(k3)))))", "sin(" * 60 + "k3" + ")" * 60, "2**(1/999983)", "k3**0.123456789", "x*" * 3000 + "x",
-    "-" * 3000 + "1", "1" + " " * 10**6, "+".join(f"sin({i}*k3)" for i in range(99)), "(((((2**99)**99)**99)**99)**99)",
+    "9**9**9", "9**-9**9", "(1+k3)**101", "(x+y+k3+1)**40", "((x+1)**50)**50", "10**99**2", "1e999999999",
+    "9" * 1000, "(" * 500,
+    "exp(exp(exp(exp(exp(k3)))))", "sin(" * 60 + "k3" + ")" * 60, "2**(1/999983)", "k3**0.123456789",
+    "x*" * 3000 + "x",
+    "-" * 3000 + "1", "1" + " " * 10**6, "+".join(f"sin({i}*k3)" for i in range(99)),
+    "(((((2**99)**99)**99)**99)**99)",
     "1/3**100/7**100*11**100/13**100"
     "/17**100*19**100*23**100*29**100*31**100*37**100*41**100*43**100*47**100*53**100*59**100*61**100"])
 def test_input_made_to_be_slow_is_refused(text):
@@ -82,11 +91,15 @@ def test_input_made_to_be_slow_is_refused(text):
 
 
 @pytest.mark.parametrize(("text", "hint"), [
-    ("__import__('os').system('true')", "grammar"), ("k3.__class__", "grammar"), ("lambda: 1", "grammar"), ("k3[0]", "grammar"),
-    ("k3 if k3 else 1", "operator"), ("f(k3)", "functions are"), ("k3^2", "**"), ("", "too early"), ("(k3", "closing"),
+    ("__import__('os').system('true')", "grammar"), ("k3.__class__", "grammar"), ("lambda: 1", "grammar"),
+    ("k3[0]", "grammar"),
+    ("k3 if k3 else 1", "operator"), ("f(k3)", "functions are"), ("k3^2", "**"), ("", "too early"),
+    ("(k3", "closing"),
     ("k3)", "operator"),
-    ("2 k3", "operator"), ("sqrt", "argument"), ("sqrt k3", "argument"), ("1/0", "zero"), ("1/(2-2)", "zero"), ("sqrt(-1)", "real"),
-    ("log(0)", "real"), ("k3**k3", "exp"), ("sin(1, 2)", "grammar"), ("'k3'", "grammar"), ("k3;k3", "grammar"),
+    ("2 k3", "operator"), ("sqrt", "argument"), ("sqrt k3", "argument"), ("1/0", "zero"),
+    ("1/(2-2)", "zero"), ("sqrt(-1)", "real"),
+    ("log(0)", "real"), ("k3**k3", "exp"), ("sin(1, 2)", "grammar"), ("'k3'", "grammar"),
+    ("k3;k3", "grammar"),
     ("exp()", "number or a name"),
     ("(-8)**(1/3)", "real"), ("１２", "grammar"), ("٣", "grammar")])
 def test_errors_say_what_to_do(text, hint):
@@ -105,12 +118,20 @@ def test_elementary_functions_are_read(name):
 
 def test_numbers_are_exact():
     """Decimals are the fractions they denote, floats the dyadic rationals they are."""
-    assert parse("0.1") == Rational(1, 10) and parse("1.25e-2") == Rational(1, 80) and parse(".5") == Rational(1, 2)
+    assert parse("0.1") == Rational(1, 10)
+    assert parse("1.25e-2") == Rational(1, 80)
+    assert parse(".5") == Rational(1, 2)
     assert exact_number(0.1) == Rational(*(0.1).as_integer_ratio()) != Rational(1, 10)
-    assert exact_number(Decimal("0.1")) == exact_number("1/10") == exact_number(Fraction(1, 10)) == Rational(1, 10)
+    assert (
+        exact_number(Decimal("0.1"))
+        == exact_number("1/10")
+        == exact_number(Fraction(1, 10))
+        == Rational(1, 10)
+    )
     assert exact_number(np.float64(0.1)) == exact_number(0.1) and exact_number(np.int32(7)) == 7
     assert exact_number(np.float32(0.1)) == exact_number(float(np.float32(0.1)))
-    assert exact_number("sqrt(3)/2") == sympy.sqrt(3) / 2 and exact_number(sympy.Float("0.1")) == exact_number(0.1)
+    assert exact_number("sqrt(3)/2") == sympy.sqrt(3) / 2
+    assert exact_number(sympy.Float("0.1")) == exact_number(0.1)
 
 
 def test_decimals_are_no_longer_than_texts():
@@ -120,7 +141,8 @@ def test_decimals_are_no_longer_than_texts():
         exact_number(Decimal("1e999999999"))
 
 
-@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, np.nan, True, None, 1j, [1], "x + 1", Symbol("x"), sympy.oo, sympy.nan,
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, np.nan, True, None, 1j, [1], "x + 1",
+                                   Symbol("x"), sympy.oo, sympy.nan,
                                    sympy.I, Decimal("NaN"), Decimal("Infinity"), {}])
 def test_what_is_no_exact_real_number_is_refused(value):
     """The message names the value and asks for a number."""

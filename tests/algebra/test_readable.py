@@ -8,8 +8,11 @@ import gyrostat as gs
 from gyrostat.algebra.readable import readable, split
 from gyrostat.printing.order import inequality, over
 
-I1, I3, l, pi3, dU, d2U, k3, omega, m0, m1 = map(gs.symbol, ("I1", "I3", "l", "pi3_0", "dU", "d2U", "k3", "omega", "m0", "m1"))
-terms = st.lists(st.tuples(st.integers(-4, 4).filter(bool), st.lists(st.sampled_from([I1, I3, l, pi3, k3, m0]), max_size=3)), min_size=1,
+I1, I3, l, pi3, dU, d2U, k3, omega, m0, m1 = map(gs.symbol,
+                                                 ("I1", "I3", "l", "pi3_0", "dU", "d2U", "k3", "omega", "m0",
+                                                  "m1"))
+terms = st.lists(st.tuples(st.integers(-4, 4).filter(bool),
+                           st.lists(st.sampled_from([I1, I3, l, pi3, k3, m0]), max_size=3)), min_size=1,
                  max_size=5)
 
 

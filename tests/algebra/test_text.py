@@ -1,4 +1,7 @@
-"""Every route of text into the library: what would hang, break or run is a clear error at once, whatever way it comes."""
+"""Every route of text into the library.
+
+What would hang, break or run is a clear error at once, whatever way it comes.
+"""
 
 import json
 import random
@@ -112,7 +115,8 @@ def test_what_sympy_stumbles_over_is_refused(text):
 )
 def test_ordinary_towers_are_read(text, value):
     """The bounds leave what a person types."""
-    assert mpmath.almosteq(mpmath.mpf(str(parse(text).evalf(30))), value, 1e-9)  # the doubles of the second column
+    # the doubles of the second column
+    assert mpmath.almosteq(mpmath.mpf(str(parse(text).evalf(30))), value, 1e-9)
 
 
 def toml(tmp_path, formula="", text=None):
@@ -199,7 +203,8 @@ def test_lines_are_bounded_before_they_are_parsed(line):
     """A line of a batch is an object of numbers, or a GyrostatError that a terminal can show."""
     with pytest.raises(GyrostatError) as error:
         for name, value in json_object(line).items():
-            gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()))).verdict({name: exact_number(value, name)})
+            gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(),
+                                              gs.uniform_field()))).verdict({name: exact_number(value, name)})
     assert str(error.value).isprintable() and len(str(error.value)) < 500
 
 
@@ -220,7 +225,8 @@ def test_numbers_that_blow_up_a_potential_are_refused():
 
 
 @pytest.mark.parametrize(
-    "text", ["1/((k3 + 1)**2 - k3**2 - 2*k3 - 1)", "k3/((m0 + 1)**2 - m0**2 - 2*m0 - 1)", "k3/(sin(k3)**2 + cos(k3)**2 - 1)"]
+    "text", ["1/((k3 + 1)**2 - k3**2 - 2*k3 - 1)", "k3/((m0 + 1)**2 - m0**2 - 2*m0 - 1)",
+             "k3/(sin(k3)**2 + cos(k3)**2 - 1)"]
 )
 def test_a_denominator_that_is_zero_identically_is_refused(text):
     """It shows only when it is expanded."""
@@ -228,7 +234,8 @@ def test_a_denominator_that_is_zero_identically_is_refused(text):
         gs.axial_potential(parse(text))
 
 
-@pytest.mark.parametrize("value", [1 << 2**18, Rational(1, 1 << 2**18), mpmath.ldexp(1, 10**9), sympy.Float(2) ** -(2**18)], ids=range(4))
+@pytest.mark.parametrize("value", [1 << 2**18, Rational(1, 1 << 2**18), mpmath.ldexp(1, 10**9),
+                                   sympy.Float(2) ** -(2**18)], ids=range(4))
 def test_numbers_of_python_are_bounded_too(value):
     """Their digits would not be printed, or not even be made."""
     with pytest.raises(ValuesError, match="too long"):
@@ -291,8 +298,12 @@ def test_decimals_are_shown_beside_the_fractions_that_they_are():
     """In text, in LaTeX and in messages; short fractions stay alone."""
     body = gs.Gyrostat((0.1, 0.5, 0.3), (0, 0, -0.7))
     assert "0.1 (3602879701896397/36028797018963968), 1/2, 0.3 (" in str(body) and "−0.7 (−" in str(body)
-    assert "(0.1)" in body._repr_latex_() and "(-0.7)" in body._repr_latex_() and "(0.5)" not in body._repr_latex_()
-    assert shown(Rational(1, 3)) == "1/3" and shown(Rational(0.1)).startswith("0.1 (") and shown(sympy.zoo) == "infinite"
+    assert "(0.1)" in body._repr_latex_()
+    assert "(-0.7)" in body._repr_latex_()
+    assert "(0.5)" not in body._repr_latex_()
+    assert shown(Rational(1, 3)) == "1/3"
+    assert shown(Rational(0.1)).startswith("0.1 (")
+    assert shown(sympy.zoo) == "infinite"
 
 
 def test_messages_name_what_was_meant():
@@ -303,7 +314,8 @@ def test_messages_name_what_was_meant():
         (lambda: top.verdict({**numbers, "omega3_0": 1}), "did you mean pi3_0"),
         (lambda: top.verdict({**numbers, "pi3_0": "1,6"}), "decimal point, 1.6"),
         (lambda: top.verdict({**numbers, "pi3_0": "nan"}), "not finite"),
-        (lambda: gs.analyze(gs.inclined(field)).verdict({"I1": 1, "I3": 1, "m0": 1, "omega": 1, "k3": 1.5}), "−1 < k3 < 1"),
+        (lambda: gs.analyze(gs.inclined(field)).verdict({"I1": 1, "I3": 1, "m0": 1, "omega": 1, "k3": 1.5}),
+         "−1 < k3 < 1"),
         (lambda: gs.axial_potential(np.cos), "sympy.cos"),
         (lambda: gs.axial_potential(parse("m0*z")), "k3 for z, as in U = k3*m0"),
         (lambda: gs.axial_potential(parse("m0*cos(theta)")), "k3 for cos(theta)"),
@@ -312,7 +324,8 @@ def test_messages_name_what_was_meant():
         (lambda: gs.analyze(gs.Gyrostat()), "not an Equilibrium"),
         (lambda: parse("arctan(k3)"), "did you mean atan?"),
         (lambda: parse("ln(k3)"), "did you mean log?"),
-        (lambda: gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(parse("1/(k3 - 1)")))), "infinite"),
+        (lambda: gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(parse("1/(k3 - 1)")))),
+         "infinite"),
     ):
         with pytest.raises(GyrostatError) as error:
             ask()
@@ -323,12 +336,14 @@ def test_all_missing_packages_are_named_at_once(monkeypatch):
     """One installation, not one after the other."""
     for name in ("xarray", "zarr", "netCDF4"):
         monkeypatch.setitem(sys.modules, name, None)
-    with pytest.raises(MissingExtraError, match=r'xarray, zarr, netCDF4 cannot.*they are optional packages; .*"gyrostat\[charts\]"'):
+    with pytest.raises(MissingExtraError,
+                       match=r'xarray, zarr, netCDF4 cannot.*they are optional packages; '
+                             r'.*"gyrostat\[charts\]"'):
         optional("xarray", "charts")
 
 
 def test_trivial_conditions_are_not_shown():
-    """|0| < 1 and 1 > 0 say nothing."""
+    """abs(0) < 1 and 1 > 0 say nothing."""
     scene = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, symbol("l"))), gs.axial_potential(lambda k3: k3**2 / 2))
     assert "|0| < 1" not in str(gs.analyze(gs.static_tilt(scene)))
     condition = gs.stability.conditions.Condition(sympy.S.One, True, "p", (symbol("l"),), symbol("k3"))
@@ -347,7 +362,9 @@ def test_the_command_line_ends_with_a_sentence(capsys):
     ):
         assert main(arguments) == 2
         said = capsys.readouterr().err
-        assert said.startswith("gyrostat: ") and said.count("\n") == 1 and said[:-1].isprintable(), json.dumps(said)
+        assert said.startswith("gyrostat: ") and said.count("\n") == 1 and said[:-1].isprintable(), (
+            json.dumps(said)
+        )
 
 
 def test_equilibria_at_what_is_infinite_say_so():
@@ -360,22 +377,30 @@ def test_equilibria_at_what_is_infinite_say_so():
                                   "log(((--I1 + ((pi - omega))**0.5) * cosh(atanh((9021 / 8e400)))))",
                                   "cosh(asinh((-1.e-8)**99))", "sqrt(2e-100)*k3*sqrt(1+4e-100)"])
 def test_what_sympy_cannot_factor_is_an_error_of_ours(text):
-    """Its factoring fails at squares of long numbers, and takes long for roots of them; found by the campaign of 10⁶ texts."""
+    """Its factoring fails at squares of long numbers, and takes long for roots of them.
+
+    Found by the campaign of 10⁶ texts.
+    """
     try:
         assert parse(text).is_number or text.startswith(("log", "sqrt"))
     except ExpressionError as error:
         assert "SymPy cannot evaluate" in str(error) or "is factored" in str(error)
 
 
-@pytest.mark.parametrize("text", ["exp(-log(12)*2/1e50)", "exp(k3 - 4.5*log(83741e-7)/(8056.5 + 9e50))", "(1e99 + 3)**(1/7)**(-2/3)",
-                                  "((1e99 + 3)**(1/7))**(-2/3)", f"({'7' * 399}*k3)**(1/7)", f"1/(k3 + ({'7' * 399})**(1/7))"])
+@pytest.mark.parametrize("text", ["exp(-log(12)*2/1e50)", "exp(k3 - 4.5*log(83741e-7)/(8056.5 + 9e50))",
+                                  "(1e99 + 3)**(1/7)**(-2/3)",
+                                  "((1e99 + 3)**(1/7))**(-2/3)", f"({'7' * 399}*k3)**(1/7)",
+                                  f"1/(k3 + ({'7' * 399})**(1/7))"])
 def test_no_long_number_is_factored(text):
-    """A power of a power, and exp of a logarithm, are roots of numbers that are much longer than what is written."""
+    """A power of a power, and exp of a logarithm, are roots of numbers that are much longer than what is
+    written.
+    """
     with pytest.raises(ExpressionError, match=r"a number of \d+ bits is factored|not a rational number"):
         parse(text)
 
 
-@pytest.mark.parametrize(("text", "value"), [("exp(0.35*log(12))", 2.3862362), ("exp(2*log(10))", 100), ("(1 + 1e-99)**(1/12)", 1)])
+@pytest.mark.parametrize(("text", "value"), [("exp(0.35*log(12))", 2.3862362), ("exp(2*log(10))", 100),
+                                             ("(1 + 1e-99)**(1/12)", 1)])
 def test_powers_of_ordinary_numbers_are_read(text, value):
     """Also as the exponential of a logarithm."""
     assert abs(float(parse(text)) - value) < 1e-5

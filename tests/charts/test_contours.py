@@ -22,16 +22,23 @@ def upright_asymmetric(asymmetric):
 
 @pytest.fixture(scope="module")
 def cases(e1, e3, upright_asymmetric):
-    """Charts with curves of the second to the sixth degree, some through points of the grid, or beside them by a rounding error."""
-    newton = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.newtonian_field(2)), eliminate="k3"))
+    """Charts with curves of the second to the sixth degree, some through points of the grid, or beside them
+    by a rounding error.
+    """
+    newton = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.newtonian_field(2)),
+                                    eliminate="k3"))
     whole, tenths = np.linspace(-4, 4, 33), np.linspace(-3, 3, 61)
     one = {"I1": 1, "dU": 1}
-    top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))      # stable on its boundary
-    return [(e1, ("pi3_0", whole), ("l", whole), one), (top, ("pi3_0", whole), ("l", whole), {"I1": 1, "m0": 1}),
+    # stable on its boundary
+    top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    return [(e1, ("pi3_0", whole), ("l", whole), one),
+            (top, ("pi3_0", whole), ("l", whole), {"I1": 1, "m0": 1}),
             (e1, ("pi3_0", tenths), ("l", tenths[::-1]), one),
             (e1, ("dU", np.linspace(-1, 2, 50)), ("pi3_0", tenths), {"I1": "1/3", "l": "1/7"}),
-            (e3, ("k3", np.linspace(-1.2, 1.2, 61)), ("d2U", np.linspace(-6, 2, 53)), {"I1": 1, "I3": "1/2", "l": "0.3", "omega": 1}),
-            (newton, ("l", np.linspace(-3, 3, 101)), ("omega", np.linspace(-3, 3, 97)), {"I1": 2, "I3": 1, "m0": 1, "m1": "1/3"}),
+            (e3, ("k3", np.linspace(-1.2, 1.2, 61)), ("d2U", np.linspace(-6, 2, 53)),
+             {"I1": 1, "I3": "1/2", "l": "0.3", "omega": 1}),
+            (newton, ("l", np.linspace(-3, 3, 101)), ("omega", np.linspace(-3, 3, 97)),
+             {"I1": 2, "I3": 1, "m0": 1, "m1": "1/3"}),
             (upright_asymmetric, ("m0", np.linspace(-4, 8, 80)), ("l", np.geomspace(0.1, 8, 70)),
              {"I1": 2, "I2": "3/2", "I3": 1, "m1": "1/4", "pi3_0": 1})]
 
@@ -52,14 +59,19 @@ def drawn(case):
     numbers = {symbol(name): gs.algebra.numbers.exact_number(value) for name, value in fixed.items()}
     criteria = [c.margin for k in (report.necessary, report.sufficient) for a in k.alternatives for c in a]
     existing = [e.together().as_numer_denom() for e in report.equilibrium.existence()]
-    margins = [m.xreplace(numbers) for m in dict.fromkeys([*criteria, *(top * bottom for top, bottom in existing)])]
+    margins = [m.xreplace(numbers) for m in dict.fromkeys([*criteria,
+                                                           *(top * bottom for top, bottom in existing)])]
     return chart, points[:, ~np.isnan(points[0])], [lambda a, b, m=m: m.xreplace(
-        {symbol(x[0]): gs.algebra.numbers.exact_number(a), symbol(y[0]): gs.algebra.numbers.exact_number(b)}) for m in margins]
+        {symbol(x[0]): gs.algebra.numbers.exact_number(a), symbol(y[0]): gs.algebra.numbers.exact_number(b)})
+                                                    for m in margins]
 
 
 @pytest.mark.parametrize("number", range(7))
 def test_a_margin_changes_its_sign_within_two_ulp(cases, number):
-    """Every point lies on a line of the grid; along it a margin, in exact arithmetic, has a zero within two units of the last place."""
+    """Every point lies on a line of the grid.
+
+    Along it a margin, in exact arithmetic, has a zero within two units of the last place.
+    """
     chart, points, margins = drawn(cases[number])
     x, y = chart.verdict.dims[::-1]
     assert points.shape[1] > 50
@@ -77,11 +89,14 @@ def test_no_edge_between_two_verdicts_is_left_out(cases, number):
     """Each edge of the grid from stable to unstable, or to no equilibrium, has a point on it."""
     chart, points, _ = drawn(cases[number])
     y, x = (chart[name].values for name in chart.verdict.dims)
-    assert all(((low <= here) & (here <= high)).any() for low, high, here in edges(chart.verdict.values, x, y, points))
+    assert all(((low <= here) & (here <= high)).any()
+               for low, high, here in edges(chart.verdict.values, x, y, points))
 
 
 def test_points_whose_sign_doubles_get_wrong():
-    """Where the grid passes the curve by less than a rounding error, the edges between different verdicts still have their points."""
+    """Where the grid passes the curve by less than a rounding error, the edges between different verdicts
+    still have their points.
+    """
     x, y = symbol("a"), symbol("b")
     xs = np.linspace(1, 2, 41)
     ys = np.array([float(Fraction(a)**7) for a in xs])
@@ -115,16 +130,22 @@ def test_pieces_are_curves(cases):
         total = chart.boundary_x.values[piece] + chart.boundary_y.values[piece]
         steps = np.diff(chart.boundary_x.values[piece])
         assert (abs(total) == 2).all() and ((steps >= 0).all() or (steps <= 0).all())
-    assert cases[0][0] and stability_chart(cases[0][0], x=cases[0][1], y=cases[0][2], fixed={"I1": 1, "dU": -1}).vertex.size == 0
+    assert cases[0][0]
+    assert (
+        stability_chart(cases[0][0], x=cases[0][1], y=cases[0][2], fixed={"I1": 1, "dU": -1}).vertex.size == 0
+    )
 
 
 def test_a_zero_at_zero(monkeypatch):
-    """A curve through 0 between two points of the grid is at 0 exactly, not at a tiny number, and found at once."""
+    """A curve through 0 between two points of the grid is at 0 exactly, not at a tiny number, and found at
+    once.
+    """
     asked, sign_of = [], contours._sign
     monkeypatch.setattr(contours, "_sign", lambda *given: asked.append(given) or sign_of(*given))
     x, y = symbol("a"), symbol("b")
     grid = np.linspace(-1.1, 0.9, 4)
-    here, there = boundary([x**3 + x], {}, (x, grid), (y, grid), np.where(grid > 0, 1, -1) * np.ones((4, 1), dtype=int))
+    here, there = boundary([x**3 + x], {}, (x, grid), (y, grid),
+                           np.where(grid > 0, 1, -1) * np.ones((4, 1), dtype=int))
     assert here.tolist() == [0.0] * 4 and sorted(there) == grid.tolist() and len(asked) <= 2
 
 
@@ -134,9 +155,11 @@ def test_functions_to_the_precision_of_doubles():
     xs, ys = np.linspace(-1, 2, 40), np.linspace(0.1, 5, 37)
     verdict = np.where(np.exp(xs) > ys[:, None], 1, -1)
     here, there = boundary([exp(x) - y], {}, (x, xs), (y, ys), verdict)
-    assert len(here) > 40 and np.allclose(np.exp(here), there, rtol=4e-16, atol=0)      # two roundings of exp and of its argument
+    # two roundings of exp and of its argument
+    assert len(here) > 40 and np.allclose(np.exp(here), there, rtol=4e-16, atol=0)
     with np.errstate(all="ignore"):
-        here, there = boundary([log(x) + y], {}, (x, xs), (y, ys - 2), np.where(np.log(xs) > 2 - ys[:, None], 1, -1))
+        here, there = boundary([log(x) + y], {}, (x, xs), (y, ys - 2),
+                               np.where(np.log(xs) > 2 - ys[:, None], 1, -1))
     assert len(here) > 20 and (here > 0).all() and np.allclose(np.log(here), -there, atol=1e-15)
 
 
@@ -151,17 +174,26 @@ def test_a_margin_without_a_sign_in_between():
 
 
 def test_only_the_margin_that_decides_has_a_curve():
-    """At E3 a zero of the margin beyond |k3| = 1 on the edge that |k3| = 1 crosses is no boundary."""
-    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: gs.symbol("b") * k3 - k3**5 / 5))))
-    chart = stability_chart(report, x=("k3", np.linspace(-1.25, 2.75, 9)), y=("I1", np.linspace(0.0625, 4, 8)), fixed={"b": 2, "omega": 2})
+    """At E3 a zero of the margin beyond abs(k3) = 1 on the edge that abs(k3) = 1 crosses is no boundary."""
+    report = gs.analyze(
+        gs.inclined(
+            gs.assemble(
+                gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: gs.symbol("b") * k3 - k3**5 / 5)
+            )
+        )
+    )
+    chart = stability_chart(report, x=("k3", np.linspace(-1.25, 2.75, 9)),
+                            y=("I1", np.linspace(0.0625, 4, 8)), fixed={"b": 2, "omega": 2})
     at = chart.boundary_x.values[~np.isnan(chart.boundary_x.values)]
     assert len(at) and (abs(at) <= 1).all()
 
 
 def test_where_an_equilibrium_ends_at_0():
     """E3 whose l is eliminated needs ω ≠ 0: the boundary is at 0, not where ω² underflows."""
-    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: gs.symbol("a") * k3 + k3**3))))
-    chart = stability_chart(report, x=("a", np.linspace(1, 2, 5)), y=("omega", np.linspace(-1, 1, 9)), fixed={"I1": 1, "k3": "1/2"})
+    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(),
+                                                gs.axial_potential(lambda k3: gs.symbol("a") * k3 + k3**3))))
+    chart = stability_chart(report, x=("a", np.linspace(1, 2, 5)), y=("omega", np.linspace(-1, 1, 9)),
+                            fixed={"I1": 1, "k3": "1/2"})
     at = chart.boundary_y.values[~np.isnan(chart.boundary_y.values)]
     assert len(at) and 0 in at and (abs(at[at != 0]) > 1e-3).all()
 
@@ -172,9 +204,11 @@ def test_a_curve_ends_where_its_margin_does():
     xs = np.linspace(-1, 1, 36)
     with np.errstate(all="ignore"):
         value = xs - xs[:, None] + np.sqrt(xs + xs[:, None])
-    here, there = boundary([x - y + sqrt(x + y)], {}, (x, xs), (y, xs), np.where(np.isnan(value), -2, np.where(value > 0, 1, -1)))
+    here, there = boundary([x - y + sqrt(x + y)], {}, (x, xs), (y, xs),
+                           np.where(np.isnan(value), -2, np.where(value > 0, 1, -1)))
     assert len(here) > 9 and (np.isin(here, xs) | np.isin(there, xs)).all()
-    assert np.allclose(here - there + np.sqrt(here + there), 0, atol=1e-14)            # a few roundings of numbers up to 1
+    # a few roundings of numbers up to 1
+    assert np.allclose(here - there + np.sqrt(here + there), 0, atol=1e-14)
 
 
 @pytest.mark.parametrize("n", [1, 2, 1999, 2000, 2001, 31623])
@@ -187,7 +221,9 @@ def test_thinned(n):
 
 
 def test_the_curve_of_a_large_chart(e1, monkeypatch):
-    """Where the grid is finer than what curves are followed on, the points are as exact, on lines of the grid."""
+    """Where the grid is finer than what curves are followed on, the points are as exact, on lines of the
+    grid.
+    """
     monkeypatch.setattr("gyrostat.charts.contours.FINEST", 9)
     xs = np.linspace(-4, 4, 129)
     chart = stability_chart(e1, x=("pi3_0", xs), y=("l", xs / 2), fixed={"I1": 1, "dU": "1/4"})
@@ -197,7 +233,9 @@ def test_the_curve_of_a_large_chart(e1, monkeypatch):
 
 
 doubles = st.floats(min_value=-1e6, max_value=1e6).filter(lambda x: x == 0 or abs(x) > 1e-6)
-twofolds = st.tuples(doubles, st.floats(min_value=-0.5, max_value=0.5)).map(lambda pair: (pair[0], pair[1] * np.spacing(abs(pair[0]))))
+twofolds = st.tuples(doubles, st.floats(min_value=-0.5, max_value=0.5)).map(
+    lambda pair: (pair[0], pair[1] * np.spacing(abs(pair[0])))
+)
 
 
 @given(twofolds, twofolds)

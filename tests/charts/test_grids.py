@@ -1,4 +1,7 @@
-"""Grids: what np.broadcast_arrays says, element by element; numbers are kept exactly, and what is no number is named."""
+"""Grids: what np.broadcast_arrays says, element by element.
+
+Numbers are kept exactly, and what is no number is named.
+"""
 import math
 from collections import Counter
 from decimal import Decimal
@@ -22,7 +25,8 @@ filled = arrays.mutually_broadcastable_shapes(num_shapes=3, max_dims=5, min_side
 
 def counted(input_shapes):
     """An array of different numbers in each shape."""
-    return {f"x{n}": np.arange(math.prod(shape), dtype=float).reshape(shape) + 1000 * n for n, shape in enumerate(input_shapes)}
+    return {f"x{n}": np.arange(math.prod(shape), dtype=float).reshape(shape) + 1000 * n
+            for n, shape in enumerate(input_shapes)}
 
 
 def points(grid):
@@ -34,7 +38,10 @@ def points(grid):
 @given(drawn=shapes)
 @settings(max_examples=120)
 def test_the_grid_is_the_broadcast(drawn):
-    """The shape is that of np.broadcast_arrays; at each place of the merged grid, in C order, the numbers are those of the same element."""
+    """The shape is that of np.broadcast_arrays.
+
+    At each place of the merged grid, in C order, the numbers are those of the same element.
+    """
     given_arrays = counted(drawn.input_shapes)
     grid, full = grid_of(given_arrays), np.broadcast_arrays(*given_arrays.values())
     assert grid.shape == drawn.result_shape == full[0].shape
@@ -49,7 +56,10 @@ def test_the_grid_is_the_broadcast(drawn):
 @given(drawn=shapes)
 @settings(max_examples=80)
 def test_axes_are_those_of_length_above_one(drawn):
-    """Each array is merged to the number of axes of the grid, of length 1 where it does not vary; axes says where it does."""
+    """Each array is merged to the number of axes of the grid, of length 1 where it does not vary.
+
+    Axes says where it does.
+    """
     grid = grid_of(counted(drawn.input_shapes))
     for s, array in grid.values.items():
         assert array.ndim == len(grid.merged)
@@ -60,7 +70,8 @@ def test_axes_are_those_of_length_above_one(drawn):
 @given(drawn=filled)
 @settings(max_examples=80)
 def test_neighbours_are_merged_where_they_can_be(drawn):
-    """Neighbouring axes of more than one element are joined wherever each array varies along both or neither."""
+    """Neighbouring axes of more than one element are joined wherever each array varies along both or neither.
+    """
     given_arrays = counted(drawn.input_shapes)
     full = [(1,) * (len(drawn.result_shape) - x.ndim) + x.shape for x in given_arrays.values()]
     long = [i for i, n in enumerate(drawn.result_shape) if n > 1]
@@ -73,16 +84,24 @@ def test_neighbours_are_merged_where_they_can_be(drawn):
 def test_short_axes_are_joined_as_long_as_that_repeats_little():
     """(n, 2, 3) of arrays along one axis each is (n, 6); what varies along all axes stays as it is."""
     whole = np.arange(6000.0).reshape(1000, 2, 3)
-    grid = grid_of({"a": np.arange(1000.0).reshape(-1, 1, 1), "b": np.zeros((2, 1)), "c": np.zeros(3), "d": whole})
+    grid = grid_of({"a": np.arange(1000.0).reshape(-1, 1, 1), "b": np.zeros((2, 1)), "c": np.zeros(3),
+                    "d": whole})
     assert grid.merged == (1000, 6) and np.shares_memory(grid.values[gs.symbol("d")], whole)
-    assert {s.name: x.shape for s, x in grid.values.items()} == {"a": (1000, 1), "b": (1, 6), "c": (1, 6), "d": (1000, 6)}
+    assert {s.name: x.shape for s, x in grid.values.items()} == {
+        "a": (1000, 1),
+        "b": (1, 6),
+        "c": (1, 6),
+        "d": (1000, 6),
+    }
     apart = grid_of({"a": np.zeros((1000, 1, 3)), "b": np.zeros((2, 1))})
-    assert apart.merged == (1000, 2, 3) and apart.values[gs.symbol("a")].size == 3000      # what would be repeated is not
+    # what would be repeated is not
+    assert apart.merged == (1000, 2, 3) and apart.values[gs.symbol("a")].size == 3000
     long = grid_of({"a": np.zeros((1000, 1, 1)), "b": np.zeros((3000, 1)), "c": np.zeros(3000)})
     assert long.merged == (1000, 3000, 3000)
 
 
-@pytest.mark.parametrize(("shape", "merged"), [((), (1, 1)), ((5,), (1, 5)), ((3, 4), (1, 12)), ((2, 3, 4), (1, 24))])
+@pytest.mark.parametrize(("shape", "merged"),
+                         [((), (1, 1)), ((5,), (1, 5)), ((3, 4), (1, 12)), ((2, 3, 4), (1, 24))])
 def test_equal_shapes_are_one_row(shape, merged):
     """Arrays of one shape make a single axis."""
     assert grid_of({"a": np.zeros(shape), "b": np.ones(shape), "c": 3}).merged == merged
@@ -91,7 +110,10 @@ def test_equal_shapes_are_one_row(shape, merged):
 @given(drawn=shapes, size=st.integers(1, 40))
 @settings(max_examples=120)
 def test_blocks_tile_the_grid_once(drawn, size):
-    """Each place is in one block; a block is of length 1 along all axes but the last two, and of about so many points at most."""
+    """Each place is in one block.
+
+    A block is of length 1 along all axes but the last two, and of about so many points at most.
+    """
     grid = grid_of(counted(drawn.input_shapes))
     covered = np.zeros(grid.merged, dtype=int)
     for tile in grid.blocks(size):
@@ -111,7 +133,8 @@ def test_blocks_tile_the_grid_once(drawn, size):
 @settings(max_examples=60)
 def test_blocks_of_rows_and_columns(rows, columns, outer, size):
     """The same for grids of many rows and columns, and short axes before them."""
-    grid = grid_of({"a": np.zeros((outer, 1, 1)), "b": np.zeros((rows, 1)), "c": np.zeros((outer, 1, columns)), "d": np.zeros(columns)})
+    grid = grid_of({"a": np.zeros((outer, 1, 1)), "b": np.zeros((rows, 1)),
+                    "c": np.zeros((outer, 1, columns)), "d": np.zeros(columns)})
     covered = np.zeros(grid.merged, dtype=int)
     for block in (block for tile in grid.blocks(size) for block in tile):
         assert all(0 <= s.start < s.stop <= n for s, n in zip(block, grid.merged))
@@ -129,7 +152,8 @@ def test_some_points_of_a_block(drawn, size, data):
     grid = grid_of(given_arrays)
     block = data.draw(st.sampled_from([block for tile in grid.blocks(size) for block in tile]))
     heights, widths = (s.stop - s.start for s in block[-2:])
-    some = data.draw(st.lists(st.tuples(st.integers(0, heights - 1), st.integers(0, widths - 1)), min_size=1, max_size=5))
+    some = data.draw(st.lists(st.tuples(st.integers(0, heights - 1), st.integers(0, widths - 1)), min_size=1,
+                              max_size=5))
     part = grid.at(block, *map(np.array, zip(*some)))
     assert part.shape == (len(some),) and part.merged == (1, len(some))
     everywhere = np.array(points(grid), dtype=object).reshape(grid.merged)
@@ -163,18 +187,26 @@ def test_empty_grids_have_no_blocks(shape):
     assert grid.shape == shape and not [block for tile in grid.blocks(7) for block in tile]
 
 
-EXACT = [(3, 3), (2**53, 2**53), (2**53 + 1, 2**53 + 1), (-2**64 - 1, -2**64 - 1), (Fraction(1, 3), Rational(1, 3)),
+EXACT = [(3, 3), (2**53, 2**53), (2**53 + 1, 2**53 + 1), (-2**64 - 1, -2**64 - 1),
+         (Fraction(1, 3), Rational(1, 3)),
          (Fraction(3, 4), Rational(3, 4)),
-         (Decimal("0.1"), Rational(1, 10)), ("1/3", Rational(1, 3)), ("sqrt(2)", sqrt(2)), (sqrt(3) / 2, sqrt(3) / 2), (pi, pi),
-         (Integer(7), Integer(7)), (S.Half, S.Half), (0.1, Rational(0.1)), (np.float32(0.1), Rational(float(np.float32(0.1)))),
-         (np.float16(0.1), Rational(float(np.float16(0.1)))), (np.int8(-3), Integer(-3)), (np.uint64(2**64 - 1), Integer(2**64 - 1)),
-         (10**400, Integer(10) ** 400), (Fraction(1, 10**400), Rational(1, 10**400)), (exp(-1000), exp(-1000)),
+         (Decimal("0.1"), Rational(1, 10)), ("1/3", Rational(1, 3)), ("sqrt(2)", sqrt(2)),
+         (sqrt(3) / 2, sqrt(3) / 2), (pi, pi),
+         (Integer(7), Integer(7)), (S.Half, S.Half), (0.1, Rational(0.1)),
+         (np.float32(0.1), Rational(float(np.float32(0.1)))),
+         (np.float16(0.1), Rational(float(np.float16(0.1)))), (np.int8(-3), Integer(-3)),
+         (np.uint64(2**64 - 1), Integer(2**64 - 1)),
+         (10**400, Integer(10) ** 400), (Fraction(1, 10**400), Rational(1, 10**400)),
+         (exp(-1000), exp(-1000)),
          (5e-324, Rational(5e-324)), (-0.0, S.Zero)]
 
 
 @pytest.mark.parametrize(("value", "exact"), EXACT)
 def test_numbers_are_kept_exactly(value, exact):
-    """A point has the number that was given, as a double where it is one; the double stored is within one rounding, or NaN."""
+    """A point has the number that was given, as a double where it is one.
+
+    The double stored is within one rounding, or NaN.
+    """
     grids = [grid_of({"a": value}), grid_of({"a": np.array([value, 1], dtype=object)})]
     for grid in grids:
         number = points(grid)[0][a]
@@ -189,7 +221,10 @@ def test_numbers_are_kept_exactly(value, exact):
 @pytest.mark.parametrize("bits", [60, 90, 115, 125, 140, 200])
 @pytest.mark.parametrize("sign", [1, -1])
 def test_constants_that_cancel_are_near_or_unknown(bits, sign):
-    """±(√2 − p/2ⁿ): the double is within two roundings of the number however much cancels, or NaN; never merely close to 0."""
+    """±(√2 − p/2ⁿ): the double is within two roundings of the number however much cancels, or NaN.
+
+    Never merely close to 0.
+    """
     number = sign * (sqrt(2) - Rational(math.isqrt(2 << 2 * bits), 2**bits))
     near = float(grid_of({"a": number}).values[a][0, 0])
     assert math.isnan(near) or abs(Rational(near) - number).evalf(40) <= 2 * 2.0**-53 * abs(near)
@@ -198,7 +233,8 @@ def test_constants_that_cancel_are_near_or_unknown(bits, sign):
 doubles = st.floats(allow_nan=False, allow_infinity=False)
 
 
-@given(values=st.lists(st.one_of(doubles, st.fractions(), st.integers(-2**70, 2**70)), min_size=1, max_size=5))
+@given(values=st.lists(st.one_of(doubles, st.fractions(), st.integers(-2**70, 2**70)), min_size=1,
+                       max_size=5))
 @settings(max_examples=100)
 def test_object_arrays_are_read_number_by_number(values):
     """Arrays of Fractions, integers and floats keep each exactly."""
@@ -207,7 +243,9 @@ def test_object_arrays_are_read_number_by_number(values):
     grid = grid_of({"a": array})
     for n, value in enumerate(values):
         number = points(grid)[n][a]
-        assert (Fraction(number) if isinstance(number, float) else Fraction(int(number.p), int(number.q))) == Fraction(value)
+        assert (
+            Fraction(number) if isinstance(number, float) else Fraction(int(number.p), int(number.q))
+        ) == Fraction(value)
 
 
 @pytest.mark.parametrize("dtype", ["i1", "u2", "i4", "i8", "u8", "f2", "f4", "f8", ">f8", ">i4"])
@@ -225,16 +263,20 @@ def test_long_integers_are_exact(values):
 
 
 @pytest.mark.parametrize(("value", "said"), [
-    ([1.0, math.nan], r"a\[1\] = nan is not a finite"), ([[1.0, 2.0], [-math.inf, math.nan]], r"a\[1, 0\] = -inf is not a finite"),
+    ([1.0, math.nan], r"a\[1\] = nan is not a finite"),
+    ([[1.0, 2.0], [-math.inf, math.nan]], r"a\[1, 0\] = -inf is not a finite"),
     (math.nan, "a = nan"), (np.array(["1", "2"]), "a is an array of <U1"), (True, "a is an array of bool"),
     ([True, False], "a is an array of bool"), (1j, "complex128"), (np.ones(2, dtype=complex), "complex128"),
     (np.longdouble(1), "float"), (np.datetime64("2020"), "datetime64"), (b"1", "S1"),
     ([1, None], r"a\[1\] = None is a NoneType"), (None, "a = None"), ({1: 2}, "a = {1: 2} is a dict"),
-    ([Fraction(1), "x"], "a"), ([Fraction(1), math.nan], r"a\[1\] = nan"), ([[Fraction(1), 2], [1j, 3]], r"a\[1, 0\] = 1j is a complex"),
+    ([Fraction(1), "x"], "a"), ([Fraction(1), math.nan], r"a\[1\] = nan"),
+    ([[Fraction(1), 2], [1j, 3]], r"a\[1, 0\] = 1j is a complex"),
     (gs.symbol("q"), "a = q contains"),
-    (S.NaN, "a = nan"), (S.Infinity, "a = oo"), (sqrt(-2), "not an exact finite real"), (Decimal("NaN"), "a = NaN"),
+    (S.NaN, "a = nan"), (S.Infinity, "a = oo"), (sqrt(-2), "not an exact finite real"),
+    (Decimal("NaN"), "a = NaN"),
     (Decimal("sNaN"), "sNaN"),
-    ("1/0", "divides by zero"), ("a b", "cannot read"), ([sqrt(2), sqrt(-2)], r"a\[1\]"), (object(), "is a object"),
+    ("1/0", "divides by zero"), ("a b", "cannot read"), ([sqrt(2), sqrt(-2)], r"a\[1\]"),
+    (object(), "is a object"),
     ([[1, 2], [3]], "a"),
     (np.ones(2, dtype="i4,i4"), "not of real numbers")])
 def test_what_is_no_number_is_named(value, said):
@@ -251,7 +293,8 @@ def test_numbers_that_are_not_finite_may_be_let_through():
 
 def test_numbers_that_are_not_finite_may_be_let_through_among_objects():
     """finite=False keeps them in arrays of objects too."""
-    assert math.isnan(float(grid_of({"a": np.array([Fraction(1, 3), math.nan], dtype=object)}, finite=False).values[a][0, 1]))
+    assert math.isnan(float(grid_of({"a": np.array([Fraction(1, 3), math.nan], dtype=object)},
+                                    finite=False).values[a][0, 1]))
 
 
 def test_shapes_that_do_not_broadcast_are_named():
@@ -261,7 +304,10 @@ def test_shapes_that_do_not_broadcast_are_named():
 
 
 def test_views_are_read_not_copied():
-    """Contiguous arrays of doubles are read in place; strided, transposed and read-only ones are read right."""
+    """Contiguous arrays of doubles are read in place.
+
+    Strided, transposed and read-only ones are read right.
+    """
     base = np.arange(24.0).reshape(4, 6)
     assert np.shares_memory(grid_of({"a": base}).values[a], base)
     base.flags.writeable = False
@@ -271,9 +317,19 @@ def test_views_are_read_not_copied():
 
 
 def test_what_is_broadcast_already_is_not_copied():
-    """A view with strides of 0 varies along the axes of its base alone, as np.broadcast_to and np.meshgrid(copy=False) give it."""
+    """A view with strides of 0 varies along the axes of its base alone, as np.broadcast_to and
+    np.meshgrid(copy=False) give it.
+    """
     view = np.broadcast_to(np.arange(1000.0)[:, None], (1000, 1000))
-    assert sum(x.nbytes for x in grid_of({"a": view, "b": np.broadcast_to(np.arange(1000.0), (1000, 1000))}).values.values()) < 10**6
+    assert (
+        sum(
+            x.nbytes
+            for x in grid_of(
+                {"a": view, "b": np.broadcast_to(np.arange(1000.0), (1000, 1000))}
+            ).values.values()
+        )
+        < 10**6
+    )
 
 
 def test_no_names_are_one_point():

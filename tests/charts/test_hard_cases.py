@@ -1,4 +1,7 @@
-"""The hard cases of the benchmarks: certified arrays against the truth of the same floats in whole numbers, no point wrong or undecided."""
+"""The hard cases of the benchmarks.
+
+Certified arrays against the truth of the same floats in whole numbers, no point wrong or undecided.
+"""
 import sys
 from pathlib import Path
 
@@ -23,19 +26,25 @@ def hard():
 @pytest.mark.parametrize("seed", [1, 2])
 @pytest.mark.parametrize("backend", ["numpy", "numba"])
 def test_no_hard_point_is_wrong_or_undecided(hard, backend, seed):
-    """Near the boundary to the next float, on it, cancelling momenta, I1 → I3, |k3| → 1, stiff fields, 10^±150 and subnormals."""
+    """Near the boundary to the next float, on it, cancelling momenta, I1 → I3, abs(k3) → 1, stiff fields,
+    10^±150 and subnormals.
+    """
     hard_cases, routes = hard
     seen = {}
     for batch in hard_cases.cases(40, seed):
         found = routes.certified(backend)(batch)
-        assert (found == batch.truth).all(), (batch.kind, batch.family, batch.label, np.flatnonzero(found != batch.truth)[:5])
+        assert (found == batch.truth).all(), (batch.kind, batch.family, batch.label,
+                                              np.flatnonzero(found != batch.truth)[:5])
         seen.setdefault((batch.kind, batch.family), set()).update(found.tolist())
     assert set(seen) == {(kind, family) for kind in hard_cases.KINDS for family in hard_cases.FAMILIES}
     assert all(codes == {1, -1} for codes in seen.values())
 
 
 def test_the_truth_is_not_what_doubles_say(hard):
-    """The cases are hard: the margin in doubles is wrong or silent in each of these families, so that they do test something."""
+    """The cases are hard: the margin in doubles is wrong or silent in each of these families, so that they do
+    test something.
+    """
     hard_cases, routes = hard
-    missed = {batch.family for batch in hard_cases.cases(40, 1) if (routes.compiled("numpy")(batch) != batch.truth).any()}
+    missed = {batch.family for batch in hard_cases.cases(40, 1)
+              if (routes.compiled("numpy")(batch) != batch.truth).any()}
     assert {"a", "b", "c", "f"} <= missed

@@ -1,4 +1,6 @@
-"""Enclosures: an interval contains the exact value, whatever the scale, and is not much wider than it must be."""
+"""Enclosures: an interval contains the exact value, whatever the scale, and is not much wider than it must
+be.
+"""
 import math
 from fractions import Fraction
 
@@ -7,7 +9,27 @@ import pytest
 from draw import moments, nonzero, numbers
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from sympy import Integer, Rational, S, acos, acosh, asin, asinh, atan, atanh, cos, cosh, exp, log, pi, sin, sinh, sqrt, tan, tanh
+from sympy import (
+    Integer,
+    Rational,
+    S,
+    acos,
+    acosh,
+    asin,
+    asinh,
+    atan,
+    atanh,
+    cos,
+    cosh,
+    exp,
+    log,
+    pi,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+    tanh,
+)
 
 import gyrostat as gs
 from gyrostat.algebra.exact import evaluate, sign_of_constant
@@ -25,11 +47,15 @@ def arrays(*pairs):
 
 
 def contains(bounds, value):
-    """Whether an exact number lies in the only interval of an enclosure; an end may be infinite, never NaN."""
+    """Whether an exact number lies in the only interval of an enclosure.
+
+    An end may be infinite, never NaN.
+    """
     (low,), (high,) = np.broadcast_to(bounds.low, 1).tolist(), np.broadcast_to(bounds.high, 1).tolist()
     if math.isnan(low) or math.isnan(high) or low == math.inf or high == -math.inf:
         return False
-    return all(math.isinf(end) or sign_of_constant(side * (Rational(*end.as_integer_ratio()) - value)) in (0, 1)
+    return all(math.isinf(end) or sign_of_constant(side
+                                                   * (Rational(*end.as_integer_ratio()) - value)) in (0, 1)
                for end, side in ((low, -1), (high, 1)))
 
 
@@ -55,7 +81,8 @@ def test_a_number_is_rounded_to_the_floats_beside_it(value, power):
     assert low == high if low == exact else math.nextafter(low, math.inf) == high
 
 
-@pytest.mark.parametrize("constant", [sqrt(2), pi, -exp(pi), sqrt(2) * Rational(10) ** -310, exp(710), sqrt(2) - sqrt(3) + Rational(1, 3)])
+@pytest.mark.parametrize("constant", [sqrt(2), pi, -exp(pi), sqrt(2) * Rational(10) ** -310, exp(710),
+                                      sqrt(2) - sqrt(3) + Rational(1, 3)])
 def test_an_irrational_number_is_rounded_to_the_floats_beside_it(constant):
     """As rational ones; compared exactly."""
     low, high = rounded(constant)
@@ -67,11 +94,13 @@ def test_an_irrational_number_is_rounded_to_the_floats_beside_it(constant):
 @example([5e-324, 5e-324], [0.5, 0.5], Fraction(0), Fraction(0))                      # underflow
 @example([1.7e308, 1.7e308], [-1.7e308, 1.7e308], Fraction(0), Fraction(1))           # overflow
 @example([0.1, 0.1], [0.2, 0.2], Fraction(0), Fraction(0))
-@example([3.0, 3.0], [0.1, 0.1], Fraction(0), Fraction(0))                            # one factor of single precision
+@example([3.0, 3.0], [0.1, 0.1], Fraction(0),
+         Fraction(0))                            # one factor of single precision
 @example([1e16, 1e16], [-1.0, 1.0], Fraction(0), Fraction(0))
 @settings(max_examples=400)
 def test_arithmetic_contains_the_exact_result(a, b, s, t):
-    """+ − × and 1/x of points of two intervals, at their ends and inside, lie in the result of the intervals."""
+    """+ − × and 1/x of points of two intervals, at their ends and inside, lie in the result of the intervals.
+    """
     one, other = arrays(a, b)
     with np.errstate(all="ignore"):
         for p, q in ((between(a, s), between(b, t)), (between(a, round(s)), between(b, round(t)))):
@@ -93,9 +122,14 @@ def test_a_square_is_not_negative(a):
 
 
 def test_exact_bounds_are_not_moved():
-    """Exact sums, and products of numbers of single precision, have sharp bounds: 1 - k3² is at most 0 where k3 ≥ 1."""
-    for a, b, total, product in (((-1, 1), (0.25, 3), (-0.75, 4), (-3, 3)), ((0, 2), (-3, 0), (-3, 2), (-6, 0)),
-                                 ((1, 1 + 2**-23), (1, 1 + 2**-23), (2, 2 + 2**-22), (1, 1 + 2**-22 + 2**-46))):
+    """Exact sums, and products of numbers of single precision, have sharp bounds.
+
+    1 - k3² is at most 0 where k3 ≥ 1.
+    """
+    for a, b, total, product in (((-1, 1), (0.25, 3), (-0.75, 4), (-3, 3)),
+                                 ((0, 2), (-3, 0), (-3, 2), (-6, 0)),
+                                 ((1, 1 + 2**-23), (1, 1 + 2**-23), (2, 2 + 2**-22),
+                                  (1, 1 + 2**-22 + 2**-46))):
         for operation, ends in ((Outward.add, total), (Outward.multiply, product)):
             result = operation(*arrays(a, b))
             assert (result.low[0], result.high[0]) == ends
@@ -110,21 +144,27 @@ def test_infinite_ends_stay_valid():
     with np.errstate(all="ignore"):
         for one in arrays(*pairs):
             for other in arrays(*pairs):
-                for result in (Outward.add(one, other), Outward.subtract(one, other), Outward.multiply(one, other),
+                for result in (Outward.add(one, other), Outward.subtract(one, other),
+                               Outward.multiply(one, other),
                                Outward.multiply(one, one), Outward.reciprocal(one)):
                     assert not np.isnan([result.low, result.high]).any()
         whole = arrays((-math.inf, math.inf))[0]
-        for result in (Outward.multiply(whole, arrays((0, 0))[0]), Outward.add(whole, whole), Outward.reciprocal(arrays((-1, 2))[0])):
+        for result in (Outward.multiply(whole, arrays((0, 0))[0]), Outward.add(whole, whole),
+                       Outward.reciprocal(arrays((-1, 2))[0])):
             assert (result.low[0], result.high[0]) == (-math.inf, math.inf)
 
 
-FUNCTIONS = [exp(50 * x), exp(-x * y), log(x + 6), sin(3 * x), cos(x - y), tan(x), asin(x / 6), acos(x / 6), atan(x), sinh(x), cosh(x),
-             tanh(x), asinh(x), acosh(x + 7), atanh(x / 6), sqrt(x + 6), (x + 6) ** Rational(3, 2), (x + 6) ** Rational(-1, 2),
-             (x + 6) ** Rational(1, 3), 1 / (x + 6) ** 3, exp(sqrt(x**2 + 1)) * sin(x) + pi * x, 1 / (1 + exp(x))]
+FUNCTIONS = [exp(50 * x), exp(-x * y), log(x + 6), sin(3 * x), cos(x - y), tan(x), asin(x / 6), acos(x / 6),
+             atan(x), sinh(x), cosh(x),
+             tanh(x), asinh(x), acosh(x + 7), atanh(x / 6), sqrt(x + 6), (x + 6) ** Rational(3, 2),
+             (x + 6) ** Rational(-1, 2),
+             (x + 6) ** Rational(1, 3), 1 / (x + 6) ** 3, exp(sqrt(x**2 + 1)) * sin(x) + pi * x,
+             1 / (1 + exp(x))]
 
 
 @pytest.mark.parametrize("function", FUNCTIONS, ids=str)
-@given(a=st.tuples(numbers, numbers).map(sorted), b=st.tuples(numbers, numbers).map(sorted), s=shares, t=shares)
+@given(a=st.tuples(numbers, numbers).map(sorted), b=st.tuples(numbers, numbers).map(sorted), s=shares,
+       t=shares)
 @settings(max_examples=25)
 def test_functions_contain_the_exact_value(function, a, b, s, t):
     """f at rational points of a box lies in the enclosure of f on the box, natural and by the mean value."""
@@ -139,8 +179,10 @@ def test_functions_contain_the_exact_value(function, a, b, s, t):
 
 
 @pytest.mark.parametrize("function, low, high", [
-    (log(x), 0, 1), (log(x), -1, 1), (sqrt(x), -1, 1), (sqrt(x), -2, -1), (x ** Rational(1, 3), -8, -1), (tan(x), 1, 2), (1 / x, -1, 1),
-    (asin(x), 0, 2), (acosh(x), 0, 2), (atanh(x), 0, 1), (exp(x), 0, math.inf), (S.NaN, 0, 1), (abs(x), 0, 1)],
+    (log(x), 0, 1), (log(x), -1, 1), (sqrt(x), -1, 1), (sqrt(x), -2, -1), (x ** Rational(1, 3), -8, -1),
+    (tan(x), 1, 2), (1 / x, -1, 1),
+    (asin(x), 0, 2), (acosh(x), 0, 2), (atanh(x), 0, 1), (exp(x), 0, math.inf), (S.NaN, 0, 1),
+    (abs(x), 0, 1)],
     ids=str)
 def test_the_whole_line_where_nothing_is_known(function, low, high):
     """Outside of a domain, at a pole, of a function that is not known."""
@@ -169,11 +211,14 @@ def test_the_middle_of_a_box_lies_in_it():
     assert contains(sharp, sqrt(Rational(*5e-324.as_integer_ratio())))
 
 
-@given(I1=moments, I3=moments, l=numbers, omega=nonzero, k3=numbers, u=numbers, widths=st.lists(shares, min_size=6, max_size=6),
+@given(I1=moments, I3=moments, l=numbers, omega=nonzero, k3=numbers, u=numbers,
+       widths=st.lists(shares, min_size=6, max_size=6),
        place=st.lists(shares, min_size=6, max_size=6), power=st.sampled_from([0, -40, -480, 480]))
 @settings(max_examples=60)
 def test_margins_contain_their_exact_values(e1, e3, I1, I3, l, omega, k3, u, widths, place, power):
-    """Margins of E1 and E3 at corners and rational points of boxes, at scales up to those that underflow and overflow."""
+    """Margins of E1 and E3 at corners and rational points of boxes, at scales up to those that underflow and
+    overflow.
+    """
     names = ("I1", "I3", "l", "omega", "k3", "d2U")
     centres = dict(zip(names, (I1, I3, l, omega, k3, u)))
     ends = {}
@@ -189,21 +234,27 @@ def test_margins_contain_their_exact_values(e1, e3, I1, I3, l, omega, k3, u, wid
         with np.errstate(all="ignore"):
             sharp = sharpened(margin, natural, box, slopes)
         for shares_of in (place, map(round, place)):
-            value = evaluate(margin, {s: between(ends[s.name], share) for s, share in zip(symbols, shares_of)})
+            value = evaluate(margin, {s: between(ends[s.name], share)
+                                      for s, share in zip(symbols, shares_of)})
             assert contains(natural, value) and contains(sharp, value)
 
 
 def test_the_mean_value_form_is_of_second_order(e3):
-    """Half the width of the box: a quarter of the excess over the range, a half with the natural enclosure."""
+    """Half the width of the box.
+
+    A quarter of the excess over the range, a half with the natural enclosure.
+    """
     margin = e3.sufficient.alternatives[0][0].margin
     centre = {"I1": 1.0, "I3": 0.5, "l": 1.0, "omega": 0.75, "k3": 0.25, "d2U": -2.0}
     excess = {}
     for width in (2.0**-8, 2.0**-9):
-        box = {gs.symbol(n): Enclosure(np.array([c - width]), np.array([c + width])) for n, c in centre.items()}
+        box = {gs.symbol(n): Enclosure(np.array([c - width]), np.array([c + width]))
+               for n, c in centre.items()}
         natural = enclosure(margin, box)
         sharp = sharpened(margin, natural, box, {s: enclosure(derivative(margin, s), box) for s in box})
         numbers = {gs.symbol(n): Rational(c) for n, c in centre.items()}
-        flat = sum(abs(float(evaluate(derivative(margin, s), numbers))) for s in box) * 2 * width     # of first order the range
+        # of first order the range
+        flat = sum(abs(float(evaluate(derivative(margin, s), numbers))) for s in box) * 2 * width
         excess[width] = [float(b.high[0] - b.low[0]) - flat for b in (natural, sharp)]
     (natural, sharp), (half, quarter) = excess.values()
     assert 1.9 < natural / half < 2.2 and 3.8 < sharp / quarter < 4.2      # the limits are 2 and 4

@@ -1,4 +1,7 @@
-"""Arrays with masks and labels: refused where they would be ignored; memory that is written to while it is read."""
+"""Arrays with masks and labels: refused where they would be ignored.
+
+Memory that is written to while it is read.
+"""
 from contextlib import contextmanager
 from fractions import Fraction
 from itertools import product
@@ -21,15 +24,18 @@ FIXED = {"I1": 1, "dU": 1}
 PLACES = np.linspace(-3.0, 3.0, 7)
 
 
-@pytest.mark.parametrize("call", [lambda e1, l: verdicts(e1, FIXED, l=l, pi3_0=1.0), lambda e1, l: verdicts(e1, FIXED, pi3_0=l, l=[[1.0]]),
+@pytest.mark.parametrize("call", [lambda e1, l: verdicts(e1, FIXED, l=l, pi3_0=1.0),
+                                  lambda e1, l: verdicts(e1, FIXED, pi3_0=l, l=[[1.0]]),
                                   lambda e1, l: compile_margin(e1.sufficient)(**FIXED, l=l, pi3_0=1.0),
                                   lambda e1, l: compile_margin(e1.sufficient, np)(**FIXED, l=l, pi3_0=1.0),
-                                  lambda e1, l: stability_chart(e1, x=("l", l), y=("pi3_0", [0, 1]), fixed=FIXED)])
+                                  lambda e1, l: stability_chart(e1, x=("l", l), y=("pi3_0", [0, 1]),
+                                                                fixed=FIXED)])
 def test_masked_numbers_are_refused(e1, call):
     """A mask is not ignored; one that masks nothing is no mask."""
     call(e1, np.ma.array(PLACES))
     call(e1, np.ma.array(PLACES, mask=False))
-    for masked in (np.ma.masked_greater(PLACES, 2), np.ma.array(PLACES, mask=PLACES == 0), np.ma.array([1, 2], mask=[1, 0])):
+    for masked in (np.ma.masked_greater(PLACES, 2), np.ma.array(PLACES, mask=PLACES == 0),
+                   np.ma.array([1, 2], mask=[1, 0])):
         with pytest.raises(ValuesError, match=r"\[\d\] is masked, a verdict needs a number: leave it out"):
             call(e1, masked)
 
@@ -47,16 +53,21 @@ LABELLED = [
     (xr.DataArray(PLACES, dims="a"), xr.DataArray(PLACES, dims="b")),
     (xr.DataArray(PLACES, {"a": PLACES}), xr.DataArray(PLACES, {"a": PLACES[::-1]})),
     (xr.DataArray(np.ones((2, 2)), dims=("a", "b")), xr.DataArray(np.ones((2, 2)), dims=("b", "a"))),
-    (pd.Series(PLACES), pd.Series(PLACES, index=range(1, 8))), (xr.DataArray(PLACES, dims="a"), pd.Series(PLACES)),
-    (pd.DataFrame({"a": PLACES}), pd.DataFrame({"b": PLACES})), (xr.Variable("a", PLACES), xr.DataArray(PLACES, dims="b"))]
+    (pd.Series(PLACES), pd.Series(PLACES, index=range(1, 8))),
+    (xr.DataArray(PLACES, dims="a"), pd.Series(PLACES)),
+    (pd.DataFrame({"a": PLACES}), pd.DataFrame({"b": PLACES})),
+    (xr.Variable("a", PLACES), xr.DataArray(PLACES, dims="b"))]
 
 
 @pytest.mark.parametrize("pair", LABELLED)
 def test_labels_that_differ_are_refused(e1, pair):
     """Arrays of xarray and pandas are not combined by places where by labels it would be otherwise."""
-    for call in (lambda l, pi3_0: verdicts(e1, FIXED, l=l, pi3_0=pi3_0), lambda l, pi3_0: compile_margin(e1.sufficient)(
+    for call in (lambda l, pi3_0: verdicts(e1, FIXED, l=l, pi3_0=pi3_0),
+                 lambda l, pi3_0: compile_margin(e1.sufficient)(
             **FIXED, l=l, pi3_0=pi3_0)):
-        with pytest.raises(ValuesError, match="pi3_0 and l differ in their labels, .* align them first, or pass their .values"):
+        with pytest.raises(ValuesError,
+                           match="pi3_0 and l differ in their labels, .* align them first, or pass their "
+                                 ".values"):
             call(*pair)
         for same in pair:
             np.testing.assert_array_equal(call(same, same), call(same.values, same.values))
@@ -76,7 +87,8 @@ numbers = st.integers(-12, 12).map(lambda n: n / 4)
 
 
 @pytest.mark.parametrize("backend", ["numpy", "numba"])
-@given(numbers=st.lists(numbers, min_size=40, max_size=40), shift=st.integers(-7, 7), width=st.sampled_from([1, 5, 16]))
+@given(numbers=st.lists(numbers, min_size=40, max_size=40), shift=st.integers(-7, 7),
+       width=st.sampled_from([1, 5, 16]))
 @settings(max_examples=10)
 def test_what_is_written_may_overlap_what_is_read(e1, backend, numbers, shift, width):
     """Shifted by any number of places, or not at all: the result is that of separate memory."""

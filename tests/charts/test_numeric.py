@@ -1,4 +1,6 @@
-"""Compiled margins: the values of the formula, bit for bit or within the proved bound, whatever the shapes, blocks and backends."""
+"""Compiled margins: the values of the formula, bit for bit or within the proved bound, whatever the shapes,
+blocks and backends.
+"""
 import builtins
 import math
 import os
@@ -71,11 +73,16 @@ def drawn(names, shapes, seed=0):
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("shapes", [((), (), (7,), ()), ((), (), (13, 1), (15,)), ((), (5, 7), (5, 1), (7,)), ((8,), (8,), (8,), (8,)),
-                                    ((3, 1, 1, 1), (4, 1, 1), (5, 1), (6,)), ((2, 1, 3, 1, 2), (1, 4, 1, 1, 1), (2,), ()),
-                                    ((1, 1), (), (1,), (1, 1, 1)), ((), (3, 0), (1,), (3, 1)), ((), (), (0,), ()), ((), (), (), ())])
+@pytest.mark.parametrize("shapes", [((), (), (7,), ()), ((), (), (13, 1), (15,)), ((), (5, 7), (5, 1), (7,)),
+                                    ((8,), (8,), (8,), (8,)),
+                                    ((3, 1, 1, 1), (4, 1, 1), (5, 1), (6,)),
+                                    ((2, 1, 3, 1, 2), (1, 4, 1, 1, 1), (2,), ()),
+                                    ((1, 1), (), (1,), (1, 1, 1)), ((), (3, 0), (1,), (3, 1)),
+                                    ((), (), (0,), ()), ((), (), (), ())])
 def test_values_are_those_of_the_formula(e1, tiny_blocks, backend, shapes):
-    """E1: bit for bit the formula in NumPy, in blocks of seven points, for one to five axes, of length 1 and 0 too."""
+    """E1: bit for bit the formula in NumPy, in blocks of seven points, for one to five axes, of length 1 and
+    0 too.
+    """
     values = drawn(E1_NAMES, shapes)
     ((condition,),) = e1.sufficient.alternatives
     found = compile_margin(condition, backend)(**values)
@@ -98,17 +105,23 @@ def test_blocks_have_no_seams(e1, drawn_shapes, seed, threads):
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_values_are_within_the_bound(tilted_margin, backend):
-    """E3: |value − exact value| is at most the proved bound, in Fractions, where terms cancel too."""
+    """E3: abs(value − exact value) is at most the proved bound, in Fractions, where terms cancel too."""
     source = np.random.default_rng(5)
     names = ("I1", "I3", "d2U", "k3", "l", "omega")
-    values = {name: source.integers(-2**20, 2**20, 300) * 2.0 ** source.integers(-24, -16, 300) for name in names}
+    values = {name: source.integers(-2**20, 2**20, 300) * 2.0 ** source.integers(-24, -16, 300)
+              for name in names}
     values["d2U"] = np.linspace(-1, 1, 300)
     found, margin = compile_margin(tilted_margin, backend)(**values), tilted_margin.margin
     program = program_of(margin, dict.fromkeys(margin.free_symbols, frozenset({1})))
     bound = error_bound(program, {gs.symbol(n): abs(v) for n, v in values.items()}, {})
     for n in range(300):
         I1, I3, c, k, l, w = (Fraction(values[name][n]) for name in names)
-        exact = I1 * (1 - k * k) * c - 2 * I1 * k * (w * l - w * w * k * (I1 - I3)) + I1**2 * w**2 + ((I1 - I3) * w * k - l) ** 2
+        exact = (
+            I1 * (1 - k * k) * c
+            - 2 * I1 * k * (w * l - w * w * k * (I1 - I3))
+            + I1**2 * w**2
+            + ((I1 - I3) * w * k - l) ** 2
+        )
         assert abs(Fraction(found[n]) - exact) <= Fraction(bound[n])
 
 
@@ -127,7 +140,11 @@ def truth(criterion, values):
 
     def holds(condition, point):
         margin, factors = condition.margin.xreplace(point), [f.xreplace(point) for f in condition.degenerate]
-        return margin > 0 and all(f != 0 for f in factors) if condition.strict else margin >= 0 or any(f == 0 for f in factors)
+        return (
+            margin > 0 and all(f != 0 for f in factors)
+            if condition.strict
+            else margin >= 0 or any(f == 0 for f in factors)
+        )
 
     for index in np.ndindex(result.shape):
         point = {s: Rational(a[index].item()) for s, a in full.items()}
@@ -145,7 +162,9 @@ def small(names, seed):
 @pytest.mark.parametrize("backend", [*BACKENDS, array_api_strict])
 @pytest.mark.parametrize("which", ["e1", "e2", "at_rest", "uniform_tilt", "free_body", "general"])
 def test_criteria_hold_where_they_hold(request, tiny_blocks, which, backend):
-    """Several conditions, strict or not, alternatives and even factors, at small integers, where floats are exact."""
+    """Several conditions, strict or not, alternatives and even factors, at small integers, where floats are
+    exact.
+    """
     report = request.getfixturevalue(which)
     for criterion in (report.sufficient, report.necessary, report.casimirs_only):
         stable = compile_margin(criterion, backend)
@@ -172,12 +191,16 @@ def test_criteria_with_degenerate_factors_and_none(uniform_tilt, backend):
 @pytest.mark.parametrize("backend", [*BACKENDS, array_api_strict])
 @pytest.mark.parametrize("strict", [True, False])
 def test_even_factors(backend, strict):
-    """Where an even factor vanishes a strict condition fails and the other holds, whatever the margin; alternatives and conjunctions."""
+    """Where an even factor vanishes a strict condition fails and the other holds, whatever the margin.
+
+    Alternatives and conjunctions.
+    """
     one, other = (Condition(m, strict, "", f, x**0) for m, f in ((x - 1, (y, z)), (y + z, ())))
     for groups in (((one,),), ((one, other),), ((one,), (other,))):
         compiled = compile_margin(Criterion("", groups), backend)
         values = {n: np.arange(-2.0, 3).reshape([-1, *[1] * i]) for i, n in enumerate(compiled.names)}
-        given_arrays = values if isinstance(backend, str) else {n: array_api_strict.asarray(v) for n, v in values.items()}
+        given_arrays = values if isinstance(backend, str) else {n: array_api_strict.asarray(v)
+                                                                for n, v in values.items()}
         assert np.array_equal(np.asarray(compiled(**given_arrays)), truth(Criterion("", groups), values))
 
 
@@ -186,16 +209,21 @@ def test_a_condition_is_its_margin_a_criterion_a_truth(e1, backend):
     """Condition and Expr give values, Criterion gives booleans; all take the same names."""
     ((condition,),) = e1.sufficient.alternatives
     values = drawn(E1_NAMES, [(3, 1), (), (), (4,)])
-    from_condition, from_margin = (compile_margin(what, backend)(**values) for what in (condition, condition.margin))
+    from_condition, from_margin = (compile_margin(what, backend)(**values)
+                                   for what in (condition, condition.margin))
     stable = compile_margin(e1.sufficient, backend)
-    assert stable.names == E1_NAMES == compile_margin(condition.margin, backend).names and stable.backend == backend
+    assert stable.names == E1_NAMES == compile_margin(condition.margin, backend).names
+    assert stable.backend == backend
     assert np.array_equal(from_condition, from_margin) and np.array_equal(stable(**values), from_margin > 0)
     assert np.array_equal(compile_margin(e1.necessary, backend)(**values), from_margin >= 0)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_scalars_and_constants(e1, backend):
-    """Numbers give a NumPy number; a margin that is a constant takes no names; exact numbers are rounded once."""
+    """Numbers give a NumPy number; a margin that is a constant takes no names.
+
+    Exact numbers are rounded once.
+    """
     ((condition,),) = e1.sufficient.alternatives
     value = compile_margin(condition, backend)(I1=1, dU=Fraction(1, 4), l="1/2", pi3_0=np.float32(0.5))
     assert isinstance(value, np.float64) and value == 0
@@ -208,7 +236,8 @@ def test_scalars_and_constants(e1, backend):
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_out_is_written_to(e1, backend):
     """out is filled and returned; scalars fill an array without axes."""
-    stable, margin = compile_margin(e1.sufficient, backend), compile_margin(e1.sufficient.alternatives[0][0], backend)
+    stable, margin = compile_margin(e1.sufficient,
+                                    backend), compile_margin(e1.sufficient.alternatives[0][0], backend)
     values = drawn(E1_NAMES, [(3, 1), (), (), (4,)])
     for compiled, kind in ((stable, bool), (margin, float)):
         out = np.empty((3, 4), dtype=kind)
@@ -225,7 +254,8 @@ def read_only():
 
 
 @pytest.mark.parametrize(("out", "said"), [
-    (np.empty((4, 3)), r"shape \(4, 3\).*has shape \(3, 4\)"), (np.empty((3, 4), dtype=np.float32), "float32"),
+    (np.empty((4, 3)), r"shape \(4, 3\).*has shape \(3, 4\)"),
+    (np.empty((3, 4), dtype=np.float32), "float32"),
     (np.empty((4, 3)).T, "C-contiguous"), (np.empty(12), r"\(12,\)"),
     (np.empty((3, 4), dtype=int), "int64"), ([[0.0] * 4] * 3, "out"), (read_only(), "out")],
     ids=["shape", "float32", "Fortran order", "flat", "int", "list", "read-only"])
@@ -246,7 +276,10 @@ def test_threads_change_nothing(e1, tiny_blocks, backend, threads):
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_single_precision(e1, backend):
-    """float32 throughout, with numbers, gives float32, each operation rounded to it; one float64 array gives float64."""
+    """float32 throughout, with numbers, gives float32, each operation rounded to it.
+
+    One float64 array gives float64.
+    """
     ((condition,),) = e1.sufficient.alternatives
     compiled, values = compile_margin(condition, backend), drawn(E1_NAMES, [(), (), (5, 1), (6,)])
     single = {n: v.astype(np.float32) if np.ndim(v) else v for n, v in values.items()}
@@ -264,7 +297,8 @@ def test_no_warning_escapes(e1, backend):
     """Overflow to ∞, underflow, ∞ − ∞ and poles are values, not warnings of the caller's."""
     margin = compile_margin(e1.sufficient.alternatives[0][0], backend)
     with np.errstate(all="raise"):
-        found = margin(I1=np.array([1.0, 1e200, 1e-200]), dU=np.array([1.0, 1e200, 1e-200]), l=1e200, pi3_0=0.0)
+        found = margin(I1=np.array([1.0, 1e200, 1e-200]), dU=np.array([1.0, 1e200, 1e-200]), l=1e200,
+                       pi3_0=0.0)
         assert found[0] == math.inf and math.isnan(found[1]) and found[2] == math.inf
         single = margin(I1=1e300, dU=1.0, l=np.zeros(2, dtype=np.float32), pi3_0=np.ones(2, dtype=np.float32))
         assert single.dtype == np.float32 and (single == -np.inf).all()
@@ -272,9 +306,12 @@ def test_no_warning_escapes(e1, backend):
         assert compile_margin(log(x) * y, backend)(x=np.array([0.0, 1.0]), y=1.0)[0] == -math.inf
 
 
-LEAVES = [(exp(b * x) * y - z, lambda b, x, y, z: np.exp(b * x) * y - z), (sqrt(x) * y, lambda x, y: np.sqrt(x) * y),
-          (sin(x) * y + cos(x) * z, lambda x, y, z: np.sin(x) * y + np.cos(x) * z), (x ** Rational(3, 2) * y, lambda x, y: x**1.5 * y),
-          (log(x + y) * z, lambda x, y, z: np.log(x + y) * z), (y / x, lambda x, y: y / x), (y / x**2, lambda x, y: y / x**2)]
+LEAVES = [(exp(b * x) * y - z, lambda b, x, y, z: np.exp(b * x) * y - z),
+          (sqrt(x) * y, lambda x, y: np.sqrt(x) * y),
+          (sin(x) * y + cos(x) * z, lambda x, y, z: np.sin(x) * y + np.cos(x) * z),
+          (x ** Rational(3, 2) * y, lambda x, y: x**1.5 * y),
+          (log(x + y) * z, lambda x, y, z: np.log(x + y) * z), (y / x, lambda x, y: y / x),
+          (y / x**2, lambda x, y: y / x**2)]
 
 
 @pytest.mark.parametrize(("expression", "formula"), LEAVES, ids=[str(e) for e, _ in LEAVES])
@@ -283,9 +320,11 @@ def test_functions_are_those_of_the_namespace(tiny_blocks, expression, formula, 
     """Functions and roots in grids: close to the formula."""
     compiled = compile_margin(expression, backend)
     values = drawn(compiled.names, [(3, 1, 1), (2, 1), (5,), ()])
-    given_arrays = values if isinstance(backend, str) else {n: array_api_strict.asarray(v) for n, v in values.items()}
+    given_arrays = values if isinstance(backend, str) else {n: array_api_strict.asarray(v)
+                                                            for n, v in values.items()}
     # a few roundings; the order of the operations may be another
-    np.testing.assert_allclose(np.asarray(compiled(**given_arrays)), formula(**values), rtol=1e-14, atol=1e-15)
+    np.testing.assert_allclose(np.asarray(compiled(**given_arrays)), formula(**values), rtol=1e-14,
+                               atol=1e-15)
 
 
 def test_inverse_functions_are_found_under_either_name():
@@ -294,7 +333,9 @@ def test_inverse_functions_are_found_under_either_name():
     for function, value in ((asin, 0.5), (acos, 0.5), (atan, 0.5), (asinh, 0.5), (atanh, 0.5), (acosh, 1.5)):
         expected = float(function(value))
         # one or two roundings
-        assert compile_margin(function(x) * y)(x=np.array([value]), y=1.0)[0] == pytest.approx(expected, rel=1e-15)
+        assert compile_margin(function(x) * y)(x=np.array([value]), y=1.0)[0] == pytest.approx(
+            expected, rel=1e-15
+        )
 
 
 def test_another_namespace_gives_its_arrays(e1):
@@ -311,21 +352,28 @@ def test_another_namespace_takes_numbers(e1):
     """Numbers beside arrays, integers too, are taken as floats."""
     ((condition,),) = e1.sufficient.alternatives
     l = array_api_strict.asarray([1.0, 2.0])
-    assert np.asarray(compile_margin(condition, array_api_strict)(I1=1, dU=2, l=l, pi3_0=0.5)).tolist() == [1.5**2 - 8, 2.5**2 - 8]
+    assert np.asarray(compile_margin(condition, array_api_strict)(I1=1, dU=2, l=l, pi3_0=0.5)).tolist() == [
+        1.5**2 - 8,
+        2.5**2 - 8,
+    ]
 
 
 def test_another_namespace_keeps_single_precision(e1):
     """float32 throughout gives float32 there too."""
     ((condition,),) = e1.sufficient.alternatives
-    single = {n: array_api_strict.asarray(v, dtype=array_api_strict.float32) for n, v in drawn(E1_NAMES, [(3,)] * 4).items()}
+    single = {n: array_api_strict.asarray(v, dtype=array_api_strict.float32)
+              for n, v in drawn(E1_NAMES, [(3,)] * 4).items()}
     assert compile_margin(condition, array_api_strict)(**single).dtype == array_api_strict.float32
 
 
 @pytest.mark.parametrize(("arrays", "said"), [
-    ({"I1": 1, "dU": 1, "l": 1}, "this margin needs pi3_0: give"), ({"I1": 1, "dU": 1, "l": 1, "pi3_0": 1, "q": 2}, "no parameter q"),
-    ({"I1": 1, "dU": 1, "l": 1, "pi30": 1}, r"no parameter pi30: did you mean pi3_0\?"), ({}, "needs I1, dU, l, pi3_0"),
+    ({"I1": 1, "dU": 1, "l": 1}, "this margin needs pi3_0: give"),
+    ({"I1": 1, "dU": 1, "l": 1, "pi3_0": 1, "q": 2}, "no parameter q"),
+    ({"I1": 1, "dU": 1, "l": 1, "pi30": 1}, r"no parameter pi30: did you mean pi3_0\?"),
+    ({}, "needs I1, dU, l, pi3_0"),
     ({"I1": 1, "dU": 1, "l": [1, 2], "pi3_0": [1, 2, 3]}, r"do not broadcast: l \(2,\), pi3_0 \(3,\)"),
-    ({"I1": 1, "dU": 1, "l": [1, math.nan], "pi3_0": 1}, r"l\[1\] = nan"), ({"I1": "x", "dU": 1, "l": 1, "pi3_0": 1}, "I1 = x contains")])
+    ({"I1": 1, "dU": 1, "l": [1, math.nan], "pi3_0": 1}, r"l\[1\] = nan"),
+    ({"I1": "x", "dU": 1, "l": 1, "pi3_0": 1}, "I1 = x contains")])
 def test_what_is_wrong_with_the_arrays_is_named(e1, arrays, said):
     """Missing and unknown names, numbers and shapes."""
     with pytest.raises(ValuesError, match=said):
@@ -333,7 +381,8 @@ def test_what_is_wrong_with_the_arrays_is_named(e1, arrays, said):
 
 
 @pytest.mark.parametrize(("what", "backend", "said"), [
-    (x, "jax", "backend = 'jax' is none"), (3, "numpy", "is a int"), ("x", "numpy", "is a str"), (None, "numba", "is a NoneType")])
+    (x, "jax", "backend = 'jax' is none"), (3, "numpy", "is a int"), ("x", "numpy", "is a str"),
+    (None, "numba", "is a NoneType")])
 def test_what_cannot_be_compiled_is_named(what, backend, said):
     """ArgumentError for other backends and other things to compile."""
     with pytest.raises(ArgumentError, match=said):
@@ -360,10 +409,13 @@ def peak(call):
         tracemalloc.stop()
 
 
-@pytest.mark.parametrize("shapes", [((1500, 1), (1500,), ()), ((10**6,), (10**6,), ()), ((1000, 1, 1), (1000, 1), (2,)),
-                                    ((2, 1, 1), (1000, 1), (1000,)), ((3000, 1), (700,), (3000, 1)), ((2, 1), (10**6,), ())])
+@pytest.mark.parametrize("shapes", [((1500, 1), (1500,), ()), ((10**6,), (10**6,), ()),
+                                    ((1000, 1, 1), (1000, 1), (2,)),
+                                    ((2, 1, 1), (1000, 1), (1000,)), ((3000, 1), (700,), (3000, 1)),
+                                    ((2, 1), (10**6,), ())])
 def test_memory_is_less_than_twice_the_result(tilted_margin, shapes):
-    """A chart of some million points allocates less than twice its result, also for (n, m, 2) and (2, n, m)."""
+    """A chart of some million points allocates less than twice its result, also for (n, m, 2) and (2, n, m).
+    """
     values = {"I1": 1.0, "I3": 0.5, "l": 0.25} | drawn(("k3", "d2U", "omega"), shapes)
     result, most = peak(lambda: compile_margin(tilted_margin)(**values))
     assert most < 2 * result.nbytes
@@ -374,7 +426,8 @@ def test_numba_is_numpy(tilted_margin, tiny_blocks):
     for shapes in ([(), (), (), (23, 1), (), (29,)], [(50,)] * 6, [(), (1,), (3, 1, 1), (5, 1), (), (7,)],
                    [(), (), (4, 5), (5,), (4, 1), ()]):
         values = drawn(("I1", "I3", "d2U", "k3", "l", "omega"), shapes)
-        assert np.array_equal(compile_margin(tilted_margin, "numba")(**values), compile_margin(tilted_margin)(**values))
+        assert np.array_equal(compile_margin(tilted_margin, "numba")(**values),
+                              compile_margin(tilted_margin)(**values))
 
 
 SCRIPT = """
@@ -396,14 +449,18 @@ print(before, first > 0, compiled.compile_seconds == first, hits, float(value.su
 
 def other_process(tmp, **environment):
     env = {k: v for k, v in os.environ.items() if not k.startswith("NUMBA_")} | environment
-    run = subprocess.run([sys.executable, "-W", "error", "-c", SCRIPT], capture_output=True, text=True, env=env, cwd=tmp, check=False)
+    run = subprocess.run([sys.executable, "-W", "error", "-c", SCRIPT], capture_output=True, text=True,
+                         env=env, cwd=tmp, check=False)
     assert run.returncode == 0, run.stderr
     return run.stdout.split()
 
 
 @pytest.mark.slow
 def test_compiled_code_is_kept_on_disk(tmp_path):
-    """A second process reads from the cache folder what the first compiled; compiling counts as seconds, once."""
+    """A second process reads from the cache folder what the first compiled.
+
+    Compiling counts as seconds, once.
+    """
     env = {"XDG_CACHE_HOME": str(tmp_path / "cache"), "PYTHONPATH": os.pathsep.join(sys.path)}
     first = other_process(tmp_path, **env)
     files = {p: p.stat().st_mtime_ns for p in (tmp_path / "cache" / "gyrostat").rglob("*") if p.is_file()}

@@ -1,4 +1,6 @@
-"""The error bound: no floating-point value is further from the exact one, whatever the scale, and the bound is not much too large."""
+"""The error bound: no floating-point value is further from the exact one, whatever the scale, and the bound
+is not much too large.
+"""
 import math
 import operator
 from fractions import Fraction
@@ -14,7 +16,8 @@ import gyrostat as gs
 from gyrostat.charts.rounding import LARGEST, SLACK, SMALLEST, UNIT, error_bound, rounded
 from gyrostat.charts.straightline import Program, Step, program_of
 
-FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul, negative=operator.neg)
+FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
+                            negative=operator.neg)
 LEAVES = tuple(gs.symbol(f"x{n}") for n in range(4))
 x, y, z, w = LEAVES
 NOWHERE = frozenset()
@@ -24,7 +27,8 @@ ordinary = st.builds(lambda m, e: math.ldexp(m, e - 53), mantissas, st.integers(
 large = st.builds(lambda m, e: math.ldexp(m, e - 53), mantissas, st.integers(400, 1020))
 small = st.builds(lambda m, e: math.ldexp(m, e - 53), mantissas, st.integers(-1022, -400))
 subnormal = st.integers(-2**52, 2**52).map(lambda m: m * SMALLEST)
-floats = st.one_of(ordinary, ordinary, large, small, subnormal, st.sampled_from([0.0, -0.0, 1.0, -1.0, 5e-324, -5e-324, 2.0**-1022, 1e308]))
+floats = st.one_of(ordinary, ordinary, large, small, subnormal,
+                   st.sampled_from([0.0, -0.0, 1.0, -1.0, 5e-324, -5e-324, 2.0**-1022, 1e308]))
 positive = st.integers(1, 2**60)
 
 
@@ -32,11 +36,13 @@ positive = st.integers(1, 2**60)
 def programs(draw, steps=9, degree=8):
     """Random steps, no product of more than so many leaves; constants p/q of ordinary size."""
     made = [Step("leaf", (), leaf, NOWHERE) for leaf in LEAVES[:draw(st.integers(1, 4))]]
-    made += [Step("constant", (), Rational(draw(positive), draw(positive)), NOWHERE) for _ in range(draw(st.integers(0, 2)))]
+    made += [Step("constant", (), Rational(draw(positive), draw(positive)), NOWHERE)
+             for _ in range(draw(st.integers(0, 2)))]
     degrees = [1] * len(made)
     for _ in range(draw(st.integers(1, steps))):
         operation = draw(st.sampled_from(["add", "subtract", "multiply", "multiply", "negative"]))
-        arguments = tuple(draw(st.integers(0, len(made) - 1)) for _ in range(1 if operation == "negative" else 2))
+        arguments = tuple(draw(st.integers(0, len(made) - 1))
+                          for _ in range(1 if operation == "negative" else 2))
         most = (sum if operation == "multiply" else max)([degrees[i] for i in arguments])
         if most <= degree:
             made.append(Step(operation, arguments, None, NOWHERE))
@@ -48,7 +54,8 @@ def programs(draw, steps=9, degree=8):
 def polynomials(draw):
     """Random polynomials, some with squares of sums."""
     whole = st.integers(-20, 20).map(Integer)
-    monomials = [Mul(draw(whole), *draw(st.lists(st.sampled_from(LEAVES), max_size=4))) for _ in range(draw(st.integers(1, 5)))]
+    monomials = [Mul(draw(whole), *draw(st.lists(st.sampled_from(LEAVES), max_size=4)))
+                 for _ in range(draw(st.integers(1, 5)))]
     square = Add(*(draw(whole) * leaf for leaf in LEAVES[:3])) ** draw(st.integers(1, 3))
     return draw(whole) * square + Add(*monomials)
 
@@ -61,13 +68,15 @@ def in_floats(program, values):
 
 def exactly(program, values):
     """The result in Fractions."""
-    return program.run(lambda leaf: Fraction(values[leaf]), lambda c: Fraction(int(c.p), int(c.q)), FRACTIONS)[-1]
+    return program.run(lambda leaf: Fraction(values[leaf]), lambda c: Fraction(int(c.p), int(c.q)),
+                       FRACTIONS)[-1]
 
 
 def holds(program, floats, exact, roundings, computed=False):
-    """Whether |value − exact value| is at most the bound, in Fractions; the bound may be ∞."""
+    """Whether abs(value − exact value) is at most the bound, in Fractions; the bound may be ∞."""
     steps = in_floats(program, floats)
-    bound = float(error_bound(program, {leaf: abs(v) for leaf, v in floats.items()}, roundings, steps if computed else None))
+    bound = float(error_bound(program, {leaf: abs(v) for leaf, v in floats.items()}, roundings,
+                              steps if computed else None))
     if bound == math.inf:
         return True
     return abs(Fraction(float(steps[-1])) - exactly(program, exact)) <= Fraction(bound)
@@ -76,15 +85,18 @@ def holds(program, floats, exact, roundings, computed=False):
 @given(program=programs(), values=st.lists(floats, min_size=4, max_size=4), computed=st.booleans())
 @settings(max_examples=300)
 def test_the_error_of_any_program_is_within_the_bound(program, values, computed):
-    """|x̂ − x| ≤ e for random steps at doubles of every size, zeros and subnormal ones included, with the steps as computed or without."""
+    """abs(x̂ − x) ≤ e for random steps at doubles of every size, zeros and subnormal ones included, with the
+    steps as computed or without.
+    """
     at = dict(zip(LEAVES, values))
     assert holds(program, at, at, {}, computed)
 
 
-@given(expression=polynomials(), values=st.lists(st.one_of(ordinary, small, subnormal), min_size=4, max_size=4), data=st.data())
+@given(expression=polynomials(), values=st.lists(st.one_of(ordinary, small, subnormal), min_size=4,
+                                                 max_size=4), data=st.data())
 @settings(max_examples=120)
 def test_the_error_of_a_polynomial_is_within_the_bound(expression, values, data):
-    """|x̂ − x| ≤ e for programs as they are written for polynomials, squares completed."""
+    """abs(x̂ − x) ≤ e for programs as they are written for polynomials, squares completed."""
     program, at = program_of(expression, {}), dict(zip(LEAVES, values))
     assert holds(program, at, at, {}, data.draw(st.booleans()))
 
@@ -105,13 +117,18 @@ def test_cancelling_sums(pair, others, program, computed):
     assert holds(program_of((x + y) ** 2 * z - w, {}), at, at, {}, computed)
 
 
-fractions = st.builds(lambda p, q, e: Fraction(p, q) * Fraction(2) ** e, st.integers(-2**70, 2**70), positive, st.integers(-60, 60))
+fractions = st.builds(lambda p, q, e: Fraction(p, q) * Fraction(2) ** e, st.integers(-2**70, 2**70),
+                      positive, st.integers(-60, 60))
 
 
-@given(program=programs(), exact=st.lists(fractions, min_size=4, max_size=4), cancel=st.booleans(), computed=st.booleans())
+@given(program=programs(), exact=st.lists(fractions, min_size=4, max_size=4), cancel=st.booleans(),
+       computed=st.booleans())
 @settings(max_examples=200)
 def test_rounded_inputs_are_counted(program, exact, cancel, computed):
-    """|x̂ − x| ≤ e where leaves are fractions, each correctly rounded and counted as one rounding; also where their sum cancels."""
+    """abs(x̂ − x) ≤ e where leaves are fractions, each correctly rounded and counted as one rounding.
+
+    Also where their sum cancels.
+    """
     if cancel:
         exact[1] = -exact[0] * (1 + Fraction(1, 2**54))
     at = dict(zip(LEAVES, exact))
@@ -123,7 +140,10 @@ def test_rounded_inputs_are_counted(program, exact, cancel, computed):
 @given(values=st.lists(fractions, min_size=2, max_size=2), n=st.integers(2, 6))
 @settings(max_examples=100)
 def test_sums_of_rounded_numbers_are_not_exact(values, n):
-    """A sum of two rounded numbers may cancel to nothing: what was computed of it says nothing of its error."""
+    """A sum of two rounded numbers may cancel to nothing.
+
+    What was computed of it says nothing of its error.
+    """
     a = values[0] or Fraction(1, 3)
     at = {x: a, y: -a * (1 + Fraction(1, 2**60 + n))}
     near = {leaf: float(v) for leaf, v in at.items()}
@@ -131,15 +151,18 @@ def test_sums_of_rounded_numbers_are_not_exact(values, n):
     for expression in (x + y, (x + y) * z, (x + y) ** n):
         assert holds(program_of(expression, {}), near, at, {x: 1, y: 1}, computed=True)
     leaves = (Step("leaf", (), x, NOWHERE), Step("leaf", (), y, NOWHERE), Step("add", (0, 1), None, NOWHERE))
-    assert holds(Program((*leaves, Step("negative", (2,), None, NOWHERE))), near, at, {x: 1, y: 1}, computed=True)
+    assert holds(Program((*leaves, Step("negative", (2,), None, NOWHERE))), near, at, {x: 1, y: 1},
+                 computed=True)
 
 
 @pytest.mark.parametrize("computed", [False, True])
 @pytest.mark.parametrize(("expression", "at"), [
-    (x * y, (2.0**-600, 3 * 2.0**-480)), (x * y, (5e-324, 0.5)), (x * y * z, (1e-200, 1e-200, 1e300)), (x**2 * y, (1.1e-162, 1e290)),
+    (x * y, (2.0**-600, 3 * 2.0**-480)), (x * y, (5e-324, 0.5)), (x * y * z, (1e-200, 1e-200, 1e300)),
+    (x**2 * y, (1.1e-162, 1e290)),
     (x * y * z - w, (1e-200, 1e-200, 1e300, 1e-100)), ((x * y) ** 2 * z, (3e-90, 1e-80, 1e300)),
     (x * y * (z * w), (1e-170, 1e-170, 1e160, 1e150)),
-    ((x - y) * z, (1e-308, 0.9999999999999999e-308, 1e300)), (x**3 - y, (1e-108, 1e-324)), ((x * x + y * y) * z, (1e-170, 1e-165, 1e300)),
+    ((x - y) * z, (1e-308, 0.9999999999999999e-308, 1e300)), (x**3 - y, (1e-108, 1e-324)),
+    ((x * x + y * y) * z, (1e-170, 1e-165, 1e300)),
     (x * y * z * w, (1e-200, 1e-200, 1e200, 1e200)), (3 * x * y * z, (2e-162, 2e-162, 1e305)),
     ((w - x * y) * z, (1e-170, 1e-170, 1e300, 0.0)), ((x * y - w) * z, (1e-170, 1e-170, 1e300, 0.0))])
 def test_what_underflow_loses(expression, at, computed):
@@ -150,11 +173,14 @@ def test_what_underflow_loses(expression, at, computed):
 
 def test_underflow_on_either_side_of_a_sum():
     """What underflow adds to a sum is what it adds to both of its parts."""
-    tiny = [Step("leaf", (), leaf, NOWHERE) for leaf in (x, y, z, w)] + [Step("multiply", (0, 1), None, NOWHERE)]
+    tiny = [Step("leaf", (), leaf, NOWHERE) for leaf in (x, y, z, w)] + [
+        Step("multiply", (0, 1), None, NOWHERE)
+    ]
     at = {x: 1e-170, y: 1e-170, z: 1e300, w: 0.0}
     for operation in ("add", "subtract"):
         for arguments in ((3, 4), (4, 3)):
-            steps = (*tiny, Step(operation, arguments, None, NOWHERE), Step("multiply", (5, 2), None, NOWHERE))
+            steps = (*tiny, Step(operation, arguments, None, NOWHERE),
+                     Step("multiply", (5, 2), None, NOWHERE))
             assert holds(Program(steps), at, at, {}) and holds(Program(steps), at, at, {}, computed=True)
 
 
@@ -177,7 +203,8 @@ def test_no_bound_where_it_may_overflow(values):
     a, b = map(abs, values)
     program, at = program_of(x * y - x, {}), {x: a, y: b}
     with np.errstate(over="ignore"):
-        largest = max(float(np.float64(b) + np.float64(1)), a, b, float(np.float64(a) * (np.float64(b) + 1)), float(np.float64(a) * b + a))
+        largest = max(float(np.float64(b) + np.float64(1)), a, b, float(np.float64(a) * (np.float64(b) + 1)),
+                      float(np.float64(a) * b + a))
     bound = float(error_bound(program, at, {}))
     assert math.isinf(bound) if largest > LARGEST else largest == LARGEST or math.isfinite(bound)
 
@@ -197,11 +224,15 @@ def test_no_bound_for_what_is_not_finite(expression, size):
 @pytest.mark.parametrize(("expression", "roundings", "count"), [
     (x + y, {}, 1), (x * y, {}, 2), (x * y * z, {}, 4), (x * y + z, {}, 3), (x * y + z * w, {}, 3),
     (x * y + z, {z: 7}, 8),    (x + y, {x: 3, y: 5}, 6),
-    (x * y, {x: 3, y: 5}, 10), (x**2 + y + z, {}, 3), (x * y + y * z + z * w, {}, 4), (x / 3, {}, 3), (x / 4, {}, 2),
+    (x * y, {x: 3, y: 5}, 10), (x**2 + y + z, {}, 3), (x * y + y * z + z * w, {}, 4), (x / 3, {}, 3),
+    (x / 4, {}, 2),
     (x, {}, 0), (3 + x, {x: 2}, 3),
     (x**4, {}, 6)])
 def test_counts_of_roundings(expression, roundings, count):
-    """A sum of two counts the larger and one more, a product both and two more; a constant that is no double counts one."""
+    """A sum of two counts the larger and one more, a product both and two more.
+
+    A constant that is no double counts one.
+    """
     bound = float(error_bound(program_of(expression, {}), dict.fromkeys(LEAVES, 1.0), roundings))
     size = sum(abs(c) for c in expression.expand().as_coefficients_dict().values())
     # the bound itself is rounded in a few operations, and what underflow adds is below 2⁻¹⁰⁰⁰
@@ -211,11 +242,15 @@ def test_counts_of_roundings(expression, roundings, count):
 def test_a_change_of_sign_rounds_nothing():
     """−x counts what x does."""
     program = Program((Step("leaf", (), x, NOWHERE), Step("negative", (0,), None, NOWHERE)))
-    assert float(error_bound(program, {x: 1.0}, {x: 4})) == pytest.approx(4 * UNIT * SLACK, rel=1e-12)      # rounded in a few operations
+    # rounded in a few operations
+    assert float(error_bound(program, {x: 1.0}, {x: 4})) == pytest.approx(4 * UNIT * SLACK, rel=1e-12)
 
 
 def test_what_underflow_adds():
-    """A η, A = 2 for a product and 4 A + 4 at the end: 12 η for a product of two, no less where the factors are 0."""
+    """A η, A = 2 for a product and 4 A + 4 at the end.
+
+    12 η for a product of two, no less where the factors are 0.
+    """
     for size in (0.0, 1e-320):
         assert error_bound(program_of(x * y, {}), {x: size, y: size}, {}) == 12 * SMALLEST
     assert error_bound(program_of(x + y, {}), {x: 0.0, y: 0.0}, {}) == 4 * SMALLEST
@@ -224,9 +259,12 @@ def test_what_underflow_adds():
 @given(expression=polynomials(), values=st.lists(ordinary, min_size=4, max_size=4))
 @settings(max_examples=100)
 def test_the_bound_is_not_vacuous(expression, values):
-    """For ordinary numbers e < 100 u M, M the program with all signs positive, and e is not below u/4 times the value."""
+    """For ordinary numbers e < 100 u M, M the program with all signs positive, and e is not below u/4 times
+    the value.
+    """
     program, at = program_of(expression, {}), dict(zip(LEAVES, values))
-    positive = SimpleNamespace(add=operator.add, subtract=operator.add, multiply=operator.mul, negative=operator.pos)
+    positive = SimpleNamespace(add=operator.add, subtract=operator.add, multiply=operator.mul,
+                               negative=operator.pos)
     size = program.run(lambda leaf: abs(at[leaf]), lambda c: float(c), positive)[-1]
     bound = float(error_bound(program, {leaf: abs(v) for leaf, v in at.items()}, {}))
     assert bound <= 100 * 2.0**-53 * size + 2.0**-1000
@@ -239,13 +277,20 @@ def test_a_sum_of_exact_numbers_is_known_to_its_size():
     program, at = program_of((x + y) ** 2 * z, {}), {x: 1.0, y: -1 + 2.0**-50, z: 3.0}
     steps = in_floats(program, at)
     sizes = {leaf: abs(v) for leaf, v in at.items()}
-    assert float(error_bound(program, sizes, {}, steps)) < 2.0**-48 * float(steps[-1]) < 1e-10 * float(error_bound(program, sizes, {}))
+    assert (
+        float(error_bound(program, sizes, {}, steps))
+        < 2.0**-48 * float(steps[-1])
+        < 1e-10 * float(error_bound(program, sizes, {}))
+    )
 
 
 @given(program=programs(), rows=st.lists(st.lists(floats, min_size=4, max_size=4), min_size=1, max_size=4))
 @settings(max_examples=100)
 def test_one_bound_for_many_points(program, rows):
-    """The bound at the largest |leaf| is no smaller than the bound at each point; on arrays it is that of each element."""
+    """The bound at the largest abs(leaf) is no smaller than the bound at each point.
+
+    On arrays it is that of each element.
+    """
     columns = {leaf: np.abs(np.array(column)) for leaf, column in zip(LEAVES, zip(*rows))}
     together = float(error_bound(program, {leaf: float(c.max()) for leaf, c in columns.items()}, {}))
     each = np.broadcast_to(error_bound(program, columns, {}), len(rows))
@@ -263,20 +308,25 @@ def test_one_bound_for_many_points(program, rows):
 @example(1, 2**1080)
 @example(2**1030, 1)
 def test_constants_are_rounded_once(p, q):
-    """A positive rational is the double nearest to it, counted 0 if that is it, else 1; ∞ above all doubles."""
+    """A positive rational is the double nearest to it, counted 0 if that is it, else 1.
+
+    ∞ above all doubles.
+    """
     near, count = rounded(Rational(p, q))
     exact = Fraction(p, q)
     if math.isinf(near):
         assert exact > Fraction(1.7976931348623157e308) and count == 1
         return
     error = abs(Fraction(near) - exact)
-    assert error <= abs(Fraction(math.nextafter(near, math.inf)) - exact) and error <= abs(Fraction(math.nextafter(near, 0.0)) - exact)
+    assert error <= abs(Fraction(math.nextafter(near, math.inf)) - exact)
+    assert error <= abs(Fraction(math.nextafter(near, 0.0)) - exact)
     assert count == 1 or error == 0
     assert count == 0 or error or near <= 2.0**-1022
 
 
 def test_fused_products_are_within_the_bound():
-    """A product that is not rounded before it is added, as a processor may do, is closer than the bound too."""
+    """A product that is not rounded before it is added, as a processor may do, is closer than the bound too.
+    """
     a, b, c = 1 + 2.0**-30, 1 - 2.0**-30, -1.0
     program = program_of(x * y + z, {})
     fused = float(Fraction(a) * Fraction(b) + Fraction(c))

@@ -1,4 +1,7 @@
-"""Straight-line programs: the margin itself, exactly, with the least done for each point, whatever varies along which axes."""
+"""Straight-line programs.
+
+The margin itself, exactly, with the least done for each point, whatever varies along which axes.
+"""
 import operator
 from fractions import Fraction
 from types import SimpleNamespace
@@ -12,10 +15,12 @@ import gyrostat as gs
 from gyrostat.charts.straightline import program_of
 
 k3, x, y, z = map(gs.symbol, ("k3", "x", "y", "z"))
-FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul, negative=operator.neg)
+FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
+                            negative=operator.neg)
 SIX = sum(gs.symbol(f"a{n}") * k3**n for n in range(1, 7))
 NUMBERS = sum(Rational(3 * n - 8, 7 + n) * k3**n for n in range(1, 7))
-FIELDS = {"unspecified": gs.axial_potential(), "uniform": gs.uniform_field(), "Newtonian": gs.newtonian_field(2),
+FIELDS = {"unspecified": gs.axial_potential(), "uniform": gs.uniform_field(),
+          "Newtonian": gs.newtonian_field(2),
           "degree 6": gs.axial_potential(SIX), "degree 6, numbers": gs.axial_potential(NUMBERS),
           "degree 20": gs.axial_potential(gs.symbol("a") * chebyshevt(20, k3))}
 values = st.fractions(min_value=-4, max_value=4, max_denominator=16)
@@ -24,7 +29,8 @@ along = st.frozensets(st.integers(0, 3))
 
 def parts(report):
     """All that is ever compiled of a report: margins and even factors."""
-    return list(dict.fromkeys(e for criterion in (report.sufficient, report.necessary) for group in criterion.alternatives
+    return list(dict.fromkeys(e for criterion in (report.sufficient, report.necessary)
+                              for group in criterion.alternatives
                               for c in group for e in (c.margin, *c.degenerate)))
 
 
@@ -43,8 +49,10 @@ def margins():
     scenes = {name: gs.assemble(gs.symmetric_gyrostat(), field) for name, field in FIELDS.items()}
     reports = [gs.analyze(gs.upright(scenes["unspecified"])), gs.analyze(gs.hanging(scenes["degree 6"]))]
     reports += [gs.analyze(gs.inclined(scene)) for scene in scenes.values()]
-    reports += [gs.analyze(gs.static_tilt(scenes[name])) for name in ("unspecified", "uniform", "Newtonian", "degree 20")]
-    reports.append(gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, l))), 3)))
+    reports += [gs.analyze(gs.static_tilt(scenes[name]))
+                for name in ("unspecified", "uniform", "Newtonian", "degree 20")]
+    reports.append(gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, l))),
+                                                    3)))
     reports.append(gs.analyze(general(l, gs.symbol("omega"))))
     return list(dict.fromkeys(e for report in reports for e in parts(report)))
 
@@ -67,14 +75,18 @@ def test_the_program_is_the_margin(margins, data):
     symbols = sorted(margin.free_symbols, key=str)
     numbers = {s.name: data.draw(values) for s in symbols}
     axes = {s: data.draw(along) for s in symbols}
-    exact = margin.xreplace({s: Rational(numbers[s.name].numerator, numbers[s.name].denominator) for s in symbols})
+    exact = margin.xreplace({s: Rational(numbers[s.name].numerator, numbers[s.name].denominator)
+                             for s in symbols})
     assert run(program_of(margin, axes), numbers)[-1] == Fraction(int(exact.p), int(exact.q))
 
 
 @given(data=st.data())
 @settings(max_examples=50)
 def test_steps_vary_along_their_axes_alone(margins, data):
-    """A step without an axis keeps its value when all that varies along that axis changes; axes are unions of those of the arguments."""
+    """A step without an axis keeps its value when all that varies along that axis changes.
+
+    Axes are unions of those of the arguments.
+    """
     margin = data.draw(st.sampled_from(margins))
     symbols = sorted(margin.free_symbols, key=str)
     axes = {s: data.draw(along) for s in symbols}
@@ -91,27 +103,37 @@ def test_steps_vary_along_their_axes_alone(margins, data):
 @given(data=st.data())
 @settings(max_examples=50)
 def test_nothing_is_computed_twice_or_in_vain(margins, data):
-    """No two steps are equal, all but the last are read later, arguments come before; leaves are the symbols of the margin."""
+    """No two steps are equal, all but the last are read later, arguments come before.
+
+    Leaves are the symbols of the margin.
+    """
     margin = data.draw(st.sampled_from(margins))
     program = program_of(margin, {s: data.draw(along) for s in sorted(margin.free_symbols, key=str)})
     keys = [(s.operation, s.arguments, s.value) for s in program.steps]
     assert len(set(keys)) == len(keys)
     assert {i for s in program.steps for i in s.arguments} == set(range(len(keys) - 1))
     assert all(i < n for n, s in enumerate(program.steps) for i in s.arguments)
-    assert set(program.leaves) == margin.free_symbols and len(list(program.leaves)) == len(margin.free_symbols)
+    assert set(program.leaves) == margin.free_symbols
+    assert len(list(program.leaves)) == len(margin.free_symbols)
     for step in program.steps:
-        assert (step.value is None) == bool(step.arguments) and (step.operation != "constant" or step.value > 0)
+        assert (step.value is None) == bool(step.arguments)
+        assert (step.operation != "constant" or step.value > 0)
 
 
-@pytest.mark.parametrize(("names", "steps"), [(("l", "pi3_0"), 3), (("pi3_0", "dU"), 1), (("l", "dU"), 1), (("I1", "dU"), 2)])
+@pytest.mark.parametrize(("names", "steps"),
+                         [(("l", "pi3_0"), 3), (("pi3_0", "dU"), 1), (("l", "dU"), 1), (("I1", "dU"), 2)])
 def test_inner_steps_at_the_vertical(e1, names, steps):
-    """(π3 + l)² − 4 I1 U': a sum, a square and a difference on a grid of l and π3; one difference where P² is known."""
+    """(π3 + l)² − 4 I1 U': a sum, a square and a difference on a grid of l and π3.
+
+    One difference where P² is known.
+    """
     (margin,) = parts(e1)
     program = program_of(margin, {gs.symbol(name): frozenset({i}) for i, name in enumerate(names)})
     assert len(inner(program, frozenset({0, 1}))) == steps
 
 
-@pytest.mark.parametrize(("names", "steps"), [(("omega", "k3"), 5), (("k3", "d2U"), 2), (("omega", "l"), 3), (("I1", "d2U"), 3)])
+@pytest.mark.parametrize(("names", "steps"),
+                         [(("omega", "k3"), 5), (("k3", "d2U"), 2), (("omega", "l"), 3), (("I1", "d2U"), 3)])
 def test_inner_steps_at_a_tilt(e3, names, steps):
     """E3: five operations at each point of a grid of ω and k3, two of k3 and U''."""
     (margin,) = parts(e3)
@@ -120,9 +142,13 @@ def test_inner_steps_at_a_tilt(e3, names, steps):
 
 
 def test_sums_and_products_take_first_what_varies_least():
-    """x + y + z and x y z with x, y, z along 0, 1 and nothing: one step at each point; with x and z together along 0 also one."""
+    """x + y + z and x y z with x, y, z along 0, 1 and nothing: one step at each point.
+
+    With x and z together along 0 also one.
+    """
     for expression in (x + y + z, x * y * z):
-        for axes in ({x: frozenset({0}), y: frozenset({1})}, {x: frozenset({0}), z: frozenset({0}), y: frozenset({1})}):
+        for axes in ({x: frozenset({0}), y: frozenset({1})},
+                     {x: frozenset({0}), z: frozenset({0}), y: frozenset({1})}):
             assert len(inner(program_of(expression, axes), frozenset({0, 1}))) == 1
 
 
@@ -135,7 +161,10 @@ def test_what_varies_along_the_same_axes_is_joined_first():
 
 
 def test_what_shares_axes_is_joined_first():
-    """Of pairs that would vary along equally many axes, those that share one are joined: x along 0, y along 2, z along 0 and 1."""
+    """Of pairs that would vary along equally many axes, those that share one are joined.
+
+    X along 0, y along 2, z along 0 and 1.
+    """
     program = program_of(x + y + z, {x: frozenset({0}), y: frozenset({2}), z: frozenset({0, 1})})
     assert [step.axes for step in program.steps if step.arguments] == [{0, 1}, {0, 1, 2}]
 
@@ -148,8 +177,10 @@ def test_powers_are_repeated_squares(n, steps):
     assert run(program, {"x": Fraction(-3, 2)})[-1] == Fraction(-3, 2) ** n
 
 
-@pytest.mark.parametrize("expression", [-x, -x - y, -x * y, y - x, -(x**2), -(x**3) * y, (x - y) ** 2 - z, -Integer(3) * x, Integer(-2),
-                                        Integer(0), Rational(-2, 3) * x + y, x - 3, -x - 3, (-2) * (x + y) ** 3])
+@pytest.mark.parametrize("expression", [-x, -x - y, -x * y, y - x, -(x**2), -(x**3) * y, (x - y) ** 2 - z,
+                                        -Integer(3) * x, Integer(-2),
+                                        Integer(0), Rational(-2, 3) * x + y, x - 3, -x - 3,
+                                        (-2) * (x + y) ** 3])
 def test_signs_are_kept(expression):
     """Minus signs are gathered into subtractions and one negation at most, at the end."""
     program = program_of(expression, {})
@@ -165,7 +196,8 @@ def test_nothing_is_multiplied_by_one(margins):
     for margin in [*margins, -x, -x * y + z]:
         program = program_of(margin, {})
         ones = {i for i, step in enumerate(program.steps) if step.operation == "constant" and step.value == 1}
-        assert not [step for step in program.steps if step.operation == "multiply" and ones & set(step.arguments)], margin
+        assert not [step for step in program.steps if step.operation == "multiply"
+                    and ones & set(step.arguments)], margin
 
 
 def test_functions_are_leaves():

@@ -1,4 +1,6 @@
-"""Tiles: block by block the same as all at once, and nothing is done again along an axis on which it does not depend."""
+"""Tiles: block by block the same as all at once, and nothing is done again along an axis on which it does not
+depend.
+"""
 import math
 import operator
 from fractions import Fraction
@@ -17,7 +19,8 @@ from gyrostat.charts.tiles import Tiles
 
 NAMES = ("I1", "I3", "k3", "l", "omega")
 SYMBOLS = dict(zip(NAMES, map(gs.symbol, NAMES)))
-FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul, negative=operator.neg)
+FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
+                            negative=operator.neg)
 OPERATIONS = ("add", "subtract", "multiply", "negative")
 shapes = arrays.mutually_broadcastable_shapes(num_shapes=5, max_dims=5, min_side=1, max_side=4)
 
@@ -31,12 +34,14 @@ def margin():
 def whole_numbers(input_shapes, seed):
     """Arrays of small integers: every operation on them is exact."""
     source = np.random.default_rng(seed)
-    return {name: source.integers(-6, 7, size=shape).astype(float) for name, shape in zip(NAMES, input_shapes)}
+    return {name: source.integers(-6, 7, size=shape).astype(float)
+            for name, shape in zip(NAMES, input_shapes)}
 
 
 def tiles_over(grid, kind=np.float64):
     full = frozenset(i for i, n in enumerate(grid.merged) if n > 1)
-    return Tiles(program_of(margin(), grid.axes), full, lambda leaf, block: cut(grid.values[leaf], block), kind)
+    return Tiles(program_of(margin(), grid.axes), full, lambda leaf, block: cut(grid.values[leaf], block),
+                 kind)
 
 
 def block_by_block(grid, points, kind=np.float64, into=False):
@@ -54,7 +59,9 @@ def block_by_block(grid, points, kind=np.float64, into=False):
 @given(drawn=shapes, points=st.integers(1, 30), seed=st.integers(0, 99), into=st.booleans())
 @settings(max_examples=80)
 def test_blocks_of_any_size_are_the_whole(drawn, points, seed, into):
-    """On small integers the values are the margin at each point, exactly, for 1 to 5 axes and blocks of 1 to 30 points."""
+    """On small integers the values are the margin at each point, exactly, for 1 to 5 axes and blocks of 1 to
+    30 points.
+    """
     values = whole_numbers(drawn.input_shapes, seed)
     found = block_by_block(grid_of(values), points, into=into)
     full = np.broadcast_arrays(*values.values())
@@ -90,7 +97,8 @@ def hoisted(grid):
 
 
 @pytest.mark.parametrize("shapes", [
-    {"k3": (40, 1), "omega": (50,)}, {"l": (40, 1), "omega": (50,)}, {"I1": (30, 1, 1), "k3": (20, 1), "l": (10,)}, {"k3": (2000,)},
+    {"k3": (40, 1), "omega": (50,)}, {"l": (40, 1), "omega": (50,)},
+    {"I1": (30, 1, 1), "k3": (20, 1), "l": (10,)}, {"k3": (2000,)},
     {"k3": (2000,), "l": (2000,), "omega": (2000,)}, {"I3": (40, 1), "omega": (40, 50)},
     {"omega": (6, 1, 1, 1), "l": (5, 1, 1), "k3": (3, 4)}, {}],
     ids=str)
@@ -112,7 +120,9 @@ def test_nothing_is_done_again(monkeypatch, shapes):
 
 @pytest.mark.parametrize("points", [64, 256])
 def test_little_is_done_again_in_blocks(monkeypatch, points):
-    """In blocks of n points of a grid of rows and columns, what varies along one of them is done again once a block at most."""
+    """In blocks of n points of a grid of rows and columns, what varies along one of them is done again once a
+    block at most.
+    """
     source = np.random.default_rng(1)
     grid = grid_of({"I1": 1.5, "I3": 0.5, "l": 2.0, "k3": source.random((60, 1)), "omega": source.random(70)})
     blocks = [block for tile in grid.blocks(points) for block in tile]
@@ -125,17 +135,22 @@ def test_little_is_done_again_in_blocks(monkeypatch, points):
 def test_what_does_not_change_between_blocks_is_kept(monkeypatch):
     """Along an outer axis only what varies along it is computed again."""
     source = np.random.default_rng(2)
-    grid = grid_of({"I1": source.random((5, 7)), "I3": 1.0, "l": source.random((20, 1, 1)), "omega": source.random(7), "k3": 0.5})
+    grid = grid_of({"I1": source.random((5, 7)), "I3": 1.0, "l": source.random((20, 1, 1)),
+                    "omega": source.random(7), "k3": 0.5})
     steps = program_of(margin(), grid.axes).steps
     rest = [s for s in steps if s.arguments and 0 not in s.axes]
     assert rest
     once = sum(math.prod(grid.merged[i] for i in s.axes) for s in rest)
-    again = 20 * sum(math.prod(grid.merged[i] for i in s.axes if i) for s in steps if s.arguments and 0 in s.axes)
+    again = 20 * sum(math.prod(grid.merged[i] for i in s.axes if i)
+                     for s in steps if s.arguments and 0 in s.axes)
     assert elements(monkeypatch, lambda: block_by_block(grid, 1000)) == once + again
 
 
 def test_few_buffers_are_used():
-    """Inner steps share buffers: no more than are alive at once, none for the last step where it is written out."""
+    """Inner steps share buffers.
+
+    No more than are alive at once, none for the last step where it is written out.
+    """
     grid = grid_of({name: np.random.default_rng(3).random(500) for name in NAMES})
     tiles = tiles_over(grid)
     assert len(tiles.inner) > 10 and len(set(tiles.slots)) <= 4

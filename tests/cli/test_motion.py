@@ -15,8 +15,10 @@ from gyrostat.plotting.looks import BLUE
 from gyrostat.trajectories import motion
 
 NUMBERS = ("I1=1", "I3=0.6", "l=0.4", "m0=1")
-TOP = ["--potential", "m0*k3", *(f"--set={number}" for number in NUMBERS), "--state", "0.3,-0.2,sqrt(2),0.6,0,0.8"]
-FREE = ["--potential", "none", *(f"--set={number}" for number in ("I1=1", "I2=2", "I3=5/2", "l=1/4")), "--state", "1/3,2,-0.1"]
+TOP = ["--potential", "m0*k3", *(f"--set={number}" for number in NUMBERS), "--state",
+       "0.3,-0.2,sqrt(2),0.6,0,0.8"]
+FREE = ["--potential", "none", *(f"--set={number}" for number in ("I1=1", "I2=2", "I3=5/2", "l=1/4")),
+        "--state", "1/3,2,-0.1"]
 
 
 def run(capsys, *arguments):
@@ -35,7 +37,8 @@ def scene():
 
 
 def the_top(scene, **options):
-    return motion(scene, ("0.3", "-0.2", "sqrt(2)", "0.6", 0, "0.8"), dict(number.split("=") for number in NUMBERS), **options)
+    return motion(scene, ("0.3", "-0.2", "sqrt(2)", "0.6", 0, "0.8"),
+                  dict(number.split("=") for number in NUMBERS), **options)
 
 
 def the_box():
@@ -52,7 +55,8 @@ def test_the_table_is_the_motion(capsys, scene):
     np.testing.assert_array_equal(found[:, 1:7], top(found[:, 0]))
     known = dict(line.split(maxsplit=1) for line in err.splitlines())
     assert known["route"] == "elliptic" and float(known["period"]) == top.period
-    assert known["precession"] == f"{top.precession} in a period" and float(known["error"].split(",")[0]) < 1e-13
+    assert known["precession"] == f"{top.precession} in a period"
+    assert float(known["error"].split(",")[0]) < 1e-13
     worst, name, _ = known["drift"].split(", ")
     drift = top.drift(found[:, 0])
     assert worst == f"{max(drift.values()):.1e}" and f"{drift[name.removeprefix('of ')]:.1e}" == worst
@@ -60,7 +64,8 @@ def test_the_table_is_the_motion(capsys, scene):
 
 @pytest.mark.parametrize(("arguments", "times"), [
     (["--until", "1", "--count", "11"], [0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1]),
-    (["--until", "1", "--step", "0.3"], [0, 0.3, 0.6, 0.9]), (["--until", "-1/3", "--step", "1/6"], [0, -1 / 6, -1 / 3]),
+    (["--until", "1", "--step", "0.3"], [0, 0.3, 0.6, 0.9]),
+    (["--until", "-1/3", "--step", "1/6"], [0, -1 / 6, -1 / 3]),
     (["--until", "2*pi", "--step", "pi/2"], [0, np.pi / 2, np.pi, 3 * np.pi / 2, 2 * np.pi])])
 def test_times(capsys, arguments, times):
     """Each the double next to the exact time, from 0 forwards or back, T included where a step reaches it."""
@@ -84,7 +89,8 @@ def test_files_of_numbers(capsys, tmp_path):
     """The table in a file; netCDF holds the dataset of the library."""
     import xarray as xr
     box = the_box()
-    status, out, err = run(capsys, *FREE, "--until", "9", "--count", "120", "--output", str(tmp_path / "box.csv"))
+    status, out, err = run(capsys, *FREE, "--until", "9", "--count", "120", "--output",
+                           str(tmp_path / "box.csv"))
     assert status == 0 and out == "" and err.startswith("route       free gyrostat\n")
     found = np.array(rows((tmp_path / "box.csv").read_text())[1:], dtype=float)
     np.testing.assert_array_equal(found[:, 1:4], box(found[:, 0]))
@@ -94,30 +100,39 @@ def test_files_of_numbers(capsys, tmp_path):
 
 
 @pytest.mark.parametrize(("potential", "names", "inertia", "rotor"), [
-    ("k3", "I1 I3 l", "I1 I1 I3", "0 0 l"), ("k3", "I1 I2 I3 l", "I1 I2 I3", "0 0 l"), ("k1*k3", "I1 I2 I3 l", "I1 I2 I3", "0 0 l"),
+    ("k3", "I1 I3 l", "I1 I1 I3", "0 0 l"), ("k3", "I1 I2 I3 l", "I1 I2 I3", "0 0 l"),
+    ("k1*k3", "I1 I2 I3 l", "I1 I2 I3", "0 0 l"),
     ("k3", "I1 I3 l1 l2 l3", "I1 I1 I3", "l1 l2 l3"), ("none", "I1 I2 I3 l1 l2 l3", "I1 I2 I3", "l1 l2 l3")])
 def test_bodies(potential, names, inertia, rotor):
     """I2, k1 or k2, or no field at all: three moments; l1, l2, l3: any rotor."""
     body = body_of(potential, names.split()).body
-    assert " ".join(map(str, body.inertia)) == inertia and " ".join(map(str, body.gyrostatic_momentum)) == rotor
+    assert " ".join(map(str, body.inertia)) == inertia
+    assert " ".join(map(str, body.gyrostatic_momentum)) == rotor
 
 
 def test_a_general_body_is_integrated(capsys, tmp_path, monkeypatch):
-    """Three moments, three components of the rotor, U(k1, k2, k3); on a terminal a bar, wiped before the table."""
+    """Three moments, three components of the rotor, U(k1, k2, k3).
+
+    On a terminal a bar, wiped before the table.
+    """
     import xarray as xr
-    monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)  # heyoka compiles longer than this takes
+    # heyoka compiles longer than this takes
+    monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     sets = [f"--set={number}" for number in ("I1=1", "I2=2", "I3=3", "l1=0", "l2=0.1", "l3=1/2", "a=-1")]
-    given = ["--potential", "a*k1*k2 + k3", *sets, "--state", "0.1,0,5,0,0,1", "--until", "-2", "--count", "4"]
+    given = ["--potential", "a*k1*k2 + k3", *sets, "--state", "0.1,0,5,0,0,1", "--until", "-2", "--count",
+             "4"]
     status, out, err = run(capsys, *given)
-    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, "0.1", "1/2")), gs.general_potential(lambda x, y, z: z - x * y))
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, "0.1", "1/2")),
+                        gs.general_potential(lambda x, y, z: z - x * y))
     found, wanted = np.array(rows(out)[1:], dtype=float), motion(scene, ("0.1", 0, 5, 0, 0, 1))
     np.testing.assert_array_equal(found[:, 1:7], wanted(found[:, 0]))
     assert status == 0 and "period" not in err and "route       DOP853" in err
     assert "motion       [" in err and "] 4/4" in err and " \rroute" in err
     assert run(capsys, *given, "--output", str(tmp_path / "body.nc"))[0] == 0
-    with xr.open_dataset(tmp_path / "body.nc") as data:                            # the steps are those of all times
+    # the steps are those of all times
+    with xr.open_dataset(tmp_path / "body.nc") as data:
         xr.testing.assert_identical(data.load(), wanted.to_xarray(found[:, 0]))
 
 
@@ -130,7 +145,8 @@ def drawn(monkeypatch):
 
 
 def path_of(ax, width):
-    lines = [np.array(line.get_data_3d()).T for line in ax.lines if (line.get_color(), line.get_linewidth()) == (BLUE, width)]
+    lines = [np.array(line.get_data_3d()).T for line in ax.lines
+             if (line.get_color(), line.get_linewidth()) == (BLUE, width)]
     return {tuple(point) for line in lines for point in line.round(12).tolist() if np.isfinite(point).all()}
 
 
@@ -143,8 +159,13 @@ def test_a_picture_in_a_field(capsys, tmp_path, scene, drawn):
     for ax, names, columns in ((momenta, "pi", slice(0, 3)), (directions, "k", slice(3, 6))):
         np.testing.assert_array_equal([line.get_ydata() for line in ax.lines], top(times)[:, columns].T)
         np.testing.assert_array_equal(ax.lines[0].get_xdata(), times)
-        assert [text.get_text().strip("$\\") for text in ax.get_legend().get_texts()] == [f"{names}_{i}" for i in (1, 2, 3)]
-        assert len({line.get_linestyle() for line in ax.lines}) == 3 or len({str(line._dash_pattern) for line in ax.lines}) == 3
+        assert [text.get_text().strip("$\\") for text in ax.get_legend().get_texts()] == [
+            f"{names}_{i}" for i in (1, 2, 3)
+        ]
+        assert (
+            len({line.get_linestyle() for line in ax.lines}) == 3
+            or len({str(line._dash_pattern) for line in ax.lines}) == 3
+        )
     assert directions.get_xlabel() == "$t$"
 
 
@@ -158,7 +179,8 @@ def test_a_picture_of_a_free_body(capsys, tmp_path, drawn):
     assert sphere.get_legend().get_texts()[0].get_text() == "polhode" and len(momenta.lines) == 3
     polhode = np.array(sorted(path_of(sphere, 0.9)))
     energies = (polhode - [0, 0, 0.25])**2 @ (0.5 / np.array([1, 2, 2.5]))
-    np.testing.assert_allclose(energies, the_box().energy, rtol=1e-4)      # a chord, where the curve passes behind the sphere
+    # a chord, where the curve passes behind the sphere
+    np.testing.assert_allclose(energies, the_box().energy, rtol=1e-4)
 
 
 def test_a_picture_file(capsys, tmp_path):
@@ -167,14 +189,19 @@ def test_a_picture_file(capsys, tmp_path):
     with Image.open(tmp_path / "box.png") as image:
         left, right = (np.asarray(image.convert("L").crop(box)) for box in (
             (0, 0, image.width // 2, image.height), (image.width // 2, 0, *image.size)))
-        assert image.width > 1000 and left.min() < 80 and right.min() < 80 and left.std() > 10 and right.std() > 10
+        assert image.width > 1000
+        assert left.min() < 80
+        assert right.min() < 80
+        assert left.std() > 10
+        assert right.std() > 10
 
 
 def test_an_animation(capsys, tmp_path, monkeypatch):
     """A picture for each time, of a body that turns; on a terminal a bar."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
-    status, out, err = run(capsys, *FREE, "--until", "3", "--count", "3", "--output", str(tmp_path / "box.gif"))
+    status, out, err = run(capsys, *FREE, "--until", "3", "--count", "3", "--output",
+                           str(tmp_path / "box.gif"))
     assert status == 0 and out == "" and "animation    [" in err and "] 3/3" in err and "\rroute" in err
     with Image.open(tmp_path / "box.gif") as film:
         frames = []
@@ -195,7 +222,8 @@ def test_no_film_without_its_program(capsys, tmp_path, monkeypatch):
 def test_numbers_below_0_after_an_option(capsys):
     """--state -1/3,2,0 --until -1 --set and --potential -k3 are values, not options; -h is help."""
     separate = run(capsys, *FREE[:-1], "-1/3,2,0", "--until", "-1/2", "--count", "2")
-    assert separate[0] == 0 and separate == run(capsys, *FREE[:-2], "--state=-1/3,2,0", "--until=-1/2", "--count=2")
+    assert separate[0] == 0
+    assert separate == run(capsys, *FREE[:-2], "--state=-1/3,2,0", "--until=-1/2", "--count=2")
     for arguments in (["--potential", "-m0*k3"], ["--fragment", "--format", "latex"]):
         assert main(["report", "--equilibrium", "E1", *arguments]) == 0
     with pytest.raises(SystemExit) as stop:
@@ -204,25 +232,37 @@ def test_numbers_below_0_after_an_option(capsys):
 
 
 @pytest.mark.parametrize(("arguments", "why"), [
-    (["--until", "0"], "--until 0 is no end of a motion that starts at 0: give another time"), (["--until", "1e400"], "give another time"),
-    (["--until", "1", "--count", "1"], "--count 1 is 1 times"), (["--until", "1", "--step", "2"], "--step 2 is 1 times"),
-    (["--until", "1", "--step", "1e-9"], "1000000001 times"), (["--until", "1", "--step", "-1"], "--step -1 is not positive"),
+    (["--until", "0"], "--until 0 is no end of a motion that starts at 0: give another time"),
+    (["--until", "1e400"], "give another time"),
+    (["--until", "1", "--count", "1"], "--count 1 is 1 times"),
+    (["--until", "1", "--step", "2"], "--step 2 is 1 times"),
+    (["--until", "1", "--step", "1e-9"], "1000000001 times"),
+    (["--until", "1", "--step", "-1"], "--step -1 is not positive"),
     (["--until", "1", "--step", "0"], "--step 0 is not positive"), (["--until", "soon"], "give a number"),
     (["--until", "1", "--tolerance", "0"], "--tolerance 0 is not positive"),
     (["--until", "1", "--precision", "0", "--count", "2"], "precision = 0"),
-    (["--until", "1", "--precision", "20", "--output", "top.nc"], "--precision 20 is for a table, top.nc holds doubles: leave it out"),
+    (["--until", "1", "--precision", "20", "--output", "top.nc"],
+     "--precision 20 is for a table, top.nc holds doubles: leave it out"),
     (["--until", "1", "--precision", "20", "--set", "I2=2"], "this scene is integrated, in doubles"),
-    (["--until", "1", "--set", "l1=1"], "both l and l1 are given, l is the rotor along axis 3: give l, or l1, l2, l3"),
-    (["--until", "1", "--set", "mass=1"], "no parameter mass"), (["--until", "1", "--state", "1,2,3"], "3 numbers, the body 6 coordinates"),
-    (["--until", "1", "--state", "__import__('os'),0,0,0,0,1"], "cannot read"), (["--until", "1", "--state", "1,0,x,0,0,1"], "pi3 = x"),
-    (["--until", "1", "--potential", "k1"], "no number for I2, and the body has the moments (I1, I2, I3), the rotor (0, 0, l): add --set"),
+    (["--until", "1", "--set", "l1=1"],
+     "both l and l1 are given, l is the rotor along axis 3: give l, or l1, l2, l3"),
+    (["--until", "1", "--set", "mass=1"], "no parameter mass"),
+    (["--until", "1", "--state", "1,2,3"], "3 numbers, the body 6 coordinates"),
+    (["--until", "1", "--state", "__import__('os'),0,0,0,0,1"], "cannot read"),
+    (["--until", "1", "--state", "1,0,x,0,0,1"], "pi3 = x"),
+    (["--until", "1", "--potential", "k1"],
+     "no number for I2, and the body has the moments (I1, I2, I3), the rotor (0, 0, l): add --set"),
     (["--until", "1", "--output", "top.txt"], "of no kind that is written: name a table, motion.csv"),
     (["--until", "1", "--output", "missing/top.csv"], "cannot write")])
 def test_bad_input_exits_2(capsys, tmp_path, monkeypatch, arguments, why):
     """A clear error on stderr, nothing on stdout, nothing written."""
     monkeypatch.chdir(tmp_path)
     status, out, err = run(capsys, *TOP, *arguments)
-    assert status == 2 and out == "" and err.startswith("gyrostat: ") and why in err and len(err.splitlines()) == 1
+    assert status == 2
+    assert out == ""
+    assert err.startswith("gyrostat: ")
+    assert why in err
+    assert len(err.splitlines()) == 1
     assert list(tmp_path.iterdir()) == []
 
 
@@ -232,13 +272,18 @@ def test_a_field_is_needed(capsys):
     assert status == 2 and out == "" and "--potential is missing" in err and "none for a free body" in err
 
 
-@pytest.mark.parametrize(("missing", "kind", "extra"), [("matplotlib", "png", "plot"), ("matplotlib", "gif", "plot"),
-                                                        ("netCDF4", "nc", "charts"), ("xarray", "nc", "charts")])
+@pytest.mark.parametrize(("missing", "kind", "extra"),
+                         [("matplotlib", "png", "plot"), ("matplotlib", "gif", "plot"),
+                                                        ("netCDF4", "nc", "charts"),
+                          ("xarray", "nc", "charts")])
 def test_missing_extras_are_named(capsys, tmp_path, monkeypatch, missing, kind, extra):
     """The pip command, exit status 2."""
     monkeypatch.setitem(sys.modules, missing, None)
     status, out, err = run(capsys, *TOP, "--until", "1", "--output", str(tmp_path / f"top.{kind}"))
-    assert status == 2 and out == "" and f'pip install "gyrostat[{extra}]"' in err and list(tmp_path.iterdir()) == []
+    assert status == 2
+    assert out == ""
+    assert f'pip install "gyrostat[{extra}]"' in err
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_help(capsys):
@@ -246,4 +291,6 @@ def test_help(capsys):
     with pytest.raises(SystemExit) as stop:
         main(["motion", "--help"])
     out = capsys.readouterr().out
-    assert stop.value.code == 0 and "gyrostat motion --potential" in out and "--state PI1,PI2,PI3,K1,K2,K3" in out
+    assert stop.value.code == 0
+    assert "gyrostat motion --potential" in out
+    assert "--state PI1,PI2,PI3,K1,K2,K3" in out

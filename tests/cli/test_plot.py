@@ -37,11 +37,13 @@ def heavy():
 
 
 def sphere(heavy):
-    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "0.55"))), {}, 2, ax=space())
+    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "0.55"))), {}, 2,
+                                         ax=space())
 
 
 def level(heavy):
-    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, "1/4", "1/2"))), {}, 2, [1, 1.5], ax=space())
+    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, "1/4", "1/2"))), {}, 2,
+                                         [1, 1.5], ax=space())
 
 
 def nutation(heavy):
@@ -63,7 +65,8 @@ def diagram(heavy):
 
 def hopf(heavy):
     eq, samples = gs.upright(heavy, spin="omega3_0"), np.linspace(2.2, 0, 40)
-    return plotting.draw_eigenvalues(eq, {"I1": 1, "I3": "1.6", "l": 0, "m0": 1}, "omega3_0", samples.tolist(), flat())
+    return plotting.draw_eigenvalues(eq, {"I1": 1, "I3": "1.6", "l": 0, "m0": 1}, "omega3_0",
+                                     samples.tolist(), flat())
 
 
 def rolling(heavy):
@@ -74,24 +77,31 @@ def contents(figure):
     """All that is drawn, as numbers and texts."""
     found = []
     for ax in figure.axes:
-        found += [ax.get_xlabel(), ax.get_ylabel(), ax.name, getattr(ax, "azim", 0), *(text.get_text() for text in ax.texts)]
-        found += [np.nan_to_num(np.array(line.get_data_3d() if ax.name == "3d" else line.get_data())).tolist() for line in ax.lines]
-        found += [np.array(c.get_segments()).tolist() if type(c) is LineCollection else type(c).__name__ for c in ax.collections]
+        found += [ax.get_xlabel(), ax.get_ylabel(), ax.name, getattr(ax, "azim", 0),
+                  *(text.get_text() for text in ax.texts)]
+        found += [np.nan_to_num(np.array(line.get_data_3d() if ax.name == "3d"
+                                         else line.get_data())).tolist() for line in ax.lines]
+        found += [np.array(c.get_segments()).tolist() if type(c) is LineCollection else type(c).__name__
+                  for c in ax.collections]
     return found
 
 
 @pytest.mark.parametrize(("arguments", "ours"), [
     (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0.55"), "--momentum", "2"], sphere),
-    (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l1=0 l2=1/4 l3=1/2"), "--momentum", "2", "--energy", "1", "--energy", "1.5"], level),
+    (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l1=0 l2=1/4 l3=1/2"), "--momentum", "2", "--energy", "1",
+      "--energy", "1.5"], level),
     (["nutation", *HEAVY, *STATE, "--until", "2", "--step", "1/4"], nutation),
     (["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1"), "--energy", "1.9"], well),
-    (["bifurcations", *HEAVY, "--x", "omega=-1/2:3"], branches), (["energy-momentum", *HEAVY, *sets("p_psi=1")], diagram),
+    (["bifurcations", *HEAVY, "--x", "omega=-1/2:3"], branches),
+    (["energy-momentum", *HEAVY, *sets("p_psi=1")], diagram),
     (["eigenvalues", *HOPF, "--x", "omega3_0=2.2:0:40"], hopf),
-    (["cones", *sets("I1=2 I3=1"), "--transverse", "1", "--axial", "2"], rolling)], ids=lambda value: getattr(value, "__name__", ""))
+    (["cones", *sets("I1=2 I3=1"), "--transverse", "1", "--axial", "2"], rolling)],
+                         ids=lambda value: getattr(value, "__name__", ""))
 def test_pictures_of_the_library(capsys, tmp_path, monkeypatch, heavy, arguments, ours):
     """The same lines, labels and view."""
     figures = []
-    monkeypatch.setattr("gyrostat.plotting.energy_momentum.CELLS", 40)                    # coarse regions, sooner
+    # coarse regions, sooner
+    monkeypatch.setattr("gyrostat.plotting.energy_momentum.CELLS", 40)
     monkeypatch.setattr("gyrostat.cli.plot.save_picture", lambda figure, path: figures.append(figure))
     assert main(["plot", *arguments, "--output", str(tmp_path / "picture.png")]) == 0
     assert capsys.readouterr() == ("", "")
@@ -102,7 +112,8 @@ def test_files(capsys, tmp_path):
     """.png, .pdf and .svg; there is something on them."""
     for kind, start, arguments in (("png", b"\x89PNG", ["nutation", *HEAVY, *STATE, "--until", "9"]),
                                    ("pdf", b"%PDF", ["eigenvalues", *HOPF, "--x", "omega3_0=2.2:0"]),
-                                   ("svg", b"<?xml", ["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1")])):
+                                   ("svg", b"<?xml", ["effective-potential", *HEAVY,
+                                                      *sets("p_phi=1 p_psi=1")])):
         path = tmp_path / f"picture.{kind}"
         assert main(["plot", *arguments, "--output", str(path)]) == 0 and path.read_bytes().startswith(start)
         assert path.stat().st_size > 5000
@@ -113,30 +124,45 @@ def test_files(capsys, tmp_path):
 
 
 @pytest.mark.parametrize(("arguments", "why"), [
-    (["eigenvalues", *HOPF[:-2], "--x", "omega3_0=0:1", "--output", "x.png"], "--equilibrium is missing, a picture is of one"),
-    (["eigenvalues", *HOPF, "--x", "l=0:1", "--output", "x.png"], "l is given twice, by --set and as the axis --x: leave out one"),
-    (["eigenvalues", *HOPF, "--set", "pi3_0=1", "--x", "omega3_0=0:1", "--output", "x.png"], "both pi3_0 and omega3_0"),
+    (["eigenvalues", *HOPF[:-2], "--x", "omega3_0=0:1", "--output", "x.png"],
+     "--equilibrium is missing, a picture is of one"),
+    (["eigenvalues", *HOPF, "--x", "l=0:1", "--output", "x.png"],
+     "l is given twice, by --set and as the axis --x: leave out one"),
+    (["eigenvalues", *HOPF, "--set", "pi3_0=1", "--x", "omega3_0=0:1", "--output", "x.png"],
+     "both pi3_0 and omega3_0"),
     (["eigenvalues", *HOPF, "--x", "omega3_0=0:1:1", "--output", "x.png"], "COUNT 1"),
     (["eigenvalues", *HOPF, "--x", "omega3_0=0", "--output", "x.png"], "is not NAME=LOW:HIGH[:COUNT]: write"),
-    (["bifurcations", *HEAVY, "--x", "omega=0:1:9", "--output", "x.png"], "is not NAME=LOW:HIGH: write, for example, --x l=-2:2\n"),
+    (["bifurcations", *HEAVY, "--x", "omega=0:1:9", "--output", "x.png"],
+     "is not NAME=LOW:HIGH: write, for example, --x l=-2:2\n"),
     (["bifurcations", *HEAVY, "--x", "omega=1:0", "--output", "x.png"], "the lower one first"),
-    (["bifurcations", *HEAVY[2:], "--x", "omega=0:1", "--output", "x.png"], "--potential is missing, and bifurcations is of a field"),
-    (["energy-momentum", *HEAVY, "--potential", "none", "--output", "x.png"], "--potential is none, and energy-momentum is of a field"),
+    (["bifurcations", *HEAVY[2:], "--x", "omega=0:1", "--output", "x.png"],
+     "--potential is missing, and bifurcations is of a field"),
+    (["energy-momentum", *HEAVY, "--potential", "none", "--output", "x.png"],
+     "--potential is none, and energy-momentum is of a field"),
     (["energy-momentum", *HEAVY, "--output", "x.png"], "needs p_psi"),
-    (["energy-momentum", *HEAVY, *sets("p_psi=1")], "--output is missing, a picture goes to a file: name energy-momentum.png"),
+    (["energy-momentum", *HEAVY, *sets("p_psi=1")],
+     "--output is missing, a picture goes to a file: name energy-momentum.png"),
     (["nutation", *HEAVY, *STATE, "--until", "1", "--output", "x.gif"], "of no kind"),
     (["nutation", *HEAVY, *STATE, "--until", "0", "--output", "x.png"], "give another time"),
-    (["cones", *sets("I1=1 I2=1"), "--transverse", "1", "--axial", "2", "--output", "x.png"], "give I1 and I3"),
-    (["cones", *sets("I1=1 I3=1"), "--transverse", "1", "--axial", "2", "--output", "x.png"], "there is no space cone"),
+    (["cones", *sets("I1=1 I2=1"), "--transverse", "1", "--axial", "2", "--output", "x.png"],
+     "give I1 and I3"),
+    (["cones", *sets("I1=1 I3=1"), "--transverse", "1", "--axial", "2", "--output", "x.png"],
+     "there is no space cone"),
     (["momentum-sphere", *sets("I1=1 I3=3 l=0"), "--momentum", "1", "--output", "x.png"], "no number for I2"),
-    (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0"), "--momentum", "0", "--output", "x.png"], "give a positive number"),
-    (["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1"), "--energy", "E", "--output", "missing/x.png"], "cannot write")])
+    (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0"), "--momentum", "0", "--output", "x.png"],
+     "give a positive number"),
+    (["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1"), "--energy", "E", "--output", "missing/x.png"],
+     "cannot write")])
 def test_bad_input_exits_2(capsys, tmp_path, monkeypatch, arguments, why):
     """A clear error on stderr, nothing on stdout, nothing written."""
     monkeypatch.chdir(tmp_path)
     status = main(["plot", *arguments])
     out, err = capsys.readouterr()
-    assert status == 2 and out == "" and err.startswith("gyrostat: ") and why in err and len(err.splitlines()) == 1
+    assert status == 2
+    assert out == ""
+    assert err.startswith("gyrostat: ")
+    assert why in err
+    assert len(err.splitlines()) == 1
     assert list(tmp_path.iterdir()) == []
 
 
@@ -157,7 +183,8 @@ def test_help(capsys):
         assert stop.value.code == 0
         helped[kind] = capsys.readouterr().out
     assert all(f"gyrostat plot {kind}" in helped[""] and "--output" in helped[kind] for kind in DRAWN)
-    assert "--x NAME=LOW:HIGH[:COUNT]" in helped["eigenvalues"] and "--potential" not in helped["momentum-sphere"]
+    assert "--x NAME=LOW:HIGH[:COUNT]" in helped["eigenvalues"]
+    assert "--potential" not in helped["momentum-sphere"]
     with pytest.raises(SystemExit) as stop:
         main(["plot", "fly"])
     assert stop.value.code == 2
@@ -165,14 +192,21 @@ def test_help(capsys):
 
 CONES = ["plot", "cones", *sets("I1=1 I3=3"), "--transverse", "1", "--axial", "2", "--output", "a.png"]
 NOTED = [["plot", "momentum-sphere", *sets("I1=1 I2=1 I3=3 l=0.1"), "--momentum", "1", "--output", "a.png"],
-         ["plot", "energy-momentum", "--potential", "k3", *sets("I1=1 I3=3 l=0 p_psi=1"), "--output", "a.png"],
-         ["chart", "--potential", "k3", "--equilibrium", "E1", *sets("I1=1 I3=3"), "--x", "l=0:1:2", "--y", "omega3_0=0:1:2",
+         ["plot", "energy-momentum", "--potential", "k3", *sets("I1=1 I3=3 l=0 p_psi=1"), "--output",
+          "a.png"],
+         ["chart", "--potential", "k3", "--equilibrium", "E1", *sets("I1=1 I3=3"), "--x", "l=0:1:2", "--y",
+          "omega3_0=0:1:2",
           "--output", "a.nc"]]
 
 
-@pytest.mark.parametrize("arguments", [CONES, *(pytest.param(arguments, marks=pytest.mark.slow) for arguments in NOTED)])
+@pytest.mark.parametrize("arguments", [CONES,
+                                       *(pytest.param(arguments, marks=pytest.mark.slow)
+                                         for arguments in NOTED)])
 def test_a_picture_says_what_is_unusual(arguments, tmp_path, monkeypatch, capsys):
-    """No rigid body has the moments 1, 1, 3: said on standard error, as of a motion; of a body that there is, nothing."""
+    """No rigid body has the moments 1, 1, 3: said on standard error, as of a motion.
+
+    Of a body that there is, nothing.
+    """
     monkeypatch.chdir(tmp_path)
     assert main(arguments) == 0
     assert capsys.readouterr().err.startswith("note        no rigid body has the moments 1, 1, 3: ")

@@ -30,7 +30,8 @@ FIELD = gs.axial_potential(lambda k3: symbol("m0") * k3 + k3**3)
 
 def rate(expression):
     """d/dt of a function of the angles."""
-    return sum((expression.diff(angle) * angle_rate for angle, angle_rate in zip(ANGLES, RATES)), 0 * expression)
+    return sum((expression.diff(angle) * angle_rate for angle, angle_rate in zip(ANGLES, RATES)),
+               0 * expression)
 
 
 @pytest.mark.parametrize("convention", CONVENTIONS)
@@ -39,7 +40,8 @@ def test_rotations(convention):
     R = rotation(convention)
     assert (R.T * R).applyfunc(reduced) == eye(3) and reduced(R.det()) == 1
     azimuth = {"zxz": (sin(PHI), -cos(PHI)), "zyz": (cos(PHI), sin(PHI))}[convention]
-    assert R.col(2).applyfunc(reduced) == Matrix([azimuth[0] * sin(THETA), azimuth[1] * sin(THETA), cos(THETA)])
+    assert R.col(2).applyfunc(reduced) == Matrix([azimuth[0] * sin(THETA), azimuth[1] * sin(THETA),
+                                                  cos(THETA)])
 
 
 @pytest.mark.parametrize("convention", CONVENTIONS)
@@ -82,7 +84,8 @@ def test_effective_potential_is_the_energy():
     body = gs.symmetric_gyrostat()
     scene = gs.assemble(body, FIELD)
     pi = [moment * omega for moment, omega in zip(body.inertia, angular_velocity())]
-    energy = scene.hamiltonian.subs(dict(zip(scene.space.coordinates, (*pi, *direction()))), simultaneous=True)
+    energy = scene.hamiltonian.subs(dict(zip(scene.space.coordinates, (*pi, *direction()))),
+                                    simultaneous=True)
     p_phi, _, p_psi = momenta(body)
     moving = effective_potential(body, FIELD).subs({symbol("p_phi"): p_phi, symbol("p_psi"): p_psi})
     assert reduced(energy - symbol("I1") * RATES[1] ** 2 / 2 - moving) == 0
@@ -93,28 +96,39 @@ def test_effective_potential_is_the_reduced_motion(I1, I3, l, p_psi, v, e, m0):
     """2 I1 sin²θ (E − V) is the g(k3) of the reduced motion, here at k3 = 3/5, U = m0 k3."""
     z = Fraction(3, 5)
     g = reduced_motion(I1, l, p_psi - l, v, e, m0 * z, m0, 0, z)[0]
-    potential = effective_potential(gs.Gyrostat((I1, I1, I3), (0, 0, l)), gs.axial_potential(lambda k3: m0 * k3))
+    potential = effective_potential(gs.Gyrostat((I1, I1, I3), (0, 0, l)),
+                                    gs.axial_potential(lambda k3: m0 * k3))
     energy = e + (p_psi - l) ** 2 / (2 * I3)
-    V = potential.subs({symbol("p_phi"): v, symbol("p_psi"): p_psi}).subs({cos(THETA): Rational(3, 5), sin(THETA): Rational(4, 5)})
+    V = potential.subs({symbol("p_phi"): v,
+                        symbol("p_psi"): p_psi}).subs({cos(THETA): Rational(3, 5),
+                                                       sin(THETA): Rational(4, 5)})
     assert 2 * Rational(I1) * Rational(16, 25) * (Rational(energy) - V) == Rational(g)
 
 
 def test_lagrange_equations_are_euler_poisson():
-    """Lagrange's equation of θ for a heavy gyrostat of revolution is what π̇ = M × ω + k × ∇U gives at ψ = 0."""
+    """Lagrange's equation of θ for a heavy gyrostat of revolution is what π̇ = M × ω + k × ∇U gives at ψ = 0.
+    """
     body, t = gs.symmetric_gyrostat(), symbols("t")
     moving = [Function(str(a))(t) for a in ANGLES]
     at = {**dict(zip(RATES, [f.diff(t) for f in moving])), **dict(zip(ANGLES, moving))}
     L = lagrangian(body, FIELD)
     lagrange = (L.diff(RATES[1]).subs(at).diff(t) - L.diff(THETA).subs(at)).doit()
     acceleration = Derivative(moving[1], (t, 2))
-    pi1_dot = gs.assemble(body, FIELD).vector_field()[0]                   # π1 = I1 ω1, ω1 = φ̇ sin θ sin ψ + θ̇ cos ψ
+    # π1 = I1 ω1, ω1 = φ̇ sin θ sin ψ + θ̇ cos ψ
+    pi1_dot = gs.assemble(body, FIELD).vector_field()[0]
     place = dict(zip(map(symbol, ("pi1", "pi2", "pi3", "k1", "k2", "k3")), (*(
         moment * omega for moment, omega in zip(body.inertia, angular_velocity())), *direction())))
     along = pi1_dot.subs(place, simultaneous=True).subs(PSI, 0)
     second = (symbol("I1") * angular_velocity()[0]).subs(at).diff(t).doit()
-    second = second.subs({acceleration: symbol("a"), Derivative(moving[0], (t, 2)): 0}).subs({f.diff(t): r for f, r in zip(moving, RATES)})
+    second = second.subs({acceleration: symbol("a"),
+                          Derivative(moving[0],
+                                     (t, 2)): 0}).subs({f.diff(t): r for f, r in zip(moving, RATES)})
     second = second.subs(dict(zip(moving, ANGLES))).subs(PSI, 0)
-    solved = lagrange.subs(acceleration, symbol("a")).subs({f.diff(t): r for f, r in zip(moving, RATES)}).subs(dict(zip(moving, ANGLES)))
+    solved = (
+        lagrange.subs(acceleration, symbol("a"))
+        .subs({f.diff(t): r for f, r in zip(moving, RATES)})
+        .subs(dict(zip(moving, ANGLES)))
+    )
     assert trigsimp(simplify(second - along - solved)) == 0
 
 

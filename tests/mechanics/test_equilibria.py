@@ -18,7 +18,9 @@ def test_upright_and_hanging(scene):
 def test_a_false_claim_is_refused_with_its_residual(scene):
     """The components that do not vanish are named and shown."""
     heavy = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    with pytest.raises(EquilibriumError, match=r"E0 is not an equilibrium: dpi2/dt = -m0\. Check the point, or pass the relation"):
+    with pytest.raises(EquilibriumError,
+                       match=r"E0 is not an equilibrium: dpi2/dt = -m0\. Check the point, or pass the "
+                             r"relation"):
         gs.equilibrium(heavy, (0, 0, 0, 1, 0, 0), label="E0")
     with pytest.raises(EquilibriumError, match="dpi1/dt = .*dk1/dt"):
         gs.equilibrium(scene, (0, 1, 2, 0, Rational(3, 5), Rational(4, 5)))
@@ -99,7 +101,7 @@ def test_names_of_the_derivation_are_refused(scene):
 
 
 def test_directions_are_unit_vectors():
-    """|k| = 1, exactly; k = 0 is left to the verbs, which name the singular orbit."""
+    """abs(k) = 1, exactly; k = 0 is left to the verbs, which name the singular orbit."""
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(lambda x, y, z: z))
     for k in ((0, 0, 2), (0, 0, Rational(1, 2)), (0, 0, gs.symbol("c"))):
         with pytest.raises(EquilibriumError, match="k is a direction"):

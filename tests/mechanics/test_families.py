@@ -14,7 +14,7 @@ def inclined(U, body=None, **options):
 
 
 def test_the_relation_of_the_source(scene):
-    """U'(k3) + ω² k3 (I1 − I3) − ω l = 0 and |k3| < 1, VV2003 §3."""
+    """U'(k3) + ω² k3 (I1 − I3) − ω l = 0 and abs(k3) < 1, VV2003 §3."""
     eq = gs.inclined(scene)
     (name, value), = eq.relations
     assert name == gs.symbol("dU") and simplify(value + omega**2 * k3 * (I1 - I3) - omega * l) == 0
@@ -33,12 +33,17 @@ def test_closed_form_of_the_tilt(potential, tilt):
 
 
 @pytest.mark.parametrize(("U", "body", "name"), [
-    (gs.axial_potential(), None, "dU"), (gs.uniform_field(), None, "l"), (gs.axial_potential(exp(k3)), None, "l"),
-    (gs.axial_potential(k3**5 / 3 - k3), None, "l"), (gs.uniform_field(), gs.Gyrostat((2, 2, 1), (0, 0, 1)), "k3"),
+    (gs.axial_potential(), None, "dU"), (gs.uniform_field(), None, "l"),
+    (gs.axial_potential(exp(k3)), None, "l"),
+    (gs.axial_potential(k3**5 / 3 - k3), None, "l"),
+    (gs.uniform_field(), gs.Gyrostat((2, 2, 1), (0, 0, 1)), "k3"),
     (gs.axial_potential(m0 * k3**3), gs.Gyrostat((2, 2, 1), (0, 0, 1)), "m0"),
     (gs.axial_potential(k3**3), gs.Gyrostat((2, 2, 1), (0, 0, 1)), None)])
 def test_what_is_eliminated(U, body, name):
-    """dU where U is unspecified; else l; else k3; else a parameter of U; else nothing, and the relation is a constraint."""
+    """dU where U is unspecified; else l; else k3; else a parameter of U.
+
+    Else nothing, and the relation is a constraint.
+    """
     eq = inclined(U, body)
     assert eq.eliminated == name
     assert (eq.constraints == ()) == (name is not None)
@@ -55,7 +60,8 @@ def test_every_elimination_solves_the_relation(name):
 
 def test_margins_agree_whichever_name_is_eliminated():
     """The same condition in other coordinates: their margins have the same sign at a common point."""
-    U, point = gs.newtonian_field(2), {"I1": 2, "I3": 1, "m0": "1/3", "m1": "1/5", "omega": "3/2", "k3": "2/7"}
+    U, point = gs.newtonian_field(2), {"I1": 2, "I3": 1, "m0": "1/3", "m1": "1/5", "omega": "3/2",
+                                       "k3": "2/7"}
     values = {gs.symbol(n): gs.algebra.numbers.exact_number(v) for n, v in point.items()}
     point["l"] = dict(inclined(U, eliminate="l").relations)[l].subs(values)
     seen = set()
@@ -75,7 +81,8 @@ def test_what_cannot_be_eliminated_is_refused():
 
 def test_inclined_needs_a_body_of_revolution(free):
     """Other bodies, other fields: ScopeError, with the way out."""
-    for scene in (free, gs.assemble(gs.Gyrostat(), gs.axial_potential()), gs.assemble(gs.symmetric_gyrostat(), gs.general_potential())):
+    for scene in (free, gs.assemble(gs.Gyrostat(), gs.axial_potential()),
+                  gs.assemble(gs.symmetric_gyrostat(), gs.general_potential())):
         with pytest.raises(ScopeError, match="equilibrium"):
             gs.inclined(scene)
 
@@ -89,12 +96,16 @@ def test_static_family(at_rest):
 
 
 def test_static_family_of_given_fields():
-    """In U⁽²⁾ the tilt at rest is m0 / (m1 (I1 − I3)); in U = k3 there is none; in U = k3³/3 − k3/4 it is checked."""
+    """In U⁽²⁾ the tilt at rest is m0 / (m1 (I1 − I3)); in U = k3 there is none.
+
+    In U = k3³/3 − k3/4 it is checked.
+    """
     eq = gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(), gs.newtonian_field(2)))
     assert simplify(eq.relations[-1][1] - m0 / (m1 * (I1 - I3))) == 0
     with pytest.raises(EquilibriumError, match="does not exist"):
         gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(k3)))
-    cubic = gs.analyze(gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(k3**3 / 3 - k3 / 4))))
+    cubic = gs.analyze(gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(),
+                                                  gs.axial_potential(k3**3 / 3 - k3 / 4))))
     assert cubic.verdict({"I1": 1, "l": 0, "k3": Rational(1, 2)}).verdict is gs.Verdict.STABLE
     assert cubic.verdict({"I1": 1, "l": 0, "k3": Rational(-1, 2)}).verdict is gs.Verdict.UNSTABLE
     with pytest.raises(ValueError, match="not on E3 at rest"):

@@ -1,4 +1,6 @@
-"""The named fields against the attraction of point masses, Kirchhoff's equations and formulas derived by hand."""
+"""The named fields against the attraction of point masses, Kirchhoff's equations and formulas derived by
+hand.
+"""
 from fractions import Fraction
 
 import numpy as np
@@ -42,12 +44,14 @@ def inverse_distance(c, d, order):
     total, power, binomial = [Fraction(0)] * (order + 1), [Fraction(1)] + [Fraction(0)] * order, Fraction(1)
     for n in range(order + 1):
         total = [a + binomial * b for a, b in zip(total, power)]
-        power = [(2 * c * power[i - 1] if i >= 1 else 0) + (d * power[i - 2] if i >= 2 else 0) for i in range(order + 1)]
+        power = [(2 * c * power[i - 1] if i >= 1 else 0) + (d * power[i - 2] if i >= 2 else 0)
+                 for i in range(order + 1)]
         binomial *= (Fraction(-1, 2) - n) / (n + 1)
     return total
 
 
-# a hexagon of equal masses in the plane x3 = height: the cosines of its corners, which are alike about axis 3 to order 5
+# a hexagon of equal masses in the plane x3 = height: the cosines of its corners, which are alike about axis 3
+# to order 5
 HEXAGON = [Fraction(c, 2) for c in (2, 1, -1, -2, -1, 1)]
 rings = st.lists(st.tuples(moments, moments, numbers), min_size=1, max_size=3)
 
@@ -55,18 +59,23 @@ rings = st.lists(st.tuples(moments, moments, numbers), min_size=1, max_size=3)
 @given(rings=rings, g=moments, distance=moments, k=tilts)
 @settings(max_examples=40)
 def test_each_order_is_a_term_of_the_attraction(rings, g, distance, k):
-    """−G M ∫ dm/|x − X|, X = −r k, G M = g r², of hexagons about axis 3: its terms in 1/r are U⁽ⁿ⁾ − U⁽ⁿ⁻¹⁾ for n = 1, …, 5."""
+    """−G M ∫ dm/abs(x − X), X = −r k, G M = g r², of hexagons about axis 3.
+
+    Its terms in 1/r are U⁽ⁿ⁾ − U⁽ⁿ⁻¹⁾ for n = 1, …, 5.
+    """
     masses = [(m, a, a * c, z) for m, a, z in rings for c in HEXAGON]
 
     def terms(k1, k3):                                 # x·k needs no x2 where k2 = 0
         rows = [inverse_distance(x * k1 + z * k3, a * a + z * z, 5) for _, a, x, z in masses]
-        return [-g * distance * sum(m * row[n] for (m, *_), row in zip(masses, rows)) / distance**n for n in range(6)]
+        return [-g * distance * sum(m * row[n] for (m, *_), row in zip(masses, rows)) / distance**n
+                for n in range(6)]
 
     total = lambda f: sum(m * f(a * a, z) for m, a, _, z in masses)  # noqa: E731
     values = exact({
         "m0": g * total(lambda s, z: z), "m1": 3 * g / distance, "r": distance,
         "I1": total(lambda s, z: s / 2 + z * z), "I3": total(lambda s, z: s),
-        "J3": total(lambda s, z: z**3 - 3 * z * s / 2), "J4": total(lambda s, z: z**4 - 3 * z**2 * s + 3 * s**2 / 8),
+        "J3": total(lambda s, z: z**3 - 3 * z * s / 2),
+        "J4": total(lambda s, z: z**4 - 3 * z**2 * s + 3 * s**2 / 8),
         "J5": total(lambda s, z: z**5 - 5 * z**3 * s + 15 * z * s**2 / 8)})
     U = [Integer(0), *(gs.newtonian_field(n).expression.xreplace(values) for n in range(1, 6))]
     for n, (theirs, level) in enumerate(zip(terms(*k), terms(Fraction(1), Fraction(0)))):
@@ -77,7 +86,10 @@ def test_each_order_is_a_term_of_the_attraction(rings, g, distance, k):
 
 @pytest.mark.parametrize("n", [2, 3, 4, 7, 10])
 def test_orders_differ_by_one_legendre_term(n):
-    """y = U⁽ⁿ⁾ − U⁽ⁿ⁻¹⁾ + const solves Legendre's equation ((1 − k3²) y')' + n (n + 1) y = 0; y'(1) is aₙ n (n + 1)/2; U = 0 at k3 = 0."""
+    """y = U⁽ⁿ⁾ − U⁽ⁿ⁻¹⁾ + const solves Legendre's equation ((1 − k3²) y')' + n (n + 1) y = 0.
+
+    Y'(1) is aₙ n (n + 1)/2; U = 0 at k3 = 0.
+    """
     y = gs.newtonian_field(n).expression - gs.newtonian_field(n - 1).expression
     constant = expand(diff((1 - k3**2) * diff(y, k3), k3) + n * (n + 1) * y)
     assert k3 not in constant.free_symbols and y.subs(k3, 0) == 0 and expand(y) != 0
@@ -108,12 +120,14 @@ def test_fields_of_revolution_refuse_other_bodies(field):
         gs.assemble(gs.Gyrostat(), field)
 
 
-@given(I1_=moments, I3_=moments, l_=numbers, p=moments, across=moments, along=moments, pi=st.tuples(numbers, numbers, numbers),
+@given(I1_=moments, I3_=moments, l_=numbers, p=moments, across=moments, along=moments,
+       pi=st.tuples(numbers, numbers, numbers),
        s=numbers, t=numbers)
 @settings(max_examples=60)
 def test_kirchhoff(I1_, I3_, l_, p, across, along, pi, s, t):
     """Π̇ = Π × Ω + p × V, ṗ = p × Ω with Ω = J⁻¹(Π − l), V = M⁻¹ p, p = p0 k: the same Π̇ and k̇."""
-    k = oracle.exact([2 * s / (1 + s * s + t * t), 2 * t / (1 + s * s + t * t), (s * s + t * t - 1) / (1 + s * s + t * t)])
+    k = oracle.exact([2 * s / (1 + s * s + t * t), 2 * t / (1 + s * s + t * t),
+                      (s * s + t * t - 1) / (1 + s * s + t * t)])
     assert k.dot(k) == 1
     Omega, V = oracle.exact(pi) / oracle.exact([I1_, I1_, I3_]), p * k / oracle.exact([across, across, along])
     Pi = oracle.exact(pi) + oracle.exact([0, 0, l_])
@@ -125,9 +139,13 @@ def test_kirchhoff(I1_, I3_, l_, p, across, along, pi, s, t):
 
 
 def test_upright_and_hanging_in_a_fluid():
-    """(Π3 + l)² > 4 I1 p0² (1/mass3 − 1/mass1) at E1 and at E2: a prolate body, mass1 > mass3, has to spin."""
+    """(Π3 + l)² > 4 I1 p0² (1/mass3 − 1/mass1) at E1 and at E2.
+
+    A prolate body, mass1 > mass3, has to spin.
+    """
     for make in (gs.upright, gs.hanging):
-        assert margin(gs.ideal_fluid(), make) == expand(mass1 * mass3 * (pi3 + l) ** 2 - 4 * I1 * p0**2 * (mass1 - mass3))
+        assert margin(gs.ideal_fluid(), make) == expand(mass1 * mass3 * (pi3 + l) ** 2 - 4 * I1 * p0**2
+                                                        * (mass1 - mass3))
     report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.ideal_fluid())))
     at = {"I1": 1, "l": 0, "p0": 1, "mass3": 1, "pi3_0": 1}
     assert report.verdict(at | {"mass1": "4/5"}).verdict is gs.Verdict.STABLE
@@ -140,7 +158,10 @@ def test_upright_and_hanging_in_a_fluid():
 
 @pytest.mark.parametrize(("make", "s"), [(gs.upright, 1), (gs.hanging, -1)])
 def test_upright_and_hanging_in_newtonian_fields(make, s):
-    """P² > ± 4 I1 U'(±1), Pₙ'(±1) = (±1)ⁿ⁺¹ n (n + 1)/2: slopes 1, 3, 6, 10 of the terms m0, −(m1/3) J2, (m1/3) J3/r, −(m1/3) J4/r²."""
+    """P² > ± 4 I1 U'(±1), Pₙ'(±1) = (±1)ⁿ⁺¹ n (n + 1)/2.
+
+    Slopes 1, 3, 6, 10 of the terms m0, −(m1/3) J2, (m1/3) J3/r, −(m1/3) J4/r².
+    """
     square, slope = (pi3 + l) ** 2, s * m0 - m1 * (I1 - I3)
     assert margin(gs.newtonian_field(1), make) == expand(square - 4 * I1 * s * m0)
     assert margin(gs.newtonian_field(2), make) == expand(square - 4 * I1 * slope)
@@ -155,14 +176,18 @@ def inclined():
     return margin(gs.newtonian_field(3), gs.inclined), margin(gs.ideal_fluid(), gs.inclined)
 
 
-@given(I1_=moments, I3_=moments, omega=nonzero, k=tilts, a=numbers, b=numbers, c=numbers, d=moments, in_fluid=st.booleans())
+@given(I1_=moments, I3_=moments, omega=nonzero, k=tilts, a=numbers, b=numbers, c=numbers, d=moments,
+       in_fluid=st.booleans())
 @settings(max_examples=80)
 def test_inclined_in_named_fields(inclined, I1_, I3_, omega, k, a, b, c, d, in_fluid):
-    """The margin of E3 in U⁽³⁾ and in a fluid is that of the reduced motion about its double root, times a square."""
+    """The margin of E3 in U⁽³⁾ and in a fluid is that of the reduced motion about its double root, times a
+    square.
+    """
     z = k[1]
     if in_fluid:
         assume(a != 0)
-        curvature, values = a * a * (1 / d - 1 / (abs(b) + 1)), {"p0": abs(a), "mass1": abs(b) + 1, "mass3": d}
+        curvature, values = a * a * (1 / d - 1
+                                     / (abs(b) + 1)), {"p0": abs(a), "mass1": abs(b) + 1, "mass3": d}
         slope, square = curvature * z, ((abs(b) + 1) * d * omega) ** 2
     else:
         slope = a + b * (I3_ - I1_) * z + b * c / (3 * d) * (15 * z * z - 3) / 2
@@ -170,7 +195,9 @@ def test_inclined_in_named_fields(inclined, I1_, I3_, omega, k, a, b, c, d, in_f
         square = (2 * d * omega) ** 2
     l_ = (slope + omega**2 * z * (I1_ - I3_)) / omega
     ours = inclined[in_fluid].xreplace(exact(values | {"I1": I1_, "I3": I3_, "omega": omega, "k3": z}))
-    assert Fraction(int(ours.p), int(ours.q)) == square * oracle.verdict_inclined_margin(I1_, I3_, l_, omega, z, curvature)
+    assert Fraction(int(ours.p), int(ours.q)) == square * oracle.verdict_inclined_margin(
+        I1_, I3_, l_, omega, z, curvature
+    )
 
 
 @pytest.mark.parametrize("make", [gs.upright, gs.hanging, gs.inclined, gs.static_tilt])
@@ -184,11 +211,13 @@ def test_margins_are_homogeneous_in_mass_time_and_length(field, make):
         return (M * L**2) ** a * T**b * L**c
 
     def factor(expression):
-        return cancel(expression.subs({s: s * scale(s.name) for s in expression.free_symbols}, simultaneous=True) / expression)
+        return cancel(expression.subs({s: s * scale(s.name) for s in expression.free_symbols},
+                                      simultaneous=True) / expression)
 
     assert factor(field.expression) == M * L**2 * T**2
     report = gs.analyze(make(gs.assemble(gs.symmetric_gyrostat(), field)))
-    criteria = (gs.spectral_criterion(report.linearization), report.necessary, report.sufficient, report.casimirs_only)
+    criteria = (gs.spectral_criterion(report.linearization), report.necessary, report.sufficient,
+                report.casimirs_only)
     conditions = [c for criterion in criteria for alternative in criterion.alternatives for c in alternative]
     assert conditions
     for expression in (e for c in conditions for e in (c.margin, *c.degenerate)):
@@ -198,7 +227,11 @@ def test_margins_are_homogeneous_in_mass_time_and_length(field, make):
 def test_named_fields_are_typeset():
     """As the sources write them; the masses of a fluid are not the m1 of the Newtonian field."""
     assert str(gs.newtonian_field(3)) == "U = m₀ k₃ + m₁ J₃ (5 k₃³ − 3 k₃)/(6 r) + m₁ k₃² (I₃ − I₁)/2"
-    assert to_latex(gs.newtonian_field(3)) == (r"U = m_0 k_3 + \frac{m_1 J_3 \left(5 k_3^{3} - 3 k_3\right)}{6 r}"
+    assert to_latex(gs.newtonian_field(3)) == (r"U = m_0 k_3 + \frac{m_1 J_3 \left(5 k_3^{3} - 3 "
+                                               r"k_3\right)}{6 r}"
                                                r" + \frac{m_1 k_3^{2} \left(I_3 - I_1\right)}{2}")
     assert str(gs.ideal_fluid()) == "U = p₀² k₃² (1/mass₃ − 1/mass₁)/2"
-    assert to_latex(gs.ideal_fluid()) == r"U = \frac{p_0^{2} k_3^{2} \left(\frac{1}{\bar{m}_3} - \frac{1}{\bar{m}_1}\right)}{2}"
+    assert (
+        to_latex(gs.ideal_fluid())
+        == r"U = \frac{p_0^{2} k_3^{2} \left(\frac{1}{\bar{m}_3} - \frac{1}{\bar{m}_1}\right)}{2}"
+    )

@@ -20,40 +20,54 @@ def test_torque_equations_are_eulers(a, b, c, pi, torque, l):
     """π̇ = M × ω + τ with np.cross; without torque the field on so(3)*."""
     inertia = (a, b, c)
     point, tau, rotor = [pi, pi + 1, 2 - pi], [torque, 1, -torque], [0, 0, l]
-    ours = torque_equations(gs.Gyrostat(inertia, rotor), tau).subs(dict(zip(map(symbol, ("pi1", "pi2", "pi3")), point)))
-    theirs = oracle.free_field(oracle.exact(point), oracle.exact(inertia), oracle.exact(rotor)) + oracle.exact(tau)
+    ours = torque_equations(gs.Gyrostat(inertia, rotor),
+                            tau).subs(dict(zip(map(symbol, ("pi1", "pi2", "pi3")), point)))
+    theirs = oracle.free_field(
+        oracle.exact(point), oracle.exact(inertia), oracle.exact(rotor)
+    ) + oracle.exact(tau)
     assert list(ours) == [Rational(x.numerator, x.denominator) for x in theirs]
     body = gs.Gyrostat()
-    assert (torque_equations(body, (0, 0, 0)) - gs.assemble(body).vector_field()).expand() == gs.assemble(body).vector_field() * 0
+    assert (torque_equations(body, (0, 0, 0)) - gs.assemble(body).vector_field()).expand() == gs.assemble(
+        body
+    ).vector_field() * 0
 
 
 @given(a=moments, b=moments, c=moments, M1=numbers, M2=numbers, M3=numbers)
 def test_sphere_meets_ellipsoid_between_the_limits(a, b, c, M1, M2, M3):
-    """Every motion has |M|² between 2 E times the extreme moments; the rotations about those axes reach them."""
+    """Every motion has abs(M)² between 2 E times the extreme moments.
+
+    The rotations about those axes reach them.
+    """
     inertia, M = (a, b, c), (M1, M2, M3)
     assume(any(M))
     energy = sum(m * m / i for m, i in zip(M, inertia)) / 2
     low, high = momentum_limits(gs.Gyrostat(inertia, (0, 0, 0)), energy)
     assert low <= Rational(sum(m * m for m in M)) <= high
-    ends = [2 * energy * i for i in inertia]                               # |M|² of the rotation about each axis
+    # |M|² of the rotation about each axis
+    ends = [2 * energy * i for i in inertia]
     assert (low, high) == (Rational(min(ends)), Rational(max(ends)))
 
 
 def quarter(inertia, M):
-    """Period by the trapezoidal rule in the angle of M2 = B sin φ, exact to all digits for a smooth periodic integrand."""
+    """Period by the trapezoidal rule in the angle of M2 = B sin φ, exact to all digits for a smooth periodic
+    integrand.
+    """
     (I1, I2, I3), squares = inertia, [m * m for m in M]
     total, twice = sum(squares), sum(s / i for s, i in zip(squares, inertia))
     high, low = twice * I3 - total, total - twice * I1
-    if total < twice * I2:                                                 # about axis 1: the same with 1 and 3 exchanged
+    # about axis 1: the same with 1 and 3 exchanged
+    if total < twice * I2:
         I1, I3, high, low = I3, I1, total - twice * I1, twice * I3 - total
         high, low = -high, -low
     top = high * I2 / (I3 - I2)
     phi = np.arange(400) * 2 * math.pi / 400
     third = np.sqrt((low - top * np.sin(phi) ** 2 * (1 - I1 / I2)) * I3 / (I3 - I1))
-    return float(np.mean(math.sqrt(top) / (math.sqrt(high * I1 / (I3 - I1)) * third * abs(1 / I1 - 1 / I3))) * 2 * math.pi)
+    return float(np.mean(math.sqrt(top) / (math.sqrt(high * I1 / (I3 - I1)) * third * abs(1 / I1 - 1 / I3)))
+                 * 2 * math.pi)
 
 
-@pytest.mark.parametrize(("inertia", "M"), [((1, 2, 3), (0.3, 0.2, 0.9)), ((1, 2, 3), (0.9, 0.2, 0.3)), ((1, 4, 4.5), (1, 0.3, 2)),
+@pytest.mark.parametrize(("inertia", "M"), [((1, 2, 3), (0.3, 0.2, 0.9)), ((1, 2, 3), (0.9, 0.2, 0.3)),
+                                            ((1, 4, 4.5), (1, 0.3, 2)),
                                             ((2, 2.01, 3), (0.1, 0.2, 1))])
 def test_polhode_period_is_the_time_of_a_turn(inertia, M):
     """On either side of the separatrix, against quadrature with the two conserved quantities."""
@@ -62,7 +76,9 @@ def test_polhode_period_is_the_time_of_a_turn(inertia, M):
 
 def test_polhode_period_does_not_depend_on_the_names_of_the_axes():
     """Permuting the axes permutes nothing of the period."""
-    assert polhode_period((3, 1, 2), ("0.9", "0.3", "0.2")) == polhode_period((1, 2, 3), ("0.3", "0.2", "0.9"))
+    assert polhode_period((3, 1, 2), ("0.9", "0.3", "0.2")) == polhode_period(
+        (1, 2, 3), ("0.3", "0.2", "0.9")
+    )
 
 
 @pytest.mark.parametrize(("inertia", "M", "digits", "value"), [
@@ -71,11 +87,16 @@ def test_polhode_period_does_not_depend_on_the_names_of_the_axes():
     ((3, 5, 9), (0, 2, "0.01"), 15, "118.110887046386")])                  # 4 × 29.5277217615964
 def test_published_periods(inertia, M, digits, value):
     """Values of the literature, to the printed digits."""
-    assert abs(polhode_period(inertia, M, digits) - Rational(value)) < Rational(6, 10) * Rational(10) ** -len(value.split(".")[1])
+    assert abs(polhode_period(inertia, M, digits) - Rational(value)) < Rational(6, 10) * Rational(10) ** -len(
+        value.split(".")[1]
+    )
 
 
 def test_polhode_period_near_the_separatrix():
-    """T grows by (4/μ) log 10 for each factor 10 of M3, μ the growth rate; on the separatrix it is infinite."""
+    """T grows by (4/μ) log 10 for each factor 10 of M3, μ the growth rate.
+
+    On the separatrix it is infinite.
+    """
     rate = math.sqrt((1 / 3 - 1 / 5) * (1 / 5 - 1 / 9)) * 2
     near, nearer = (polhode_period((3, 5, 9), (0, 2, f"1e-{n}"), 40) for n in (60, 61))
     assert float(nearer - near) == pytest.approx(4 * math.log(10) / rate, rel=1e-13)
@@ -84,7 +105,8 @@ def test_polhode_period_near_the_separatrix():
 
 def test_polhode_refuses():
     """Equal moments, rest on an axis, and what is no number."""
-    for inertia, M, error, why in (((1, 1, 2), (1, 1, 1), ScopeError, "free_precession"), ((1, 2, 3), (0, 1, 0), ScopeError, "rests"),
+    for inertia, M, error, why in (((1, 1, 2), (1, 1, 1), ScopeError, "free_precession"),
+                                   ((1, 2, 3), (0, 1, 0), ScopeError, "rests"),
                                    ((1, 2, 3), ("x", 1, 0), ValuesError, "contains the names"),
                                    ((1, 2, -3), (1, 1, 0), BodyError, "positive")):
         with pytest.raises(error, match=why):
@@ -94,11 +116,14 @@ def test_polhode_refuses():
     with pytest.raises(BodyError, match="transverse and the axial"):
         free_precession((1, 2, 3), 1, 1)
     for call, error, why in ((lambda: polhode_period((1, 2, 3), (1, 1)), ValuesError, "three components"),
-                             (lambda: polhode_period((1, 2, 3), (1, 1, 0), 0), ValuesError, "number of digits"),
+                             (lambda: polhode_period((1, 2, 3), (1, 1, 0), 0), ValuesError,
+                              "number of digits"),
                              (lambda: free_precession((1, 2), 0, 0), ScopeError, "at rest"),
-                             (lambda: momentum_limits(gs.Gyrostat((1, 2, 3), (0, 0, 0)), -1), ValuesError, "not negative"),
+                             (lambda: momentum_limits(gs.Gyrostat((1, 2, 3), (0, 0, 0)), -1), ValuesError,
+                              "not negative"),
                              (lambda: torque_equations(5), TypeError, "not a Gyrostat"),
-                             (lambda: torque_equations(gs.Gyrostat(), ("a*", "0", "0")), ValueError, "cannot read")):
+                             (lambda: torque_equations(gs.Gyrostat(), ("a*", "0", "0")), ValueError,
+                              "cannot read")):
         with pytest.raises(error, match=why):
             call()
     with pytest.raises(BodyError, match="components"):
@@ -107,20 +132,24 @@ def test_polhode_refuses():
 
 @given(I1=moments, I3=moments, across=moments, along=numbers)
 def test_precession_composes_the_angular_velocity(I1, I3, across, along):
-    """ω = φ̇ M/|M| + ψ̇ e3, and in the body ω̇ = −Ω e3 × ω is Euler's equation."""
+    """ω = φ̇ M/abs(M) + ψ̇ e3, and in the body ω̇ = −Ω e3 × ω is Euler's equation."""
     motion = free_precession((I1, I3), across, along)
     M = (Rational(I1 * across), Rational(I3 * along))
     total = sqrt(M[0] ** 2 + M[1] ** 2)
     assert motion.precession * M[0] / total == Rational(across)
     assert (motion.precession * M[1] / total + motion.spin - Rational(along)).simplify() == 0
-    rates = oracle.free_field(oracle.exact([I1 * across, 0, I3 * along]), oracle.exact([I1, I1, I3]), oracle.exact([0, 0, 0]))
+    rates = oracle.free_field(oracle.exact([I1 * across, 0, I3 * along]), oracle.exact([I1, I1, I3]),
+                              oracle.exact([0, 0, 0]))
     assert rates[1] / Fraction(I1) == -Fraction(str(motion.body_rate)) * across and rates[0] == rates[2] == 0
     assert motion.body_rate == motion.spin
 
 
 @pytest.mark.parametrize(("inertia", "sign"), [((2, 1), 1), ((1, 2), -1)])
 def test_cones(inertia, sign):
-    """Prolate: the body cone rolls outside the space cone, θ is their sum; oblate: inside, θ is their difference."""
+    """Prolate: the body cone rolls outside the space cone, θ is their sum.
+
+    Oblate: inside, θ is their difference.
+    """
     motion = free_precession(inertia, 3, 4)
     assert motion.body_cone == acos(Rational(4, 5))
     assert float(motion.tilt) == pytest.approx(float(motion.body_cone + sign * motion.space_cone), rel=1e-14)
@@ -128,6 +157,9 @@ def test_cones(inertia, sign):
 
 @pytest.mark.parametrize("n", [36, 44, 98])
 def test_period_next_to_the_separatrix(n):
-    """M = (10⁻ⁿ, 1, 0), I = (1, 2, 3): the period grows by 4 ln 10/λ for each power of ten, λ = 1/(2 √3) the rate at the saddle."""
+    """M = (10⁻ⁿ, 1, 0), I = (1, 2, 3).
+
+    The period grows by 4 ln 10/λ for each power of ten, λ = 1/(2 √3) the rate at the saddle.
+    """
     nearer, here = (polhode_period((1, 2, 3), (f"1e-{k}", 1, 0)) for k in (n + 1, n))
     assert abs(nearer - here - 8 * math.log(10) * math.sqrt(3)) < 1e-9

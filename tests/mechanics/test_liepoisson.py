@@ -10,7 +10,11 @@ from gyrostat.mechanics.liepoisson import LiePoisson
 
 E3 = gs.lie_poisson(("k",))
 SO3 = gs.lie_poisson(())
-PI, K, L = Matrix(E3.coordinates[:3]), Matrix(E3.coordinates[3:]), Matrix([gs.symbol(f"l{i}") for i in (1, 2, 3)])
+PI, K, L = (
+    Matrix(E3.coordinates[:3]),
+    Matrix(E3.coordinates[3:]),
+    Matrix([gs.symbol(f"l{i}") for i in (1, 2, 3)]),
+)
 
 
 def polynomials(space):
@@ -59,8 +63,11 @@ def test_casimirs_commute_with_everything(space, data):
 
 def test_spaces_are_the_smallest():
     """3 coordinates and one Casimir without a field, 6 and two with one."""
-    assert (len(SO3.coordinates), len(SO3.casimirs)) == (3, 1) and (len(E3.coordinates), len(E3.casimirs)) == (6, 2)
-    assert {E3.tensor.subs(dict.fromkeys(E3.coordinates, 0), simultaneous=True).subs(dict.fromkeys(L, 1)).rank()} == {2}
+    assert (len(SO3.coordinates), len(SO3.casimirs)) == (3, 1)
+    assert (len(E3.coordinates), len(E3.casimirs)) == (6, 2)
+    assert {
+        E3.tensor.subs(dict.fromkeys(E3.coordinates, 0), simultaneous=True).subs(dict.fromkeys(L, 1)).rank()
+    } == {2}
 
 
 def test_the_shift_by_l():
@@ -70,7 +77,9 @@ def test_the_shift_by_l():
 
 
 def test_a_wrong_tensor_does_not_exist():
-    """Antisymmetry, Jacobi and the Casimirs are checked when the space is built, and the message says what fails."""
+    """Antisymmetry, Jacobi and the Casimirs are checked when the space is built, and the message says what
+    fails.
+    """
     wrong = E3.tensor.as_mutable()
     wrong[0, 4], wrong[4, 0] = -wrong[0, 4], -wrong[4, 0]
     with pytest.raises(StructureError, match="jacobiator of pi1, pi2"):

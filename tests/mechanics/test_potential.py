@@ -15,7 +15,12 @@ def test_a_plain_symbol_is_matched_by_name():
         potential = gs.axial_potential(Symbol("m0") * theirs)
         assert potential == gs.uniform_field()
         report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), potential)))
-        assert {s.name for s in report.sufficient.alternatives[0][0].margin.free_symbols} == {"I1", "l", "m0", "pi3_0"}
+        assert {s.name for s in report.sufficient.alternatives[0][0].margin.free_symbols} == {
+            "I1",
+            "l",
+            "m0",
+            "pi3_0",
+        }
 
 
 def test_callables_and_expressions_agree():
@@ -25,8 +30,10 @@ def test_callables_and_expressions_agree():
 
 
 @pytest.mark.parametrize(("given", "why"), [
-    (m0**2, "does not depend"), (m0 * k1, "k1"), (gs.symbol("omega") * k3, "omega"), (gs.symbol("pi3_0") * k3, "pi3_0"),
-    (gs.symbol("dU") * k3, "dU"), ("m0*k3", "not an expression"), (True, "not an expression"), (Function("V")(k3), "unspecified"),
+    (m0**2, "does not depend"), (m0 * k1, "k1"), (gs.symbol("omega") * k3, "omega"),
+    (gs.symbol("pi3_0") * k3, "pi3_0"),
+    (gs.symbol("dU") * k3, "dU"), ("m0*k3", "not an expression"), (True, "not an expression"),
+    (Function("V")(k3), "unspecified"),
     (sympy.I * 2, "finite real"), (sympy.oo, "finite real"),
     (sympy.Abs(k3), "smooth"), (sympy.Piecewise((k3, k3 > 0), (0, True)), "smooth")])
 def test_what_is_no_potential_is_refused(given, why):
@@ -49,14 +56,21 @@ def test_a_constant_is_a_field_without_force():
 def test_jets_are_derivatives():
     """dU, d2U, … of a given U; mixed ones of a general U."""
     potential = gs.axial_potential(cos(k3) * m0)
-    assert [potential.value(gs.symbol(n)) for n in ("dU", "d2U", "d4U")] == [-m0 * sympy.sin(k3), -m0 * cos(k3), m0 * cos(k3)]
+    assert [potential.value(gs.symbol(n)) for n in ("dU", "d2U", "d4U")] == [
+        -m0 * sympy.sin(k3),
+        -m0 * cos(k3),
+        m0 * cos(k3),
+    ]
     general = gs.general_potential(lambda a, b, c: a**2 * b * c**3)
     assert general.value(gs.symbol("d3U_123")) == 6 * k1 * k3**2
     assert [d.name for d in general.following(gs.symbol("dU_2"))] == ["d2U_12", "d2U_22", "d2U_23"]
 
 
 def test_the_body_enters_its_own_potential():
-    """The I1, I3 of a field are those of the body it acts on; the field of an axisymmetric body refuses any other."""
+    """The I1, I3 of a field are those of the body it acts on.
+
+    The field of an axisymmetric body refuses any other.
+    """
     scene = gs.assemble(gs.Gyrostat((2, 2, 5), (0, 0, 1)), gs.newtonian_field(2))
     assert sympy.expand(scene.potential.expression - m0 * k3 - m1 * 3 * k3**2 / 2) == 0
     scene = gs.assemble(gs.Gyrostat((2, 2, 5), (0, 0, 7)), gs.axial_potential(gs.symbol("l") * k3))

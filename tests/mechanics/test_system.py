@@ -30,16 +30,19 @@ def test_field_is_euler_poisson(x, inertia, rotor, g, s):
     theirs = oracle.field(oracle.exact(x), oracle.exact(inertia), oracle.exact(rotor),
                           lambda k: oracle.exact(g) + gradient.dot(k))
     U = gs.general_potential(lambda *k: sum(a * b for a, b in zip(rational(g), k))
-                             + sum(rational([S[i][j]])[0] * k[i] * k[j] for i in range(3) for j in range(3)) / 2)
+                             + sum(rational([S[i][j]])[0] * k[i] * k[j] for i in range(3) for j in range(3))
+                             / 2)
     scene = gs.assemble(gs.Gyrostat(inertia, rotor), U)
     ours = scene.vector_field().subs(dict(zip(scene.space.coordinates, rational(x))))
     assert list(ours) == rational(theirs)
 
 
-@pytest.mark.parametrize("potential", [None, gs.axial_potential(), gs.general_potential(), gs.newtonian_field(2)])
+@pytest.mark.parametrize("potential", [None, gs.axial_potential(), gs.general_potential(),
+                                       gs.newtonian_field(2)])
 def test_vector_form(potential):
     """π̇ = M × ω + k × ∇U, k̇ = k × ω; without a field π̇ = M × ω."""
-    scene = gs.assemble(gs.symmetric_gyrostat() if potential and potential.revolution else gs.Gyrostat(), potential)
+    scene = gs.assemble(gs.symmetric_gyrostat() if potential and potential.revolution else gs.Gyrostat(),
+                        potential)
     pi = Matrix(scene.space.coordinates[:3])
     omega = Matrix([p / i for p, i in zip(pi, scene.body.inertia)])
     M = pi + Matrix(scene.body.gyrostatic_momentum)
@@ -59,11 +62,13 @@ def test_energy_and_casimirs_are_conserved(scene):
 
 
 @pytest.mark.parametrize(("body", "potential", "count"), [
-    (gs.symmetric_gyrostat(), gs.axial_potential(), 1), (gs.symmetric_gyrostat(), None, 1), (gs.Gyrostat(), gs.axial_potential(), 0),
+    (gs.symmetric_gyrostat(), gs.axial_potential(), 1), (gs.symmetric_gyrostat(), None, 1),
+    (gs.Gyrostat(), gs.axial_potential(), 0),
     (gs.Gyrostat(), None, 0), (gs.Gyrostat((2, 2, 2), (0, 0, 0)), None, 3), (gs.Gyrostat((2, 2, 2)), None, 1),
     (gs.Gyrostat((1, 2, 2), (3, 0, 0)), gs.general_potential(lambda *k: k[0] ** 4), 1),
     (gs.Gyrostat((2, 2, 2), (0, 0, 0)), gs.general_potential(lambda *k: (k[0] + 2 * k[1] - k[2]) ** 3), 1),
-    (gs.Gyrostat((2, 2, 3), (0, 1, 0)), gs.axial_potential(), 0), (gs.Gyrostat((2, 2, 3), (0, 0, 1)), gs.general_potential(), 0)])
+    (gs.Gyrostat((2, 2, 3), (0, 1, 0)), gs.axial_potential(), 0),
+    (gs.Gyrostat((2, 2, 3), (0, 0, 1)), gs.general_potential(), 0)])
 def test_integrals_are_found(body, potential, count):
     """As many linear integrals as the body and its field have symmetries; each commutes with h."""
     scene = gs.assemble(body, potential)
@@ -73,7 +78,8 @@ def test_integrals_are_found(body, potential, count):
 
 def test_the_integral_follows_the_symmetry():
     """Not π3 by assumption: along the axis of U where the body is a sphere."""
-    scene = gs.assemble(gs.Gyrostat((2, 2, 2), (0, 0, 0)), gs.general_potential(lambda *k: (k[0] + 2 * k[1] - k[2]) ** 3))
+    scene = gs.assemble(gs.Gyrostat((2, 2, 2), (0, 0, 0)),
+                        gs.general_potential(lambda *k: (k[0] + 2 * k[1] - k[2]) ** 3))
     p1, p2, p3 = scene.space.coordinates[:3]
     assert expand(scene.integrals[0] / scene.integrals[0].coeff(p1)) == p1 + 2 * p2 - p3
 
@@ -99,4 +105,6 @@ def test_a_rotor_with_an_irrational_momentum(rotor):
 def test_a_rotor_that_is_a_quotient_of_names():
     """l = a/b: Jacobi holds."""
     a, b = gs.symbol("a"), gs.symbol("b")
-    assert gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, a / b)), gs.uniform_field()).space.jacobiator(0, 1, 4) == 0
+    assert (
+        gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, a / b)), gs.uniform_field()).space.jacobiator(0, 1, 4) == 0
+    )

@@ -1,10 +1,16 @@
-"""Independent reference: Euler's equations of a free gyrostat by Taylor series in whole numbers, steps and order fixed."""
+"""Independent reference.
+
+Euler's equations of a free gyrostat by Taylor series in whole numbers, steps and order fixed.
+"""
 from fractions import Fraction
 from operator import mul
 
 
 def motion(inertia, rotor, momentum, until, steps, rows=(), order=30, bits=256):
-    """M, and vectors fixed in space, in body components at a time: v' = v × ω, ωᵢ = (Mᵢ − lᵢ)/Iᵢ; Fractions in, Fractions out."""
+    """M, and vectors fixed in space, in body components at a time: v' = v × ω, ωᵢ = (Mᵢ − lᵢ)/Iᵢ.
+
+    Fractions in, Fractions out.
+    """
     one, step = 1 << bits, Fraction(until) / steps
     whole = [[round(Fraction(x) * one) for x in v] for v in (momentum, *rows)]
     l, rates = [round(Fraction(x) * one) for x in rotor], [round(step / Fraction(x) * one) for x in inertia]

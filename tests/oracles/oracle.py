@@ -1,7 +1,7 @@
 """Independent oracle: the Euler-Poisson equations with np.cross, differenced. Imports nothing of gyrostat.
 
-On object arrays of Fractions everything is exact: a field of degree two has exact central differences, whatever
-the step. A potential enters through its derivatives at the equilibrium, U'(k3) = u1 + u2 (k3 - z).
+On object arrays of Fractions everything is exact: a field of degree two has exact central differences,
+whatever the step. A potential enters through its derivatives at the equilibrium, U'(k3) = u1 + u2 (k3 - z).
 """
 from fractions import Fraction
 
@@ -63,7 +63,8 @@ def inclined(I1, I3, l, omega, k, u2):
     """Point and field of E3 at the rational unit vector k; U' is what the balance asks for."""
     inertia, rotor, k = exact([I1, I1, I3]), exact([0, 0, l]), exact(k)
     u1 = omega * l - omega**2 * k[2] * (I1 - I3)
-    return np.concatenate([inertia * k * omega, k]), lambda x: field(x, inertia, rotor, axial_slope(u1, u2, k[2]))
+    return np.concatenate([inertia * k * omega,
+                           k]), lambda x: field(x, inertia, rotor, axial_slope(u1, u2, k[2]))
 
 
 def growth(f, x):
@@ -89,7 +90,10 @@ def reduced(I1, l, pi3, v, e, u0, u1, u2, z):
 
 
 def verdict_vertical(I1, l, pi3, s, u1):
-    """1 stable, -1 unstable, 0 on the boundary: sign of -g'' of the reduced motion at the pole (double root there)."""
+    """1 stable, -1 unstable, 0 on the boundary.
+
+    Sign of -g'' of the reduced motion at the pole (double root there).
+    """
     P = pi3 + l
     g = reduced(I1, l, pi3, s * P, Fraction(0), Fraction(0), u1, Fraction(0), Fraction(s))
     assert g[0] == g[1] == 0
@@ -131,7 +135,10 @@ def product(a, b):
 
 
 def quotient(a, b, order):
-    """Power series a / b up to the given order; b may begin later than with its constant, a then does so too."""
+    """Power series a / b up to the given order.
+
+    B may begin later than with its constant, a then does so too.
+    """
     start = next(i for i, y in enumerate(b) if y)
     assert not any(a[:start])
     a, b = list(a[start:]) + [0] * (order + 1), b[start:]
@@ -154,11 +161,18 @@ def axial_integrals(x, I1, l, potential):
     """e = h − π3²/(2 I3), v = (π + l)·k, P = π3 + l for U(k3) = a0 + a1 k3 + …"""
     pi, k = x[:3], x[3:]
     P = pi[2] + l
-    return (pi[0] ** 2 + pi[1] ** 2) / (2 * I1) + polynomial(potential, k[2]), pi[0] * k[0] + pi[1] * k[1] + P * k[2], P
+    return (
+        (pi[0] ** 2 + pi[1] ** 2) / (2 * I1) + polynomial(potential, k[2]),
+        pi[0] * k[0] + pi[1] * k[1] + P * k[2],
+        P,
+    )
 
 
 def reduced_motion(I1, e, v, P, potential):
-    """Coefficients of g = 2 I1 (e − U)(1 − z²) − (v − P z)², all of them; I1² ż² = g(z) along every motion, z = k3."""
+    """Coefficients of g = 2 I1 (e − U)(1 − z²) − (v − P z)², all of them.
+
+    I1² ż² = g(z) along every motion, z = k3.
+    """
     energy = [-a for a in potential]
     energy[0] += e
     g = [2 * I1 * c for c in product(energy, [1, 0, -1])]
@@ -168,7 +182,10 @@ def reduced_motion(I1, e, v, P, potential):
 
 
 def axial_field(x, I1, I3, l, slope):
-    """The field above, written out for I1 = I2, l = (0, 0, l), U = U(k3): numbers, not arrays; slope = U' as coefficients."""
+    """The field above, written out for I1 = I2, l = (0, 0, l), U = U(k3): numbers, not arrays.
+
+    Slope = U' as coefficients.
+    """
     p1, p2, p3, k1, k2, k3 = x
     w1, w2, w3, u = p1 / I1, p2 / I1, p3 / I3, polynomial(slope, k3)
     return [p2 * w3 - (p3 + l) * w2 + k2 * u, (p3 + l) * w1 - p1 * w3 - k1 * u, p1 * w2 - p2 * w1,
@@ -176,7 +193,10 @@ def axial_field(x, I1, I3, l, slope):
 
 
 def taylor(g, z):
-    """Coefficients in x of a polynomial in z + x, by repeated synthetic division; whole numbers stay whole."""
+    """Coefficients in x of a polynomial in z + x, by repeated synthetic division.
+
+    Whole numbers stay whole.
+    """
     rest, found = list(reversed(g)), []
     while rest:
         carry, quotients = 0, []
@@ -189,7 +209,10 @@ def taylor(g, z):
 
 
 def moves_away(g, z, sides):
-    """Whether x² = g(x) has motions that leave its rest point z on a side: g > 0 beside z, or g = 0 everywhere."""
+    """Whether x² = g(x) has motions that leave its rest point z on a side.
+
+    G > 0 beside z, or g = 0 everywhere.
+    """
     rest = list(reversed(g))
     for n in range(len(g)):
         carry, quotients = 0, []
@@ -206,7 +229,8 @@ def moves_away(g, z, sides):
 def whole_motion(A, W, P, B, m, q, r):
     """g at z = y/q in powers of y, times (d r q⁴)², in whole numbers; U has six coefficients.
 
-    I1 = A/d, ω·k = W/r, π3 + l = P/(d r q), U = (B1 z + … + B6 z⁶)/d, k3 = m/q; the state is π1 = I1 ω k1, π2 = k2 = 0, with
+    I1 = A/d, ω·k = W/r, π3 + l = P/(d r q), U = (B1 z + … + B6 z⁶)/d, k3 = m/q; the state is π1 = I1 ω k1, π2
+        = k2 = 0, with
     k1² = 1 − k3², hence 2 I1 e = I1² ω² k1² + 2 I1 U(k3), v = I1 ω k1² + P k3.
     """
     across = q * q - m * m
@@ -244,7 +268,9 @@ def rank(rows):
 
 
 def orbit_basis(x, rotor):
-    """Basis of the tangent space {δπ·k + M·δk = 0, k·δk = 0} of the coadjoint orbit, as columns, shape (6, 4); k1 ≠ 0."""
+    """Basis of the tangent space {δπ·k + M·δk = 0, k·δk = 0} of the coadjoint orbit, as columns, shape (6,
+    4); k1 ≠ 0.
+    """
     M, k, columns = x[:3] + rotor, x[3:], []
     for free in (1, 2, 4, 5):                          # δπ2, δπ3, δk2, δk3; δk1 and δπ1 follow
         d = exact([int(i == free) for i in range(6)])
@@ -277,7 +303,9 @@ def _division(a, b):
 
 
 def count_roots(f, low=None, high=None):
-    """Number of distinct real roots of a polynomial over the rationals in an open interval, by Sturm's theorem."""
+    """Number of distinct real roots of a polynomial over the rationals in an open interval, by Sturm's
+    theorem.
+    """
     f = _trimmed(f)
     a, b = f, _trimmed(slope(f))
     while b:
@@ -288,7 +316,8 @@ def count_roots(f, low=None, high=None):
         chain.append([-c for c in _division(chain[-2], chain[-1])[1]])
 
     def changes(x, side):
-        values = [polynomial(g, x) if x is not None else g[-1] * side ** (len(g) - 1) for g in map(_trimmed, chain) if g]
+        values = [polynomial(g, x) if x is not None else g[-1] * side ** (len(g) - 1)
+                  for g in map(_trimmed, chain) if g]
         signs = [v > 0 for v in values if v]
         return sum(s != t for s, t in zip(signs, signs[1:]))
 
@@ -299,7 +328,8 @@ def level_slope(I1, P, v, potential):
     """I1 (1 − z²)² V' of the effective potential V = U + (v − P z)²/(2 I1 (1 − z²)), as coefficients."""
     across = product([1, 0, -1], [1, 0, -1])
     first, second = [I1 * c for c in product(across, slope(potential) or [0])], product([v, -P], [-P, v])
-    return [(first[n] if n < len(first) else 0) + (second[n] if n < len(second) else 0) for n in range(max(len(first), 3))]
+    return [(first[n] if n < len(first) else 0) + (second[n] if n < len(second) else 0)
+            for n in range(max(len(first), 3))]
 
 
 def rate_slope(I1, I3, l, omega, potential):
@@ -339,7 +369,8 @@ class Series:
 
     def exp(self):
         """e' = x' e."""
-        found = Series(lambda n: mpmath.exp(self[0]) if n == 0 else sum(i * self[i] * found[n - i] for i in range(1, n + 1)) / n)
+        found = Series(lambda n: mpmath.exp(self[0]) if n == 0
+                       else sum(i * self[i] * found[n - i] for i in range(1, n + 1)) / n)
         return found
 
 
@@ -352,7 +383,9 @@ def cross(a, b):
 
 
 def _number(value):
-    return mpmath.mpf(value.numerator) / value.denominator if isinstance(value, Fraction) else mpmath.mpf(value)
+    return (
+        mpmath.mpf(value.numerator) / value.denominator if isinstance(value, Fraction) else mpmath.mpf(value)
+    )
 
 
 def _gradient(terms, k):
@@ -372,11 +405,13 @@ def _gradient(terms, k):
 
 
 def taylor_motion(inertia, rotor, state, time, potential=(), digits=30, attitude=None):
-    """The state at a time, π then k (if any), by Taylor series of M' = M × ω + k × ∇U, k' = k × ω, M = π + l: mpmath numbers.
+    """The state at a time, π then k (if any), by Taylor series of M' = M × ω + k × ∇U, k' = k × ω, M = π + l:
+    mpmath numbers.
 
-    potential: terms (coefficient, (a, b, c)) of a polynomial in k, or a function from the Series of k3 to that of U'(k3).
-    attitude: R at time 0; then (state, R) is returned, R' = R hat(ω), rows r' = r × ω.
-    The step keeps the last two of about 1.2 · digits terms below 10^−(digits + 4), with ten digits more in the arithmetic.
+    potential: terms (coefficient, (a, b, c)) of a polynomial in k, or a function from the Series of k3 to
+    that of U'(k3). attitude: R at time 0; then (state, R) is returned, R' = R hat(ω), rows r' = r × ω. The
+    step keeps the last two of about 1.2 · digits terms below 10^−(digits + 4), with ten digits more in the
+    arithmetic.
     """
     with mpmath.workdps(digits + 10):
         inertia, rotor = list(map(_number, inertia)), list(map(_number, rotor))

@@ -1,4 +1,7 @@
-"""Whether the numbers of a counterexample refute a printed condition: from the output alone, in fractions. Imports nothing of gyrostat."""
+"""Whether the numbers of a counterexample refute a printed condition.
+
+From the output alone, in fractions. Imports nothing of gyrostat.
+"""
 import ast
 import operator
 from fractions import Fraction
@@ -6,7 +9,8 @@ from fractions import Fraction
 import numpy as np
 import oracle
 
-_BINARY = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv, ast.Pow: operator.pow}
+_BINARY = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
+           ast.Pow: operator.pow}
 _COMPARED = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
 
 
@@ -35,9 +39,12 @@ def _value(node, text, names):
 
 
 def stability(scene, v):
-    """1 proved Lyapunov stable (modulo the spin), -1 proved unstable, 0 neither; also what a text may call dU, d2U there.
+    """1 proved Lyapunov stable (modulo the spin), -1 proved unstable, 0 neither.
 
-    scene: label, and for E1, E2, E3 the coefficients of U(k3) in powers of k3, or None where the numbers give its derivatives.
+    Also what a text may call dU, d2U there.
+
+    scene: label, and for E1, E2, E3 the coefficients of U(k3) in powers of k3, or None where the numbers give
+    its derivatives.
     """
     label, coefficients = scene
     if label.startswith("axis"):
@@ -83,7 +90,7 @@ def derivative(coefficients, order, z):
 
 
 def _about_axis(axis, v):
-    """The energy Σ M²/2I − l·M/I on the sphere |M| = m near its point on an axis, to fourth order."""
+    """The energy Σ M²/2I − l·M/I on the sphere abs(M) = m near its point on an axis, to fourth order."""
     inertia = [v[f"I{i}"] for i in (1, 2, 3)]
     omega, l = v[f"omega{axis}_0"], v.get("l", Fraction(0))
     m, moment = inertia[axis - 1] * omega + l, inertia[axis - 1]
@@ -105,7 +112,8 @@ def refutes(claim, printed, scene, values):
     if "k1" in v and "k3" in v:
         assert v["k1"]**2 + v["k2"]**2 + v["k3"]**2 == 1
     sign, names = stability(scene, v)
-    assert all(v.get(name, x) == x for name, x in names.items() if x is not None), "the numbers shown are stale"
+    assert all(v.get(name, x) == x for name, x in names.items()
+               if x is not None), "the numbers shown are stale"
     says = value(printed, {**names, **v})
     unstable = "instability" in claim
     if claim.startswith("necessary and sufficient"):

@@ -1,11 +1,17 @@
-"""Both sides of a printed formula at the numbers shown: motions as functions, derivatives by differences. Imports nothing of gyrostat."""
+"""Both sides of a printed formula at the numbers shown.
+
+Motions as functions, derivatives by differences. Imports nothing of gyrostat.
+"""
 import ast
 
 import mpmath as mp
 
-_BINARY = {ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b, ast.Div: lambda a, b: a / b}
-_COMPARED = {ast.Lt: lambda a, b: a < b, ast.LtE: lambda a, b: a <= b, ast.Gt: lambda a, b: a > b, ast.GtE: lambda a, b: a >= b}
-PLAIN = {"sqrt": mp.sqrt, "sin": mp.sin, "cos": mp.cos, "exp": mp.exp, "cosh": mp.cosh, "tanh": mp.tanh, "log": mp.log, "abs": abs}
+_BINARY = {ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b,
+           ast.Div: lambda a, b: a / b}
+_COMPARED = {ast.Lt: lambda a, b: a < b, ast.LtE: lambda a, b: a <= b, ast.Gt: lambda a, b: a > b,
+             ast.GtE: lambda a, b: a >= b}
+PLAIN = {"sqrt": mp.sqrt, "sin": mp.sin, "cos": mp.cos, "exp": mp.exp, "cosh": mp.cosh, "tanh": mp.tanh,
+         "log": mp.log, "abs": abs}
 
 
 def cross(a, b):
@@ -45,7 +51,8 @@ class Texts:
     def value(self, text, x, depth=None):
         """What a text, or a list of texts, is at a state."""
         if isinstance(text, list):
-            rows = [[self.value(e, x, depth) for e in row] if isinstance(row, list) else [self.value(row, x, depth)] for row in text]
+            rows = [[self.value(e, x, depth) for e in row] if isinstance(row, list)
+                    else [self.value(row, x, depth)] for row in text]
             return mp.matrix(rows)
         depth = len(self.let) if depth is None else depth
         return self._of(ast.parse(str(text).strip(), mode="eval").body, str(text).strip(), x, depth)
@@ -86,7 +93,8 @@ class Texts:
             inner = self._of(node.operand, text, x, depth)
             return -inner if isinstance(node.op, ast.USub) else inner
         if isinstance(node, ast.Call):
-            return self.called(node.func.id, [lambda y, part=part: self._of(part, text, y, depth) for part in node.args], x)
+            return self.called(node.func.id,
+                               [lambda y, part=part: self._of(part, text, y, depth) for part in node.args], x)
         if isinstance(node, ast.BoolOp):
             return all(self._of(part, text, x, depth) for part in node.values)
         if isinstance(node, ast.Compare):
@@ -103,9 +111,11 @@ class Motion(Texts):
 
     def __init__(self, table, numbers, let=()):
         super().__init__(numbers, let)
-        plain = Texts({"I1": mp.mpf(1), "I2": mp.mpf(1), "I3": mp.mpf(1), **numbers})     # any, where no formula has them
+        # any, where no formula has them
+        plain = Texts({"I1": mp.mpf(1), "I2": mp.mpf(1), "I3": mp.mpf(1), **numbers})
         self.inertia = [plain.value(t, None) for t in table.get("inertia", ["I1", "I2", "I3"])]
-        self.rotor = mp.matrix([plain.value(t, None) for t in table.get("gyrostatic_momentum", ["0", "0", "0"])])
+        self.rotor = mp.matrix([plain.value(t, None)
+                                for t in table.get("gyrostatic_momentum", ["0", "0", "0"])])
         self.label, self.potential = table.get("equilibrium"), table.get("potential")
         self.size = 3 if self.potential in (None, "none") else 6
         self.names = [f"{c}{i}" for c in ("pi", "k") for i in (1, 2, 3)][:self.size]
@@ -118,7 +128,8 @@ class Motion(Texts):
             i = int(self.label[-1]) - 1
             return [self.inertia[i] * n[f"omega{i + 1}_0"] if j == i else mp.mpf(0) for j in range(3)]
         if self.label != "E3":
-            return [mp.mpf(0), mp.mpf(0), n["pi3_0"] if "pi3_0" in n else self.inertia[2] * n["omega3_0"], mp.mpf(0), mp.mpf(0), self.k3]
+            return [mp.mpf(0), mp.mpf(0), n["pi3_0"] if "pi3_0" in n else self.inertia[2] * n["omega3_0"],
+                    mp.mpf(0), mp.mpf(0), self.k3]
         k = [n.get("k1", mp.sqrt(1 - self.k3**2)), n.get("k2", mp.mpf(0)), self.k3]
         return [m * n["omega"] * x for m, x in zip(self.inertia, k)] + k
 
@@ -127,11 +138,13 @@ class Motion(Texts):
             n, r = self.numbers, k[2] - self.k3
             slope = n.get("dU", mp.mpf(0))
             if self.label == "E3":
-                slope = n["omega"] * (self.rotor[2] - n["omega"] * self.k3 * (self.inertia[0] - self.inertia[2]))
+                slope = n["omega"] * (self.rotor[2] - n["omega"] * self.k3
+                                      * (self.inertia[0] - self.inertia[2]))
             return n.get("U", 0) + slope * r + n.get("d2U", 0) * r**2 / 2 + n.get("d3U", 0) * r**3 / 6
         if self.potential == "U(k1, k2, k3)":
             old = [self.numbers.get(f"k{i}", mp.mpf(0)) for i in (1, 2, 3)]
-            return self.numbers.get("U", 0) + sum(self.numbers.get(f"dU_{i + 1}", 0) * (k[i] - old[i]) for i in range(3))
+            return self.numbers.get("U", 0) + sum(self.numbers.get(f"dU_{i + 1}", 0) * (k[i] - old[i])
+                                                  for i in range(3))
         return Texts({**self.numbers, "k1": k[0], "k2": k[1], "k3": k[2]}).value(self.potential, None)
 
     def slope(self, k, i, order=1):
@@ -160,16 +173,23 @@ class Motion(Texts):
         if name in ("dU_1", "dU_2", "dU_3"):
             return self.slope(k, int(name[-1]) - 1)
         T = dot(pi, omega) / 2
-        simple = {"vector_pi": lambda: pi, "vector_k": lambda: k, "vector_l": lambda: self.rotor, "vector_M": lambda: M,
-                  "vector_omega": lambda: omega, "T": lambda: T, "U": lambda: self.U(k), "h": lambda: T + (self.U(k) if k else 0),
-                  "C": lambda: dot(M, M), "C1": lambda: dot(M, k), "C2": lambda: dot(k, k), "field": lambda: self.field(x),
+        simple = {"vector_pi": lambda: pi, "vector_k": lambda: k, "vector_l": lambda: self.rotor,
+                  "vector_M": lambda: M,
+                  "vector_omega": lambda: omega, "T": lambda: T, "U": lambda: self.U(k),
+                  "h": lambda: T + (self.U(k) if k else 0),
+                  "C": lambda: dot(M, M), "C1": lambda: dot(M, k), "C2": lambda: dot(k, k),
+                  "field": lambda: self.field(x),
                   "state": lambda: mp.matrix(x), "delta_pi": lambda: mp.matrix(self._delta()[:3]),
-                  "delta_k": lambda: mp.matrix(self._delta()[3:]), "F": lambda: self._linear("F", x), "G": lambda: self._linear("G", x),
-                  "jacobian": lambda: self.jacobian(x), "B": lambda: self.tensor(x), "nu1": lambda: self._multipliers(x)[0],
+                  "delta_k": lambda: mp.matrix(self._delta()[3:]), "F": lambda: self._linear("F", x),
+                  "G": lambda: self._linear("G", x),
+                  "jacobian": lambda: self.jacobian(x), "B": lambda: self.tensor(x),
+                  "nu1": lambda: self._multipliers(x)[0],
                   "nu2": lambda: self._multipliers(x)[1]}
         if name in simple:
             return simple[name]()
-        kept = [0, 1, 3, 4] if self.size == 6 else [i for i in range(3) if i + 1 != int((self.label or "x1")[-1])]
+        kept = [0, 1, 3, 4] if self.size == 6 else [i
+                                                    for i in range(3) if i + 1
+                                                    != int((self.label or "x1")[-1])]
         if name == "linearization":
             J = self.jacobian(x)
             return mp.matrix([[J[i, j] for j in kept] for i in kept])
@@ -187,7 +207,8 @@ class Motion(Texts):
         return sum(self.numbers.get(f"{name}{i}", 0) * c for i, c in enumerate(x, 1))
 
     def jacobian(self, x):
-        columns = [rate(lambda s, i=i: self.field([c + s * (i == j) for j, c in enumerate(x)])) for i in range(len(x))]
+        columns = [rate(lambda s, i=i: self.field([c + s * (i == j) for j, c in enumerate(x)]))
+                   for i in range(len(x))]
         return mp.matrix([[column[i] for column in columns] for i in range(len(x))])
 
     def characteristic(self, x):
@@ -215,7 +236,8 @@ class Motion(Texts):
         return mp.matrix(slopes[:3]), mp.matrix(slopes[3:] or [0, 0, 0])
 
     def _multipliers(self, x):
-        gradients = [[*a, *b] for a, b in (self.gradient(lambda y, n=n: self.base(n, y), x) for n in ("h", "C1", "C2"))]
+        gradients = [[*a, *b] for a, b in (self.gradient(lambda y, n=n: self.base(n, y), x)
+                                           for n in ("h", "C1", "C2"))]
         found, _ = mp.qr_solve(mp.matrix(gradients[1:]).T, -mp.matrix(gradients[0]))
         return found
 
@@ -226,7 +248,8 @@ class Motion(Texts):
         if name == "bracket":
             first, b = arguments[0](x), self.gradient(arguments[1], x)
             if isinstance(first, mp.matrix):
-                return mp.matrix([self._bracket(self.gradient(lambda y, i=i: arguments[0](y)[i], x), b, x) for i in range(first.rows)])
+                return mp.matrix([self._bracket(self.gradient(lambda y, i=i: arguments[0](y)[i], x), b, x)
+                                  for i in range(first.rows)])
             return self._bracket(self.gradient(arguments[0], x), b, x)
         if name in ("gradient_pi", "gradient_k"):
             return self.gradient(arguments[0], x)[name == "gradient_k"]

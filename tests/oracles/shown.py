@@ -1,4 +1,7 @@
-"""Whether the numbers shown against a printed formula or claim show what they are shown for: from the output alone. No gyrostat here."""
+"""Whether the numbers shown against a printed formula or claim show what they are shown for.
+
+From the output alone. No gyrostat here.
+"""
 from fractions import Fraction
 
 import mpmath as mp
@@ -13,14 +16,23 @@ def is_true(statement, scene, shown, weaker=False):
 
     Parameters
     ----------
-    statement : dict       quantity, printed, kind, let, at, given, and the entry (from 1) where the sides of a matrix differ, or None
-    scene : dict           the table of the file
-    shown : dict           counterexample or not_sharp of the JSON output
-    weaker : bool          the claim does not fail there
+    statement : dict
+        quantity, printed, kind, let, at, given, and the entry (from 1) where the sides of a matrix differ, or
+        None
+    scene : dict
+        the table of the file
+    shown : dict
+        counterexample or not_sharp of the JSON output
+    weaker : bool
+        the claim does not fail there
     """
     values, kind = shown["values"], statement["kind"]
     if kind not in ("condition", "statement"):
-        return not weaker and _inserted(statement, values) and differs(statement, scene, {**statement["at"], **values})
+        return (
+            not weaker
+            and _inserted(statement, values)
+            and differs(statement, scene, {**statement["at"], **values})
+        )
     v = {name: Fraction(text) for name, text in values.items()}
     texts = [t for t in (scene.get("given", ""), statement["given"]) if t]
     own, plain = Own(v, statement["let"], scene), Own(v, {}, scene)
@@ -36,15 +48,18 @@ def _inserted(statement, values):
     """Whether what is inserted has been inserted."""
     with mp.workdps(40):
         n = {name: reread.Texts({}).value(text, None) for name, text in values.items()}
-        return all(abs(reread.Texts(n).value(text, None) - n[name]) < 1e-25 for name, text in statement["at"].items() if name in n)
+        return all(abs(reread.Texts(n).value(text, None) - n[name]) < 1e-25
+                   for name, text in statement["at"].items() if name in n)
 
 
 def differs(statement, scene, numbers):
-    """Whether the two sides of a formula differ at numbers, which are texts, and what is given holds there."""
+    """Whether the two sides of a formula differ at numbers, which are texts, and what is given holds there.
+    """
     kind, printed, entry = statement["kind"], statement["printed"], statement["entry"]
     with mp.workdps(40):
         n = {name: reread.Texts({}).value(text, None) for name, text in numbers.items()}
-        if not all(reread.Texts(n).value(text, None) for text in (scene.get("given"), statement["given"]) if text):
+        if not all(reread.Texts(n).value(text, None)
+                   for text in (scene.get("given"), statement["given"]) if text):
             return False
         world = (turned.Turning if "angles" in scene else reread.Motion)(scene, n, statement["let"].items())
         if kind == "solution":
@@ -56,7 +71,8 @@ def differs(statement, scene, numbers):
             return abs(sides[0] - sides[1]) > mp.mpf(10) ** -len(printed.partition(".")[2]) / 2
         if entry:
             sides = [side[entry[0] - 1, entry[1] - 1] for side in sides]
-        return abs(mp.im(sides[0])) > 0 or abs(sides[0] - sides[1]) > 1e-15 * (1 + abs(sides[1]))   # of 40 digits, differences keep 20
+        # of 40 digits, differences keep 20
+        return abs(mp.im(sides[0])) > 0 or abs(sides[0] - sides[1]) > 1e-15 * (1 + abs(sides[1]))
 
 
 def _leaves(world, quantity, printed, n, entry):
@@ -78,7 +94,9 @@ def _leaves(world, quantity, printed, n, entry):
 
 
 class Own(dict):
-    """Numbers by name, with abbreviations, each of which may use those before it, and p, q of the differenced field."""
+    """Numbers by name, with abbreviations, each of which may use those before it, and p, q of the differenced
+    field.
+    """
 
     def __init__(self, numbers, let, scene):
         super().__init__(numbers)
@@ -97,11 +115,17 @@ def _spectrum(scene, v):
     label, coefficients = scene_of(scene)
     names = refuted.stability((label, coefficients), v)[1]
     if label == "E3":
-        second = v.get("d2U", Fraction(0)) if coefficients is None else refuted.derivative(coefficients(v), 2, names["k3"])
-        x, field = oracle.inclined(v["I1"], v["I3"], v.get("l", 0), v["omega"], (v["k1"], v["k2"], v["k3"]), second)
+        second = (
+            v.get("d2U", Fraction(0))
+            if coefficients is None
+            else refuted.derivative(coefficients(v), 2, names["k3"])
+        )
+        x, field = oracle.inclined(v["I1"], v["I3"], v.get("l", 0), v["omega"], (v["k1"], v["k2"], v["k3"]),
+                                   second)
     else:
         spin = v["pi3_0"] if "pi3_0" in v else v["I3"] * v["omega3_0"]
-        x, field = oracle.vertical(v["I1"], v["I3"], v.get("l", Fraction(0)), spin, {"E1": 1, "E2": -1}[label], names["dU"], Fraction(0))
+        x, field = oracle.vertical(v["I1"], v["I3"], v.get("l", Fraction(0)), spin,
+                                   {"E1": 1, "E2": -1}[label], names["dU"], Fraction(0))
     c = oracle.characteristic(oracle.jacobian(field, x))
     return c[2], c[4]
 
@@ -144,7 +168,11 @@ def _fails(statement, scene, v, own):
     if claim.endswith("Casimirs alone"):
         sign = _form(scene, v)
         return None if sign is None else compared(printed, own) and sign != 1
-    sign = _triaxial(scene, v) if "k1" in scene.get("potential", "") else refuted.stability(scene_of(scene), v)[0]
+    sign = (
+        _triaxial(scene, v)
+        if "k1" in scene.get("potential", "")
+        else refuted.stability(scene_of(scene), v)[0]
+    )
     if claim == "stability":
         return sign == (1 if printed == "unstable" else -1)
     says = compared(printed, own)
@@ -158,7 +186,9 @@ def _fails(statement, scene, v, own):
 def _is_body(scene, v):
     inertia = [refuted.value(t, v) for t in scene.get("inertia", ["I1", "I2", "I3"])]
     unit = not {"k1", "k2", "k3"} <= v.keys() or v["k1"]**2 + v["k2"]**2 + v["k3"]**2 == 1
-    return unit and min(inertia) > 0 and all(2 * m <= sum(inertia) for m in inertia) and abs(v.get("k3", 0)) <= 1
+    return (
+        unit and min(inertia) > 0 and all(2 * m <= sum(inertia) for m in inertia) and abs(v.get("k3", 0)) <= 1
+    )
 
 
 def _exists(scene, v):
@@ -185,7 +215,10 @@ def _form(scene, v):
 
 
 def _triaxial(scene, v):
-    """At k = (0, 0, 1), U of the second degree in k without products: 1 definite, -1 an eigenvalue grows, 0 neither."""
+    """At k = (0, 0, 1), U of the second degree in k without products.
+
+    1 definite, -1 an eigenvalue grows, 0 neither.
+    """
     def U(*k):
         return refuted.value(scene["potential"], {**v, **dict(zip(("k1", "k2", "k3"), map(Fraction, k)))})
 

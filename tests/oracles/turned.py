@@ -1,4 +1,7 @@
-"""A body turned through three angles, at numbers: the rates of what moves by differences. Imports nothing of gyrostat."""
+"""A body turned through three angles, at numbers.
+
+The rates of what moves by differences. Imports nothing of gyrostat.
+"""
 import mpmath as mp
 from reread import Texts, dot, rate
 
@@ -13,11 +16,16 @@ class Turning(Texts):
         self.table, self.free = table, table.get("vertical")
         self.inertia = [Texts(numbers).value(t, None) for t in table.get("inertia", ["I1", "I2", "I3"])]
         now = [numbers[a] for a in ("phi", "theta", "psi")]
-        self.rates = list(self._free_rates(now)) if self.free else [numbers.get(f"{a}_dot", mp.mpf(0)) for a in ("phi", "theta", "psi")]
+        self.rates = (
+            list(self._free_rates(now))
+            if self.free
+            else [numbers.get(f"{a}_dot", mp.mpf(0)) for a in ("phi", "theta", "psi")]
+        )
         self.now = now
 
     def angles(self, t):
-        bends = [0 if self.free else self.numbers.get(f"{a}_ddot", mp.mpf(0)) for a in ("phi", "theta", "psi")]
+        bends = [0 if self.free else self.numbers.get(f"{a}_ddot", mp.mpf(0))
+                 for a in ("phi", "theta", "psi")]
         return [a + r * t + b * t**2 / 2 for a, r, b in zip(self.now, self.rates, bends)]
 
     def _turns(self, angles):
@@ -53,7 +61,8 @@ class Turning(Texts):
         return mp.matrix([m * w for m, w in zip(self.inertia, self.omega(t))])
 
     def tensor(self):
-        return mp.matrix([[self.numbers.get(f"J{min(i, j)}{max(i, j)}", 0) for j in (1, 2, 3)] for i in (1, 2, 3)])
+        return mp.matrix([[self.numbers.get(f"J{min(i, j)}{max(i, j)}", 0) for j in (1, 2, 3)]
+                          for i in (1, 2, 3)])
 
     def torque(self, momentum, t):
         return self.R(self.angles(t)).T * rate(lambda s: self.R(self.angles(s)) * momentum(s), t)
@@ -75,9 +84,12 @@ class Turning(Texts):
             return vectors[name[7:]](t)
         unit, T = mp.eye(3), lambda: dot(self.omega(t), self.pi(t)) / 2
         simple = {"R": lambda: self.R(angles),
-                  "vector_A": lambda: mp.matrix([n.get(f"A{i}", 0) + n.get(f"A{i}_dot", 0) * t for i in (1, 2, 3)]),
-                  "tensor": self.tensor, "torque": lambda: self.torque(self.pi, t), "T": T, "axis_nodes": lambda: self._nodes(angles),
-                  "tensor_torque": lambda: self.torque(lambda s: self.tensor() * self.omega(s), t), "vector_z": lambda: unit[:, 2],
+                  "vector_A": lambda: mp.matrix([n.get(f"A{i}", 0) + n.get(f"A{i}_dot", 0) * t
+                                                 for i in (1, 2, 3)]),
+                  "tensor": self.tensor, "torque": lambda: self.torque(self.pi, t), "T": T,
+                  "axis_nodes": lambda: self._nodes(angles),
+                  "tensor_torque": lambda: self.torque(lambda s: self.tensor() * self.omega(s), t),
+                  "vector_z": lambda: unit[:, 2],
                   "axis_1": lambda: unit[:, 0], "axis_2": lambda: unit[:, 1], "axis_3": lambda: unit[:, 2],
                   "axis_vertical": lambda: self.R(angles)[2, :].T, "lagrangian": lambda: T() - Texts(
                       {**n, "k3": self.R(angles)[2, 2]}).value(self.table.get("potential", "0"), None)}

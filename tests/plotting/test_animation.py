@@ -36,12 +36,15 @@ def test_the_axis_stays_between_its_limits(top):
     """Its height is k3, which nods between the two circles that are drawn."""
     ax = draw_nutation(top, TIMES, space(), color="red")
     lines = [(line, np.array(line.get_data_3d()).T) for line in ax.lines]
-    path = np.concatenate([points for line, points in lines if line.get_color() == "red" and line.get_marker() == "None"])
+    path = np.concatenate([points for line, points in lines if line.get_color() == "red"
+                           and line.get_marker() == "None"])
     path = {tuple(point) for point in path.tolist()}
     assert {tuple(point) for point in top.attitude(TIMES)[..., 2].tolist()} <= path
     heights = [height for _, _, height in path if np.isfinite(height)]
-    assert (min(heights), max(heights)) == pytest.approx(top.limits, abs=1e-3)             # reached between two of the times
-    dashed = {round(float(np.nanmedian(points[:, 2])), 12) for line, points in lines if line.get_linestyle() == "--"}
+    # reached between two of the times
+    assert (min(heights), max(heights)) == pytest.approx(top.limits, abs=1e-3)
+    dashed = {round(float(np.nanmedian(points[:, 2])), 12)
+              for line, points in lines if line.get_linestyle() == "--"}
     assert dashed == {round(limit, 12) for limit in top.limits}
     assert [text.get_text() for text in ax.texts] == ["$x$", "$y$", "$z$"]
 
@@ -54,7 +57,10 @@ def test_no_limits_are_claimed_for_a_free_body(box):
 
 @pytest.mark.parametrize("inertia", [(1, 2, 2.5), (3, 3, 5), (1, 1, 1)])
 def test_a_box_has_the_moments_of_its_body(inertia):
-    """Edges a, b, c of a homogeneous box have b² + c² : c² + a² : a² + b² as the moments; it fits into the sphere."""
+    """Edges a, b, c of a homogeneous box have b² + c² : c² + a² : a² + b² as the moments.
+
+    It fits into the sphere.
+    """
     scene = gs.assemble(gs.Gyrostat(inertia, (0, 0, 0)))
     corners = np.concatenate([polygon for polygon, _ in solid(scene)])
     a, b, c = np.ptp(corners, axis=0)
@@ -91,9 +97,11 @@ def test_files(box, tmp_path, monkeypatch):
     with Image.open(tmp_path / "box.gif") as image:
         assert image.n_frames == 3 and image.info["duration"] == 200
     monkeypatch.setattr(FFMpegWriter, "isAvailable", classmethod(lambda cls: False))
-    with pytest.raises(MissingExtraError, match="box.mp4 needs the program ffmpeg.*install it, or write a .gif"):
+    with pytest.raises(MissingExtraError,
+                       match="box.mp4 needs the program ffmpeg.*install it, or write a .gif"):
         save_animation(animation, tmp_path / "box.mp4")
-    with pytest.raises(ValuesError, match="box.png is to be a .png file: animations are written as .gif, or as .mp4"):
+    with pytest.raises(ValuesError,
+                       match="box.png is to be a .png file: animations are written as .gif, or as .mp4"):
         save_animation(animation, tmp_path / "box.png")
 
 
@@ -103,12 +111,15 @@ def test_the_view_of_plotly(box):
     figure = view_motion(box, TIMES[:90:30])
     assert len(figure.frames) == len(figure.layout.sliders[0].steps) == 3
     sphere, body, path = figure.data
-    np.testing.assert_allclose(np.array(sphere.x) ** 2 + np.array(sphere.y) ** 2 + np.array(sphere.z) ** 2, 1, rtol=1e-12)
+    np.testing.assert_allclose(np.array(sphere.x) ** 2 + np.array(sphere.y) ** 2 + np.array(sphere.z) ** 2,
+                               1, rtol=1e-12)
     assert len(body.i) == len(body.facecolor) == 12 and max(body.k) < len(body.x)
     R, last = box.attitude(TIMES[60]), figure.frames[-1]
     corners = np.concatenate([polygon @ R.T for polygon, _ in solid(box.scene)])
-    np.testing.assert_allclose(np.stack([last.data[0].x, last.data[0].y, last.data[0].z], axis=1), corners, atol=1e-14)
-    np.testing.assert_allclose([last.data[1].x[-1], last.data[1].y[-1], last.data[1].z[-1]], R[:, 1], atol=1e-14)
+    np.testing.assert_allclose(np.stack([last.data[0].x, last.data[0].y, last.data[0].z], axis=1), corners,
+                               atol=1e-14)
+    np.testing.assert_allclose([last.data[1].x[-1], last.data[1].y[-1], last.data[1].z[-1]], R[:, 1],
+                               atol=1e-14)
 
 
 @pytest.mark.parametrize("draw", [draw_nutation, animate_top, view_motion])
@@ -122,7 +133,8 @@ def test_a_scene_is_no_motion(draw, box):
 
 def vertices(ax, color):
     """Points of the curves of a colour, as they are in the axes."""
-    lines = [np.array(line.get_data_3d()).T for line in ax.lines if line.get_color() == color and line.get_marker() == "None"]
+    lines = [np.array(line.get_data_3d()).T for line in ax.lines if line.get_color() == color
+             and line.get_marker() == "None"]
     points = np.concatenate(lines)
     return points[np.isfinite(points[:, 0])]
 
@@ -135,7 +147,10 @@ def vertices(ax, color):
     (lambda z: z, {"I1": 1, "I3": "1/2", "l": 0}, (0, 0, 3, "1.6", 0, "1.2")),
     (lambda z: z, {"I1": 1, "I3": 1, "l": 0}, (0, 0, 3, 0, 0, 1))])
 def test_the_path_is_that_of_the_vertical_seen_from_the_body(U, values, state):
-    """Its height is k3/|k| of Euler and Poisson's equations, by Runge-Kutta; it nods between the circles drawn, also where |k| = 2."""
+    """Its height is k3/abs(k) of Euler and Poisson's equations, by Runge-Kutta.
+
+    It nods between the circles drawn, also where abs(k) = 2.
+    """
     z = symbols("z")
     slope = lambdify(z, diff(U(z), z))
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U))
@@ -145,7 +160,8 @@ def test_the_path_is_that_of_the_vertical_seen_from_the_body(U, values, state):
 
     def rate(x):
         w = x[:3] / I
-        return np.concatenate([np.cross(x[:3] + rotor, w) + np.cross(x[3:], [0, 0, slope(x[5])]), np.cross(x[3:], w)])
+        return np.concatenate([np.cross(x[:3] + rotor, w) + np.cross(x[3:], [0, 0, slope(x[5])]),
+                               np.cross(x[3:], w)])
 
     x, h, heights = np.array([float(gs.algebra.numbers.exact_number(s)) for s in state]), TIMES[1] / 8, []
     for _ in range(len(TIMES)):
@@ -160,12 +176,15 @@ def test_the_path_is_that_of_the_vertical_seen_from_the_body(U, values, state):
     np.testing.assert_allclose(np.linalg.norm(path, axis=1), 1, rtol=1e-9)
     for height in heights:
         assert np.abs(path[:, 2] - height).min() < 1e-7                # the error of the Runge-Kutta method
-    assert path[:, 2].min() == pytest.approx(min(heights), abs=1e-3) and path[:, 2].max() == pytest.approx(max(heights), abs=1e-3)
-    circles = {round(float(np.nanmedian(np.array(line.get_data_3d())[2])), 9) for line in ax.lines if line.get_linestyle() == "--"}
+    assert path[:, 2].min() == pytest.approx(min(heights), abs=1e-3)
+    assert path[:, 2].max() == pytest.approx(max(heights), abs=1e-3)
+    circles = {round(float(np.nanmedian(np.array(line.get_data_3d())[2])), 9)
+               for line in ax.lines if line.get_linestyle() == "--"}
     names = [text.get_text() for text in ax.get_legend().get_texts()]
     assert ("limits of $k_{3}$" in names or "limits of $k_3$" in names) == bool(circles)
     for circle in circles:
-        assert min(abs(circle - min(heights)), abs(circle - max(heights))) < 2e-3        # a limit is reached between two of the times
+        # a limit is reached between two of the times
+        assert min(abs(circle - min(heights)), abs(circle - max(heights))) < 2e-3
 
 
 def test_times_too_far_apart_are_refused_and_paths_of_animations_refined(top):

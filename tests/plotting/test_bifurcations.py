@@ -46,7 +46,8 @@ def test_every_branch_is_there_with_its_verdict(followed):
     for x in low + (high - low) * np.array([0.07, 0.31, 0.62, 0.83]):
         exact = relative_equilibria(scene, {**values, name: float(x)})
         ours = at(pieces, x)
-        np.testing.assert_allclose([k3 for k3, _ in ours], [float(b.k3) for b in exact], atol=2e-3)    # a chord between two nodes
+        # a chord between two nodes
+        np.testing.assert_allclose([k3 for k3, _ in ours], [float(b.k3) for b in exact], atol=2e-3)
         assert [verdict for _, verdict in ours] == [b.decision.verdict for b in exact]
 
 
@@ -60,14 +61,16 @@ def test_points_satisfy_the_relation_of_e3(followed):
             coefficients = oracle.slope(U) if U else [given["m0"]]
             residual = oracle.polynomial(coefficients, piece.k3[inner]) - given["omega"] * given["l"] + (
                 given["omega"] ** 2 * piece.k3[inner] * (given["I1"] - given["I3"]))
-            np.testing.assert_allclose(residual, 0, atol=1e-6)         # roots of a polynomial near a double one
+            # roots of a polynomial near a double one
+            np.testing.assert_allclose(residual, 0, atol=1e-6)
 
 
 def test_branches_end_at_bifurcations(followed):
     """A branch of E3 that ends inside the range does so at a point of bifurcation_points, exactly."""
     _, _, _, _, _, pieces, points = followed
     assert points
-    marks = {(float(point.value), float(point.k3)) for point in points if not point.kind.startswith("precessions")}
+    marks = {(float(point.value), float(point.k3))
+             for point in points if not point.kind.startswith("precessions")}
     tips = [(x, k) for p in pieces if p.label == "E3" for x, k in zip(p.parameter[[0, -1]], p.k3[[0, -1]])]
     for mark in marks:
         assert mark in tips
@@ -78,13 +81,18 @@ def test_stability_of_e3_changes_where_the_oracle_says():
     pieces, changes = continuation(QUARTIC, {"I1": 2, "I3": 1, "l": "1/10"}, "omega", (0, 2)).pieces, 0
     tilted = [p for p in pieces if p.label == "E3"]
     for first, second in product(tilted, tilted):
-        if first.verdict is not second.verdict and (first.parameter[-1], first.k3[-1]) == (second.parameter[0], second.k3[0]):
-            places = [(first.parameter[-9], first.k3[-9]), (first.parameter[-1], first.k3[-1]), (second.parameter[8], second.k3[8])]
+        if first.verdict is not second.verdict and (first.parameter[-1], first.k3[-1]) == (
+            second.parameter[0],
+            second.k3[0],
+        ):
+            places = [(first.parameter[-9], first.k3[-9]), (first.parameter[-1], first.k3[-1]),
+                      (second.parameter[8], second.k3[8])]
             margins = [oracle.verdict_inclined_margin(2, 1, Fraction(1, 10), x, z, 12 * z * z - 1)
                        for x, z in ((Fraction(x), Fraction(z)) for x, z in places)]
             assert margins[0] * margins[2] < 0 and abs(margins[1]) < 1e-12      # the exact one, rounded
             changes += 1
-    assert changes == 1                                    # at the other the branch has turned back: both pieces begin there
+    # at the other the branch has turned back: both pieces begin there
+    assert changes == 1
 
 
 def test_stability_changes_where_the_oracle_says():
@@ -96,7 +104,10 @@ def test_stability_changes_where_the_oracle_says():
 
 
 def test_the_picture():
-    """Solid where stable, dashed where unstable; every kind of bifurcation has its mark; E1 and E2 are named."""
+    """Solid where stable, dashed where unstable; every kind of bifurcation has its mark.
+
+    E1 and E2 are named.
+    """
     scene, values, name, ends, _ = CASES[1]
     ax = draw_bifurcation_diagram(scene, values, name, ends, Figure().subplots(), linewidth=0.7)
     found = continuation(scene, values, name, ends)
@@ -105,9 +116,11 @@ def test_the_picture():
     for line, piece in zip(lines, found.pieces):
         assert (line.get_linestyle() == "-") == (piece.verdict is gs.Verdict.STABLE)
         np.testing.assert_array_equal(line.get_xydata().T, [piece.parameter, piece.k3])
-    for kind, shape, text in (("fold at fixed rate", "D", "fold at fixed rate"), ("fold on a level", "o", "changes: fold on a level")):
+    for kind, shape, text in (("fold at fixed rate", "D", "fold at fixed rate"),
+                              ("fold on a level", "o", "changes: fold on a level")):
         (mark,) = [line for line in ax.lines if line.get_marker() == shape]
-        np.testing.assert_array_equal(mark.get_xydata(), [[float(p.value), float(p.k3)] for p in found.marks if p.kind == kind])
+        np.testing.assert_array_equal(mark.get_xydata(),
+                                      [[float(p.value), float(p.k3)] for p in found.marks if p.kind == kind])
         assert text in [entry.get_text() for entry in ax.get_legend().get_texts()]
     assert {"E1", "E2", "E3"} <= {text.get_text() for text in ax.texts}
     assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_xlim()) == (r"$\omega$", "$k_3$", (0, 2))
@@ -116,13 +129,15 @@ def test_the_picture():
 def test_what_cannot_be_drawn_is_refused():
     """An empty range, no rate, a field that is not rational."""
     values = {"I1": 2, "I3": 1, "l": 0, "m0": 1}
-    with pytest.raises(ValuesError, match="the range of omega is 2 to 1: give two numbers, the lower one first"):
+    with pytest.raises(ValuesError,
+                       match="the range of omega is 2 to 1: give two numbers, the lower one first"):
         draw_bifurcation_diagram(TOP, values, "omega", (2, 1))
     with pytest.raises(ValuesError, match="given were I1, I3, m0, free is l: give omega too"):
         draw_bifurcation_diagram(TOP, {"I1": 2, "I3": 1, "m0": 1}, "l", (0, 1))
     for name, ends in (("I1", (-2, 2)), ("I3", (0, 1)), ("I1", ("-1", "-1/2"))):
         rest = {n: x for n, x in {**values, "omega": 1}.items() if n != name}
-        with pytest.raises(ValuesError, match=f"{name} is a moment of inertia: give a range in which it is positive"):
+        with pytest.raises(ValuesError,
+                           match=f"{name} is a moment of inertia: give a range in which it is positive"):
             draw_bifurcation_diagram(TOP, rest, name, ends)
     with pytest.raises(ValuesError, match="free is speed"):
         draw_bifurcation_diagram(TOP, {**values, "omega": 1}, "speed", (0, 1))
@@ -133,11 +148,15 @@ def test_what_cannot_be_drawn_is_refused():
         high = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**60 - k3**2 + k3))
         draw_bifurcation_diagram(high, {"I1": 2, "I3": 1, "l": 1}, "omega", (0, 1))
     with pytest.raises(ScopeError, match="given U"):
-        draw_bifurcation_diagram(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()), {"I1": 2, "I3": 1, "l": 0}, "omega", (0, 1))
+        draw_bifurcation_diagram(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()),
+                                 {"I1": 2, "I3": 1, "l": 0}, "omega", (0, 1))
 
 
 def test_the_pitchfork_of_the_double_well():
-    """U = k3⁴ − k3²/2, l = 0, I1 = 2, I3 = 1: stability of k3 = 0 changes at ω² = 1/2; at ω² = 1 three branches meet, and it does not."""
+    """U = k3⁴ − k3²/2, l = 0, I1 = 2, I3 = 1: stability of k3 = 0 changes at ω² = 1/2.
+
+    At ω² = 1 three branches meet, and it does not.
+    """
     found = continuation(QUARTIC, {"I1": 2, "I3": 1, "l": 0}, "omega", (-2, 2))
     assert [(m.kind, m.value, m.k3, m.changes) for m in found.marks] == [
         ("pitchfork at fixed rate", -1, 0, False), ("fold on a level", -sqrt(2) / 2, 0, True),
@@ -148,7 +167,9 @@ def test_the_pitchfork_of_the_double_well():
 
 
 def test_what_is_drawn_besides_branches():
-    """An E3 at one rate alone, a rate at which every tilt is E3, branches that cross, and those that end where U is infinite."""
+    """An E3 at one rate alone, a rate at which every tilt is E3, branches that cross, and those that end
+    where U is infinite.
+    """
     k3, a = gs.symbol("k3"), gs.symbol("a")
 
     def along(U, values, name, ends):
@@ -157,10 +178,14 @@ def test_what_is_drawn_besides_branches():
 
     body = {"I1": 2, "I3": 1, "l": 0}
     found, marks = along((2 * k3 - 1) ** 3, body, "omega", (-1, 1))
-    assert [(p.parameter.tolist(), p.k3.tolist(), p.verdict.name) for p in found.pieces if p.label == "E3"] == [([0], [0.5], "UNSTABLE")]
+    assert [
+        (p.parameter.tolist(), p.k3.tolist(), p.verdict.name) for p in found.pieces if p.label == "E3"
+    ] == [([0], [0.5], "UNSTABLE")]
     assert marks == [("isolated at fixed rate", 0, Rational(1, 2))]
     found, _ = along(a * k3, {"I1": 1, "I3": 1, "l": 2, "omega": 1}, "a", (0, 3))
-    assert [(p.parameter.tolist(), p.k3.tolist()) for p in found.pieces if p.label == "E3"] == [([2, 2], [-1, 1])]
+    assert [(p.parameter.tolist(), p.k3.tolist()) for p in found.pieces if p.label == "E3"] == [
+        ([2, 2], [-1, 1])
+    ]
     _, marks = along(k3**3 / 3 - a * k3**2 / 2, {"I1": 1, "I3": 1, "l": 0, "omega": 1}, "a", (-2, 2))
     assert ("crossing at fixed rate", 0, 0) in marks and ("fold on a level", 1, 0) in marks
     _, marks = along(a / (2 * k3 - 1) + k3**2, body | {"l": 1, "omega": 1}, "a", (-1, 1))

@@ -60,24 +60,34 @@ def widening(low, high, n):
 @pytest.mark.parametrize("turned", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
 @pytest.mark.parametrize("spacing", [np.linspace, widening])
 def test_every_verdict_has_its_look_in_its_place(e3, turned, spacing):
-    """Evenly spaced or not, axes in either direction: the colour at a point of the chart is that of its verdict."""
+    """Evenly spaced or not, axes in either direction.
+
+    The colour at a point of the chart is that of its verdict.
+    """
     xs, ys = spacing(-1.5, 1.5, 21)[::turned[0]], spacing(-6, 2, 17)[::turned[1]]
-    chart = stability_chart(e3, x=("k3", xs), y=("d2U", ys), fixed={"I1": 1, "I3": "1/2", "l": "0.3", "omega": 1})
+    chart = stability_chart(e3, x=("k3", xs), y=("d2U", ys),
+                            fixed={"I1": 1, "I3": "1/2", "l": "0.3", "omega": 1})
     ax = drawn(chart)
-    assert bool([c for c in ax.collections if isinstance(c, QuadMesh)]) == (spacing is not np.linspace) and len(ax.images) == (
-        spacing is np.linspace)
+    assert bool([c for c in ax.collections if isinstance(c, QuadMesh)]) == (spacing is not np.linspace)
+    assert len(ax.images) == (
+spacing is np.linspace)
     assert ax.get_xlim()[0] < ax.get_xlim()[1] and ax.get_ylim()[0] < ax.get_ylim()[1]
     for x, y in ((-0.9, -1), (0.05, -5), (0.05, 1), (0.93, -1.1)):
         point = chart.verdict.sel(k3=x, d2U=y, method="nearest")
         colour = LOOKS[NAMES[int(point)]][0]
         assert np.allclose(seen(ax, point.k3.item(), point.d2U.item()), to_rgb(colour), atol=0.01), (x, y)
-    assert NAMES[int(chart.verdict.sel(k3=-1.4, d2U=0, method="nearest"))] == "no_equilibrium" and "no equilibrium" in legend(ax)
+    assert NAMES[int(chart.verdict.sel(k3=-1.4, d2U=0, method="nearest"))] == "no_equilibrium"
+    assert "no equilibrium" in legend(ax)
 
 
 def test_names_and_legend(wedge, tilted):
-    """Axes as in the notation; the legend has what occurs and no more, above the axes; the boundary is a black line."""
+    """Axes as in the notation; the legend has what occurs and no more, above the axes.
+
+    The boundary is a black line.
+    """
     ax = drawn(wedge, title=caption(wedge))
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$m_0$", "$l$") and legend(ax) == ["stable", "undecided", "unstable", "boundary"]
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$m_0$", "$l$")
+    assert legend(ax) == ["stable", "undecided", "unstable", "boundary"]
     assert ax.get_title() == "E: $\\pi_3^0 = 1$, $I_1 = 2$, $I_2 = 3/2$, $I_3 = 1$, $m_1 = 1/4$"
     ax.figure.canvas.draw()
     assert ax.get_legend().get_window_extent().y0 >= ax.get_window_extent().y1 - 1
@@ -97,7 +107,8 @@ def test_names_and_legend(wedge, tilted):
 def test_spacing_is_seen_at_every_scale(e1, scale):
     """Cells of values that are not evenly spaced are where their values are, however small these are."""
     xs = widening(-4, 4, 33) * scale
-    ax = drawn(stability_chart(e1, x=("pi3_0", xs), y=("l", np.linspace(-2, 2, 9) * scale), fixed={"I1": 1, "dU": scale**2}))
+    ax = drawn(stability_chart(e1, x=("pi3_0", xs), y=("l", np.linspace(-2, 2, 9) * scale),
+                               fixed={"I1": 1, "dU": scale**2}))
     (mesh,) = (c for c in ax.collections if isinstance(c, QuadMesh))
     corners = mesh.get_coordinates()[0, :, 0]
     assert not ax.images and ((corners[:-1] < xs) & (xs < corners[1:])).all()
@@ -105,7 +116,8 @@ def test_spacing_is_seen_at_every_scale(e1, scale):
 
 def test_the_legend_has_no_boundary_that_is_not_seen(e1):
     """Of a part of a chart in which there is none."""
-    chart = stability_chart(e1, x=("pi3_0", np.linspace(-4, 4, 41)), y=("l", np.linspace(-2, 2, 9)), fixed={"I1": 1, "dU": 1})
+    chart = stability_chart(e1, x=("pi3_0", np.linspace(-4, 4, 41)), y=("l", np.linspace(-2, 2, 9)),
+                            fixed={"I1": 1, "dU": 1})
     assert legend(drawn(chart.isel(pi3_0=slice(None, 3), l=slice(None, 3)))) == ["stable"]
 
 
@@ -144,7 +156,9 @@ def test_arguments_go_to_the_image(wedge):
 def test_other_numbers_of_axes_are_refused(e1):
     """Three axes or one: the message says how to choose."""
     chart = stability_chart(e1, x=("pi3_0", [0, 1]), y=("l", [0, 1]), axes={"dU": [1, 2]}, fixed={"I1": 1})
-    with pytest.raises(ValuesError, match=r"has the axes dU, l, pi3_0, two are drawn: choose values of the others with ds.sel\(dU="):
+    with pytest.raises(ValuesError,
+                       match=r"has the axes dU, l, pi3_0, two are drawn: choose values of the others with "
+                             r"ds.sel\(dU="):
         draw_chart(chart)
     with pytest.raises(ValuesError, match="has the axes pi3_0"):
         draw_chart(chart.isel(dU=0, l=0))
@@ -154,7 +168,8 @@ def test_other_numbers_of_axes_are_refused(e1):
 
 def test_from_a_file_and_from_a_store(e1, tmp_path):
     """The same picture from memory, netCDF and Zarr."""
-    grid = {"x": ("pi3_0", np.linspace(-4, 4, 50)), "y": ("l", np.linspace(2, -2, 40)), "fixed": {"I1": "1/3", "dU": 1}}
+    grid = {"x": ("pi3_0", np.linspace(-4, 4, 50)), "y": ("l", np.linspace(2, -2, 40)),
+            "fixed": {"I1": "1/3", "dU": 1}}
     memory = stability_chart(e1, **grid)
     memory.to_netcdf(tmp_path / "chart.nc", engine="netcdf4")
     stored = stability_chart(e1, **grid, store=tmp_path / "chart.zarr")
@@ -170,7 +185,8 @@ def test_from_a_file_and_from_a_store(e1, tmp_path):
 def test_a_large_chart_is_thinned(e1, monkeypatch):
     """Of more values than are drawn, every second, third, …; evenly spaced ones stay an image."""
     monkeypatch.setattr(charts, "SHOWN", 20)
-    chart = stability_chart(e1, x=("pi3_0", np.linspace(-4, 4, 50)), y=("l", np.linspace(-2, 2, 20)), fixed={"I1": 1, "dU": 1}).chunk()
+    chart = stability_chart(e1, x=("pi3_0", np.linspace(-4, 4, 50)), y=("l", np.linspace(-2, 2, 20)),
+                            fixed={"I1": 1, "dU": 1}).chunk()
     (image,) = drawn(chart).images
     assert image.get_array().shape == (20, 17)
     np.testing.assert_array_equal(image.get_array(), chart.verdict[:, ::3])
@@ -186,5 +202,6 @@ def test_one_value_is_a_strip(e1):
 def test_a_missing_extra_is_named(wedge, monkeypatch):
     """The message has the pip command."""
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    with pytest.raises(MissingExtraError, match=r'matplotlib cannot be imported.*pip install "gyrostat\[plot\]"'):
+    with pytest.raises(MissingExtraError,
+                       match=r'matplotlib cannot be imported.*pip install "gyrostat\[plot\]"'):
         draw_chart(wedge)

@@ -42,7 +42,8 @@ def test_rim_and_outline_are_on_the_cone():
     normals = np.cross(cone.outline(eye), np.cross(cone.outline(eye), cone.axis))
     assert len(normals) == 2
     np.testing.assert_allclose(normals @ eye, 0, atol=1e-15)
-    assert len(cone.outline(cone.axis * 0.99 + 0.01 * np.array([1.0, 0, 0]))) == 0       # seen from within its own angle
+    # seen from within its own angle
+    assert len(cone.outline(cone.axis * 0.99 + 0.01 * np.array([1.0, 0, 0]))) == 0
 
 
 def test_the_picture():
@@ -56,13 +57,17 @@ def test_the_picture():
 @pytest.mark.parametrize("inertia, transverse, axial", [((2, 1), 0, 1), ((2, 2), 1, 1), ((2, 1), 1, 0)])
 def test_no_cone_where_omega_lies_along_m(inertia, transverse, axial):
     """What was given, why there is no cone, what to do."""
-    with pytest.raises(ScopeError, match="ω lies along M, there is no space cone; give two different moments, and two rates"):
+    with pytest.raises(ScopeError,
+                       match="ω lies along M, there is no space cone; give two different moments, and two "
+                             "rates"):
         draw_cones(inertia, transverse, axial)
 
 
 @given(moments, moments, nonzero, nonzero)
 def test_what_is_drawn_lies_on_the_cones_and_on_the_vectors(I1, I3, transverse, axial):
-    """Rims and wedges on the two cones about M and e3, arrows and names along M, ω, e3, the cones touch along ω."""
+    """Rims and wedges on the two cones about M and e3, arrows and names along M, ω, e3, the cones touch along
+    ω.
+    """
     if I1 == I3:
         return
     ax = draw_cones((I1, I3), abs(transverse), axial, Figure().add_subplot(projection="3d"))
@@ -76,5 +81,6 @@ def test_what_is_drawn_lies_on_the_cones_and_on_the_vectors(I1, I3, transverse, 
     rims = [np.array(line.get_data_3d()).T for line in ax.lines if len(line.get_data_3d()[0]) > 50]
     for rim, axis, half in zip(rims, ("$M$", "$e_{3}$"), (angle(M, w), angle(w, np.array([0, 0, 1.0])))):
         np.testing.assert_allclose(rim @ directions[axis], np.cos(half), atol=1e-9)
-        assert np.linalg.norm(rim - directions[r"$\omega$"], axis=1).min() < 0.06         # within a step of the rim
+        # within a step of the rim
+        assert np.linalg.norm(rim - directions[r"$\omega$"], axis=1).min() < 0.06
         assert np.linalg.norm(rim[0] - rim[-1]) < 1e-9

@@ -1,4 +1,7 @@
-"""What Matplotlib holds of a bifurcation diagram, recomputed: every vertex, every branch, every mark, without the library."""
+"""What Matplotlib holds of a bifurcation diagram, recomputed.
+
+Every vertex, every branch, every mark, without the library.
+"""
 import random
 from fractions import Fraction
 
@@ -13,7 +16,8 @@ from gyrostat.plotting import draw_bifurcation_diagram
 
 AXES = ("omega", "l", "I1", "I3", "c1", "c2")
 STABLE = "stable"
-CHANGES = {"changes: fold on a level": None, "changes: precessions leave E1": 1, "changes: precessions leave E2": -1}
+CHANGES = {"changes: fold on a level": None, "changes: precessions leave E1": 1,
+           "changes: precessions leave E2": -1}
 MEETINGS = {"fold at fixed rate", "pitchfork at fixed rate", "crossing at fixed rate"}
 
 
@@ -22,16 +26,26 @@ def fraction(rng, size=3):
 
 
 def drawn_at_random(seed):
-    """A field of degree 1 to 7, or with a pole, inside or outside; a body; a name for the axis and its range."""
+    """A field of degree 1 to 7, or with a pole, inside or outside; a body.
+
+    A name for the axis and its range.
+    """
     rng = random.Random(seed)
     degree = rng.randint(1, 7)
     values = {f"c{n}": fraction(rng) for n in range(1, degree + 1)} | {
-        "I1": Fraction(rng.randint(1, 24), 8), "I3": Fraction(rng.randint(1, 24), 8), "l": rng.choice([Fraction(0), fraction(rng)]),
+        "I1": Fraction(rng.randint(1, 24), 8), "I3": Fraction(rng.randint(1, 24), 8),
+        "l": rng.choice([Fraction(0), fraction(rng)]),
         "omega": fraction(rng, 2)}
-    pole = rng.choice([None, None, (fraction(rng) / 2, rng.choice([Fraction(-3), Fraction(2), Fraction(1, 3), Fraction(-1, 2)]))])
+    pole = rng.choice([None, None, (fraction(rng) / 2,
+                                    rng.choice([Fraction(-3), Fraction(2), Fraction(1, 3),
+                                                Fraction(-1, 2)]))])
     pole = pole if pole and pole[0] else None
     name = rng.choice([axis for axis in AXES if axis in values])
-    low, high = (Fraction(1, 4), Fraction(4)) if name in ("I1", "I3") else (-fraction(rng) ** 2 - 2, fraction(rng) ** 2 + 1)
+    low, high = (
+        (Fraction(1, 4), Fraction(4))
+        if name in ("I1", "I3")
+        else (-(fraction(rng) ** 2) - 2, fraction(rng) ** 2 + 1)
+    )
     return {n: x for n, x in values.items() if n != name}, pole, name, (low, high)
 
 
@@ -66,19 +80,29 @@ def derivative(values, pole, k, n):
 
 def relation(values, pole, k):
     """U' − ω l + ω² k3 (I1 − I3)."""
-    return derivative(values, pole, k, 1) - values["omega"] * values["l"] + values["omega"] ** 2 * k * (values["I1"] - values["I3"])
+    return (
+        derivative(values, pole, k, 1)
+        - values["omega"] * values["l"]
+        + values["omega"] ** 2 * k * (values["I1"] - values["I3"])
+    )
 
 
 def margin(values, pole, k):
     """p = I1 (1 − k3²) U'' − 2 I1 k3 U' + I1² ω² + ((I1 − I3) ω k3 − l)²."""
     I1, I3, l, w = (values[n] for n in ("I1", "I3", "l", "omega"))
-    return I1 * (1 - k * k) * derivative(values, pole, k, 2) - 2 * I1 * k * derivative(values, pole, k, 1) + I1**2 * w**2 + (
-        (I1 - I3) * w * k - l) ** 2
+    return (
+        I1 * (1 - k * k) * derivative(values, pole, k, 2)
+        - 2 * I1 * k * derivative(values, pole, k, 1)
+        + I1**2 * w**2
+        + ((I1 - I3) * w * k - l) ** 2
+    )
 
 
 def pole_margin(values, pole, s):
     """P² − 4 s I1 U'(s)."""
-    return (s * values["I3"] * values["omega"] + values["l"]) ** 2 - 4 * s * values["I1"] * derivative(values, pole, Fraction(s), 1)
+    return (s * values["I3"] * values["omega"] + values["l"]) ** 2 - 4 * s * values["I1"] * derivative(
+        values, pole, Fraction(s), 1
+    )
 
 
 def coefficients(values, pole):
@@ -108,11 +132,13 @@ def style(line):
 def check(seed):
     values, pole, name, ends = drawn_at_random(seed)
     ax = draw_bifurcation_diagram(scene_of(values, pole, name), values, name, ends, Figure().subplots())
-    handles = dict(zip((text.get_text() for text in ax.get_legend().get_texts()), ax.get_legend().legend_handles))
+    handles = dict(zip((text.get_text() for text in ax.get_legend().get_texts()),
+                       ax.get_legend().legend_handles))
     marks = {}
     for line in ax.lines:
         if line.get_marker() != "None":
-            label = next(t for t, h in handles.items() if h.get_marker() == line.get_marker() and h.get_linestyle() == "None")
+            label = next(t for t, h in handles.items() if h.get_marker() == line.get_marker()
+                         and h.get_linestyle() == "None")
             marks.setdefault(label, []).extend(map(tuple, line.get_xydata()))
     curves = [line for line in ax.lines if line.get_marker() == "None"]
     poles = {s: [c for c in curves if (c.get_ydata() == s).all()] for s in (1, -1)}
@@ -134,9 +160,14 @@ def vertices(tilted, values, pole, name, seed):
         assert (np.abs(k) <= 1).all()
         inner = slice(1, -1)
         here = values | {name: x[inner]}
-        scale = 1 + np.abs(derivative({n: np.abs(v) for n, v in here.items()}, None, np.abs(k[inner]), 2)) + here["omega"] ** 2 * 9 + (
-            np.abs(derivative(here, pole, k[inner], 2)))
-        assert (np.abs(relation(here, pole, k[inner])) < 1e-9 * scale).all(), seed           # x is rounded to a double
+        scale = (
+            1
+            + np.abs(derivative({n: np.abs(v) for n, v in here.items()}, None, np.abs(k[inner]), 2))
+            + here["omega"] ** 2 * 9
+            + (np.abs(derivative(here, pole, k[inner], 2)))
+        )
+        # x is rounded to a double
+        assert (np.abs(relation(here, pole, k[inner])) < 1e-9 * scale).all(), seed
         p = margin(here, pole, k[inner])
         sure = np.abs(p) > 1e-7 * (1 + np.abs(p).max()) if len(p) else p
         assert ((p > 0) == (style(curve) == "STABLE"))[sure != 0].all(), seed
@@ -148,7 +179,10 @@ def vertices(tilted, values, pole, name, seed):
 
 
 def complete(tilted, poles, values, pole, name, ends, seed):
-    """On lines across, as many crossings as Sturm's theorem counts; E1 and E2 in the style of the sign of P² − 4 s I1 U'."""
+    """On lines across, as many crossings as Sturm's theorem counts.
+
+    E1 and E2 in the style of the sign of P² − 4 s I1 U'.
+    """
     rng = random.Random(seed)
     for _ in range(12):
         x = ends[0] + (ends[1] - ends[0]) * Fraction(rng.randint(1, 9999), 10000)
@@ -171,18 +205,23 @@ def marked(tilted, poles, marks, values, pole, name, ends, seed):
     for (x, k), styles in tips.items():
         if low < x < high:
             assert (x, k) in known or len(styles) == 2, (seed, x, k)
-            assert (len(set(styles)) > 1) == ((x, k) in marks.get("changes: fold on a level", [])), (seed, x, k)
+            assert (len(set(styles)) > 1) == ((x,
+                                               k) in marks.get("changes: fold on a level", [])), (seed, x, k)
     for s, lines in poles.items():
         inside = {tuple(point) for c in lines for point in c.get_xydata()[[0, -1]] if low < point[0] < high}
-        assert inside == {p for p in marks.get(f"changes: precessions leave E{1 if s == 1 else 2}", []) if low < p[0] < high}, seed
+        assert inside == {p for p in marks.get(f"changes: precessions leave E{1 if s == 1 else 2}", [])
+                          if low < p[0] < high}, seed
     for label, points in marks.items():
         for x, k in points:
             at = values | {name: x}
             size = 1 + max(abs(v) for v in at.values()) ** 3
             if label in CHANGES:
-                value = margin(at, pole, k) if CHANGES[label] is None else pole_margin(at, pole, CHANGES[label])
+                value = (
+                    margin(at, pole, k) if CHANGES[label] is None else pole_margin(at, pole, CHANGES[label])
+                )
                 assert abs(value) < 1e-6 * size, (seed, label, x, k)
-            if label not in ("changes: precessions leave E1", "changes: precessions leave E2", "U is infinite"):
+            if label not in ("changes: precessions leave E1", "changes: precessions leave E2",
+                             "U is infinite"):
                 assert abs(relation(at, pole, k)) < 1e-6 * size, (seed, label, x, k)
             if label in MEETINGS:
                 step = 1e-6

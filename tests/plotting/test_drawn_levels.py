@@ -1,4 +1,7 @@
-"""What Matplotlib holds of energy-momentum diagrams, recomputed without the library: every vertex, every verdict, every mark."""
+"""What Matplotlib holds of energy-momentum diagrams, recomputed without the library.
+
+Every vertex, every verdict, every mark.
+"""
 import random
 from fractions import Fraction
 
@@ -12,7 +15,8 @@ from gyrostat.plotting import draw_energy_momentum
 
 k3 = gs.symbol("k3")
 STYLES = {"-": True, "--": False}                          # whether stable
-FAR = 1e5                                                  # of C1 and h: beyond, doubles have no double root any more
+# of C1 and h: beyond, doubles have no double root any more
+FAR = 1e5
 
 
 class Scene:
@@ -20,20 +24,28 @@ class Scene:
 
     def __init__(self, seed):
         rng = random.Random(seed)
-        U = [Fraction(0), *(Fraction(rng.randint(-12, 12), rng.randint(1, 6)) for _ in range(rng.randint(1, 7)))]
+        U = [Fraction(0), *(Fraction(rng.randint(-12, 12), rng.randint(1, 6))
+                            for _ in range(rng.randint(1, 7)))]
         if not any(U):
             U[1] = Fraction(1)
         pole = rng.choice([None, None, (Fraction(rng.randint(1, 9), 4) * rng.choice([1, -1]),
-                                        rng.choice([Fraction(-2), Fraction(3, 2), Fraction(1, 3), Fraction(-1, 2)]))])
-        body = {"I1": Fraction(rng.randint(2, 16), 8), "I3": Fraction(rng.randint(2, 16), 8), "l": Fraction(rng.randint(-4, 4), 3)}
+                                        rng.choice([Fraction(-2), Fraction(3, 2), Fraction(1, 3),
+                                                    Fraction(-1, 2)]))])
+        body = {"I1": Fraction(rng.randint(2, 16), 8), "I3": Fraction(rng.randint(2, 16), 8),
+                "l": Fraction(rng.randint(-4, 4), 3)}
         P = Fraction(rng.randint(-9, 9), rng.randint(2, 5))
         field = sum(Rational(c.numerator, c.denominator) * k3**n for n, c in enumerate(U))
         if pole:
             a, b = (Rational(x.numerator, x.denominator) for x in pole)
             field += a / (k3 - b)
-        self.ax = draw_energy_momentum(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(field)), {**body, "p_psi": P},
+        self.ax = draw_energy_momentum(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(field)),
+                                       {**body, "p_psi": P},
                                        ax=Figure().subplots())
-        self.U, self.pole, self.P = np.polynomial.Polynomial([float(c) for c in U]), pole and tuple(map(float, pole)), float(P)
+        self.U, self.pole, self.P = (
+            np.polynomial.Polynomial([float(c) for c in U]),
+            pole and tuple(map(float, pole)),
+            float(P),
+        )
         self.I1, self.rest = float(body["I1"]), float((P - body["l"]) ** 2 / (2 * body["I3"]))
         self.curves = [line for line in self.ax.lines if line.get_marker() == "None"]
 
@@ -45,17 +57,24 @@ class Scene:
     def rates(self, z):
         """The roots W of I1 z W² − P W + U' = 0, the greater first; nan where there is none."""
         with np.errstate(invalid="ignore", divide="ignore"):
-            half = (self.P + np.where(self.P < 0, -1, 1) * np.sqrt(self.P**2 - 4 * self.I1 * z * self.field(z, 1))) / 2
+            half = (self.P + np.where(self.P < 0, -1, 1)
+                    * np.sqrt(self.P**2 - 4 * self.I1 * z * self.field(z, 1))) / 2
             slow = self.field(z, 1) / half if self.P else -half / (self.I1 * z)
             return half / (self.I1 * z), slow
 
     def level(self, z, W):
         """C1 and h."""
-        return self.I1 * W * (1 - z * z) + self.P * z, self.rest + self.field(z) + self.I1 * W * W * (1 - z * z) / 2
+        return self.I1 * W * (1 - z * z) + self.P * z, self.rest + self.field(z) + self.I1 * W * W * (
+            1 - z * z
+        ) / 2
 
     def margin(self, z, W):
         """−g''/2 of I1² z'² = g(z) = 2 I1 (h − U)(1 − z²) − (C1 − P z)² at its double root."""
-        return self.I1 * (self.field(z, 2) * (1 - z * z) - 4 * z * self.field(z, 1) + self.I1 * W * W * (1 - z * z)) + self.P**2
+        return (
+            self.I1
+            * (self.field(z, 2) * (1 - z * z) - 4 * z * self.field(z, 1) + self.I1 * W * W * (1 - z * z))
+            + self.P**2
+        )
 
     def double_roots(self, v, h):
         """The z at which g vanishes with its slope, and −g''/2 there."""
@@ -79,7 +98,10 @@ def check(seed, every):
 
 
 def vertices(scene, seed, every):
-    """Each is the level of a double root of g; g'' has the sign that is drawn; from one to the next the root moves little."""
+    """Each is the level of a double root of g; g'' has the sign that is drawn.
+
+    From one to the next the root moves little.
+    """
     for line in scene.curves:
         points, before = line.get_xydata(), None
         for n in range(1, len(points) - 1, every):
@@ -88,7 +110,8 @@ def vertices(scene, seed, every):
                 continue
             found = scene.double_roots(*points[n])
             assert found, (seed, points[n])
-            right = [z for z, margin, size in found if (margin > 0) == STYLES[line.get_linestyle()] or abs(margin) < 1e-3 * size]
+            right = [z for z, margin, size in found if (margin > 0) == STYLES[line.get_linestyle()]
+                     or abs(margin) < 1e-3 * size]
             assert right, (seed, points[n], found)
             if before is not None:
                 assert np.abs(np.subtract.outer(before, right)).min() < 0.02 * every, (seed, points[n])
@@ -96,14 +119,16 @@ def vertices(scene, seed, every):
 
 
 def complete(scene, seed):
-    """At random tilts the precessions of both rates lie on a chord of a curve in the style of their verdict."""
+    """At random tilts the precessions of both rates lie on a chord of a curve in the style of their verdict.
+    """
     rng = np.random.default_rng(seed)
     for z in rng.uniform(-0.97, 0.97, 15):
         for W in scene.rates(z):
             if not np.isfinite(W) or np.abs(scene.level(z, W)).max() > FAR:
                 continue
             away = {stable: min((distance(line.get_xydata(), scene.level(z, W)) for line in scene.curves
-                                 if STYLES[line.get_linestyle()] == stable), default=np.inf) for stable in (True, False)}
+                                 if STYLES[line.get_linestyle()] == stable), default=np.inf)
+                    for stable in (True, False)}
             assert away[bool(scene.margin(z, W) > 0)] < 4e-3, (seed, z, W, away)
 
 
@@ -120,13 +145,18 @@ def marked(scene, seed):
     """A mark is where g'' changes its sign along a branch of the rates, and nowhere else."""
     points = [tuple(xy) for line in scene.ax.lines if line.get_marker() == "D" for xy in line.get_xydata()]
     texts = [text.get_text() for text in scene.ax.get_legend().get_texts()]
-    assert ("changes: fold on a level" in texts) == bool(points) == any(text.startswith("changes") for text in texts), seed
+    assert (
+        ("changes: fold on a level" in texts)
+        == bool(points)
+        == any(text.startswith("changes") for text in texts)
+    ), seed
     grid = np.cos(np.linspace(0, np.pi, 40003))[1:-1]
     expected = []
     for n in (0, 1):
         W = scene.rates(grid)[n]
         margin = scene.margin(grid, W)
-        blocked = np.diff(np.sign(grid)) != 0 if n == 0 else np.zeros(len(grid) - 1, dtype=bool)         # the fast one is infinite at 0
+        # the fast one is infinite at 0
+        blocked = np.diff(np.sign(grid)) != 0 if n == 0 else np.zeros(len(grid) - 1, dtype=bool)
         if scene.pole:
             blocked |= np.diff(np.sign(grid - scene.pole[1])) != 0
         for m in np.flatnonzero((margin[:-1] * margin[1:] < 0) & ~blocked):
@@ -138,7 +168,9 @@ def marked(scene, seed):
             expected.append(scene.level(a, scene.rates(a)[n]))
     assert len(points) == len(expected), (seed, points, expected)
     for point in expected:
-        assert min(np.abs(np.subtract(point, other) / (1 + np.abs(point))).max() for other in points) < 1e-5, (seed, point, points)
+        assert (
+            min(np.abs(np.subtract(point, other) / (1 + np.abs(point))).max() for other in points) < 1e-5
+        ), (seed, point, points)
 
 
 def poles(scene, seed):
@@ -150,7 +182,8 @@ def poles(scene, seed):
             name = f"E{1 if s == 1 else 2}" + (" (focus)" if margin < 0 else "")
             if abs(margin) > 1e-9:
                 expected[name] = (s * scene.P, scene.rest + scene.field(float(s)), margin > 0)
-    drawn = [(*line.get_xydata()[0], line.get_markerfacecolor() != "white") for line in scene.ax.lines if line.get_marker() == "o"]
+    drawn = [(*line.get_xydata()[0], line.get_markerfacecolor() != "white")
+             for line in scene.ax.lines if line.get_marker() == "o"]
     named = {name: text.xy for text in scene.ax.texts for name in text.get_text().split(", ")}
     assert len(drawn) == len(expected), (seed, drawn, expected)
     for name, (v, h, stable) in expected.items():
@@ -172,7 +205,10 @@ def test_many():
 
 
 def test_a_tilt_of_every_rate():
-    """p_psi = 0 and U'(0) = 0: every rotation at k3 = 0, C1 = I1 W and h = I1 W²/2 + U(0) + l²/(2 I3), is drawn; W² = −U''/I1 is marked."""
+    """p_psi = 0 and U'(0) = 0.
+
+    Every rotation at k3 = 0, C1 = I1 W and h = I1 W²/2 + U(0) + l²/(2 I3), is drawn; W² = −U''/I1 is marked.
+    """
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(k3**4 - k3**2 / 2))
     ax = draw_energy_momentum(scene, {"I1": 1, "I3": 1, "l": 0, "p_psi": 0}, ax=Figure().subplots())
     curves = [line for line in ax.lines if line.get_marker() == "None"]

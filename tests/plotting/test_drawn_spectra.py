@@ -1,4 +1,7 @@
-"""What Matplotlib holds of eigenvalues along a parameter, recomputed: every vertex, every mark and its name, without the library."""
+"""What Matplotlib holds of eigenvalues along a parameter, recomputed.
+
+Every vertex, every mark and its name, without the library.
+"""
 import random
 from fractions import Fraction
 from itertools import pairwise
@@ -15,7 +18,8 @@ import gyrostat as gs
 from gyrostat.plotting import draw_eigenvalues
 
 k3, a = gs.symbol("k3"), gs.symbol("a")
-FIELDS = [                                                 # U, and its derivatives of order 1 and 2 at z, a given
+# U, and its derivatives of order 1 and 2 at z, a given
+FIELDS = [
     (a * k3**3, lambda a, z: (3 * a * z**2, 6 * a * z)),
     (k3**5 / 5 + a * k3, lambda a, z: (z**4 + a, 4 * z**3)),
     (a / (k3 - 2), lambda a, z: (-a / (z - 2) ** 2, 2 * a / (z - 2) ** 3)),
@@ -36,7 +40,8 @@ def at_pole(s, names):
         u1, u2 = map(fraction, field(values["a"], Fraction(s)))
         inertia = oracle.exact([values[n] for n in names])
         point, rotor = oracle.exact([0, 0, values["pi3_0"], 0, 0, s]), oracle.exact([0, 0, values["l"]])
-        return oracle.jacobian(lambda x: oracle.field(x, inertia, rotor, oracle.axial_slope(u1, u2, s)), point)
+        return oracle.jacobian(lambda x: oracle.field(x, inertia, rotor, oracle.axial_slope(u1, u2, s)),
+                               point)
     return matrix
 
 
@@ -69,18 +74,28 @@ def scene_at_random(seed):
     body = rotor if kind == "asymmetric" else gs.symmetric_gyrostat()
     if kind == "free":
         eq, matrix = gs.principal_rotation(gs.assemble(rotor), 3), free
-        values = {n: values[n] for n in ("I1", "I2", "I3", "l")} | {"omega3_0": Fraction(rng.randint(-12, 12) or 3, 4)}
+        values = {n: values[n] for n in ("I1", "I2", "I3",
+                                         "l")} | {"omega3_0": Fraction(rng.randint(-12, 12) or 3, 4)}
     elif kind == "tilt":
         eq, matrix = gs.inclined(gs.assemble(body, gs.axial_potential(U))), at_tilt
         values = {n: values[n] for n in ("I1", "I3", "a")} | {
             "omega": Fraction(rng.randint(1, 12) * s, 4), "k3": Fraction(rng.randint(-9, 9), 10)}
     else:
         names = ("I1", "I2", "I3") if kind == "asymmetric" else ("I1", "I1", "I3")
-        eq, matrix = (gs.upright if s == 1 else gs.hanging)(gs.assemble(body, gs.axial_potential(U))), at_pole(s, names)
-        values = {n: values[n] for n in (*dict.fromkeys(names), "l", "a")} | {"pi3_0": Fraction(rng.randint(-12, 12), 4)}
+        eq, matrix = (gs.upright if s == 1
+                      else gs.hanging)(gs.assemble(body, gs.axial_potential(U))), at_pole(s, names)
+        values = {n: values[n] for n in (*dict.fromkeys(names), "l",
+                                         "a")} | {"pi3_0": Fraction(rng.randint(-12, 12), 4)}
     name = rng.choice(list(values))
-    low, high = (Fraction(1, 4), Fraction(3)) if name in BODY else (Fraction(-19, 20), Fraction(19, 20)) if name == "k3" else (
-        sorted((values[name] / 5, values[name] * 3))) if name == "omega" else (Fraction(-3), Fraction(3))
+    low, high = (
+        (Fraction(1, 4), Fraction(3))
+        if name in BODY
+        else (Fraction(-19, 20), Fraction(19, 20))
+        if name == "k3"
+        else (sorted((values[name] / 5, values[name] * 3)))
+        if name == "omega"
+        else (Fraction(-3), Fraction(3))
+    )
     samples = np.linspace(float(low), float(high), rng.choice([40, 120]))[::rng.choice([1, -1])]
     return eq, lambda x: coefficients(matrix({**values, name: x}, field)), values, name, samples
 
@@ -98,10 +113,19 @@ def signature(p, q=None):
         return int(p < 0)
     if p * p - 4 * q < -CLEAR * p * p:
         return "c"
-    return (1 if q < -CLEAR * p * p else 0) if p > 0 or q < -CLEAR * p * p else 2 if q > CLEAR * p * p else 1 if p else 0
+    return (
+        (1 if q < -CLEAR * p * p else 0)
+        if p > 0 or q < -CLEAR * p * p
+        else 2
+        if q > CLEAR * p * p
+        else 1
+        if p
+        else 0
+    )
 
 
-CLEAR = Fraction(1, 10**30)                                # U is taken to 40 digits: a square that is 0 is less than that
+# U is taken to 40 digits: a square that is 0 is less than that
+CLEAR = Fraction(1, 10**30)
 
 
 def branches(p, q, kind):
@@ -122,7 +146,13 @@ def _real(x):
 
 def name_of(before, after):
     """What happened between two signatures, and whether stability changed."""
-    kind = "zero eigenvalue" if "c" not in (before, after) else "Hamiltonian Hopf" if 0 in (before, after) else "real pairs meet"
+    kind = (
+        "zero eigenvalue"
+        if "c" not in (before, after)
+        else "Hamiltonian Hopf"
+        if 0 in (before, after)
+        else "real pairs meet"
+    )
     return kind, 0 in (before, after)
 
 
@@ -138,7 +168,8 @@ def located(spectrum, low, high):
 @workdps(50)
 def check(seed):
     eq, spectrum, values, name, samples = scene_at_random(seed)
-    ax = draw_eigenvalues(eq, {n: x for n, x in values.items() if n != name}, name, samples, Figure().subplots())
+    ax = draw_eigenvalues(eq, {n: x for n, x in values.items() if n != name}, name, samples,
+                          Figure().subplots())
     (curves,) = [c for c in ax.collections if isinstance(c, LineCollection)]
     size = 4 if len(spectrum(Fraction(samples[0]))) == 2 else 2
     drawn = (np.array(curves.get_segments()) @ [1, 1j]).reshape(size, -1, 2)
@@ -146,12 +177,15 @@ def check(seed):
     nodes = [samples[0]]
     for x in along:
         nodes.append(2 * x - nodes[-1])
-    inner = [Fraction(0.62 * x + 0.38 * y) for x, y in pairwise(nodes)]       # not in the middle, where eigenvalues may cross and not leave
+    # not in the middle, where eigenvalues may cross and not leave
+    inner = [Fraction(0.62 * x + 0.38 * y) for x, y in pairwise(nodes)]
     kinds = [signature(*spectrum(x)) for x in inner]
-    expected = [(located(spectrum, *inner[n:n + 2]), *name_of(*kinds[n:n + 2])) for n in range(len(inner) - 1) if kinds[n] != kinds[n + 1]]
+    expected = [(located(spectrum, *inner[n:n + 2]), *name_of(*kinds[n:n + 2]))
+                for n in range(len(inner) - 1) if kinds[n] != kinds[n + 1]]
     marked(ax, spectrum, expected, seed)
     known = np.array([*samples, *(float(x) for x, _, _ in expected)])
-    known = np.append(known, [x for x in nodes if np.abs(known - x).min() > 1e-10 and meets(*spectrum(Fraction(x)))])
+    known = np.append(known, [x for x in nodes if np.abs(known - x).min() > 1e-10
+                              and meets(*spectrum(Fraction(x)))])
     at = known[np.abs(np.subtract.outer(nodes, known)).argmin(axis=1)]
     np.testing.assert_allclose(at, nodes, rtol=0, atol=1e-10, err_msg=str(seed))
     assert set(samples) <= set(at), seed
@@ -159,7 +193,8 @@ def check(seed):
     largest = 1 + np.abs(drawn).max()
     for n in range(len(along)):
         first, last = (np.array([complex(x) for x in branches(*found[m], kinds[n])]) for m in (n, n + 1))
-        away = np.maximum(*(np.abs(np.subtract.outer(drawn[:, n, m], ours)) / bound(ours, largest) for m, ours in enumerate((first, last))))
+        away = np.maximum(*(np.abs(np.subtract.outer(drawn[:, n, m], ours)) / bound(ours, largest)
+                            for m, ours in enumerate((first, last))))
         assert sorted(away.argmin(axis=1)) == list(range(size)) or (away.min(axis=0) < 1).all(), (seed, n)
         assert (away.min(axis=1) < 1).all(), (seed, n, at[n], drawn[:, n], first, last)
 
@@ -181,11 +216,17 @@ def marked(ax, spectrum, expected, seed):
     claimed = []
     for text in texts:
         words, numbers = text.split(" at $")[0], text.split("= ")[1].split(", ")
-        claimed += [(float(x), words.removeprefix("changes: "), words.startswith("changes: ")) for x in numbers]
+        claimed += [(float(x), words.removeprefix("changes: "), words.startswith("changes: "))
+                    for x in numbers]
     assert len(claimed) == len(expected), (seed, claimed, expected)
     for ours, theirs in zip(sorted(claimed), sorted(expected)):
-        assert ours[1:] == theirs[1:] and abs(ours[0] - theirs[0]) < 1e-3 * abs(theirs[0]) + 1e-9, (seed, ours, theirs)
-    points = [(KINDS[line.get_marker()], complex(*xy)) for line in ax.lines if line.get_marker() in KINDS for xy in line.get_xydata()]
+        assert ours[1:] == theirs[1:] and abs(ours[0] - theirs[0]) < 1e-3 * abs(theirs[0]) + 1e-9, (
+            seed,
+            ours,
+            theirs,
+        )
+    points = [(KINDS[line.get_marker()], complex(*xy)) for line in ax.lines if line.get_marker() in KINDS
+              for xy in line.get_xydata()]
     where = []
     for x, kind, _ in expected:
         root = complex(mp.sqrt(mpc(-_real(spectrum(x)[0])) / 2))

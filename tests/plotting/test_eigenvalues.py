@@ -17,7 +17,10 @@ SLEEPING = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}
 
 
 def agree(ours, theirs):
-    """Every eigenvalue of ours is one of theirs; those of theirs that are left belong to the Casimirs and are 0."""
+    """Every eigenvalue of ours is one of theirs.
+
+    Those of theirs that are left belong to the Casimirs and are 0.
+    """
     for value in ours:
         n = int(np.argmin(np.abs(theirs - value)))
         assert abs(theirs[n] - value) < 1e-6               # a double one has the root of the round-off
@@ -31,7 +34,8 @@ def test_the_sleeping_top():
     inertia, rotor = np.array([1, 1, 1.6]), np.zeros(3)
     for spin, ours in zip(found.parameter, found.eigenvalues):
         x = np.array([0, 0, 1.6 * spin, 0, 0, 1])
-        J = oracle.jacobian(lambda y: oracle.field(y, inertia, rotor, oracle.axial_slope(1.0, 0.0, 1.0)), x, 1.0)
+        J = oracle.jacobian(lambda y: oracle.field(y, inertia, rotor, oracle.axial_slope(1.0, 0.0, 1.0)), x,
+                            1.0)
         agree(ours, np.linalg.eigvals(J.astype(float)))
 
 
@@ -39,30 +43,41 @@ def test_the_free_gyrostat():
     """The three of M' = M × ω are ours and one zero; they meet at 0 where f1 f2 = 0."""
     found = spectrum(FREE, {"I1": 1, "I2": 3, "I3": 2, "omega3_0": 1}, "l", np.linspace(-3, 3, 20))
     for l, ours in zip(found.parameter, found.eigenvalues):
-        J = oracle.jacobian(lambda y, l=l: oracle.free_field(y, np.array([1.0, 3, 2]), np.array([0, 0, l])), np.array([0.0, 0, 2]), 1.0)
+        J = oracle.jacobian(lambda y, l=l: oracle.free_field(y, np.array([1.0, 3, 2]), np.array([0, 0, l])),
+                            np.array([0.0, 0, 2]), 1.0)
         agree(ours, np.linalg.eigvals(J.astype(float)))
     assert [(c.kind, c.value, c.changes, c.eigenvalues.tolist()) for c in found.collisions] == [
         ("zero eigenvalue", -1, True, [0]), ("zero eigenvalue", 1, True, [0])]
 
 
 def test_the_collision_of_the_sleeping_top():
-    """At I3² ω² = 4 I1 m0, to the last bits, at ±i |P/(2 I1) − ω|; two steps beside it the spectrum is of another kind."""
+    """At I3² ω² = 4 I1 m0, to the last bits, at ±i abs(P/(2 I1) − ω).
+
+    Two steps beside it the spectrum is of another kind.
+    """
     (met,) = spectrum(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 23)).collisions
     assert (met.value, met.kind, met.changes) == (1.25, "Hamiltonian Hopf", True)
     np.testing.assert_allclose(sorted(met.eigenvalues.imag), [-0.25, 0.25], atol=1e-15)
 
 
 def test_a_disc():
-    """I3 = 2 I1 without a rotor: at E1 p² = 4q everywhere, two pairs meet at 0 together where I3² ω² = 4 I1 U'(1)."""
+    """I3 = 2 I1 without a rotor.
+
+    At E1 p² = 4q everywhere, two pairs meet at 0 together where I3² ω² = 4 I1 U'(1).
+    """
     for U in (gs.symbol("m0") * gs.symbol("k3"), exp(gs.symbol("m0") * gs.symbol("k3"))):
         eq = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U)), spin="omega3_0")
-        (met,) = spectrum(eq, {"I1": 1, "I3": 2, "l": 0, "omega3_0": 1}, "m0", np.linspace(3, 0.1, 80)).collisions
+        (met,) = spectrum(eq, {"I1": 1, "I3": 2, "l": 0, "omega3_0": 1}, "m0",
+                          np.linspace(3, 0.1, 80)).collisions
         assert (met.kind, met.changes, met.eigenvalues.tolist()) == ("zero eigenvalue", True, [0])
         assert met.value * np.exp(0 if U.is_polynomial() else met.value) == pytest.approx(1)
 
 
 def test_a_crossing_in_the_middle_of_the_range():
-    """E1, l = 0, U'(1) > 0: at π3 = 0, the middle, p² − 4q touches 0 from below; beside it is a complex quadruple."""
+    """E1, l = 0, U'(1) > 0: at π3 = 0, the middle, p² − 4q touches 0 from below.
+
+    Beside it is a complex quadruple.
+    """
     eq = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()))
     found = spectrum(eq, {"I1": 1, "I3": "9/8", "l": 0, "m0": 5}, "pi3_0", np.linspace(-3, 3, 40))
     assert found.collisions == [] and (np.abs(found.eigenvalues[[0, -1]].imag) > 0.1).all()
@@ -78,21 +93,26 @@ def test_e3_collides_at_0():
 def test_columns_are_continuous():
     """From one sample to the next each eigenvalue takes the shortest way, through the collision too."""
     found = spectrum(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 400))
-    assert np.abs(np.diff(found.eigenvalues, axis=0)).max() < 0.08     # a root of the step beside the collision
+    # a root of the step beside the collision
+    assert np.abs(np.diff(found.eigenvalues, axis=0)).max() < 0.08
     assert 1.25 == pytest.approx(found.parameter[np.argmin(np.abs(found.parameter - 1.25))], abs=1e-15)
 
 
 def test_the_picture():
     """One curve for each eigenvalue, coloured by the parameter, crosses at the collisions, axes named."""
-    ax = draw_eigenvalues(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 60), Figure().subplots(), linewidths=1.5)
+    ax = draw_eigenvalues(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 60), Figure().subplots(),
+                          linewidths=1.5)
     (lines,) = [c for c in ax.collections if isinstance(c, LineCollection)]
     found = spectrum(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 60))
     starts = np.array([segment[0] for segment in lines.get_segments()])
     np.testing.assert_array_equal(starts @ [1, 1j], found.eigenvalues[:-1].T.ravel())
-    assert lines.get_linewidth() == 1.5 and lines.get_array()[0] == found.parameter[:2].mean() and lines.get_cmap().name == "cividis"
+    assert lines.get_linewidth() == 1.5
+    assert lines.get_array()[0] == found.parameter[:2].mean()
+    assert lines.get_cmap().name == "cividis"
     (crosses,) = [line for line in ax.lines if line.get_marker() == "x"]
     assert len(crosses.get_xdata()) == 2
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == [r"changes: Hamiltonian Hopf at $\omega_3^0$ = 1.25"]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == [r"changes: Hamiltonian Hopf at "
+                                                                         r"$\omega_3^0$ = 1.25"]
     assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\mathrm{Re}\,\lambda$", r"$\mathrm{Im}\,\lambda$")
     assert ax.figure.axes[1].get_ylabel() == r"$\omega_3^0$"
 

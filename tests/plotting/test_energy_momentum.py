@@ -24,7 +24,8 @@ def found(request):
 
 def g_of(values, U, v, h):
     """g at levels, as coefficients; e = h − π3²/(2 I3)."""
-    return oracle.reduced_motion(values["I1"], h - (values["p_psi"] - values["l"]) ** 2 / (2 * values["I3"]), v, values["p_psi"], U)
+    return oracle.reduced_motion(values["I1"], h - (values["p_psi"] - values["l"]) ** 2 / (2 * values["I3"]),
+                                 v, values["p_psi"], U)
 
 
 def test_critical_values_are_double_roots_of_g(found):
@@ -35,7 +36,8 @@ def test_critical_values_are_double_roots_of_g(found):
         for z, v, h in zip(curve.k3[rows], curve.momentum[rows], curve.energy[rows]):
             size = 1 + abs(h) + v * v
             value, slope, curvature, *_ = oracle.taylor(g_of(values, U, v, h), z)
-            assert abs(value) < 1e-12 * size and abs(slope) < 1e-12 * size           # round-off of terms of this size
+            # round-off of terms of this size
+            assert abs(value) < 1e-12 * size and abs(slope) < 1e-12 * size
             assert (curvature < 0) == (curve.verdict is gs.Verdict.STABLE)
 
 
@@ -47,14 +49,16 @@ def test_the_rate_is_that_of_the_precession(found):
         z, W = curve.k3[near], curve.omega[near]
         residual = values["I1"] * z * W**2 - values["p_psi"] * W + oracle.polynomial(oracle.slope(U), z)
         np.testing.assert_allclose(residual / (1 + W**2), 0, atol=1e-12)
-        np.testing.assert_allclose(curve.momentum[near], values["I1"] * W * (1 - z**2) + values["p_psi"] * z, rtol=1e-9, atol=1e-9)
+        np.testing.assert_allclose(curve.momentum[near], values["I1"] * W * (1 - z**2) + values["p_psi"] * z,
+                                   rtol=1e-9, atol=1e-9)
 
 
 def test_both_rates_are_followed_to_where_they_meet():
     """Where P² = 4 I1 k3 U' the slow and the fast curve end in one point."""
     for P in (0.1, 0.3, 0.5, 0.7):
         curves = energy_momentum(WELLS, {"I1": 1, "I3": 1, "l": 0, "p_psi": P}).curves
-        met = np.polynomial.Polynomial([P * P, -2, 40, 0, -96]).roots()          # P² − 4 z (1/2 − 10 z + 24 z³)
+        # P² − 4 z (1/2 − 10 z + 24 z³)
+        met = np.polynomial.Polynomial([P * P, -2, 40, 0, -96]).roots()
         met = met.real[(np.abs(met.imag) < 1e-12) & (np.abs(met.real) < 1)]
         assert len(met) >= 2
         for k3 in met:
@@ -76,25 +80,34 @@ def test_poles(found):
     for side, (v, h, branch) in zip((1, -1), diagram.poles):
         P = values["p_psi"]
         assert (v, branch.k3) == (side * P, side)
-        assert h == pytest.approx((P - values["l"]) ** 2 / (2 * values["I3"]) + oracle.polynomial(U, side), rel=1e-14)
-        assert (branch.decision.verdict is gs.Verdict.STABLE) == (P**2 > side * 4 * values["I1"] * oracle.polynomial(oracle.slope(U), side))
+        assert h == pytest.approx((P - values["l"]) ** 2 / (2 * values["I3"]) + oracle.polynomial(U, side),
+                                  rel=1e-14)
+        assert (branch.decision.verdict is gs.Verdict.STABLE) == (
+            P**2 > side * 4 * values["I1"] * oracle.polynomial(oracle.slope(U), side)
+        )
 
 
 def test_regions_count_the_bands_of_motion(found):
     """As many bands as intervals of −1 < z < 1 in which g > 0, at random levels that are not critical."""
     _, values, U, diagram = found
     rng = np.random.default_rng(1)
-    v, h = np.append(rng.uniform(-2, 2, 8), values["p_psi"]), rng.uniform(-1.5, 4, 9)     # the last reaches E1
+    # the last reaches E1
+    v, h = np.append(rng.uniform(-2, 2, 8), values["p_psi"]), rng.uniform(-1.5, 4, 9)
     z = np.cos(np.linspace(0, np.pi, 3001))[1:-1]
     ours = bands(diagram, v, h)
     for i, energy in enumerate(h):
         for j, momentum in enumerate(v):
-            inside = np.concatenate([[False], np.polynomial.polynomial.polyval(z, g_of(values, U, momentum, energy)) > 0])
+            inside = np.concatenate([[False],
+                                     np.polynomial.polynomial.polyval(z, g_of(values, U, momentum, energy))
+                                     > 0])
             assert ours[i, j] == (inside[1:] & ~inside[:-1]).sum(), (momentum, energy)
 
 
 def test_the_picture():
-    """Curves in the look of their verdict, E1 and E2 as markers, at the ends of the window; arguments go to the curves."""
+    """Curves in the look of their verdict, E1 and E2 as markers, at the ends of the window.
+
+    Arguments go to the curves.
+    """
     scene, values, _ = CASES[2]
     window = (-3.0, 3.0, -1.5, 4.0)
     ax = draw_energy_momentum(scene, values, window, Figure().subplots(), alpha=0.5)
@@ -102,12 +115,16 @@ def test_the_picture():
     diagram = energy_momentum(scene, values)
     for line, curve in zip(curves, diagram.curves, strict=True):
         np.testing.assert_array_equal(line.get_xydata().T, [curve.momentum, curve.energy])
-        assert (line.get_linestyle() == "-") == (curve.verdict is gs.Verdict.STABLE) and line.get_alpha() == 0.5
+        assert (line.get_linestyle() == "-") == (curve.verdict is gs.Verdict.STABLE)
+        assert line.get_alpha() == 0.5
     points = [line.get_xydata()[0].tolist() for line in ax.lines if line.get_marker() == "o"]
-    assert points == [[v, h] for v, h, _ in diagram.poles] and {text.get_text() for text in ax.texts} == {"E1 (focus)", "E2 (focus)"}
-    assert (*ax.get_xlim(), *ax.get_ylim()) == window and (ax.get_xlabel(), ax.get_ylabel()) == ("$C_{1}$", "$h$")
+    assert points == [[v, h] for v, h, _ in diagram.poles]
+    assert {text.get_text() for text in ax.texts} == {"E1 (focus)", "E2 (focus)"}
+    assert (*ax.get_xlim(), *ax.get_ylim()) == window
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$C_{1}$", "$h$")
     assert [text.get_text() for text in ax.get_legend().get_texts()] == [
-        "stable (curves: modulo the spin)", "unstable", "changes: fold on a level", "one band of $k_3$", "two bands"]
+        "stable (curves: modulo the spin)", "unstable", "changes: fold on a level", "one band of $k_3$",
+        "two bands"]
 
 
 def test_what_cannot_be_drawn_is_refused():

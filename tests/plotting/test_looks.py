@@ -20,14 +20,17 @@ def test_no_verdict_is_told_by_colour_alone():
     assert len({str(looks.line(v)["linestyle"]) for v in Verdict}) == 3
     ax = Figure().subplots()
     drawn = {v.name: ax.plot([0], [0], **looks.marker(v))[0] for v in Verdict}
-    assert drawn["STABLE"].get_markerfacecolor() == looks.BLUE and drawn["UNSTABLE"].get_markerfacecolor() == "white"
-    assert drawn["UNDECIDED"].get_fillstyle() == "left" and drawn["UNDECIDED"].get_markerfacecoloralt() == "white"
+    assert drawn["STABLE"].get_markerfacecolor() == looks.BLUE
+    assert drawn["UNSTABLE"].get_markerfacecolor() == "white"
+    assert drawn["UNDECIDED"].get_fillstyle() == "left"
+    assert drawn["UNDECIDED"].get_markerfacecoloralt() == "white"
     assert {name for name, (_, hatch) in looks.LOOKS.items() if hatch} == {"undecided", "no_equilibrium"}
 
 
 @pytest.mark.parametrize("view", [(22, 40), (-35, 200), (90, 0), (-90, 0), (0, 0), (0, 180), (5, -60)])
 def test_what_is_in_front_is_nearer_to_the_eye(view):
-    """The direction towards the eye is that in which Matplotlib projects nothing aside, and depth decreases."""
+    """The direction towards the eye is that in which Matplotlib projects nothing aside, and depth decreases.
+    """
     ax = space(*view)
     eye = globe.stage(ax, 2.0, ("a", "b", "c"))
     ax.figure.canvas.draw()
@@ -41,9 +44,13 @@ def test_what_is_in_front_is_nearer_to_the_eye(view):
 
 
 def test_a_curve_is_parted_at_the_limb():
-    """Both parts together are the curve; they share the point at which it goes out of sight, on the sphere, where the depth is 0."""
+    """Both parts together are the curve.
+
+    They share the point at which it goes out of sight, on the sphere, where the depth is 0.
+    """
     eye = np.array([0.6, 0.0, 0.8])
-    curve = np.concatenate([globe.circle(np.array([0.0, 0.6, 0.8]), 3.0, n=12), [[np.nan] * 3], globe.circle(eye, 2.0, np.sqrt(5.0), n=5)])
+    curve = np.concatenate([globe.circle(np.array([0.0, 0.6, 0.8]), 3.0, n=12), [[np.nan] * 3],
+                            globe.circle(eye, 2.0, np.sqrt(5.0), n=5)])
     front, back = globe.parted(curve, eye)
     shared = np.isfinite(front[:, 0]) & np.isfinite(back[:, 0])
     assert shared.sum() == 2 and (front[shared] == back[shared]).all()
@@ -60,7 +67,9 @@ def test_hidden_is_faded_and_behind():
     ax = space()
     globe.curve_on(ax, globe.circle(np.array([0.0, 0, 1]), 1.0), globe.towards(ax), color="red")
     back, front = ax.lines
-    assert back.get_alpha() == globe.FADED and front.get_alpha() is None and back.get_zorder() < front.get_zorder()
+    assert back.get_alpha() == globe.FADED
+    assert front.get_alpha() is None
+    assert back.get_zorder() < front.get_zorder()
 
 
 def test_axes_are_those_given_or_new():

@@ -15,7 +15,8 @@ from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.plotting import draw_momentum_sphere
 from gyrostat.plotting.energy_levels import energies_between, floats, level_curve, rest_points
 
-CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1), ((2, 1, "3/2"), ("1/5", "1/10", "1/8"), 1),
+CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1),
+         ((2, 1, "3/2"), ("1/5", "1/10", "1/8"), 1),
          ((3, 2, 1), (0, "1/4", 1), 2), ((2, 3, 3), ("1/3", 0, 0), "3/2")]
 
 
@@ -26,12 +27,13 @@ def drawn(inertia, rotor, radius, energies=None, **kwargs):
 
 @pytest.mark.parametrize("inertia, rotor, radius", CASES)
 def test_at_a_rest_point_momentum_and_velocity_are_parallel(inertia, rotor, radius):
-    """M × ω = 0 on |M| = R; the extrema less the saddles are two, Euler's number of the sphere."""
+    """M × ω = 0 on abs(M) = R; the extrema less the saddles are two, Euler's number of the sphere."""
     body = gs.Gyrostat(inertia, rotor)
     points = rest_points(body, Rational(radius))
     for point in points:
         M = floats(point.momentum)
-        field = oracle.free_field(M - floats(body.gyrostatic_momentum), floats(body.inertia), floats(body.gyrostatic_momentum))
+        field = oracle.free_field(M - floats(body.gyrostatic_momentum), floats(body.inertia),
+                                  floats(body.gyrostatic_momentum))
         np.testing.assert_allclose(field, 0, atol=1e-14)               # round-off of the exact numbers
         assert np.linalg.norm(M) == pytest.approx(float(Rational(radius)), rel=1e-15)
     if all(point.circle is None for point in points):
@@ -51,35 +53,47 @@ def test_the_verdict_is_that_of_the_library(I1, I2, I3, l, spin):
 
 
 def test_verdict_at_a_general_point_is_that_of_the_spectrum():
-    """With a rotor off every axis an equilibrium is stable where the field, differenced, has imaginary eigenvalues."""
+    """With a rotor off every axis an equilibrium is stable where the field, differenced, has imaginary
+    eigenvalues.
+    """
     body = gs.Gyrostat((2, 1, "3/2"), ("1/5", "1/10", "1/8"))
     I, l = floats(body.inertia), floats(body.gyrostatic_momentum)
     points = rest_points(body, Rational(1))
     assert {p.verdict.name for p in points} == {"STABLE", "UNSTABLE"} and len(points) in (4, 6)
     for point in points:
-        J = oracle.jacobian(lambda x: oracle.free_field(x, I, l), floats(point.momentum) - l, 1.0).astype(float)
-        assert (np.linalg.eigvals(J).real.max() > 1e-3) == (point.verdict is gs.Verdict.UNSTABLE)      # growth rates here exceed 0.1
+        J = oracle.jacobian(lambda x: oracle.free_field(x, I, l), floats(point.momentum) - l,
+                            1.0).astype(float)
+        # growth rates here exceed 0.1
+        assert (np.linalg.eigvals(J).real.max() > 1e-3) == (point.verdict is gs.Verdict.UNSTABLE)
 
 
 def test_circles_of_equilibria():
     """I1 = I2: the rotations about transverse axes are a circle, at the height l/(1 − I3/I1), and drift."""
-    (circle,) = [p for p in rest_points(gs.Gyrostat((1, 1, 2), (0, 0, "-1/5")), Rational(1)) if p.circle is not None]
-    assert circle.circle == 2 and circle.momentum[2] == Rational(1, 5) and circle.verdict is gs.Verdict.UNSTABLE
-    (circle,) = [p for p in rest_points(gs.Gyrostat((3, 2, 2), (0, 0, 0)), Rational(1)) if p.circle is not None]
+    (circle,) = [p for p in rest_points(gs.Gyrostat((1, 1, 2), (0, 0, "-1/5")), Rational(1))
+                 if p.circle is not None]
+    assert circle.circle == 2
+    assert circle.momentum[2] == Rational(1, 5)
+    assert circle.verdict is gs.Verdict.UNSTABLE
+    (circle,) = [p for p in rest_points(gs.Gyrostat((3, 2, 2), (0, 0, 0)), Rational(1))
+                 if p.circle is not None]
     assert circle.circle == 0 and circle.momentum[0] == 0
 
 
 def test_a_degenerate_point_is_decided_to_fourth_order():
     """Where two saddles meet the pole, f1 = 0, Report.verdict decides."""
     inertia, l = (1, 2, 3), Fraction(1, 2)                 # f2 = l + (I3 − I2) ω = 0 at ω = −1/2, M = −1
-    south = next(p for p in rest_points(gs.Gyrostat(inertia, (0, 0, l)), Rational(1)) if p.momentum == (0, 0, -1))
+    south = next(p for p in rest_points(gs.Gyrostat(inertia, (0, 0, l)), Rational(1))
+                 if p.momentum == (0, 0, -1))
     report = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(inertia, (0, 0, l))), 3))
     assert south.verdict is report.verdict({"omega3_0": Fraction(-1, 2)}).verdict is gs.Verdict.UNSTABLE
 
 
 @pytest.mark.parametrize("inertia, rotor, radius", CASES)
 def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
-    """|M| = R and Σ (M − l)²/(2 I) = energy to 1e-12, at every energy, and curves are closed: each end of a piece is another's."""
+    """abs(M) = R and Σ (M − l)²/(2 I) = energy to 1e-12, at every energy, and curves are closed.
+
+    Each end of a piece is another's.
+    """
     body, R = gs.Gyrostat(inertia, rotor), float(Rational(radius))
     I, l = floats(body.inertia), floats(body.gyrostatic_momentum)
     points = rest_points(body, Rational(radius))
@@ -92,7 +106,8 @@ def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
         gaps = np.flatnonzero(np.isnan(np.concatenate([[np.nan], M[:, 0], [np.nan]])))
         ends = np.array([M[n] for a, b in zip(gaps, gaps[1:]) for n in (a, b - 2)])
         apart = np.linalg.norm(ends[:, None] - ends[None], axis=-1) + 9 * np.eye(len(ends))
-        assert apart.min(axis=1).max() < 1e-9                          # Newton's method ends at one point from one start
+        # Newton's method ends at one point from one start
+        assert apart.min(axis=1).max() < 1e-9
 
 
 def test_energies_lie_between_the_critical_ones():
@@ -103,7 +118,10 @@ def test_energies_lie_between_the_critical_ones():
 
 
 def test_the_picture_has_what_was_found():
-    """Markers at the equilibria, filled or open; separatrices heavy; axes named; arguments go to the polhodes."""
+    """Markers at the equilibria, filled or open; separatrices heavy; axes named.
+
+    Arguments go to the polhodes.
+    """
     ax = drawn((1, 2, 3), (0, 0, 0), 1, [0.2, 0.3], color="green", linewidth=0.5)
     assert [text.get_text() for text in ax.texts] == ["$M_{1}$", "$M_{2}$", "$M_{3}$"]
     green = [line for line in ax.lines if line.get_color() == "green"]
@@ -114,11 +132,18 @@ def test_the_picture_has_what_was_found():
     dots = [np.array(line.get_data_3d()).T for line in ax.lines if line.get_marker() == "o"]
     assert sorted(map(tuple, np.concatenate(dots).round(12).tolist())) == sorted(
         tuple(s * e for e in row) for row in np.eye(3).tolist() for s in (1, -1))
-    open_ones = [line for line in ax.lines if line.get_marker() == "o" and line.get_markerfacecolor() == "white"]
+    open_ones = [line for line in ax.lines if line.get_marker() == "o"
+                 and line.get_markerfacecolor() == "white"]
     assert sum(len(line.get_data_3d()[0]) for line in open_ones) == 2
-    assert [line for line in drawn((1, 2, 3), (0, 0, 0), 1, [], color="green").lines if line.get_color() == "green"]      # no polhode
+    # no polhode
+    assert [line for line in drawn((1, 2, 3), (0, 0, 0), 1, [], color="green").lines
+            if line.get_color() == "green"]
     ring = drawn((1, 1, 2), (0, 0, 0), 1)
-    assert [text.get_text() for text in ring.get_legend().get_texts()] == ["polhode", "equilibria, stable modulo the spin", "stable"]
+    assert [text.get_text() for text in ring.get_legend().get_texts()] == [
+        "polhode",
+        "equilibria, stable modulo the spin",
+        "stable",
+    ]
 
 
 def test_what_cannot_be_drawn_is_refused():
@@ -126,9 +151,11 @@ def test_what_cannot_be_drawn_is_refused():
     field = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     with pytest.raises(ScopeError, match="the scene has the potential k3\\*m0: assemble the body alone"):
         draw_momentum_sphere(field, {}, 1)
-    with pytest.raises(ScopeError, match=r"inertia = \(2, 2, 2\) and l = 0: every point .* give different moments"):
+    with pytest.raises(ScopeError,
+                       match=r"inertia = \(2, 2, 2\) and l = 0: every point .* give different moments"):
         drawn((2, 2, 2), (0, 0, 0), 1)
-    with pytest.raises(ValuesError, match="momentum = 0 is not the radius of a sphere: give a positive number"):
+    with pytest.raises(ValuesError,
+                       match="momentum = 0 is not the radius of a sphere: give a positive number"):
         drawn((1, 2, 3), (0, 0, 0), 0)
     free = gs.assemble(gs.Gyrostat())
     with pytest.raises(ValuesError, match="needs l1, l2, l3: give a number for each"):
@@ -141,7 +168,7 @@ def test_what_cannot_be_drawn_is_refused():
 
 @pytest.mark.parametrize("energy", [0.1, 0.6, 0.500001])
 def test_an_energy_that_is_not_on_the_sphere(energy):
-    """|M| = 1, I = (1, 2, 3): the energies on the sphere lie between 1/6 and 1/2."""
+    """abs(M) = 1, I = (1, 2, 3): the energies on the sphere lie between 1/6 and 1/2."""
     with pytest.raises(ValuesError, match="energies between 0.166667 and 0.5"):
         drawn((1, 2, 3), (0, 0, 0), 1, [0.3, energy])
 
@@ -171,7 +198,10 @@ def on_circle(inertia, rotor, radius, energy, normal):
 
 
 def polhodes_are_complete(inertia, rotor, radius, part, seed):
-    """Every vertex on sphere and level; every great circle is crossed as often by the drawn curves as the level meets it."""
+    """Every vertex on sphere and level.
+
+    Every great circle is crossed as often by the drawn curves as the level meets it.
+    """
     body = gs.Gyrostat(inertia, rotor)
     points = rest_points(body, Rational(radius))
     I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
@@ -184,17 +214,22 @@ def polhodes_are_complete(inertia, rotor, radius, part, seed):
     vertices = np.concatenate(curves)
     np.testing.assert_allclose(np.linalg.norm(vertices, axis=1), R, rtol=1e-12)
     off = np.abs(((vertices - l) ** 2 / I).sum(axis=1) / 2 - energy)
-    assert off.max() < 1e-3 * (heights[-1] - heights[0]) + 2e-4 * R**2 / I.min()          # points at the limb are on a chord of 0.03
+    # points at the limb are on a chord of 0.03
+    assert off.max() < 1e-3 * (heights[-1] - heights[0]) + 2e-4 * R**2 / I.min()
     assert np.quantile(off, 0.8) < 1e-12 * max(map(abs, heights))
     assert max(np.linalg.norm(np.diff(c, axis=0), axis=1).max() for c in curves if len(c) > 1) < 0.031 * R
     for normal in np.random.default_rng(seed).normal(size=(6, 3)):
         normal /= np.linalg.norm(normal)
         expected = on_circle(I, l, R, energy, normal)
         if expected is not None:
-            assert sum(int(((c[1:] @ normal) * (c[:-1] @ normal) < 0).sum()) for c in curves) == expected, (energy, normal)
+            assert sum(int(((c[1:] @ normal) * (c[:-1] @ normal) < 0).sum()) for c in curves) == expected, (
+                energy,
+                normal,
+            )
 
 
-close = st.sampled_from([(1, "1.0001", 2), (1, 1, 2), (2, 1, 1), (1, "1.01", "1.02"), (3, 1, 2), (1, 2, "2.999"), ("1/5", 1, "6/5")])
+close = st.sampled_from([(1, "1.0001", 2), (1, 1, 2), (2, 1, 1), (1, "1.01", "1.02"), (3, 1, 2),
+                         (1, 2, "2.999"), ("1/5", 1, "6/5")])
 
 
 @pytest.mark.slow
@@ -202,11 +237,15 @@ close = st.sampled_from([(1, "1.0001", 2), (1, 1, 2), (2, 1, 1), (1, "1.01", "1.
 @given(close, st.tuples(numbers, numbers, numbers), st.sampled_from([0, "1/50", 1]), moments,
        st.one_of(st.fractions(0, 1), st.sampled_from([1e-6, 1e-4, 1 - 1e-4, 1 - 1e-6])), st.integers(0, 99))
 def test_polhodes_are_complete(inertia, rotor, size, radius, part, seed):
-    """Nearly equal and equal moments, where polhodes are thin; rotors of any size; energies next to the extrema."""
+    """Nearly equal and equal moments, where polhodes are thin; rotors of any size.
+
+    Energies next to the extrema.
+    """
     polhodes_are_complete(inertia, [Rational(x) * Rational(size) for x in rotor], radius, float(part), seed)
 
 
-@pytest.mark.parametrize("inertia, rotor, part", [((1, "1.0001", 2), ("1/100", "1/50", "1/5"), 0.9999), ((1, 2, 3), (0, 0, 0), 1e-6),
+@pytest.mark.parametrize("inertia, rotor, part",
+                         [((1, "1.0001", 2), ("1/100", "1/50", "1/5"), 0.9999), ((1, 2, 3), (0, 0, 0), 1e-6),
                                                   ((3, 1, 2), (0, 0, "1/10"), 0.4)])
 def test_a_small_or_thin_polhode_is_not_missing(inertia, rotor, part):
     """A millionth of the way from the least energy; a body of almost equal moments."""
@@ -215,18 +254,25 @@ def test_a_small_or_thin_polhode_is_not_missing(inertia, rotor, part):
 
 @pytest.mark.parametrize("inertia, rotor, radius", CASES)
 def test_separatrices_meet_the_saddles_and_are_complete(inertia, rotor, radius):
-    """Every heavy vertex has the energy of a saddle; each great circle is crossed as often as its level says; saddles are approached."""
+    """Every heavy vertex has the energy of a saddle.
+
+    Each great circle is crossed as often as its level says; saddles are approached.
+    """
     body = gs.Gyrostat(inertia, rotor)
     I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
-    saddles = [p for p in rest_points(body, Rational(radius)) if p.verdict is gs.Verdict.UNSTABLE and p.circle is None]
-    curves = [c for c in energy_curves(drawn(inertia, rotor, radius, []), "#1f2933") if np.abs(np.linalg.norm(c, axis=1) - R).max() < 1e-9]
+    saddles = [p for p in rest_points(body, Rational(radius)) if p.verdict is gs.Verdict.UNSTABLE
+               and p.circle is None]
+    curves = [c for c in energy_curves(drawn(inertia, rotor, radius, []), "#1f2933")
+              if np.abs(np.linalg.norm(c, axis=1) - R).max() < 1e-9]
     elevation, azimuth = np.radians([22, 40])
-    eye = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
+    eye = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth),
+                    np.sin(elevation)])
     curves = [c for c in curves if np.ptp(c @ eye) > 1e-3]             # without the outline
     for saddle in saddles:
         assert min(np.linalg.norm(c - floats(saddle.momentum), axis=1).min() for c in curves) < 0.02 * R
     for normal in np.random.default_rng(2).normal(size=(8, 3)):
         normal /= np.linalg.norm(normal)
-        counts = [on_circle(I, l, R, energy, normal) for energy in {round(float(s.energy), 12): float(s.energy) for s in saddles}.values()]
+        counts = [on_circle(I, l, R, energy, normal)
+                  for energy in {round(float(s.energy), 12): float(s.energy) for s in saddles}.values()]
         if None not in counts:
             assert sum(int(((c[1:] @ normal) * (c[:-1] @ normal) < 0).sum()) for c in curves) == sum(counts)

@@ -1,4 +1,7 @@
-"""The page of pictures: its blocks run as they stand and write the pictures that it shows; all of them as vectors too."""
+"""The page of pictures: its blocks run as they stand and write the pictures that it shows.
+
+All of them as vectors too.
+"""
 import re
 from pathlib import Path
 
@@ -21,7 +24,10 @@ def test_every_picture_has_its_block():
 @pytest.mark.slow
 @pytest.mark.parametrize("name, block", list(zip(SHOWN, BLOCKS)), ids=SHOWN)
 def test_the_blocks_run_as_shown(name, block, tmp_path, monkeypatch):
-    """In a new folder, with the picture as the result; its figures are written as PDF and SVG without a raster image."""
+    """In a new folder, with the picture as the result.
+
+    Its figures are written as PDF and SVG without a raster image.
+    """
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     monkeypatch.chdir(tmp_path)

@@ -27,7 +27,8 @@ def crowded():
     """Three moments, l on axis 3, any U(k): long formulas and wide matrices."""
     scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, symbols("l"))), gs.general_potential())
     point = (0, 0, gs.symbol("pi3_0"), 0, 0, 1)
-    return gs.analyze(gs.equilibrium(scene, point, relations=((gs.symbol("dU_1"), 0), (gs.symbol("dU_2"), 0))))
+    return gs.analyze(gs.equilibrium(scene, point,
+                                     relations=((gs.symbol("dU_1"), 0), (gs.symbol("dU_2"), 0))))
 
 
 @pytest.mark.parametrize(("fragment", "limit"), [(False, LINE), (True, NARROW)])
@@ -39,26 +40,34 @@ def test_every_equation_fits(e1, e3, crowded, fragment, limit):
 
 
 def test_a_document_is_complete(e1, e3):
-    """Bracket, equations of motion, linearisation, polynomial, second variation, conditions, each numbered; theorems are cited."""
+    """Bracket, equations of motion, linearisation, polynomial, second variation, conditions, each numbered;
+    theorems are cited.
+    """
     tex = document([e1, e3])
-    assert tex.startswith(r"\documentclass") and tex.rstrip().endswith(r"\end{document}") and not re.search(r"(?<!\\)\\\[", tex)
+    assert tex.startswith(r"\documentclass")
+    assert tex.rstrip().endswith(r"\end{document}")
+    assert not re.search(r"(?<!\\)\\\[", tex)
     for part in (r"\dot{\pi}_1", "Poisson tensor", r"\lambda^4", "Second variation", "Lyapunov 1892",
                  r"Holm, Marsden, Ratiu \& Weinstein 1985",
                  r"Ortega \& Ratiu 1999", r"Vera \& Viguera 2003, \S3", r"\section*{References}"):
         assert part in tex
     assert tex.count(r"\item") == 5
-    assert not re.search(r"(?<![a-z])\{\}", tex)                                 # every formula of a sentence has been set
+    # every formula of a sentence has been set
+    assert not re.search(r"(?<![a-z])\{\}", tex)
 
 
 def test_a_fragment_is_a_part(e1):
     """No preamble, and the works it cites in comments."""
     tex = document([e1], fragment=True)
-    assert r"\documentclass" not in tex and r"\begin{document}" not in tex and tex.startswith("% needs amsmath; it cites\n% A. M. Lyapunov")
+    assert r"\documentclass" not in tex
+    assert r"\begin{document}" not in tex
+    assert tex.startswith("% needs amsmath; it cites\n% A. M. Lyapunov")
 
 
 def test_conditions_table(e1, e3):
     """One row for each condition, and where the family exists."""
     tex = conditions_table([e1, e3], fragment=True)
     assert r"E1 & necessary (spectral) & $(\pi_3^0 + l)^{2} \geq 4 I_1 U'(1)$" in tex
-    assert r"E3 & exists where & $\left|{k_3}\right| < 1$" in tex and r"\text{modulo the flow of } \pi_3" in tex
+    assert r"E3 & exists where & $\left|{k_3}\right| < 1$" in tex
+    assert r"\text{modulo the flow of } \pi_3" in tex
     assert conditions_table([e1]).startswith(r"\documentclass")

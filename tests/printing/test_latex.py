@@ -27,8 +27,10 @@ def test_degenerate_factors_are_shown(e1):
 
 
 @pytest.mark.parametrize("get", [
-    lambda r: r.equilibrium.system.body, lambda r: r.equilibrium.system.potential, lambda r: r.equilibrium.system.space,
-    lambda r: r.equilibrium.system, lambda r: r.equilibrium, lambda r: r.linearization, lambda r: r.second_variation,
+    lambda r: r.equilibrium.system.body, lambda r: r.equilibrium.system.potential,
+    lambda r: r.equilibrium.system.space,
+    lambda r: r.equilibrium.system, lambda r: r.equilibrium, lambda r: r.linearization,
+    lambda r: r.second_variation,
     lambda r: r.necessary, lambda r: r.sufficient.alternatives[0][0], lambda r: r,
     lambda r: r.verdict({"I1": 1, "l": 0, "pi3_0": 3, "dU": 1})])
 def test_jupyter_shows_every_public_object(e1, get):
@@ -53,16 +55,22 @@ def test_matrices_and_polynomials(e1):
 def test_a_report_is_a_document(e1, e2, e3):
     """A plain article; one document for several reports; only ASCII, balanced."""
     for document in (to_latex(e1), to_latex([e1, e2, e3])):
-        assert document.startswith(r"\documentclass{article}") and document.rstrip().endswith(r"\end{document}")
-        assert document.count("{") == document.count("}") and document.count(r"\begin{equation}") == document.count(r"\end{equation}") > 20
+        assert document.startswith(r"\documentclass{article}")
+        assert document.rstrip().endswith(r"\end{document}")
+        assert document.count("{") == document.count("}")
+        assert document.count(r"\begin{equation}") == document.count(r"\end{equation}") > 20
         assert document.isascii()
     assert to_latex([e1, e2, e3]).count(r"\section*") == 5       # scene, three equilibria, references
 
 
 @pytest.mark.parametrize("potential", [
-    "m0*k3", pytest.param("m0/(k3 + 2)", marks=pytest.mark.slow), pytest.param("exp(a*k3)", marks=pytest.mark.slow)])
+    "m0*k3", pytest.param("m0/(k3 + 2)", marks=pytest.mark.slow),
+    pytest.param("exp(a*k3)", marks=pytest.mark.slow)])
 def test_a_given_field_is_inserted_throughout(potential):
-    """U' stands only where it is said what it is: in the derivation, the eigenvalues and the proofs its value does."""
+    """U' stands only where it is said what it is.
+
+    In the derivation, the eigenvalues and the proofs its value does.
+    """
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(parse(potential)))
     for family in (gs.upright, gs.hanging, gs.inclined):
         report = gs.analyze(family(scene))

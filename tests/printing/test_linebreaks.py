@@ -11,11 +11,13 @@ SUM = r"\left(a + b\right) \left(\frac{c + d}{2 e} - \sqrt{f + g}\right)^{2} + h
 
 
 @pytest.mark.parametrize(("tex", "points"), [
-    (r"\frac{a + b}{c}", 26), (r"x^{2}", 9), (r"\sqrt{x}", 14), (r"\text{and}", 15), (r"\begin{pmatrix} a & b \\ c & d \end{pmatrix}", 37),
+    (r"\frac{a + b}{c}", 26), (r"x^{2}", 9), (r"\sqrt{x}", 14), (r"\text{and}", 15),
+    (r"\begin{pmatrix} a & b \\ c & d \end{pmatrix}", 37),
     (r"\left(a\right)", 14), (r"a \geq 0", 24)])
 def test_width(tex, points):
     """Fractions are as wide as their wider part, matrices as the widest entries of their columns."""
-    assert abs(width(tex) - points) <= 2                   # an estimate: 2 points are a fifth of a letter's em
+    # an estimate: 2 points are a fifth of a letter's em
+    assert abs(width(tex) - points) <= 2
 
 
 def test_width_of_a_matrix_with_gaps():

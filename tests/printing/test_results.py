@@ -21,7 +21,10 @@ def test_rumiantsev_solved_reads_as_three_cases():
     solution = stabilizing_set(gs.analyze(gs.upright(HEAVY)), "l")
     assert str(solution) == ("Stable for m₀ < 0: every l.\nStable for m₀ = 0: l ≠ −π₃⁰.\n"
                              "Stable for m₀ > 0: l ≤ −π₃⁰ − 2 √(I₁ m₀) or l ≥ 2 √(I₁ m₀) − π₃⁰.")
-    assert r"\text{Stable for }m_0 > \text{0: }l \leq - \pi_3^0 - 2 \sqrt{I_1 m_0}\text{ or }l \geq 2" in to_latex(solution)
+    assert (
+        r"\text{Stable for }m_0 > \text{0: }l \leq - \pi_3^0 - 2 \sqrt{I_1 m_0}\text{ or }l \geq 2"
+        in to_latex(solution)
+    )
 
 
 @pytest.mark.parametrize(("intervals", "shown"), [
@@ -30,10 +33,13 @@ def test_rumiantsev_solved_reads_as_three_cases():
     ((Interval(m0, oo, (k3,)),), "l > m₀; l = m₀ too where k₃ > 0"),
     ((Interval(m0, oo, (k3, l)),), "l > m₀; l = m₀ too where k₃ > 0, or k₃ = 0 and l > 0"),
     ((Interval(m0, oo, (k3, m0 / m0)),), "l > m₀; l = m₀ too where k₃ > 0, or k₃ = 0"),
-    ((Interval(m0, oo, (-k3**2,)),), "l > m₀"), ((Interval(m0, oo, (-k3**2, l)),), "l > m₀; l = m₀ too where k₃ = 0 and l > 0"),
-    ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(2 * m0, oo, (k3,))), "l < m₀ or l > 2 m₀; the ends too where k₃ > 0"),
+    ((Interval(m0, oo, (-k3**2,)),), "l > m₀"),
+    ((Interval(m0, oo, (-k3**2, l)),), "l > m₀; l = m₀ too where k₃ = 0 and l > 0"),
+    ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(2 * m0, oo, (k3,))),
+     "l < m₀ or l > 2 m₀; the ends too where k₃ > 0"),
     ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(m0, oo, (k3,))), "l ≠ m₀; l = m₀ too where k₃ > 0"),
-    ((Interval(m0, 2 * m0, INCLUDED, EXCLUDED, (Rational(1, 2), Rational(1))),), "m₀ ≤ l < 2 m₀ (k₃ from 1/2 to 1)")])
+    ((Interval(m0, 2 * m0, INCLUDED, EXCLUDED, (Rational(1, 2), Rational(1))),),
+     "m₀ ≤ l < 2 m₀ (k₃ from 1/2 to 1)")])
 def test_sets_in_words(intervals, shown):
     """Ends, which of them belong, and on what it depends."""
     assert str(Solution("l", (Part("stable", l, (Case((), intervals),), k3),))) == f"Stable: {shown}."
@@ -42,13 +48,15 @@ def test_sets_in_words(intervals, shown):
 def test_positive_names_start_at_zero():
     """A moment of inertia below a bound."""
     text = str(stabilizing_set(gs.analyze(gs.upright(HEAVY)), "I1"))
-    assert "Stable for m₀ > 0 and π₃⁰ + l ≠ 0: I₁ ≤ (π₃⁰ + l)²/(4 m₀)." in text and "m₀ = 0 and π₃⁰ + l ≠ 0: every I₁." in text
+    assert "Stable for m₀ > 0 and π₃⁰ + l ≠ 0: I₁ ≤ (π₃⁰ + l)²/(4 m₀)." in text
+    assert "m₀ = 0 and π₃⁰ + l ≠ 0: every I₁." in text
 
 
 def test_branches_bifurcations_and_the_rest():
     """Each has a text and a formula; derivatives of U are taken where they are meant."""
     found = relative_equilibria(HEAVY, {"I1": 2, "I3": 1, "l": 1, "m0": 1, "omega": 2})
-    assert list(map(str, found)) == ["E1 at k₃ = 1, ω = 2, σ = 0: stable", "E3 at k₃ = 1/4, ω = 2, σ = 0: stable",
+    assert list(map(str, found)) == ["E1 at k₃ = 1, ω = 2, σ = 0: stable",
+                                     "E3 at k₃ = 1/4, ω = 2, σ = 0: stable",
                                      "E2 at k₃ = −1, ω = 2, σ = 0: stable"]
     every = relative_equilibria(HEAVY, {"I1": 2, "I3": 2, "l": 1, "m0": 1, "omega": 1})
     assert str(every[1]) == "E3 at ω = 1, σ = 0, every k₃: stable"

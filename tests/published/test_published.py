@@ -1,4 +1,5 @@
-"""Published formulas: statuses, counterexamples that confirm themselves, mutants, and files of a user's own."""
+"""Published formulas: statuses, counterexamples that confirm themselves, mutants, and files of a user's own.
+"""
 import ast
 import re
 from dataclasses import replace
@@ -23,7 +24,8 @@ from gyrostat.published.statements import Reading
 from gyrostat.published.typesetting import formula_of
 
 HERE = Path(gyrostat.__file__).parent / "published"
-CHECKS = pytest.mark.xdist_group("checks")                 # in one process, where every source is checked once
+# in one process, where every source is checked once
+CHECKS = pytest.mark.xdist_group("checks")
 STATEMENTS = [s for source in SOURCES for s in load(source).statements]
 BY_KEY = {(s.source, s.key): s for s in STATEMENTS}
 
@@ -38,14 +40,17 @@ def found():
 @CHECKS
 def test_every_status_is_the_expected_one(source, found):
     """What is computed is what expected.toml says, statement by statement."""
-    assert {f.statement.key: f.status for f in found[source]} == {f.statement.key: f.expected for f in found[source]}
+    assert {f.statement.key: f.status for f in found[source]} == {
+        f.statement.key: f.expected for f in found[source]
+    }
 
 
 def test_no_status_is_stored_with_a_statement():
     """The files hold what is printed; a status is computed."""
     for source in SOURCES:
         text = (HERE / f"{source}.toml").read_text(encoding="utf-8")
-        assert not any(f'"{word}"' in text or f"\n{word}" in text for word in ("confirmed", "misprint", "status"))
+        assert not any(f'"{word}"' in text or f"\n{word}" in text
+                       for word in ("confirmed", "misprint", "status"))
 
 
 @CHECKS
@@ -62,7 +67,10 @@ def test_every_misprint_has_a_counterexample(found):
 
 @CHECKS
 def test_every_counterexample_is_read_again(found):
-    """Both sides, or what is true of the point, from the JSON output alone; what is corrected does not fail there."""
+    """Both sides, or what is true of the point, from the JSON output alone.
+
+    What is corrected does not fail there.
+    """
     read = {}
     for f in (f for rows in found.values() for f in rows if f.status == "misprint"):
         (data,) = to_json([f])
@@ -71,8 +79,13 @@ def test_every_counterexample_is_read_again(found):
                  **{key: data[key] for key in ("quantity", "printed", "kind")}}
         read[s.key] = shown.is_true(given, dict(s.scene.table), data["counterexample"])
         right = {**given, "printed": s.corrected}
-        assert s.corrected is None or s.kind == "solution" or not shown.is_true(right, dict(s.scene.table), data["counterexample"]), s.key
-    assert {key for key, answer in read.items() if not answer} == {"E3-semidefinite"}      # numpy counts its squares below
+        assert (
+            s.corrected is None
+            or s.kind == "solution"
+            or not shown.is_true(right, dict(s.scene.table), data["counterexample"])
+        ), s.key
+    # numpy counts its squares below
+    assert {key for key, answer in read.items() if not answer} == {"E3-semidefinite"}
 
 
 @CHECKS
@@ -84,12 +97,17 @@ def test_every_unchecked_statement_says_why(found):
 @pytest.mark.parametrize(("key", "entry"), [("E3-b", (0, 2)), ("E3-c", (1, 2)), ("E3-matrix", (3, 5))])
 @CHECKS
 def test_entries_of_the_inclined_matrix_against_the_oracle(key, entry, found):
-    """The differenced Euler-Poisson field has the derived entry at the counterexample, not the printed one."""
+    """The differenced Euler-Poisson field has the derived entry at the counterexample, not the printed one.
+    """
     (f,) = (f for f in found["VV2003"] if f.statement.key == key)
     v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
     x, field = oracle.inclined(v["I1"], v["I3"], v["l"], v["omega"], (v["k1"], v["k2"], v["k3"]), Fraction(0))
     theirs = oracle.jacobian(field, x)[entry]
-    assert theirs == Fraction(str(f.outcome.counterexample.derived)) != Fraction(str(f.outcome.counterexample.printed))
+    assert (
+        theirs
+        == Fraction(str(f.outcome.counterexample.derived))
+        != Fraction(str(f.outcome.counterexample.printed))
+    )
 
 
 @CHECKS
@@ -97,24 +115,31 @@ def test_tilt_at_k3_zero_against_the_oracle(found):
     """Where the printed necessary condition for k3 = 0 fails, the field has no growing mode."""
     (f,) = (f for f in found["VV2003"] if f.statement.key == "k3-zero-necessary")
     v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
-    x, field = oracle.inclined(v["I1"], v["I3"], v["l"], v["omega"], (v["k1"], v["k2"], Fraction(0)), v["d2U"])
-    assert v["l"]**4 + v["m0"]**2 * v["I1"]**2 - v["d2U"] * v["l"]**2 * v["I1"] < 0 and not oracle.growth(field, x)
+    x, field = oracle.inclined(v["I1"], v["I3"], v["l"], v["omega"], (v["k1"], v["k2"], Fraction(0)),
+                               v["d2U"])
+    assert v["l"]**4 + v["m0"]**2 * v["I1"]**2 - v["d2U"] * v["l"]**2 * v["I1"] < 0
+    assert not oracle.growth(field, x)
 
 
 @CHECKS
 def test_critical_top_against_the_oracle(found):
-    """At equality in Rumiantsev's condition the reduced motion has its maximum at the pole: g = −2 I1 m g z0 x³ < 0."""
+    """At equality in Rumiantsev's condition the reduced motion has its maximum at the pole.
+
+    G = −2 I1 m g z0 x³ < 0.
+    """
     (f,) = (f for f in found["VV2003"] if f.statement.key == "Rumiantsev")
     v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
     P, weight = v["I3"] * v["omega3_0"] + v["l"], v["m"] * v["g"] * v["z0"]
     assert P**2 == 4 * v["I1"] * weight and weight > 0
     for x in (Fraction(1, 10**6), Fraction(1, 2), Fraction(2)):
         z = 1 - x
-        g = oracle.reduced(v["I1"], v["l"], v["I3"] * v["omega3_0"], P, weight, weight * z, weight, Fraction(0), z)[0]
+        g = oracle.reduced(v["I1"], v["l"], v["I3"] * v["omega3_0"], P, weight, weight * z, weight,
+                           Fraction(0), z)[0]
         assert g == -2 * v["I1"] * weight * x**3 < 0
 
 
-LONG = {("N2025", key) for key in ("Euler-tensor", "Euler-epsilon", "Euler-tensor-two-dots", "transport-L")} | {
+LONG = {("N2025", key) for key in ("Euler-tensor", "Euler-epsilon", "Euler-tensor-two-dots",
+                                   "transport-L")} | {
     ("EA", key) for key in ("4.29", "4.30", "4.31")} | {("literature", "S4-slow")}
 
 
@@ -127,7 +152,8 @@ def test_derived_quantities_are_those_of_newton_and_euler(statement):
     derived = r.finish(read(statement.quantity, r.own))
     entries = list(derived) if isinstance(derived, MatrixBase) else [derived]
     printed = r.finish(read(statement.printed, r.own))
-    values = next(v for v in r.points([*entries, *(printed if isinstance(printed, MatrixBase) else [printed])])
+    values = next(v for v in r.points([*entries,
+                                       *(printed if isinstance(printed, MatrixBase) else [printed])])
                   if all(e.subs(v).evalf(20).is_Number for e in entries))
     theirs = r.independently(statement.quantity, values)
     for ours, other in zip(entries, theirs if isinstance(theirs, MatrixBase) else [theirs]):
@@ -152,43 +178,61 @@ MUTANTS = [
     ("VV2003", "E1-necessary", {"printed": "(pi3_0 + l)**2 > 4*I1*dU"}),
     ("VV2003", "E1-sufficient", {"printed": "(pi3_0 - l)**2 > 4*I1*dU"}),
     ("VV2003", "E1-sufficient", {"printed": "(pi3_0 + l)**2 >= 4*I1*dU"}),
-    ("VV2003", "E1-instability", {"printed": "b**2 - 4*d*c < 0"}), ("VV2003", "E3-necessary", {"printed": "p > 0"}),
+    ("VV2003", "E1-instability", {"printed": "b**2 - 4*d*c < 0"}),
+    ("VV2003", "E3-necessary", {"printed": "p > 0"}),
     ("VV2003", "E3", {"printed": ["I1*omega*k1", "I1*omega*k2", "I1*omega*k3", "k1", "k2", "k3"]}),
     ("VV2003", "heavy-existence", {"printed": "abs((omega*l - m0)/(omega**2*(I1 - I3))) < 2"}),
-    ("VV2003", "k3-inside", {"printed": "abs(k1) < 1"}), ("VV2003", "E3-no-information", {"quantity": "sufficient for stability"}),
+    ("VV2003", "k3-inside", {"printed": "abs(k1) < 1"}),
+    ("VV2003", "E3-no-information", {"quantity": "sufficient for stability"}),
     ("VV2003", "E3-relation", {"printed": "dU - omega**2*k3*(I1 - I3) - omega*l"}),
     ("N2025", "symmetric-solution", {"printed": ["A*cos(omega*t)", "-A*sin(omega*t)", "Omega3"]}),
     ("N2025", "curves-around-1", {"printed": "unstable"}), ("AR", "unstable-2", {"printed": "stable"}),
-    ("EA", "4.38", {"printed": "1/2*I1*(phi_dot**2*sin(theta) + theta_dot**2) + 1/2*I3*(psi_dot + phi_dot*cos(theta))**2"}),
+    ("EA", "4.38", {"printed": "1/2*I1*(phi_dot**2*sin(theta) + theta_dot**2) + 1/2*I3*(psi_dot + "
+                               "phi_dot*cos(theta))**2"}),
     ("EA", "space-cone-e3", {"printed": "cross(psi_dot*vector_z, R*axis_3)"}),
-    ("literature", "F5-y1", {"printed": "-0.705397809522573"}), ("literature", "F3-period", {"printed": "22.898647550622"}),
-    ("literature", "S4-slow-nutation", {"printed": "2.4954551005"}), ("literature", "S8-multiplicity", {"printed": "3"}),
-    ("literature", "F3-solution", {"printed": ["sqrt(I1)*u/r*cn(n*t, m)", "sqrt(I2)*u/s*sn(n*t, m)", "sqrt(I3)*v/r*cn(n*t, m)"]}),
-    ("literature", "F3-solution", {"let": {**BY_KEY["literature", "F3-solution"].let, "s": "sqrt(I2 - I3)"}}),    # not real
-    ("literature", "F2", {"let": {**BY_KEY["literature", "F2"].let, "y": "sqrt(1/I2 - 1/I1)"}}),                 # not real
+    ("literature", "F5-y1", {"printed": "-0.705397809522573"}),
+    ("literature", "F3-period", {"printed": "22.898647550622"}),
+    ("literature", "S4-slow-nutation", {"printed": "2.4954551005"}),
+    ("literature", "S8-multiplicity", {"printed": "3"}),
+    ("literature", "F3-solution",
+     {"printed": ["sqrt(I1)*u/r*cn(n*t, m)", "sqrt(I2)*u/s*sn(n*t, m)", "sqrt(I3)*v/r*cn(n*t, m)"]}),
+    # not real
+    ("literature", "F3-solution", {"let": {**BY_KEY["literature", "F3-solution"].let, "s": "sqrt(I2 - I3)"}}),
+    # not real
+    ("literature", "F2", {"let": {**BY_KEY["literature", "F2"].let, "y": "sqrt(1/I2 - 1/I1)"}}),
     ("literature", "F4-stable", {"printed": "(l + (I3 - I1)*omega3_0)*(l + (I3 - I2)*omega3_0) >= 0"}),
     ("literature", "F4-unstable", {"printed": "(l + (I3 - I1)*omega3_0)*(l + (I3 - I2)*omega3_0) <= 0"}),
     ("literature", "S7-Casimirs", {"printed": "l*omega3_0 + (I3 - I1)*omega3_0**2 >= dU"}),
-    ("literature", "S13", {"printed": "pi3_0**2 >= 4*I1*A"}),                           # mass1 = mass3 and no spin: unstable
-    ("literature", "S5-frequency", {"printed": "(omega - m0/(I1*omega))**2 + 3*(1 - k3)*m0/I1"}),         # l is solved for, dU has l
-    ("literature", "S4-relation", {"let": {"P": "I3*omega*k3 - l"}}),                   # a parameter P of the scene is hidden
-    ("N2025", "precession", {"let": {"I2": "-I1"}}), ("literature", "F1-value-2", {"printed": "0.217732421583"}),      # moments of no body
-    ("literature", "S1-E1", {"let": {**BY_KEY["literature", "S1-E1"].let, "a": "pi3_0/I3 + P/(2*I1)"}}),    # r is not real everywhere
+    # mass1 = mass3 and no spin: unstable
+    ("literature", "S13", {"printed": "pi3_0**2 >= 4*I1*A"}),
+    # l is solved for, dU has l
+    ("literature", "S5-frequency", {"printed": "(omega - m0/(I1*omega))**2 + 3*(1 - k3)*m0/I1"}),
+    # a parameter P of the scene is hidden
+    ("literature", "S4-relation", {"let": {"P": "I3*omega*k3 - l"}}),
+    # moments of no body
+    ("N2025", "precession", {"let": {"I2": "-I1"}}),
+    ("literature", "F1-value-2", {"printed": "0.217732421583"}),
+    # r is not real everywhere
+    ("literature", "S1-E1", {"let": {**BY_KEY["literature", "S1-E1"].let, "a": "pi3_0/I3 + P/(2*I1)"}}),
     ("literature", "S12-stable", {"printed": "dU + d2U >= 0"}),
     ("literature", "A1-Energy-Casimir", {"printed": "(I3 - I1)*(omega3_0**2 - m1) + l*omega3_0 - m0 > 0"}),
 ]
 
 
-@pytest.mark.parametrize(("source", "key", "change"), MUTANTS, ids=[f"{s}:{k}:{n}" for n, (s, k, _) in enumerate(MUTANTS)])
+@pytest.mark.parametrize(("source", "key", "change"), MUTANTS,
+                         ids=[f"{s}:{k}:{n}" for n, (s, k, _) in enumerate(MUTANTS)])
 def test_a_changed_formula_is_a_misprint(source, key, change):
-    """One sign, index, exponent, prime, relation, digit or verdict changed is found, with a counterexample."""
+    """One sign, index, exponent, prime, relation, digit or verdict changed is found, with a counterexample.
+    """
     outcome = outcome_of(replace(BY_KEY[source, key], **change))
     assert outcome.agrees is False and (outcome.counterexample or outcome.not_sharp)
 
 
 @pytest.mark.slow
 def test_all_mutants():
-    """Every one-symbol change of every confirmed formula is reported, or is argued to be as true as the original."""
+    """Every one-symbol change of every confirmed formula is reported, or is argued to be as true as the
+    original.
+    """
     import subprocess
     import sys
     script = Path(__file__).parents[2] / "benchmarks" / "mutate_published.py"
@@ -198,7 +242,10 @@ def test_all_mutants():
 
 @pytest.mark.slow
 def test_equality_is_decided():
-    """Rumiantsev's condition with ≥: true for m0 > 0, where the heavy top is stable at equality; at m0 = 0 = P it is not."""
+    """Rumiantsev's condition with ≥: true for m0 > 0, where the heavy top is stable at equality.
+
+    At m0 = 0 = P it is not.
+    """
     claim = replace(BY_KEY["literature", "S11-uniform"], printed="(I3*omega3_0 + l)**2 >= 4*I1*m0")
     assert outcome_of(replace(claim, given="m0 > 0")).agrees is True
     wrong = outcome_of(claim)
@@ -207,7 +254,10 @@ def test_equality_is_decided():
 
 @pytest.mark.slow
 def test_what_is_neither_confirmed_nor_refuted_is_unchecked():
-    """At equality the form of an asymmetric body is semidefinite: ≥ for > is neither confirmed nor called a misprint."""
+    """At equality the form of an asymmetric body is semidefinite.
+
+    ≥ for > is neither confirmed nor called a misprint.
+    """
     claim = BY_KEY["literature", "A1-Energy-Casimir"]
     assert outcome_of(replace(claim, printed=claim.printed.replace(">", ">="))).agrees is None
 
@@ -221,10 +271,17 @@ def test_a_wrong_correction_is_refused():
 def test_language():
     """Chains, absolute values, decimals; nothing is evaluated, and shapes have to fit."""
     a = symbol("a")
-    assert comparisons("0 < a < 2 and abs(a) < 3", {"a": a}) == [(a, True), (2, True), (2 - a, True), (9 - a**2, True)]
+    assert comparisons("0 < a < 2 and abs(a) < 3", {"a": a}) == [
+        (a, True),
+        (2, True),
+        (2 - a, True),
+        (9 - a**2, True),
+    ]
     assert decimal("-0.70") == (Rational(-7, 10), Rational(1, 200))
-    for text, why in (("__import__('os')", "cannot read"), ("a.real", "grammar"), ("a < ", "too early"), ("b", "not a name"),
-                      ("f(a)", "not a"), ("dot", "no argument"), ("dot(a", "parenthesis"), ("dot(a, a)", "do not fit"),
+    for text, why in (("__import__('os')", "cannot read"), ("a.real", "grammar"), ("a < ", "too early"),
+                      ("b", "not a name"),
+                      ("f(a)", "not a"), ("dot", "no argument"), ("dot(a", "parenthesis"),
+                      ("dot(a, a)", "do not fit"),
                       ("9**9**9", "exponent")):
         with pytest.raises(ExpressionError, match=why):
             read(text.replace("<", "+"), {"a": a, "dot": lambda x, y: (x.T * y)[0]})
@@ -259,11 +316,16 @@ def written(tmp_path, text):
 
 
 @pytest.mark.parametrize(("text", "why"), [
-    ("x = [", "is not TOML"), ("[source]\nname = 1", "no \\[source\\]"), (GOOD + "[extra]\n", "unknown tables"),
-    (GOOD + "[scene.b]\nmass = 1\n", "scene.b: a scene has no entry mass"), (GOOD + '[[formula]]\nkey = "a"\n', "a: lacks where"),
-    (GOOD + FORMULA.format("p") + "colour = 1\n", "unknown entry colour"), (GOOD + FORMULA.format("p").replace('"p"', "1", 1), "is a int"),
-    (GOOD + FORMULA.format("p").replace("identity", "guess"), "kind = 'guess'"), (GOOD + FORMULA.format("p") * 2, "occur twice"),
-    (GOOD + FORMULA.format("p").replace('"top"', '"bottom"'), "scene = 'bottom'"), (GOOD + FORMULA.format("p*"), "a: cannot read"),
+    ("x = [", "is not TOML"), ("[source]\nname = 1", "no \\[source\\]"),
+    (GOOD + "[extra]\n", "unknown tables"),
+    (GOOD + "[scene.b]\nmass = 1\n", "scene.b: a scene has no entry mass"),
+    (GOOD + '[[formula]]\nkey = "a"\n', "a: lacks where"),
+    (GOOD + FORMULA.format("p") + "colour = 1\n", "unknown entry colour"),
+    (GOOD + FORMULA.format("p").replace('"p"', "1", 1), "is a int"),
+    (GOOD + FORMULA.format("p").replace("identity", "guess"), "kind = 'guess'"),
+    (GOOD + FORMULA.format("p") * 2, "occur twice"),
+    (GOOD + FORMULA.format("p").replace('"top"', '"bottom"'), "scene = 'bottom'"),
+    (GOOD + FORMULA.format("p*"), "a: cannot read"),
     (GOOD + FORMULA.format("mass"), "a: cannot read 'mass': mass is not a name of this scene"),
     (GOOD + FORMULA.format("vector_k"), "a: printed is a 3×1 matrix, the quantity a number"),
     (GOOD + FORMULA.format("p > 0").replace("identity", "condition"), "a condition is necessary for"),
@@ -271,19 +333,25 @@ def written(tmp_path, text):
     (GOOD + FORMULA.format("1").replace("identity", "number"), "still contains"),
     (GOOD + FORMULA.format("p").replace("identity", "solution"), "the list omega1"),
     (GOOD + FORMULA.format("p").replace("identity", "equilibrium"), "6 coordinates"),
-    (GOOD.replace('["I1", "I1", "I3"]', "[1, 1, 3]") + FORMULA.format("p"), "scene.top: inertia = .*in quotation marks"),
+    (GOOD.replace('["I1", "I1", "I3"]', "[1, 1, 3]") + FORMULA.format("p"),
+     "scene.top: inertia = .*in quotation marks"),
     (GOOD.replace('"m0*k3"', "5") + FORMULA.format("p"), "scene.top: potential = 5"),
     ("scene = 5\n" + GOOD.split("[scene")[0], "\\[scene.NAME"),
     (GOOD + FORMULA.format("p").replace("[[formula]]", "[formula]"), "\\[\\[formula\\]\\]"),
     (GOOD + "[expected]\nmisprint = 'a'", "lists of keys"),
     (GOOD + FORMULA.format("p") + 'at = { zz = "1" }\n', "at gives zz"),
     (GOOD + FORMULA.format("p") + 'at = { I1 = "0" }\n', "are positive"),
-    (GOOD + FORMULA.format("p") + 'given = "m0 >= 0"\n', "write > or <"), (GOOD + FORMULA.format("entry(jacobian, 0, 1)"), "no entry 0, 1"),
-    (GOOD + '[expected]\nmisprint = [["a"]]', "lists of keys"), (GOOD + FORMULA.format("sn(vector_pi, 1)"), "sn takes numbers"),
-    (GOOD + FORMULA.format("sqrt(jacobian)"), "takes one number"), (GOOD + FORMULA.format("entry(jacobian**9, 1, 1)"), "powers 2 and 3"),
+    (GOOD + FORMULA.format("p") + 'given = "m0 >= 0"\n', "write > or <"),
+    (GOOD + FORMULA.format("entry(jacobian, 0, 1)"), "no entry 0, 1"),
+    (GOOD + '[expected]\nmisprint = [["a"]]', "lists of keys"),
+    (GOOD + FORMULA.format("sn(vector_pi, 1)"), "sn takes numbers"),
+    (GOOD + FORMULA.format("sqrt(jacobian)"), "takes one number"),
+    (GOOD + FORMULA.format("entry(jacobian**9, 1, 1)"), "powers 2 and 3"),
     (GOOD + FORMULA.format("(p + 1)**100"), "others to 12"),
-    (GOOD + FORMULA.format("round").replace('"p"', '"stability"').replace("identity", "statement"), "orbitally stable"),
-    (GOOD.replace('"E1"', '"E4"') + FORMULA.format("p"), "equilibrium = 'E4'"), (GOOD + '[expected]\nmisprint = ["b"]\n', "no such key"),
+    (GOOD + FORMULA.format("round").replace('"p"', '"stability"').replace("identity", "statement"),
+     "orbitally stable"),
+    (GOOD.replace('"E1"', '"E4"') + FORMULA.format("p"), "equilibrium = 'E4'"),
+    (GOOD + '[expected]\nmisprint = ["b"]\n', "no such key"),
     (GOOD.replace('"m0*k3"', '"m0*"') + FORMULA.format("p"), "a: cannot read 'm0\\*'")])
 def test_bad_files(tmp_path, text, why):
     """A clear error with file and key."""
@@ -302,7 +370,11 @@ def test_no_such_source(tmp_path):
 
 def test_a_file_of_ones_own(tmp_path):
     """The same format; a status that differs from the expected one is seen."""
-    text = GOOD + FORMULA.format("((omega3 - (pi3 + l)/I1)**2)").replace("l)", "0)") + '[expected]\nmisprint = ["a"]\n'
+    text = (
+        GOOD
+        + FORMULA.format("((omega3 - (pi3 + l)/I1)**2)").replace("l)", "0)")
+        + '[expected]\nmisprint = ["a"]\n'
+    )
     (finding,) = check([written(tmp_path, text)])
     assert (finding.status, finding.expected) == ("misprint", "misprint") and finding.outcome.counterexample
     assert "I1" in dict(finding.outcome.counterexample.values)
@@ -318,7 +390,10 @@ def test_progress(found):
 
 @CHECKS
 def test_second_variation_at_a_tilt_has_both_signs(found):
-    """The form of the Casimirs alone, by numpy at the counterexample: two positive, one zero and one negative eigenvalue."""
+    """The form of the Casimirs alone, by numpy at the counterexample.
+
+    Two positive, one zero and one negative eigenvalue.
+    """
     (f,) = (f for f in found["VV2003"] if f.statement.key == "E3-semidefinite")
     v = {name: float(value) for name, value in f.outcome.counterexample.values}
     k, omega = np.array([v["k1"], v["k2"], v["k3"]]), v["omega"]
@@ -329,7 +404,8 @@ def test_second_variation_at_a_tilt_has_both_signs(found):
     constraints = np.array([[*k, *(inertia * omega * k + rotor)], [0, 0, 0, *k]])
     kernel = np.linalg.svd(constraints)[2][2:].T
     values = np.sort(np.linalg.eigvalsh(kernel.T @ form @ kernel))
-    assert values[0] < -1e-6 and abs(values[1]) < 1e-9 and values[2] > 1e-6  # rounding of eigenvalues of order one
+    # rounding of eigenvalues of order one
+    assert values[0] < -1e-6 and abs(values[1]) < 1e-9 and values[2] > 1e-6
 
 
 def test_errors_are_of_one_family():
@@ -358,8 +434,10 @@ def test_the_sources_agree_where_they_print_the_same():
 
 
 @pytest.mark.parametrize(("printed", "tex"), [
-    ("-omega2*omega3*(I3 - I1)", r"- \omega_{2} \omega_{3} \left(I_3 - I_1\right)"), ("-(a + b)/c**2", r"- \frac{a + b}{c^{2}}"),
-    ("z - b - (c + d)", r"z - b - \left(c + d\right)"), ("2*(a/b)**2", r"2 \left(\frac{a}{b}\right)^{2}"), ("a*-b", r"a \left(- b\right)"),
+    ("-omega2*omega3*(I3 - I1)", r"- \omega_{2} \omega_{3} \left(I_3 - I_1\right)"),
+    ("-(a + b)/c**2", r"- \frac{a + b}{c^{2}}"),
+    ("z - b - (c + d)", r"z - b - \left(c + d\right)"), ("2*(a/b)**2", r"2 \left(\frac{a}{b}\right)^{2}"),
+    ("a*-b", r"a \left(- b\right)"),
     ("1 <= pi3*k3 < 2", r"1 \leq \pi_3 k_3 < 2"),
     ("cross(vector_k, vector_l + vector_k)", r"\mathbf{k} \times \left(\boldsymbol{l} + \mathbf{k}\right)")])
 def test_printed_formulas_keep_their_order(printed, tex):
@@ -391,17 +469,24 @@ EXP = 'inertia = ["I1", "I1", "I3"]\ngyrostatic_momentum = ["0", "0", "l"]\npote
 
 @pytest.mark.parametrize(("scene", "arguments", "expected"), [
     (E3, ("existence", "I1 > 0"), "misprint"), (E3, ("existence", "k3**2 < 1 and omega**2 > 0"), "confirmed"),
-    pytest.param(E3, ("stability", "stable", "statement"), "unchecked", marks=pytest.mark.slow),     # stable modulo the spin only
-    ('inertia = ["I1", "I2", "I2"]\nequilibrium = "axis 2"', ("stability", "stable", "statement"), "unchecked"),
+    pytest.param(E3, ("stability", "stable", "statement"), "unchecked",
+                 marks=pytest.mark.slow),     # stable modulo the spin only
+    ('inertia = ["I1", "I2", "I2"]\nequilibrium = "axis 2"', ("stability", "stable", "statement"),
+     "unchecked"),
     (EXP, ("sufficient for stability", "(pi3_0 + l)**2 > 4*I1*a*exp(a)"), "confirmed"),
     (EXP, ("sufficient for stability", "(pi3_0 + l)**2 > 4*I1*exp(a)"), "misprint"),
     (EXP, ("necessary and sufficient for stability", "(pi3_0 + l)**2 > 4*I1*a*exp(a)"), "misprint"),
-    ('parameters = ["a"]', ("sin(2*a)*sqrt(a - 20)", "2*sin(a)*cos(a)*sqrt(a - 20)", "identity"), "unchecked"),     # neither is real there
-    ('parameters = ["a"]', ("T", "2*T", "identity", "I1 < I2 and I2 < I1"), "unchecked"),          # nothing satisfies what is given
+    ('parameters = ["a"]', ("sin(2*a)*sqrt(a - 20)", "2*sin(a)*cos(a)*sqrt(a - 20)", "identity"),
+     "unchecked"),     # neither is real there
+    ('parameters = ["a"]', ("T", "2*T", "identity", "I1 < I2 and I2 < I1"),
+     "unchecked"),          # nothing satisfies what is given
     ('parameters = ["a"]', ("polhode_period(3, 2, 1, 3/10, 1/5, 9/10)", "12.9", "number"), "misprint"),
     ('inertia = ["I1", "I1", "I1"]\nparameters = ["a"]', ("T", "T", "identity"), "confirmed")])
 def test_claims_that_are_easy_to_get_wrong(tmp_path, scene, arguments, expected):
-    """Existence is not judged where it is assumed; stability modulo a flow is not stability; transcendental fields; empty domains."""
+    """Existence is not judged where it is assumed; stability modulo a flow is not stability.
+
+    Transcendental fields; empty domains.
+    """
     assert status(tmp_path, scene, *arguments) == expected
 
 
@@ -416,6 +501,7 @@ def test_a_file_with_a_byte_order_mark(tmp_path):
 def test_errata_of_odd_texts_compile(found):
     """Special characters of LaTeX and letters it does not know are set or replaced."""
     finding = next(f for f in found["AR"] if f.status == "misprint")
-    odd = replace(finding, statement=replace(finding.statement, note="50% of $x_1 & #2 \\foo {~^} \U0001d714"))
+    odd = replace(finding, statement=replace(finding.statement,
+                                             note="50% of $x_1 & #2 \\foo {~^} \U0001d714"))
     tex = latex([odd])
     assert r"50\% of \$x\_1 \& \#2 \textbackslash{}foo \{\textasciitilde{}\^{}\} ?" in tex

@@ -44,7 +44,10 @@ def decided(inertia, rotor, U, point, values=None):
     (lambda a, b, c: a**4 + b**6, (0, 0, 0), "UNDECIDED"),
     (lambda a, b, c: a**2, (0, 0, 0), "UNDECIDED")])
 def test_rest_in_a_degenerate_field_is_decided_by_the_leading_form(U, rotor, expected):
-    """Lagrange-Dirichlet where it is positive; Chetaev where it is not and l = 0; nothing where gyroscopic forces might help."""
+    """Lagrange-Dirichlet where it is positive; Chetaev where it is not and l = 0.
+
+    Nothing where gyroscopic forces might help.
+    """
     decision = decided((1, 2, 3), rotor, U, UP)
     assert decision.verdict.name == expected, decision
 
@@ -58,7 +61,10 @@ def test_rest_in_a_degenerate_field_is_decided_by_the_leading_form(U, rotor, exp
     (lambda a, b, c: 0, (0, 0, 0), UP, "UNSTABLE"),
     (lambda a, b, c: 0, (0, 1, -1), (0, -1, 1, 0, 0, 1), "UNDECIDED")])
 def test_rest_without_torque_is_decided_by_the_momentum(U, rotor, point, expected):
-    """k along l ≠ 0 is stable, because M and k stay where they are in space; any other k is carried away; M = 0 is left open."""
+    """k along l ≠ 0 is stable, because M and k stay where they are in space; any other k is carried away.
+
+    M = 0 is left open.
+    """
     inertia = (1, 2, 2) if expected == "UNDECIDED" else (1, 2, 3)
     if expected == "UNDECIDED":
         rotor, point = (0, 0, -1), (0, 0, 1, 0, 0, 1)
@@ -90,7 +96,10 @@ def run(rate, start, time, steps):
 
 @pytest.mark.slow
 def test_a_slow_turn_carries_k_away_where_k_is_not_along_the_rotor():
-    """Motions that start within 10⁻² of rest: k stays within a few 10⁻² where k ∥ l and goes far where it is not."""
+    """Motions that start within 10⁻² of rest.
+
+    K stays within a few 10⁻² where k ∥ l and goes far where it is not.
+    """
     l, small = np.array([0, 0, 1.0]), 1e-2
     along = torque_free_motion((1, 2, 3), l, [small, small, small, 0, 0, 1], 2000, 8000)
     across = torque_free_motion((1, 2, 3), l, [0, 0, small, 0.6, 0, 0.8], 2000, 8000)
@@ -108,10 +117,16 @@ def basis(k):
 
 
 @pytest.mark.slow
-@given(st.tuples(moments, moments, moments), st.tuples(numbers, numbers, numbers), st.sampled_from([2, 4, 6]), st.sampled_from([4, 6]),
+@given(st.tuples(moments, moments, moments), st.tuples(numbers, numbers, numbers),
+       st.sampled_from([2, 4, 6]), st.sampled_from([4, 6]),
        st.sampled_from([(2, 1, 2), (-1, 2, 2), (0, 0, -3), (3, 0, 0)]), numbers, st.sampled_from([1, -1]))
-def test_a_field_with_a_minimum_by_construction_is_stable_and_its_opposite_at_rest_is_not(inertia, rotor, p, q, axis, tilt, side):
-    """U = ±((a·k)ᵖ + (b·k + tilt (a·k)²)^q (2 + k1)), a and b across k0: 0 at k0 alone nearby. No number of it is special to our chart."""
+def test_a_field_with_a_minimum_by_construction_is_stable_and_its_opposite_at_rest_is_not(
+    inertia, rotor, p, q, axis, tilt, side
+):
+    """U = ±((a·k)ᵖ + (b·k + tilt (a·k)²)^q (2 + k1)), a and b across k0.
+
+    0 at k0 alone nearby. No number of it is special to our chart.
+    """
     k0 = [Rational(n, 3) for n in axis]
     a, b = ([Rational(int(n)) for n in v] for v in basis(axis))
 
@@ -127,13 +142,20 @@ def test_a_field_with_a_minimum_by_construction_is_stable_and_its_opposite_at_re
 
 
 @given(moments, moments, moments, numbers, numbers, numbers)
-def test_a_pitchfork_of_a_turning_body_is_stable_where_the_amended_potential_has_a_minimum(I1, I2, I3, l, w, b):
-    """E1 with l on axis 3, U = m0 k3 + b k1⁴, where the form vanishes along k1: the fourth degree, expanded here by itself."""
+def test_a_pitchfork_of_a_turning_body_is_stable_where_the_amended_potential_has_a_minimum(
+    I1, I2, I3, l, w, b
+):
+    """E1 with l on axis 3, U = m0 k3 + b k1⁴, where the form vanishes along k1.
+
+    The fourth degree, expanded here by itself.
+    """
     m0 = (I3 - I1) * w**2 + l * w
     if (I3 - I2) * w**2 + l * w - m0 <= 0:
         return
-    decision = decided((I1, I2, I3), (0, 0, l), lambda x, y, z: Rational(m0) * z + Rational(b) * x**4, (0, 0, I3 * w, 0, 0, 1))
-    c = I3 * w + l                                     # z = √(1 − s) with s = x²: U_c = m0 z + b s² + (c − l z)²/(2 (I1 s + I3 (1 − s)))
+    decision = decided((I1, I2, I3), (0, 0, l), lambda x, y, z: Rational(m0) * z + Rational(b) * x**4,
+                       (0, 0, I3 * w, 0, 0, 1))
+    # z = √(1 − s) with s = x²: U_c = m0 z + b s² + (c − l z)²/(2 (I1 s + I3 (1 − s)))
+    c = I3 * w + l
     z2 = Fraction(-1, 8)                               # z = 1 − s/2 + z2 s²
     n0, n1, n2 = (c - l) ** 2, (c - l) * l, l**2 / 4 - 2 * (c - l) * l * z2
     r = (I1 - I3) / I3
@@ -156,11 +178,16 @@ def escapes(U_slope, inertia, small, time):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("slope, bound", [
-    (lambda k: np.array([4 * k[0] ** 3, 4 * k[1] ** 3, 0]), False), (lambda k: np.array([-4 * k[0] ** 3, -4 * k[1] ** 3, 0]), True),
-    (lambda k: np.array([2 * k[0], -4 * k[1] ** 3, 0]), True), (lambda k: np.array([3 * k[0] ** 2, 2 * k[1], 0]), True),
+    (lambda k: np.array([4 * k[0] ** 3, 4 * k[1] ** 3, 0]), False),
+    (lambda k: np.array([-4 * k[0] ** 3, -4 * k[1] ** 3, 0]), True),
+    (lambda k: np.array([2 * k[0], -4 * k[1] ** 3, 0]), True),
+    (lambda k: np.array([3 * k[0] ** 2, 2 * k[1], 0]), True),
     (lambda k: np.array([3 * k[0] ** 2 * k[1], k[0] ** 3, 0]), True)])
 def test_motions_at_rest_do_what_the_leading_form_says(slope, bound):
-    """Euler-Poisson from a tilt of 0.1: it grows fivefold where the form takes negative values, and not twofold where it has a minimum."""
+    """Euler-Poisson from a tilt of 0.1.
+
+    It grows fivefold where the form takes negative values, and not twofold where it has a minimum.
+    """
     tilt = max(escapes(slope, (1, 2, 3), 0.1 * side, 120) for side in (1, -1))
     assert tilt > 0.5 if bound else tilt < 0.2
 
@@ -173,14 +200,16 @@ def test_signs_of_a_form_are_those_of_its_values(coefficients):
         angles = np.linspace(0, np.pi, 400)
         values = sum(float(c) * np.cos(angles) ** i * np.sin(angles) ** j for (i, j), c in form.items())
         found = values_of(form, 4)
-        assert {1} <= found if values.max() > 1e-9 else 1 not in found         # a sine of 400 directions, doubles
+        # a sine of 400 directions, doubles
+        assert {1} <= found if values.max() > 1e-9 else 1 not in found
         assert {-1} <= found if values.min() < -1e-9 else True
 
 
 @given(numbers, numbers, numbers, numbers)
 def test_the_valley_is_found_along_a_curved_bottom(shear, bend, third, fourth):
     """(x + shear y + bend y²)² + third y³ + fourth y⁴ has the lowest values third y³ + fourth y⁴ over x."""
-    value = ((x + Rational(shear) * y + Rational(bend) * y**2) ** 2 + Rational(third) * y**3 + Rational(fourth) * y**4).expand()
+    value = ((x + Rational(shear) * y + Rational(bend) * y**2) ** 2 + Rational(third) * y**3
+             + Rational(fourth) * y**4).expand()
     forms = [{k: c for k, c in value.as_poly(x, y).terms() if sum(k) == n and c} for n in range(5)]
     assert list(valley(forms)) == [Rational(third), Rational(fourth)]
 
@@ -190,14 +219,19 @@ def test_a_name_that_the_leading_form_needs_is_asked_for():
     a = gs.symbol("a")
     missing = decided((1, 2, 3), (0, 0, 0), lambda u, v, w: a * u**4 + v**4, UP)
     assert missing.verdict.name == "UNDECIDED" and "give a " in missing.reason
-    for value, expected in ((1, "STABLE"), (-1, "UNSTABLE"), ("pi", "STABLE"), ("sqrt(2) - 3/2", "UNSTABLE"), (0, "UNDECIDED")):
-        assert decided((1, 2, 3), (0, 0, 0), lambda u, v, w: a * u**4 + v**4, UP, {"a": value}).verdict.name == expected
+    for value, expected in ((1, "STABLE"), (-1, "UNSTABLE"), ("pi", "STABLE"), ("sqrt(2) - 3/2", "UNSTABLE"),
+                            (0, "UNDECIDED")):
+        assert (
+            decided((1, 2, 3), (0, 0, 0), lambda u, v, w: a * u**4 + v**4, UP, {"a": value}).verdict.name
+            == expected
+        )
 
 
 def test_irrational_directions_are_expanded_exactly():
     """At (1, 1, 1)/√3."""
     k0 = (1 / sqrt(3),) * 3
-    for U, expected in ((lambda a, b, c: (a - b) ** 4 + (b - c) ** 4, "STABLE"), (lambda a, b, c: (a - b) ** 2 - (b - c) ** 4, "UNSTABLE")):
+    for U, expected in ((lambda a, b, c: (a - b) ** 4 + (b - c) ** 4, "STABLE"),
+                        (lambda a, b, c: (a - b) ** 2 - (b - c) ** 4, "UNSTABLE")):
         assert decided((1, 2, 3), (0, 0, 0), U, (0, 0, 0, *k0)).verdict.name == expected
 
 

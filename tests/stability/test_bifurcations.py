@@ -1,4 +1,7 @@
-"""Where equilibria meet: between consecutive points their number is constant, at a point it changes as its kind says."""
+"""Where equilibria meet.
+
+Between consecutive points their number is constant, at a point it changes as its kind says.
+"""
 from fractions import Fraction
 from itertools import pairwise
 
@@ -17,8 +20,10 @@ k3, omega = gs.symbol("k3"), gs.symbol("omega")
 TERMS = [gs.symbol(f"a{n}") for n in range(1, 6)]
 FIELD = sum(a * k3**n for n, a in enumerate(TERMS, 1))
 BODY = {"I1": Fraction(2), "I3": Fraction(3), "l": Fraction(1, 2)}
-FIELDS = {"cubic": (Fraction(1, 2), -3, Fraction(2, 7), 0, 0), "quartic": (Fraction(1, 3), 2, Fraction(-5, 2), -3, 0),
-          "quintic": (-1, Fraction(3, 2), 4, Fraction(-1, 2), -3), "oblate": (Fraction(3, 4), Fraction(-9, 2), 1, 2, Fraction(1, 5))}
+FIELDS = {"cubic": (Fraction(1, 2), -3, Fraction(2, 7), 0, 0),
+          "quartic": (Fraction(1, 3), 2, Fraction(-5, 2), -3, 0),
+          "quintic": (-1, Fraction(3, 2), 4, Fraction(-1, 2), -3),
+          "oblate": (Fraction(3, 4), Fraction(-9, 2), 1, 2, Fraction(1, 5))}
 
 
 @pytest.fixture(scope="module")
@@ -75,27 +80,37 @@ def cases():
     """Kind, the values given, the free name."""
     for field, name, rate in RATE:
         values = numbers_of(field) | ({"omega": Fraction(rate)} if rate is not None else {})
-        yield pytest.param("rate", {n: x for n, x in values.items() if n != name}, name, id=f"rate-{field}-{name}")
+        yield pytest.param("rate", {n: x for n, x in values.items() if n != name}, name,
+                           id=f"rate-{field}-{name}")
     for field, name, level in LEVEL:
         values = numbers_of(field) | {"pi3_0": Fraction(1), "C1": Fraction(level)}
         if name == "C1":
-            values["pi3_0"] = Fraction(level)          # and not −l: the middle of a gap is not to be on the level of a pole
-        yield pytest.param("level", {n: x for n, x in values.items() if n != name}, name, id=f"level-{field}-{name}")
+            # and not −l: the middle of a gap is not to be on the level of a pole
+            values["pi3_0"] = Fraction(level)
+        yield pytest.param("level", {n: x for n, x in values.items() if n != name}, name,
+                           id=f"level-{field}-{name}")
 
 
 @pytest.mark.parametrize(("kind", "values", "name"), list(cases()))
 def test_all_points_are_found(polynomial, kind, values, name):
-    """The number of E3, or of precessions, is constant between the points; it changes by 1 where E3 leaves a pole, by 2 at a fold.
+    """The number of E3, or of precessions, is constant between the points.
 
-    Sturm's theorem counts at six fractions of each gap, two of them 10⁻¹⁵ from its ends; the branches agree in the middle. On a
-    level with C1 = ±(π3 + l) a precession is replaced by E1 or E2: fractions are not taken there.
+    It changes by 1 where E3 leaves a pole, by 2 at a fold.
+
+    Sturm's theorem counts at six fractions of each gap, two of them 10⁻¹⁵ from its ends; the branches agree
+    in the middle. On a level with C1 = ±(π3 + l) a precession is replaced by E1 or E2: fractions are not
+    taken there.
     """
     found = groups(bifurcation_points(polynomial, values, name))
     positive, places = name in ("I1", "I3"), [value for value, _ in found]
-    edges = [Fraction(0) if positive else min([Fraction(0), *places]) - 40, *places, max([Fraction(0), *places]) + 40]
+    edges = [Fraction(0) if positive else min([Fraction(0), *places]) - 40, *places,
+             max([Fraction(0), *places]) + 40]
     gaps = []
     for a, b in pairwise(edges):
-        inside = [a + (b - a) * Fraction(n, 11) for n in (1, 4, 6, 9)] + [a + Fraction(1, 10**15), b - Fraction(1, 10**15)]
+        inside = [a + (b - a) * Fraction(n, 11) for n in (1, 4, 6, 9)] + [
+            a + Fraction(1, 10**15),
+            b - Fraction(1, 10**15),
+        ]
         counts = {count(kind, values | {name: x}) for x in inside}
         assert len(counts) == 1
         assert len(tilts(polynomial, values | {name: (a + b) / 2})) in counts
@@ -108,7 +123,10 @@ def test_all_points_are_found(polynomial, kind, values, name):
 @pytest.mark.parametrize(("kind", "values", "name"), [c for c in cases() if c.id in (
     "rate-cubic-l", "rate-quartic-l", "rate-oblate-omega", "level-cubic-C1")])
 def test_the_equations_vanish(polynomial, kind, values, name):
-    """Each equation of the kind, with the derivatives of U at the k3 of the point: exactly 0; poles at k3 = ±1, folds between them."""
+    """Each equation of the kind, with the derivatives of U at the k3 of the point: exactly 0.
+
+    Poles at k3 = ±1, folds between them.
+    """
     of_kind = {b.kind: b for b in bifurcations(polynomial)}
     points = bifurcation_points(polynomial, values, name)
     assert points
@@ -116,7 +134,9 @@ def test_the_equations_vanish(polynomial, kind, values, name):
         b = of_kind[point.kind]
         numbers = {gs.symbol(n): Rational(x.numerator, x.denominator) for n, x in values.items()}
         numbers |= {gs.symbol(name): point.value, k3: point.k3}
-        assert point.name == name and sign(1 - k3**2, numbers) == (b.at == k3) and (b.at == k3 or b.at == point.k3)
+        assert point.name == name
+        assert sign(1 - k3**2, numbers) == (b.at == k3)
+        assert (b.at == k3 or b.at == point.k3)
         P, v = gs.symbol("pi3_0") + gs.symbol("l"), gs.symbol("C1")
         rate = (v - P * k3) / (gs.symbol("I1") * (1 - k3**2))
         for equation in b.equations:
@@ -130,7 +150,10 @@ def test_the_equations_vanish(polynomial, kind, values, name):
 @pytest.mark.parametrize(("kind", "values", "name"), [c for c in cases() if c.id in (
     "rate-quartic-l", "rate-quartic-a2", "rate-quintic-I1", "level-cubic-C1", "level-cubic-a1")])
 def test_stability_at_a_fold(polynomial, kind, values, name):
-    """The two that meet: at a fixed rate alike, on a level one stable and one unstable; others are as on the other side."""
+    """The two that meet: at a fixed rate alike, on a level one stable and one unstable.
+
+    Others are as on the other side.
+    """
     folds = [p for p in bifurcation_points(polynomial, values, name) if p.kind.startswith("fold")]
     assert folds
     for point in folds:
@@ -138,7 +161,8 @@ def test_stability_at_a_fold(polynomial, kind, values, name):
         sides = sorted((tilts(polynomial, values | {name: value + s * step}) for s in (1, -1)), key=len)
         assert len(sides[1]) == len(sides[0]) + 2
         pair = sorted(sides[1], key=lambda b: abs(b.k3.evalf(30) - point.k3.evalf(30)))[:2]
-        assert all(abs(b.k3.evalf(30) - point.k3.evalf(30)) < 1e-2 for b in pair)       # of the order of the root of the step
+        # of the order of the root of the step
+        assert all(abs(b.k3.evalf(30) - point.k3.evalf(30)) < 1e-2 for b in pair)
         verdicts = {b.decision.verdict.name for b in pair}
         assert verdicts == {"STABLE", "UNSTABLE"} if kind == "level" else len(verdicts) == 1
         others = [b.decision.verdict for b in sides[1] if b not in pair]
@@ -147,14 +171,18 @@ def test_stability_at_a_fold(polynomial, kind, values, name):
 
 @pytest.mark.parametrize("field", ["cubic", "quartic"])
 def test_what_vanishes_at_a_fold_on_a_level_is_the_margin(polynomial, field):
-    """On the precessions of a level its first equation vanishes, and its second is positive exactly where they are stable."""
+    """On the precessions of a level its first equation vanishes, and its second is positive exactly where
+    they are stable.
+    """
     (b,) = [b for b in bifurcations(polynomial) if b.kind == "fold on a level"]
     values = numbers_of(field) | {"pi3_0": Fraction(-1), "C1": Fraction(1, 4)}
     found = tilts(polynomial, values)
     for branch in found:
-        numbers = {gs.symbol(n): Rational(x.numerator, x.denominator) for n, x in values.items()} | {k3: branch.k3, omega: branch.omega}
+        numbers = {gs.symbol(n): Rational(x.numerator, x.denominator)
+                   for n, x in values.items()} | {k3: branch.k3, omega: branch.omega}
         jets = {gs.symbol(jet_name(n)): FIELD.diff(k3, n) for n in (1, 2)}
-        first, second = (e.xreplace(jets).xreplace({gs.symbol("p_psi"): gs.symbol("pi3_0") + gs.symbol("l")}) for e in b.equations)
+        first, second = (e.xreplace(jets).xreplace({gs.symbol("p_psi"): gs.symbol("pi3_0") + gs.symbol("l")})
+                         for e in b.equations)
         assert sign(first, numbers) == 0
         assert sign(second, numbers) == (1 if branch.decision.verdict.name == "STABLE" else -1)
     assert found
@@ -162,9 +190,13 @@ def test_what_vanishes_at_a_fold_on_a_level_is_the_margin(polynomial, field):
 
 @pytest.mark.parametrize("field", FIELDS)
 def test_where_a_tilt_leaves_a_pole_the_pole_keeps_its_stability(polynomial, e1, e2, field):
-    """There P² − 4 s I1 U' = (l − s (2 I1 − I3) s ω)² ≥ 0: E1, E2 stable on both sides; the tilt that leaves is stable too."""
+    """There P² − 4 s I1 U' = (l − s (2 I1 − I3) s ω)² ≥ 0: E1, E2 stable on both sides.
+
+    The tilt that leaves is stable too.
+    """
     values = numbers_of(field) | {"omega": Fraction(3, 4)}
-    points = [p for p in bifurcation_points(polynomial, {n: x for n, x in values.items() if n != "l"}, "l") if p.kind in STEP]
+    points = [p for p in bifurcation_points(polynomial, {n: x for n, x in values.items() if n != "l"}, "l")
+              if p.kind in STEP]
     poles = [p for p in points if p.kind.startswith("E3 leaves")]
     assert {p.kind for p in poles} == {"E3 leaves E1", "E3 leaves E2"}
     for p in poles:
@@ -183,7 +215,10 @@ def test_where_a_tilt_leaves_a_pole_the_pole_keeps_its_stability(polynomial, e1,
 
 
 def test_where_precessions_leave_a_pole(polynomial, e1, e2):
-    """P² = ±4 I1 U'(±1): the margin is 0, Report.boundary decides; E1 and E2 are stable beyond, unstable before."""
+    """P² = ±4 I1 U'(±1): the margin is 0, Report.boundary decides.
+
+    E1 and E2 are stable beyond, unstable before.
+    """
     for field in FIELDS:
         values = {n: x for n, x in numbers_of(field).items() if n != "I3"}
         points = bifurcation_points(polynomial, values, "pi3_0")
@@ -193,19 +228,27 @@ def test_where_precessions_leave_a_pole(polynomial, e1, e2):
         for p in points:
             report, s = (e1, 1) if p.k3 == 1 else (e2, -1)
             assert abs((near(p.value) + values["l"]) ** 2 - 4 * s * values["I1"] * slopes[s]) < 1e-25
-            jets = {jet_name(n): FIELD.diff(k3, n).subs({a: Rational(values[a.name].numerator, values[a.name].denominator) for a in TERMS})
-                    .subs(k3, s) for n in range(1, 7)}
+            jets = {
+                jet_name(n): FIELD.diff(k3, n)
+                .subs({a: Rational(values[a.name].numerator, values[a.name].denominator) for a in TERMS})
+                .subs(k3, s)
+                for n in range(1, 7)
+            }
             at = {"I1": values["I1"], "l": values["l"], **jets}
             known = {n: x for n, x in at.items() if n in report.parameters or jet(n)}
             decision = report.verdict(known | {"pi3_0": p.value})
             assert "on the boundary" in decision.reason and decision.verdict.name in ("STABLE", "UNSTABLE")
             outward = 1 if near(p.value) + values["l"] > 0 else -1
-            beside = [report.verdict(known | {"pi3_0": near(p.value) + d * outward * Fraction(1, 10**6)}).verdict.name for d in (1, -1)]
+            beside = [report.verdict(known | {"pi3_0": near(p.value) + d * outward
+                                              * Fraction(1, 10**6)}).verdict.name for d in (1, -1)]
             assert beside == ["STABLE", "UNSTABLE"]
 
 
 def test_the_lagrange_top():
-    """I1 = 2, I3 = 1, m0 = 3, ω = 1: E3 between l = 2 and l = 4; the sleeping top is left at P² = 4 I1 m0; no fold at a fixed rate."""
+    """I1 = 2, I3 = 1, m0 = 3, ω = 1: E3 between l = 2 and l = 4; the sleeping top is left at P² = 4 I1 m0.
+
+    No fold at a fixed rate.
+    """
     top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     body = {"I1": 2, "I3": 1, "m0": 3}
     assert [(p.kind, p.value, p.k3) for p in bifurcation_points(top, body | {"omega": 1}, "l")] == [
@@ -213,11 +256,15 @@ def test_the_lagrange_top():
     assert [len(tilts(top, body | {"omega": 1, "l": x})) for x in (1, 2, 3, 4, 5)] == [0, 0, 1, 0, 0]
     assert [(p.kind, p.value) for p in bifurcation_points(top, body | {"l": 0}, "pi3_0")] == [
         ("precessions leave E1", -2 * sqrt(6)), ("precessions leave E1", 2 * sqrt(6))]
-    assert [p.kind for p in bifurcation_points(top, body | {"l": 1, "pi3_0": 1}, "C1")] == []      # every precession is stable (S5)
+    # every precession is stable (S5)
+    assert [p.kind for p in bifurcation_points(top, body | {"l": 1, "pi3_0": 1}, "C1")] == []
 
 
 def test_a_moment_stays_positive():
-    """A free moment by any name: only positive values; U = a k3, ω = 1: E3 leaves E1 at I1 = I3 + l − a, E2 at I1 = I3 − l + a."""
+    """A free moment by any name: only positive values.
+
+    U = a k3, ω = 1: E3 leaves E1 at I1 = I3 + l − a, E2 at I1 = I3 − l + a.
+    """
     A, C, l, a = map(gs.symbol, ("A", "C", "l", "a"))
     for body, name in ((gs.Gyrostat((A, A, C), (0, 0, l)), "A"), (gs.symmetric_gyrostat(), "I1")):
         scene = gs.assemble(body, gs.axial_potential(a * k3))
@@ -233,11 +280,13 @@ def test_folds_beside_a_value_at_which_every_tilt_turns():
     a = gs.symbol("a")
     inside = gs.axial_potential(a * k3 + a**2 * k3**2 / 2 + a * k3**4)
     scene = gs.assemble(gs.Gyrostat((2, 2, 2), (0, 0, a)), inside)
-    points = [p for p in bifurcation_points(scene, {"omega": Rational(1, 2)}, "a") if p.kind == "fold at fixed rate"]
+    points = [p for p in bifurcation_points(scene, {"omega": Rational(1, 2)}, "a")
+              if p.kind == "fold at fixed rate"]
     f = lambda t: [Fraction(1, 2), t, Fraction(0), Fraction(4)]  # noqa: E731
     values = [near(p.value) for p in points]
     assert len(values) == 1
-    counts = [oracle.count_roots(f(t), -1, 1) for t in (values[0] - Fraction(1, 100), values[0] + Fraction(1, 100))]
+    counts = [oracle.count_roots(f(t), -1, 1) for t in (values[0] - Fraction(1, 100),
+                                                        values[0] + Fraction(1, 100))]
     assert sorted(counts) in ([0, 2], [1, 3])
 
 
@@ -250,7 +299,8 @@ def test_algebraic_numbers_are_given():
         ("E3 leaves E1", sqrt(6) - 5, 1), ("E3 leaves E2", sqrt(6) - 1, -1),
         ("fold at fixed rate", sqrt(6) + Rational(1, 3), -Rational(1, 3))]
     rho = CRootOf(k3**3 - k3 - 1, 0)                   # written in k3 itself
-    (fold,) = [p for p in bifurcation_points(scene, {"I1": 2, "I3": 1, "l": rho, "omega": 1}, "a") if p.kind == "fold at fixed rate"]
+    (fold,) = [p for p in bifurcation_points(scene, {"I1": 2, "I3": 1, "l": rho, "omega": 1}, "a")
+               if p.kind == "fold at fixed rate"]
     assert fold.k3 == -Rational(1, 6) and sign(fold.value - rho - Rational(1, 12), {}) == 0
 
 
@@ -258,7 +308,9 @@ def test_a_field_that_is_infinite_at_a_pole():
     """U = a/(1 − k3): nothing leaves E1, which does not exist."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(gs.symbol("a") / (1 - k3)))
     body = {"I1": 2, "I3": 1, "a": -1}
-    points = bifurcation_points(scene, body | {"omega": 1}, "l") + bifurcation_points(scene, body | {"l": 0}, "pi3_0")
+    points = bifurcation_points(scene, body | {"omega": 1}, "l") + bifurcation_points(
+        scene, body | {"l": 0}, "pi3_0"
+    )
     kinds = {p.kind for p in points}
     assert "E3 leaves E2" in kinds and not any(kind.endswith("E1") for kind in kinds)
 
@@ -267,12 +319,19 @@ def test_a_field_of_numbers_that_is_infinite_at_a_pole():
     """U = 1/(1 − k3) at ω = 1, I1 − I3 = 1: E3 leaves E2 where l = 1/4 − 1; nothing leaves E1."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(1 / (1 - k3)))
     points = bifurcation_points(scene, {"I1": 2, "I3": 1, "omega": 1}, "l")
-    assert [(p.kind, p.value) for p in points if p.kind.startswith("E3")] == [("E3 leaves E2", Rational(1, 4) - 1)]
-    assert {p.kind for p in bifurcation_points(scene, {"I1": 2, "I3": 1, "l": 0}, "pi3_0")} <= {"precessions leave E2"}
+    assert [(p.kind, p.value) for p in points if p.kind.startswith("E3")] == [
+        ("E3 leaves E2", Rational(1, 4) - 1)
+    ]
+    assert {p.kind for p in bifurcation_points(scene, {"I1": 2, "I3": 1, "l": 0}, "pi3_0")} <= {
+        "precessions leave E2"
+    }
 
 
 def test_a_tilt_that_exists_at_every_rate_is_crossed():
-    """U = k3⁴ − k3²/2, l = 0: k3 = 0 is E3 at every ω; 4 k3² = 1 − (I1 − I3) ω² branches from it where ω² = 1."""
+    """U = k3⁴ − k3²/2, l = 0: k3 = 0 is E3 at every ω.
+
+    4 k3² = 1 − (I1 − I3) ω² branches from it where ω² = 1.
+    """
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(k3**4 - k3**2 / 2))
     points = bifurcation_points(scene, {"I1": 2, "I3": 1, "l": 0}, "omega")
     assert [(p.value, p.k3) for p in points if p.kind == "pitchfork at fixed rate"] == [(-1, 0), (1, 0)]
@@ -285,11 +344,14 @@ def test_every_kind_says_what_happens(scene):
 
 
 @pytest.mark.parametrize(("values", "name", "message"), [
-    ({"omega": 1, "m0": 1}, "foo", "no parameter foo"), ({"omega": 1, "m0": 1, "foo": 1}, "l", "no parameter foo"),
-    ({"omega": 1}, "l", "E3 leaves E1 needs m0: give a number"), ({"m0": 1, "omega": 1, "pi3_0": 1}, "l", "given were"),
+    ({"omega": 1, "m0": 1}, "foo", "no parameter foo"),
+    ({"omega": 1, "m0": 1, "foo": 1}, "l", "no parameter foo"),
+    ({"omega": 1}, "l", "E3 leaves E1 needs m0: give a number"),
+    ({"m0": 1, "omega": 1, "pi3_0": 1}, "l", "given were"),
     ({"m0": 1, "l": 1}, "m0", "free is m0"), ({"m0": 1, "C1": 1}, "l", "free is l"),
     ({"m0": 1, "omega": 1, "I1": -1}, "l", "I1 = -1, but a moment"),
-    ({"m0": 1, "omega": 1, "l": 1}, "l", "free is l"), ({"m0": 1, "omega": 1, "k3": 0}, "l", "no parameter k3")])
+    ({"m0": 1, "omega": 1, "l": 1}, "l", "free is l"),
+    ({"m0": 1, "omega": 1, "k3": 0}, "l", "no parameter k3")])
 def test_what_is_asked_must_be_clear(values, name, message):
     """Unknown and missing names, a name both given and free, rate and level together: refused."""
     top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
@@ -302,6 +364,7 @@ def test_scenes_out_of_scope(scene, asymmetric, free):
     for refused in (scene, asymmetric, free):
         with pytest.raises(ScopeError, match="this scene has"):
             bifurcation_points(refused, {"I1": 2, "I3": 1, "omega": 1}, "l")
-    waves = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: gs.symbol("a") * 2 ** (k3 / 2)))
+    waves = gs.assemble(gs.symmetric_gyrostat(),
+                        gs.axial_potential(lambda k3: gs.symbol("a") * 2 ** (k3 / 2)))
     with pytest.raises(ScopeError, match="algebraic coefficients"):
         bifurcation_points(waves, {"I1": 2, "I3": 1, "omega": 1, "a": 1}, "l")

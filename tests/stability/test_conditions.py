@@ -44,13 +44,17 @@ def test_vertical_conditions(report, s, request):
 
 
 def test_inclined_conditions(e3):
-    """p ≥ 0 and p > 0 modulo the spin, p as printed in VV2003 §5 with U' from the relation; the Casimirs alone say nothing."""
+    """p ≥ 0 and p > 0 modulo the spin, p as printed in VV2003 §5 with U' from the relation.
+
+    The Casimirs alone say nothing.
+    """
     a = ((I1 - I3) * omega * k3 - l) / I1
     slope = omega * l - omega**2 * k3 * (I1 - I3)
     p = I1 * (1 - k3**2) * d2U - 2 * I1 * k3 * slope + I1**2 * (omega**2 + a**2)
     assert single(e3.necessary).margin == single(e3.sufficient).margin == expand(p)
     assert not single(e3.necessary).strict and single(e3.sufficient).strict
-    assert e3.sufficient.modulo == e3.necessary.modulo == (gs.symbol("pi3"),) and e3.casimirs_only.alternatives == ()
+    assert e3.sufficient.modulo == e3.necessary.modulo == (gs.symbol("pi3"),)
+    assert e3.casimirs_only.alternatives == ()
 
 
 @pytest.mark.parametrize(("make", "s"), [(gs.upright, 1), (gs.hanging, -1)])
@@ -79,10 +83,13 @@ def test_the_general_test_stays_available(e1):
     assert p.degenerate == () and expand(2 * p.margin - even**2 - I3**2 * (P**2 - 4 * I1 * dU)) == 0
 
 
-@given(I1_=moments, I3_=moments, l_=numbers, spin=numbers, u=numbers, degenerate=st.booleans(), boundary=st.booleans())
+@given(I1_=moments, I3_=moments, l_=numbers, spin=numbers, u=numbers, degenerate=st.booleans(),
+       boundary=st.booleans())
 @settings(max_examples=150)
 def test_reduction_keeps_the_truth(e1, I1_, I3_, l_, spin, u, degenerate, boundary):
-    """The three conditions and the one they are reduced to hold at the same points, those with 2a + b = 0 included."""
+    """The three conditions and the one they are reduced to hold at the same points, those with 2a + b = 0
+    included.
+    """
     if degenerate:
         assume(2 * I1_ != I3_)
         spin = I3_ * l_ / (2 * I1_ - I3_)
@@ -95,28 +102,37 @@ def test_reduction_keeps_the_truth(e1, I1_, I3_, l_, spin, u, degenerate, bounda
 
 
 def test_free_rotation(free):
-    """(l + (I3 − I1) ω)(l + (I3 − I2) ω): > 0 suffices, ≥ 0 is necessary (Hughes, chapter 6); both signs of the form count."""
+    """(l + (I3 − I1) ω)(l + (I3 − I2) ω): > 0 suffices, ≥ 0 is necessary (Hughes, chapter 6).
+
+    Both signs of the form count.
+    """
     report = gs.analyze(gs.principal_rotation(free, 3))
     product = expand((l + (I3 - I1) * w3) * (l + (I3 - I2) * w3))
     assert single(report.necessary).margin == single(report.sufficient).margin == product
     plain = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
-    verdicts = [gs.analyze(gs.principal_rotation(plain, axis)).verdict({f"omega{axis}_0": 1}).verdict.name for axis in (1, 2, 3)]
+    verdicts = [gs.analyze(gs.principal_rotation(plain, axis)).verdict({f"omega{axis}_0": 1}).verdict.name
+                for axis in (1, 2, 3)]
     assert verdicts == ["STABLE", "UNSTABLE", "STABLE"]
 
 
 def test_what_was_dropped_is_proved(e1, e2):
-    """p ≥ 0 follows at E1 and E2 by the identity of the design, p = ½ (2a + b)² + ½ (b² + 4dc), up to (I1 I3)²."""
+    """p ≥ 0 follows at E1 and E2 by the identity of the design, p = ½ (2a + b)² + ½ (b² + 4dc), up to (I1
+    I3)².
+    """
     for report in (e1, e2):
         (proof,) = single(report.necessary).implies
         assert proof.source == "p" and proof.by == single(report.necessary).margin
         assert expand(proof.margin - proof.square - proof.factor * proof.by) == 0
-        assert proof.factor.is_positive and cancel(proof.square / (I3 * P - 2 * I1 * pi3) ** 2) == Rational(1, 2)
+        assert proof.factor.is_positive
+        assert cancel(proof.square / (I3 * P - 2 * I1 * pi3) ** 2) == Rational(1, 2)
         p = gs.spectral_criterion(report.linearization).alternatives[0][0]
         assert proof.margin == p.margin
 
 
 def test_every_steady_precession_of_the_heavy_top_is_stable():
-    """U = m0 k3: p is (I1 ω² − m0 k3)² + m0² (1 − k3²) up to a factor, so both criteria always hold (Lewis et al. 1992)."""
+    """U = m0 k3: p is (I1 ω² − m0 k3)² + m0² (1 − k3²) up to a factor, so both criteria always hold (Lewis et
+    al. 1992).
+    """
     report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
     assert report.necessary.alternatives == report.sufficient.alternatives == ((),)
     p = report.equilibrium.insert(report.linearization.coefficients[0])
@@ -124,13 +140,17 @@ def test_every_steady_precession_of_the_heavy_top_is_stable():
 
 
 def test_the_equatorial_precession_of_the_source():
-    """k3 = 0, U = m0 k3 + U1(k3): l⁴ + m0² I1² + U''(0) l² I1 ≥ 0. VV2003 §5 prints −U''(0); at I1 = l = m0 = 1, U'' = −3 the
-    printed condition holds, and the field has a growing mode."""
+    """k3 = 0, U = m0 k3 + U1(k3): l⁴ + m0² I1² + U''(0) l² I1 ≥ 0. VV2003 §5 prints −U''(0).
+
+    At I1 = l = m0 = 1, U'' = −3 the
+    printed condition holds, and the field has a growing mode.
+    """
     report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
     ours = single(report.necessary).margin.subs({k3: 0, omega: m0 / l})
     assert expand(ours * l**2 - l**4 - m0**2 * I1**2 - d2U * l**2 * I1) == 0
     one = Fraction(1)
-    assert oracle.growth(*reversed(oracle.inclined(one, one / 2, one, one, (one, 0 * one, 0 * one), -3 * one)))
+    assert oracle.growth(*reversed(oracle.inclined(one, one / 2, one, one, (one, 0 * one, 0 * one),
+                                                   -3 * one)))
 
 
 def test_asymmetric_conditions(asymmetric):
@@ -138,17 +158,22 @@ def test_asymmetric_conditions(asymmetric):
     report = gs.analyze(gs.upright(asymmetric, spin="omega3_0"))
     a1, a2 = (expand((I3 - I) * (w3**2 - m1) + l * w3 - m0) for I in (I1, I2))
     (alternative,) = report.sufficient.alternatives
-    assert {c.margin for c in alternative} == {a1, a2} and report.casimirs_only is report.sufficient and report.boundary is None
+    assert {c.margin for c in alternative} == {a1, a2}
+    assert report.casimirs_only is report.sufficient
+    assert report.boundary is None
 
 
 @given(inertia=st.tuples(*[moments] * 3), l_=numbers, w=numbers, a=numbers, b=numbers)
 @settings(max_examples=60)
 def test_asymmetric_spectrum_is_euler_poisson(asymmetric, inertia, l_, w, a, b):
-    """The three spectral conditions of a general body are violated exactly where the 6×6 field has a growing mode."""
+    """The three spectral conditions of a general body are violated exactly where the 6×6 field has a growing
+    mode.
+    """
     report = _asymmetric_report(asymmetric)
     x = oracle.exact([0, 0, inertia[2] * w, 0, 0, 1])
     I = oracle.exact(inertia)
-    growth = oracle.growth(lambda y: oracle.field(y, I, oracle.exact([0, 0, l_]), lambda k: oracle.exact([0, 0, a]) + b * I * k), x)
+    growth = oracle.growth(lambda y: oracle.field(y, I, oracle.exact([0, 0, l_]),
+                                                  lambda k: oracle.exact([0, 0, a]) + b * I * k), x)
     values = dict(zip((I1, I2, I3), map(R, inertia))) | {l: R(l_), w3: R(w), m0: R(a), m1: R(b)}
     assert holds(report.necessary, values, {}) == (not growth)
 
@@ -160,22 +185,28 @@ def _asymmetric_report(scene):
     return _CACHE.setdefault("report", gs.analyze(gs.upright(scene, spin="omega3_0")))
 
 
-POTENTIALS = [m0 * k3, m0 * k3 + m1 * (I3 - I1) * k3**2 / 2, k3**4 - 2 * m1 * k3**3 + k3, exp(m1 * k3) * m0, cos(k3) + m0 * k3**2]
+POTENTIALS = [m0 * k3, m0 * k3 + m1 * (I3 - I1) * k3**2 / 2, k3**4 - 2 * m1 * k3**3 + k3, exp(m1 * k3) * m0,
+              cos(k3) + m0 * k3**2]
 
 
 @pytest.mark.parametrize("U", POTENTIALS)
 def test_inserting_first_gives_the_same_margins(U):
-    """Analyse then insert U, or insert U (as a general potential, at a claimed point) then analyse: equal margins."""
+    """Analyse then insert U, or insert U (as a general potential, at a claimed point) then analyse.
+
+    Equal margins.
+    """
     body = gs.symmetric_gyrostat()
     late, early = gs.assemble(body, gs.axial_potential(U)), gs.assemble(body, gs.general_potential(U))
     for s, make in ((1, gs.upright), (-1, gs.hanging)):
         one, two = gs.analyze(make(late)), gs.analyze(gs.equilibrium(early, (0, 0, pi3, 0, 0, s)))
-        for a, b in ((one.necessary, two.necessary), (one.sufficient, two.sufficient), (one.casimirs_only, two.casimirs_only)):
+        for a, b in ((one.necessary, two.necessary), (one.sufficient, two.sufficient),
+                     (one.casimirs_only, two.casimirs_only)):
             assert single(a).margin == single(b).margin
     one = gs.inclined(late, eliminate="l")
     two = gs.equilibrium(early, one.point, relations=one.relations[1:], domain=one.domain)
     one, two = gs.analyze(one), gs.analyze(two)
-    margins = [[[c.margin for c in a] for a in r.alternatives] for r in (one.necessary, two.necessary, one.sufficient, two.sufficient)]
+    margins = [[[c.margin for c in a] for a in r.alternatives]
+               for r in (one.necessary, two.necessary, one.sufficient, two.sufficient)]
     assert all(m == margins[0] for m in margins) and len(margins[0]) == 1
 
 
@@ -184,10 +215,13 @@ def test_margins_are_homogeneous(scene, make):
     """Change kilograms and seconds: every margin and every even factor scales by a power."""
     M, T = symbols("M T", positive=True)
     report = gs.analyze(make(scene))
-    criteria = (gs.spectral_criterion(report.linearization), report.necessary, report.sufficient, report.casimirs_only)
-    for condition in (c for criterion in criteria for alternative in criterion.alternatives for c in alternative):
+    criteria = (gs.spectral_criterion(report.linearization), report.necessary, report.sufficient,
+                report.casimirs_only)
+    for condition in (c for criterion in criteria for alternative in criterion.alternatives
+                      for c in alternative):
         for expression in (condition.margin, *condition.degenerate):
-            scale = {s: s * M ** NOTATION[s.name].dimension[0] * T ** NOTATION[s.name].dimension[1] for s in expression.free_symbols}
+            scale = {s: s * M ** NOTATION[s.name].dimension[0] * T ** NOTATION[s.name].dimension[1]
+                     for s in expression.free_symbols}
             assert cancel(expression.subs(scale, simultaneous=True) / expression).free_symbols <= {M, T}
 
 
@@ -201,7 +235,8 @@ def items(*conditions):
     """Items of one ring from (margin, degenerate, strict)."""
     ring = Ring([e for margin, degenerate, _ in conditions for e in (margin, *degenerate)] + [I1])
     polynomial = lambda e: ring.fraction(e)[0]  # noqa: E731
-    return Signs(ring), [Item(polynomial(m), tuple(map(polynomial, d)), strict, "") for m, d, strict in conditions]
+    return Signs(ring), [Item(polynomial(m), tuple(map(polynomial, d)), strict, "")
+                         for m, d, strict in conditions]
 
 
 def test_squares_are_not_forgotten():
@@ -220,9 +255,13 @@ def test_squares_are_not_forgotten():
 
 
 def test_what_does_not_follow_is_kept():
-    """x² − y ≥ 0 does not follow from y ≥ 0; x y ≥ 0 beside x ≥ 0 is not y ≥ 0; an even factor survives the reduction."""
+    """x² − y ≥ 0 does not follow from y ≥ 0; x y ≥ 0 beside x ≥ 0 is not y ≥ 0.
+
+    An even factor survives the reduction.
+    """
     x, y = gs.symbol("x"), gs.symbol("y")
-    for conditions in (((x**2 - y, (), False), (y, (), False)), ((x, (), False), (x * y, (), False)), ((x, (), True), (y, (x - y,), True))):
+    for conditions in (((x**2 - y, (), False), (y, (), False)), ((x, (), False), (x * y, (), False)),
+                       ((x, (), True), (y, (x - y,), True))):
         signs, given = items(*conditions)
         assert reduced(given, signs) == given
     signs, given = items((x, (), True), (x * y, (), True))
@@ -250,14 +289,17 @@ def test_impossible_and_trivial_conjunctions():
 def test_elimination_of_a_multiplier():
     """∃ν: a ν² + b ν + c > 0 iff a > 0 or b² > 4ac."""
     nu, b, c = gs.symbol("nu1"), gs.symbol("b"), gs.symbol("c")
-    for a, expected in ((-I1, [b**2 + 4 * I1 * c]), (I1, None), (gs.symbol("a"), [gs.symbol("a"), b**2 - 4 * gs.symbol("a") * c])):
+    for a, expected in ((-I1, [b**2 + 4 * I1 * c]), (I1, None),
+                        (gs.symbol("a"), [gs.symbol("a"), b**2 - 4 * gs.symbol("a") * c])):
         signs, given = items((a * nu**2 + b * nu + c, (), True))
         left = [reduced(alternative, signs) for alternative in eliminate(given, nu, signs)]
         left = [alternative for alternative in left if alternative is not None]
         if expected is None:
             assert [] in left
         else:
-            assert [signs.ring.expression(item.margin) for alternative in left for item in alternative] == list(map(expand, expected))
+            assert [
+                signs.ring.expression(item.margin) for alternative in left for item in alternative
+            ] == list(map(expand, expected))
 
 
 def test_opposite_signs_merge_only_where_zero_is_excluded():
@@ -279,9 +321,13 @@ def test_independent_is_idempotent(e1):
 
 
 def test_three_coefficients_are_refused(e1):
-    """λ⁶ + pλ⁴ + qλ² + r, of an orbit of dimension 6, has criteria of its own: no coefficient is dropped in silence."""
+    """λ⁶ + pλ⁴ + qλ² + r, of an orbit of dimension 6, has criteria of its own.
+
+    No coefficient is dropped in silence.
+    """
     plane = ImmutableMatrix([[0, 1], [-gs.symbol("a"), 0]])
-    wider = Linearization(e1.equilibrium, e1.linearization.basis, ImmutableMatrix(diag(e1.linearization.matrix, plane)))
+    wider = Linearization(e1.equilibrium, e1.linearization.basis,
+                          ImmutableMatrix(diag(e1.linearization.matrix, plane)))
     assert len(wider.coefficients) == 3
     for use in (gs.spectral_criterion, Linearization.eigenvalues, Linearization.frequencies):
         with pytest.raises(ScopeError, match="degree 6 in lamda, with 3 coefficients"):

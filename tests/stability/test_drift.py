@@ -15,7 +15,8 @@ from gyrostat.stability.report import Verdict
 k3 = gs.symbol("k3")
 I1, I3, l, omega, d2U = map(gs.symbol, ("I1", "I3", "l", "omega", "d2U"))
 SLOPE = omega * l - omega**2 * k3 * (I1 - I3)
-D = (I1 * (I1 - I3) * omega**2 + (I1 * (1 - k3**2) + I3 * k3**2) * d2U - 2 * k3 * (I1 - I3) * SLOPE + ((I1 - I3) * omega * k3 - l) ** 2)
+D = (I1 * (I1 - I3) * omega**2 + (I1 * (1 - k3**2) + I3 * k3**2) * d2U - 2 * k3 * (I1 - I3) * SLOPE
+     + ((I1 - I3) * omega * k3 - l) ** 2)
 
 
 @pytest.fixture(scope="module")
@@ -26,32 +27,43 @@ def drift(e3):
 
 def at(expression, **numbers):
     """The expression at numbers, as a Fraction."""
-    value = expression.xreplace({gs.symbol(name): Rational(x.numerator, x.denominator) for name, x in numbers.items()})
+    value = expression.xreplace({gs.symbol(name): Rational(x.numerator, x.denominator)
+                                 for name, x in numbers.items()})
     return Fraction(int(value.p), int(value.q))
 
 
 def precession(I1, I3, l, z, W, slope):
-    """σ of the regular precession ω = W k + σ e3 at k3 = z: I1 z W² − P W + U'(z) = 0, P = I3 (W z + σ) + l."""
+    """σ of the regular precession ω = W k + σ e3 at k3 = z.
+
+    I1 z W² − P W + U'(z) = 0, P = I3 (W z + σ) + l.
+    """
     return ((slope + I1 * z * W**2) / W - l) / I3 - W * z
 
 
 def turning(I1, I3, l, tilt, W, sigma, slope):
-    """The state at (k1, 0, k3) of that precession, and whether the Euler-Poisson field there is −σ times the rotation about axis 3."""
+    """The state at (k1, 0, k3) of that precession, and whether the Euler-Poisson field there is −σ times the
+    rotation about axis 3.
+    """
     k1, z = tilt
     x = oracle.exact([I1 * W * k1, 0, I3 * (W * z + sigma), k1, 0, z])
-    xdot = oracle.field(x, oracle.exact([I1, I1, I3]), oracle.exact([0, 0, l]), oracle.axial_slope(slope, Fraction(0), z))
+    xdot = oracle.field(x, oracle.exact([I1, I1, I3]), oracle.exact([0, 0, l]),
+                        oracle.axial_slope(slope, Fraction(0), z))
     return all(xdot == -sigma * oracle.exact([-x[1], x[0], 0, -x[4], x[3], 0]))
 
 
 def ranks(I1, I3, l, omega, tilt, u2):
-    """Ranks of J and J² on the tangent space of the coadjoint orbit, J of the Euler-Poisson field differenced."""
+    """Ranks of J and J² on the tangent space of the coadjoint orbit, J of the Euler-Poisson field
+    differenced.
+    """
     x, f = oracle.inclined(I1, I3, l, omega, (tilt[0], 0, tilt[1]), u2)
     J, basis = oracle.jacobian(f, x), oracle.orbit_basis(x, oracle.exact([0, 0, l]))
     return oracle.rank(J.dot(basis)), oracle.rank(J.dot(J).dot(basis))
 
 
 def test_the_defect_is_the_one_of_the_theory(drift, at_rest):
-    """D = I1 (I1 − I3) ω² + (I1 (1 − k3²) + I3 k3²) U'' − 2 k3 (I1 − I3) U' + ((I1 − I3) ω k3 − l)², up to a factor that has a sign."""
+    """D = I1 (I1 − I3) ω² + (I1 (1 − k3²) + I3 k3²) U'' − 2 k3 (I1 − I3) U' + ((I1 − I3) ω k3 − l)², up to a
+    factor that has a sign.
+    """
     assert cancel(drift.defect / D) in (1, -1)
     assert cancel(Drift(at_rest.equilibrium).defect / D.subs(omega, 0)) in (1, -1)
 
@@ -59,7 +71,10 @@ def test_the_defect_is_the_one_of_the_theory(drift, at_rest):
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers, semisimple=st.booleans())
 @settings(max_examples=40)
 def test_jordan_blocks_by_exact_ranks(e3, drift, I1, I3, l, omega, tilt, u2, semisimple):
-    """On the 4-dimensional tangent space rank J = 3 > rank J² = 2 where D ≠ 0 ≠ p, 2 = 2 where D = 0 ≠ p; nilpotent where p = 0."""
+    """On the 4-dimensional tangent space rank J = 3 > rank J² = 2 where D ≠ 0 ≠ p, 2 = 2 where D = 0 ≠ p.
+
+    Nilpotent where p = 0.
+    """
     values = {"I1": I1, "I3": I3, "l": l, "omega": omega, "k3": tilt[1]}
     if semisimple:                                     # D is affine in U''
         zero, one = (at(drift.defect, **values, d2U=Fraction(n)) for n in (0, 1))
@@ -73,13 +88,15 @@ def test_jordan_blocks_by_exact_ranks(e3, drift, I1, I3, l, omega, tilt, u2, sem
         assert first > second
     if p > 0:
         decision = e3.itself(values)
-        assert decision.verdict is Verdict.UNSTABLE and ("Jordan block" in decision.reason) == (first > second)
+        assert decision.verdict is Verdict.UNSTABLE
+        assert ("Jordan block" in decision.reason) == (first > second)
         assert ("semisimple" in decision.reason) == (first == second)
 
 
 def test_a_semisimple_example():
     """I = (4, 4, 5), l = 2, U = 2 k3, k3 = 0, ω = 1: linearly stable, and it drifts all the same."""
-    report = gs.analyze(gs.inclined(gs.assemble(gs.Gyrostat((4, 4, 5), (0, 0, 2)), gs.axial_potential(2 * k3))))
+    report = gs.analyze(gs.inclined(gs.assemble(gs.Gyrostat((4, 4, 5), (0, 0, 2)),
+                                                gs.axial_potential(2 * k3))))
     values = {"k3": 0, "omega": 1}
     assert report.verdict(values).verdict is Verdict.STABLE
     decision = report.itself(values)
@@ -93,9 +110,12 @@ def test_a_semisimple_example():
 @given(I1=moments, I3=moments, l=numbers, W=nonzero, tilt=tilts, near=tilts, u2=numbers)
 @settings(max_examples=30)
 def test_rates_are_those_of_the_precessions_beside_it(drift, I1, I3, l, W, tilt, near, u2):
-    """σ of the precessions at other k3, W, that the Euler-Poisson field has there: its slopes at the equilibrium.
+    """σ of the precessions at other k3, W, that the Euler-Poisson field has there.
 
-    U' = u1 + u2 (k3 − z): σ is affine in k3, and its difference quotient in W is off by −U' h/(I3 W² (W + h)).
+    Its slopes at the equilibrium.
+
+    U' = u1 + u2 (k3 − z): σ is affine in k3, and its difference quotient in W is off by −U' h/(I3 W² (W +
+        h)).
     """
     z = tilt[1]
     u1 = W * l - W**2 * z * (I1 - I3)
@@ -129,7 +149,10 @@ def test_inclined_at_rest(e3):
 
 
 def test_the_one_exception():
-    """I1 = I3, l = 0, U constant, ω ≠ 0: k and ω are fixed in space; the Euler-Poisson field vanishes at all states beside it."""
+    """I1 = I3, l = 0, U constant, ω ≠ 0: k and ω are fixed in space.
+
+    The Euler-Poisson field vanishes at all states beside it.
+    """
     report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
     values = {"I1": 1, "I3": 1, "omega": 1, "k3": "1/2", "m0": 0}
     decision = report.itself(values)
@@ -140,14 +163,20 @@ def test_the_one_exception():
     assert other.itself({"k3": "1/2", "omega": 2}).verdict is Verdict.STABLE
     rest = gs.analyze(gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(0))))
     assert rest.itself({"I1": 1, "I3": 1, "l": 1, "k3": "1/2"}).verdict is Verdict.UNSTABLE
-    for W, k in ((Fraction(1), (Fraction(3, 5), Fraction(4, 5))), (Fraction(-2, 7), (Fraction(5, 13), Fraction(12, 13)))):
+    for W, k in ((Fraction(1), (Fraction(3, 5), Fraction(4, 5))),
+                 (Fraction(-2, 7), (Fraction(5, 13), Fraction(12, 13)))):
         x = oracle.exact([W * k[0], 0, W * k[1], k[0], 0, k[1]])
-        assert not any(oracle.field(x, oracle.exact([1, 1, 1]), oracle.exact([0, 0, 0]), lambda k: oracle.exact([0, 0, 0])))
+        assert not any(oracle.field(x, oracle.exact([1, 1, 1]), oracle.exact([0, 0, 0]),
+                                    lambda k: oracle.exact([0, 0, 0])))
 
 
 def test_a_flat_point_is_no_exception():
-    """U = (k3 − 1/2)³ at k3 = 1/2, I1 = I3, l = 0, ω = 1: U' = U'' = 0, yet σ = 3 (k3 − 1/2)²/I3 beside it."""
-    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential((k3 - Rational(1, 2)) ** 3))))
+    """U = (k3 − 1/2)³ at k3 = 1/2, I1 = I3, l = 0, ω = 1.
+
+    U' = U'' = 0, yet σ = 3 (k3 − 1/2)²/I3 beside it.
+    """
+    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(),
+                                                gs.axial_potential((k3 - Rational(1, 2)) ** 3))))
     values = {"I1": 1, "I3": 1, "omega": 1, "k3": "1/2"}
     assert report.verdict(values).verdict is Verdict.STABLE
     decision = report.itself(values)
@@ -155,13 +184,17 @@ def test_a_flat_point_is_no_exception():
     tilt = Fraction(20, 29), Fraction(21, 29)
     slope = 3 * (tilt[1] - Fraction(1, 2)) ** 2
     sigma = precession(Fraction(1), Fraction(1), Fraction(0), tilt[1], Fraction(1), slope)
-    assert sigma == slope > 0 and turning(Fraction(1), Fraction(1), Fraction(0), tilt, Fraction(1), sigma, slope)
+    assert sigma == slope > 0
+    assert turning(Fraction(1), Fraction(1), Fraction(0), tilt, Fraction(1), sigma, slope)
 
 
 @given(I1=moments, I3=moments, W=nonzero, tilt=tilts, h=nonzero)
 @settings(max_examples=30)
 def test_rates_of_second_order(e3, drift, I1, I3, W, tilt, h):
-    """Where both slopes vanish, l = 2 ω k3 (I1 − I3) and U'' = −ω² (I1 − I3): not stable unless also I1 = I3, where σ = 0."""
+    """Where both slopes vanish, l = 2 ω k3 (I1 − I3) and U'' = −ω² (I1 − I3).
+
+    Not stable unless also I1 = I3, where σ = 0.
+    """
     z = tilt[1]
     l, u2 = 2 * W * z * (I1 - I3), -(W**2) * (I1 - I3)
     assume(I1 != I3 and z and h != -W)
@@ -180,21 +213,24 @@ def test_an_unspecified_potential_may_be_constant(e3):
     values = {"I1": 1, "I3": 1, "l": 0, "omega": 1, "k3": "1/2", "d2U": 0}
     assert e3.verdict(values).verdict is Verdict.STABLE
     decision = e3.itself(values)
-    assert (decision.verdict, decision.notion) == (Verdict.UNDECIDED, "") and "depends on U" in decision.reason
+    assert (decision.verdict, decision.notion) == (Verdict.UNDECIDED, "")
+    assert "depends on U" in decision.reason
     assert e3.itself(values | {"d2U": "1/10"}).verdict is Verdict.UNSTABLE
 
 
 def test_a_constant_is_recognised():
     """U = a exp(k3), I1 = I3 = A, l = 0: U' = 0 asks for a = 0, and there the point is stable itself."""
     a, A = symbols("a A")
-    report = gs.analyze(gs.inclined(gs.assemble(gs.Gyrostat((A, A, A), (0, 0, 0)), gs.axial_potential(a * exp(k3)))))
+    report = gs.analyze(gs.inclined(gs.assemble(gs.Gyrostat((A, A, A), (0, 0, 0)),
+                                                gs.axial_potential(a * exp(k3)))))
     assert report.equilibrium.eliminated == "a"
     assert report.itself({"A": 1, "omega": 1, "k3": "1/3"}).verdict is Verdict.STABLE
 
 
 def test_a_pole_is_its_own_point(e1, e2):
     """At E1 and E2 nothing is divided out: itself is verdict."""
-    for report, values in ((e1, {"I1": 1, "l": 2, "pi3_0": 1, "dU": 2}), (e2, {"I1": 1, "l": 2, "pi3_0": 1, "dU": -4})):
+    for report, values in ((e1, {"I1": 1, "l": 2, "pi3_0": 1, "dU": 2}),
+                           (e2, {"I1": 1, "l": 2, "pi3_0": 1, "dU": -4})):
         assert report.itself(values) == report.verdict(values)
 
 
@@ -203,12 +239,16 @@ def test_unstable_modulo_the_spin_is_unstable(e3):
     values = {"I1": 1, "I3": 1, "l": 0, "omega": 1, "k3": 0}
     unstable, undecided = values | {"d2U": -2}, values | {"d2U": -1}
     assert (e3.itself(unstable).verdict, e3.itself(unstable).modulo) == (Verdict.UNSTABLE, ())
-    assert e3.verdict(unstable).modulo == (gs.symbol("pi3"),) and e3.itself(unstable).reason == e3.verdict(unstable).reason
+    assert e3.verdict(unstable).modulo == (gs.symbol("pi3"),)
+    assert e3.itself(unstable).reason == e3.verdict(unstable).reason
     assert e3.itself(undecided) == e3.verdict(undecided) and e3.itself(undecided).verdict is Verdict.UNDECIDED
 
 
 def test_the_boundary_is_linearly_unstable(e3):
-    """p = 0, orbitally stable by the next rungs: J is nilpotent, not 0, so there is a Jordan block whatever D is."""
+    """p = 0, orbitally stable by the next rungs.
+
+    J is nilpotent, not 0, so there is a Jordan block whatever D is.
+    """
     values = {"I1": 1, "I3": 1, "l": 0, "omega": 1, "k3": 0, "d2U": -1, "d3U": 0, "d4U": 0}
     assert oracle.verdict_inclined_margin(*map(Fraction, (1, 1, 0, 1, 0, -1))) == 0
     first, second = ranks(*map(Fraction, (1, 1, 0, 1)), (Fraction(1), Fraction(0)), Fraction(-1))
@@ -219,10 +259,18 @@ def test_the_boundary_is_linearly_unstable(e3):
 
 
 def test_a_nilpotent_field_with_no_defect(drift, e3):
-    """I1 = ω = 1, k3 U' = 1, k3² U″ = −1, here k3 = 3/5: p = D = 0, and J is nilpotent, not 0; U⁗ > 12 U″/(1 − k3²) holds it."""
+    """I1 = ω = 1, k3 U' = 1, k3² U″ = −1, here k3 = 3/5: p = D = 0, and J is nilpotent, not 0.
+
+    U⁗ > 12 U″/(1 − k3²) holds it.
+    """
     z, I3 = Fraction(3, 5), Fraction(2)
-    values = {"I1": Fraction(1), "I3": I3, "l": 1 / z + z * (1 - I3), "omega": Fraction(1), "k3": z, "d2U": -1 / z**2}
-    assert at(drift.defect, **values) == 0 == oracle.verdict_inclined_margin(1, I3, values["l"], Fraction(1), z, values["d2U"])
+    values = {"I1": Fraction(1), "I3": I3, "l": 1 / z + z * (1 - I3), "omega": Fraction(1), "k3": z,
+              "d2U": -1 / z**2}
+    assert (
+        at(drift.defect, **values)
+        == 0
+        == oracle.verdict_inclined_margin(1, I3, values["l"], Fraction(1), z, values["d2U"])
+    )
     first, second = ranks(1, I3, values["l"], Fraction(1), (Fraction(4, 5), z), values["d2U"])
     assert first > second
     values |= {"d3U": 0, "d4U": 12 * values["d2U"] / (1 - z**2) + 1}           # g‴ ∝ U‴, for k3 U″ + U' = 0

@@ -1,4 +1,6 @@
-"""The linearised field against the differenced Euler-Poisson equations, exactly, and against the printed matrices."""
+"""The linearised field against the differenced Euler-Poisson equations, exactly, and against the printed
+matrices.
+"""
 from fractions import Fraction
 
 import mpmath
@@ -28,7 +30,10 @@ def S(**values):
 def assert_restriction(jacobian, linear, values=()):
     """J N = N A: the differenced 6×6 field maps the basis as the matrix says, entry by entry."""
     basis, matrix = (Matrix(m.subs(dict(values))) for m in (linear.basis, linear.matrix))
-    assert Matrix(jacobian.shape[0], jacobian.shape[1], [R(entry) for entry in jacobian.flatten()]) * basis == basis * matrix
+    assert (
+        Matrix(jacobian.shape[0], jacobian.shape[1], [R(entry) for entry in jacobian.flatten()]) * basis
+        == basis * matrix
+    )
 
 
 @pytest.mark.parametrize("s", [1, -1])
@@ -74,10 +79,14 @@ def unit(a, b):
     return [2 * a / n, 2 * b / n, (n - 2) / n]
 
 
-@given(inertia=st.tuples(*[moments] * 3), rotor=THREE, a=numbers, b=numbers, w=numbers, mu=numbers, s=st.tuples(*[numbers] * 6))
+@given(inertia=st.tuples(*[moments] * 3), rotor=THREE, a=numbers, b=numbers, w=numbers, mu=numbers,
+       s=st.tuples(*[numbers] * 6))
 @settings(max_examples=25)
 def test_general_body_at_a_claimed_point(inertia, rotor, a, b, w, mu, s):
-    """Three moments, three components of l, a quadratic U(k) with ∇U = w² I k + w l + μ k: the polynomial is Euler-Poisson's."""
+    """Three moments, three components of l, a quadratic U(k) with ∇U = w² I k + w l + μ k.
+
+    The polynomial is Euler-Poisson's.
+    """
     k, I, l = np.array(unit(a, b), dtype=object), oracle.exact(inertia), oracle.exact(rotor)
     H = np.array([[s[0], s[1], s[2]], [s[1], s[3], s[4]], [s[2], s[4], s[5]]], dtype=object)
     g = w**2 * I * k + w * l + mu * k - H.dot(k)
@@ -101,7 +110,9 @@ def test_free_rotation_polynomial(inertia, l, w, axis):
         return
     eq = gs.principal_rotation(gs.assemble(gs.Gyrostat(inertia, rotor)), axis)
     point = oracle.exact([inertia[axis - 1] * w if i == axis else 0 for i in (1, 2, 3)])
-    theirs = oracle.characteristic(oracle.jacobian(lambda x: oracle.free_field(x, oracle.exact(inertia), oracle.exact(rotor)), point))
+    theirs = oracle.characteristic(
+        oracle.jacobian(lambda x: oracle.free_field(x, oracle.exact(inertia), oracle.exact(rotor)), point)
+    )
     (q,) = gs.linearize(eq).coefficients
     assert list(map(R, theirs)) == [1, 0, R(q.subs(gs.symbol(f"omega{axis}_0"), R(w))), 0]
 
@@ -115,7 +126,9 @@ def test_matrix_of_the_source(e1):
 
 
 def test_asymmetric_polynomial(asymmetric):
-    """E1 of a general body: q = a1 a2/(I1 I2), p = [(l + (I3 − I1 − I2) w)² + I1 a1 + I2 a2]/(I1 I2) (Grammel; Rumiantsev 1961)."""
+    """E1 of a general body: q = a1 a2/(I1 I2), p = [(l + (I3 − I1 − I2) w)² + I1 a1 + I2 a2]/(I1 I2)
+    (Grammel; Rumiantsev 1961).
+    """
     I1, I2, I3, l, m0, m1, w = map(gs.symbol, ("I1", "I2", "I3", "l", "m0", "m1", "omega3_0"))
     a1, a2 = ((I3 - I) * (w**2 - m1) + l * w - m0 for I in (I1, I2))
     p, q = gs.linearize(gs.upright(asymmetric, spin="omega3_0")).coefficients
@@ -142,12 +155,14 @@ def test_tangent_space_is_the_kernel_of_the_casimirs(scene):
         k = Matrix(eq.point[3:])
         for j in range(4):
             column = Matrix(basis.col(j))
-            assert expand(column[:3, 0].dot(k) + M.dot(column[3:, 0])) == 0 and expand(column[3:, 0].dot(k)) == 0
+            assert expand(column[:3, 0].dot(k) + M.dot(column[3:, 0])) == 0
+            assert expand(column[3:, 0].dot(k)) == 0
 
 
 def test_characteristic_polynomial_is_that_of_the_matrix(e1, e3, free):
     """The coefficients come from traces; SymPy's determinant agrees at numbers."""
-    values = S(I1=2, I3="3/5", l="1/3", pi3_0="-7/4", dU="5/2", omega="2/3", k3="3/5", d2U="-1/7", I2="9/4", omega3_0="5/6")
+    values = S(I1=2, I3="3/5", l="1/3", pi3_0="-7/4", dU="5/2", omega="2/3", k3="3/5", d2U="-1/7", I2="9/4",
+               omega3_0="5/6")
     for linear in (e1.linearization, e3.linearization, gs.linearize(gs.principal_rotation(free, 3))):
         matrix = Matrix(linear.matrix.subs(values))
         theirs = (LAMBDA * Matrix.eye(matrix.rows) - matrix).det()
@@ -171,15 +186,20 @@ def test_eigenvalues_are_the_roots(report, request):
     linear = request.getfixturevalue(report).linearization
     values = {"I1": 2.0, "I3": 0.6, "l": 0.3, "pi3_0": -1.7, "dU": 0.4, "omega": 0.7, "k3": 0.6, "d2U": 0.9}
     names = [gs.symbol(n) for n in values]
-    ours = [complex(lambdify(names, root, "mpmath")(*map(mpmath.mpf, values.values()))) for root in linear.eigenvalues()]
+    ours = [complex(lambdify(names, root, "mpmath")(*map(mpmath.mpf, values.values())))
+            for root in linear.eigenvalues()]
     exact = {gs.symbol(n): Rational(str(v)) for n, v in values.items()}
     theirs = np.linalg.eigvals(np.array(linear.matrix.subs(exact).evalf(30).tolist(), dtype=float))
     # float64 reference; the double zero of E3 is defective, its error is the root of the rounding error
-    np.testing.assert_allclose(*(sorted(z, key=lambda z: (round(z.imag, 5), z.real)) for z in (ours, theirs)), atol=1e-7)
+    np.testing.assert_allclose(*(sorted(z, key=lambda z: (round(z.imag, 5), z.real))
+                                 for z in (ours, theirs)), atol=1e-7)
 
 
 def test_eigenvalues_where_roots_nest(asymmetric, free):
-    """An asymmetric body in a field, and a free one: each closed form is a root, and together they are all (30 digits)."""
+    """An asymmetric body in a field, and a free one.
+
+    Each closed form is a root, and together they are all (30 digits).
+    """
     numbers = S(I1=2, I2="7/5", I3="3/2", l="1/3", omega3_0="5/6", m0="2/7", m1="-1/9")
     for eq in (gs.upright(asymmetric, spin="omega3_0"), gs.principal_rotation(free, 3)):
         linear = gs.linearize(eq)
@@ -188,7 +208,8 @@ def test_eigenvalues_where_roots_nest(asymmetric, free):
         product = 1
         for root in roots:
             product *= LAMBDA - eq.insert(root).subs(numbers)
-        assert all(abs(c) < Rational(1, 10**25) for c in Poly(expand(product - polynomial).evalf(30), LAMBDA).all_coeffs())
+        assert all(abs(c) < Rational(1, 10**25) for c in Poly(expand(product - polynomial).evalf(30),
+                                                              LAMBDA).all_coeffs())
 
 
 def test_sleeping_top_eigenvalues(e1):
@@ -202,10 +223,15 @@ def test_sleeping_top_eigenvalues(e1):
 
 
 def test_singular_orbits_are_refused(scene):
-    """k = 0 is an equilibrium of the bracket on an orbit of lower dimension: a clear error, with the reason."""
+    """k = 0 is an equilibrium of the bracket on an orbit of lower dimension.
+
+    A clear error, with the reason.
+    """
     eq = gs.equilibrium(scene, (0, 0, gs.symbol("p"), 0, 0, 0), label="E0")
     for verb in (gs.linearize, gs.second_variation, gs.orbit_tangent, gs.symplectic_slice):
-        with pytest.raises(SingularOrbitError, match="E0 lies on a singular coadjoint orbit: the differentials of .* have rank 1, not 2"):
+        with pytest.raises(SingularOrbitError,
+                           match="E0 lies on a singular coadjoint orbit: the differentials of .* have rank "
+                                 "1, not 2"):
             verb(eq)
     free = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 2)))
     with pytest.raises(SingularOrbitError, match="M ≠ 0"):
@@ -217,4 +243,5 @@ def test_given_potentials_are_inserted_on_demand():
     eq = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.newtonian_field(2)))
     m0, m1, I1, I3 = map(gs.symbol, ("m0", "m1", "I1", "I3"))
     entry = eq.insert(gs.linearize(eq).matrix)[0, 3]
-    assert isinstance(eq.insert(gs.linearize(eq).matrix), ImmutableMatrix) and expand(entry - m0 + m1 * (I1 - I3)) == 0
+    assert isinstance(eq.insert(gs.linearize(eq).matrix), ImmutableMatrix)
+    assert expand(entry - m0 + m1 * (I1 - I3)) == 0

@@ -1,4 +1,7 @@
-"""A condition solved for one parameter: the set contains a value exactly where the equilibrium exists and its verdict is STABLE."""
+"""A condition solved for one parameter.
+
+The set contains a value exactly where the equilibrium exists and its verdict is STABLE.
+"""
 import random
 from fractions import Fraction
 from functools import partial
@@ -21,10 +24,12 @@ from gyrostat.stability.stabilizing import stabilizing_set
 
 BODY, k3 = gs.symmetric_gyrostat(), gs.symbol("k3")
 POSITIVE = ("I1", "I3", "mass1", "mass3", "p0", "r")
-FIELDS = {"U1": gs.uniform_field(), "U2": gs.newtonian_field(2), "U3": gs.newtonian_field(3), "fluid": gs.ideal_fluid(),
+FIELDS = {"U1": gs.uniform_field(), "U2": gs.newtonian_field(2), "U3": gs.newtonian_field(3),
+          "fluid": gs.ideal_fluid(),
           "square": gs.axial_potential(lambda z: gs.symbol("a") ** 2 * z),
           "bowl": gs.axial_potential(lambda z: gs.symbol("a") ** 2 * z - (z - 1) ** 2),
-          "quartic": gs.axial_potential(lambda z: (gs.symbol("b") * gs.symbol("a") ** 2 - gs.symbol("a") ** 4) * z
+          "quartic": gs.axial_potential(lambda z: (gs.symbol("b") * gs.symbol("a") ** 2
+                                                   - gs.symbol("a") ** 4) * z
                                         + gs.symbol("c") * (z - 1) ** 2),
           "product": gs.axial_potential(lambda z: gs.symbol("a") * gs.symbol("b") ** 2 * gs.symbol("c") * z),
           "exp": gs.axial_potential(lambda z: gs.symbol("a") * z**2 - gs.symbol("b") * z**5)}
@@ -32,7 +37,8 @@ FIELDS = {"U1": gs.uniform_field(), "U2": gs.newtonian_field(2), "U3": gs.newton
 
 def reports(field):
     scene = gs.assemble(BODY, FIELDS[field])
-    return {"E1": gs.analyze(gs.upright(scene)), "E2": gs.analyze(gs.hanging(scene, spin="omega3_0")), "E3": gs.analyze(gs.inclined(scene))}
+    return {"E1": gs.analyze(gs.upright(scene)), "E2": gs.analyze(gs.hanging(scene, spin="omega3_0")),
+            "E3": gs.analyze(gs.inclined(scene))}
 
 
 def tilt_solved(field):
@@ -59,7 +65,8 @@ def ends_at(solution, values):
                 continue
             if all(sign_of_constant(evaluate(e, numbers)) in compare[relation] for e, relation in case.when):
                 for interval in case.intervals:
-                    values_of = (evaluate(end, numbers) for end in (interval.low, interval.high) if end not in (oo, -oo))
+                    values_of = (evaluate(end, numbers)
+                                 for end in (interval.low, interval.high) if end not in (oo, -oo))
                     yield from (end for end in values_of if end.is_finite)
 
 
@@ -71,14 +78,18 @@ def drawn(draw, names):
 
 SYMBOLIC = [(field, "E1", name) for field in ("U1", "U2", "U3", "fluid", "exp") for name in ("l", "pi3_0")]
 SYMBOLIC += [(field, "E2", name) for field in ("U1", "U2", "fluid") for name in ("l", "omega3_0")]
-SYMBOLIC += [("U1", "E1", "m0"), ("U2", "E1", "m0"), ("U2", "E1", "m1"), ("U2", "E1", "I3"), ("U1", "E1", "I1"), ("U3", "E1", "J3")]
-SYMBOLIC += [("U1", "E3", "omega"), ("U2", "E3", "omega"), ("U2", "E3", "m0"), ("U2", "E3", "m1"), ("fluid", "E3", "omega")]
-SYMBOLIC += [("square", "E1", "a"), ("bowl", "E1", "a"), ("quartic", "E1", "a"), ("product", "E1", "c"), ("product", "E1", "a")]
+SYMBOLIC += [("U1", "E1", "m0"), ("U2", "E1", "m0"), ("U2", "E1", "m1"), ("U2", "E1", "I3"),
+             ("U1", "E1", "I1"), ("U3", "E1", "J3")]
+SYMBOLIC += [("U1", "E3", "omega"), ("U2", "E3", "omega"), ("U2", "E3", "m0"), ("U2", "E3", "m1"),
+             ("fluid", "E3", "omega")]
+SYMBOLIC += [("square", "E1", "a"), ("bowl", "E1", "a"), ("quartic", "E1", "a"), ("product", "E1", "c"),
+             ("product", "E1", "a")]
 SYMBOLIC += [("U1", "tilt", "l"), ("U2", "tilt", "l"), ("U1", "tilt", "m0"), ("U2", "tilt", "m0")]
 
 
 @pytest.mark.parametrize(("field", "label", "name"), [
-    pytest.param(*case, marks=[pytest.mark.slow] * (case[0] != "U1" and case[1] in ("E3", "tilt"))) for case in SYMBOLIC])
+    pytest.param(*case, marks=[pytest.mark.slow] * (case[0] != "U1" and case[1] in ("E3", "tilt")))
+    for case in SYMBOLIC])
 def test_closed_form_is_the_verdict(field, label, name):
     """At random numbers, with I1 = I3 and P = 0 among them, and exactly at every end."""
     report = tilt_solved(field) if label == "tilt" else reports(field)[label]
@@ -100,12 +111,16 @@ def test_closed_form_is_the_verdict(field, label, name):
         for end in list(ends_at(solution, values))[:4] if n < 24 else []:
             if sign_of_constant(end) == 1 or name not in POSITIVE:
                 ends += 1
-                assert solution.contains(values | {name: end}) is truth(report, values | {name: end}), (values, end)
+                assert solution.contains(values | {name: end}) is truth(report, values | {name: end}), (
+                    values,
+                    end,
+                )
     assert inside and (ends > 5 or (field, label) == ("U1", "E3"))
 
 
 def _of_boundary(report):
-    margins = (report.boundary.rung(power).condition.margin for power in range(3, (report.boundary.last or 3) + 1))
+    margins = (report.boundary.rung(power).condition.margin
+               for power in range(3, (report.boundary.last or 3) + 1))
     return {s.name for margin in margins for s in margin.free_symbols}
 
 
@@ -126,7 +141,10 @@ def test_a_root_in_a_symbol_of_ours():
 
 
 def test_rumiantsev_solved_for_the_rotor():
-    """Which l stabilises the upright heavy gyrostat: |π3 + l| ≥ 2 √(I1 m0), the ends included; l ≠ −π3 at m0 = 0; every l below."""
+    """Which l stabilises the upright heavy gyrostat: abs(π3 + l) ≥ 2 √(I1 m0), the ends included.
+
+    L ≠ −π3 at m0 = 0; every l below.
+    """
     (part,) = stabilizing_set(reports("U1")["E1"], "l").parts
     below, at, above = part.cases
     m0, I1, pi3 = map(gs.symbol, ("m0", "I1", "pi3_0"))
@@ -139,29 +157,39 @@ def test_rumiantsev_solved_for_the_rotor():
 
 
 def test_heavy_tilt_exists_for():
-    """E3 in U = m0 k3 for |ω l − m0| < ω² |I1 − I3|, always stable: the ends, E1 and E2, left out."""
+    """E3 in U = m0 k3 for abs(ω l − m0) < ω² abs(I1 − I3), always stable: the ends, E1 and E2, left out."""
     *fixed, part, always = stabilizing_set(tilt_solved("U1"), "l").parts
     assert {p.meaning for p in (*fixed, part)} == {"exists"} and len(part.cases) == 1
-    assert always.meaning == "stable" and [(i.low, i.high) for c in always.cases for i in c.intervals] == [(-oo, oo)]
+    assert always.meaning == "stable"
+    assert [(i.low, i.high) for c in always.cases for i in c.intervals] == [(-oo, oo)]
     ((interval,),) = (case.intervals for case in part.cases)
     values = {gs.symbol(n): exact_number(x) for n, x in {"I1": 2, "I3": 5, "omega": -2, "m0": 3}.items()}
-    assert (evaluate(interval.low, values), evaluate(interval.high, values)) == (Fraction(-15, 2), Fraction(9, 2))
+    assert (evaluate(interval.low, values), evaluate(interval.high, values)) == (
+        Fraction(-15, 2),
+        Fraction(9, 2),
+    )
     assert interval.low_if == interval.high_if == EXCLUDED
 
 
 POLYNOMIAL = gs.assemble(BODY, gs.axial_potential(lambda z: z**5 - z**3 + z**2 / 7 + z / 10))
 NUMERIC = [("E1", gs.upright, "l", {"I1": 2, "pi3_0": 1}), ("E1", gs.upright, "I1", {"l": 2, "pi3_0": 1}),
-           ("E2", gs.hanging, "pi3_0", {"I1": 2, "l": 1}), ("E3", gs.inclined, "omega", {"I1": 2, "I3": 1, "k3": "1/3"}),
-           ("E3", gs.inclined, "k3", {"I1": 2, "I3": 1, "omega": "1/3"}), ("E3", gs.inclined, "I3", {"I1": 2, "omega": "1/3", "k3": "1/2"})]
+           ("E2", gs.hanging, "pi3_0", {"I1": 2, "l": 1}),
+           ("E3", gs.inclined, "omega", {"I1": 2, "I3": 1, "k3": "1/3"}),
+           ("E3", gs.inclined, "k3", {"I1": 2, "I3": 1, "omega": "1/3"}),
+           ("E3", gs.inclined, "I3", {"I1": 2, "omega": "1/3", "k3": "1/2"})]
 
 
 @pytest.mark.parametrize(("label", "family", "name", "values"), NUMERIC)
 def test_numbers_give_intervals_with_exact_ends(label, family, name, values):
-    """For a polynomial U of degree 5: the verdict on a fine grid, at every end, and just inside and outside."""
+    """For a polynomial U of degree 5.
+
+    The verdict on a fine grid, at every end, and just inside and outside.
+    """
     report = gs.analyze(family(POLYNOMIAL))
     solution = stabilizing_set(report, name, values)
     tiny = Fraction(1, 10**12)
-    ends = [e for p in solution.parts for c in p.cases for i in c.intervals for e in (i.low, i.high) if e not in (oo, -oo)]
+    ends = [e for p in solution.parts for c in p.cases for i in c.intervals
+            for e in (i.low, i.high) if e not in (oo, -oo)]
     for x in [Fraction(n, 16) for n in range(-64, 65)] + [e + d for e in ends for d in (-tiny, 0, tiny)]:
         if name in POSITIVE and sign_of_constant(exact_number(x)) != 1:
             continue
@@ -169,7 +197,10 @@ def test_numbers_give_intervals_with_exact_ends(label, family, name, values):
 
 
 def test_rotor_of_a_tilt_along_the_family():
-    """E3 solved for l with k3 free: the map k3 → l is monotone on each run, and the stable tilts are exactly those of the runs."""
+    """E3 solved for l with k3 free.
+
+    The map k3 → l is monotone on each run, and the stable tilts are exactly those of the runs.
+    """
     report = gs.analyze(gs.inclined(POLYNOMIAL))
     values = {"I1": 2, "I3": 1, "omega": "1/3"}
     (part,) = stabilizing_set(report, "l", values).parts
@@ -177,10 +208,15 @@ def test_rotor_of_a_tilt_along_the_family():
     rotor = lambda z: 3 * (5 * z**4 - 3 * z**2 + 2 * z / 7 + Fraction(1, 10)) + z / 3  # noqa: E731      U'/ω + ω k3 (I1 − I3)
     for n in range(-40, 41):
         z = Fraction(n, 41)
-        inside = [i for i in runs if sign_of_constant((exact_number(z) - i.tilt[0]) * (i.tilt[1] - exact_number(z))) == 1]
+        inside = [i for i in runs if sign_of_constant((exact_number(z) - i.tilt[0])
+                                                      * (i.tilt[1] - exact_number(z))) == 1]
         assert bool(inside) is truth(report, values | {"k3": z}) and len(inside) <= 1
         for i in inside:
-            assert sign_of_constant(exact_number(rotor(z)) - i.low) == 1 == sign_of_constant(i.high - exact_number(rotor(z)))
+            assert (
+                sign_of_constant(exact_number(rotor(z)) - i.low)
+                == 1
+                == sign_of_constant(i.high - exact_number(rotor(z)))
+            )
     for i in runs:
         for k, included in ((i.tilt[0], i.low_if), (i.tilt[1], i.high_if)):
             assert (included == INCLUDED) is (k not in (1, -1) and truth(report, values | {"k3": k}))
@@ -195,22 +231,32 @@ def test_some_numbers_are_put_in_their_places():
     some, rest = {"I1": 2, "m1": "1/3"}, {"I3": "1/2", "m0": "5/3", "pi3_0": "-1/2"}
     report = reports("U2")["E1"]
     partly, wholly = stabilizing_set(report, "l", some), stabilizing_set(report, "l")
-    assert not {s.name for p in partly.parts for c in p.cases for e, _ in c.when for s in e.free_symbols} & some.keys()
+    assert not {s.name for p in partly.parts for c in p.cases for e, _ in c.when
+                for s in e.free_symbols} & some.keys()
     for l in range(-8, 9):
-        assert partly.contains({**rest, "l": l}) is wholly.contains({**some, **rest, "l": l}) is truth(report, {**some, **rest, "l": l})
+        assert (
+            partly.contains({**rest, "l": l})
+            is wholly.contains({**some, **rest, "l": l})
+            is truth(report, {**some, **rest, "l": l})
+        )
 
 
 @pytest.mark.parametrize(("call", "error", "why"), [
     (lambda: stabilizing_set(reports("U1")["E1"], "mass"), ValuesError, "no parameter mass"),
     (lambda: stabilizing_set(reports("U1")["E1"], "l", {"l": 1}), ValuesError, "leave out one"),
     (lambda: stabilizing_set(reports("U2")["E1"], "I1"), ScopeError, "positive: give numbers"),
-    (lambda: stabilizing_set(reports("U1")["E3"], "l", {"I1": 1}), ScopeError, "ties l .* while k3, omega are open"),
+    (lambda: stabilizing_set(reports("U1")["E3"], "l", {"I1": 1}), ScopeError,
+     "ties l .* while k3, omega are open"),
     (lambda: stabilizing_set(reports("U1")["E3"], "m0", {"l": 1, "I1": 1}), ScopeError, "or leave out l"),
-    (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"I1": 1, "m0": 1, "pi3_0": 2}), ValuesError, "a set of l"),
-    (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"I1": -1, "m0": 1, "pi3_0": 2, "l": 1}), ValuesError, "positive"),
+    (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"I1": 1, "m0": 1, "pi3_0": 2}), ValuesError,
+     "a set of l"),
+    (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"I1": -1, "m0": 1, "pi3_0": 2, "l": 1}),
+     ValuesError, "positive"),
     (lambda: stabilizing_set(reports("U3")["E3"], "k3"), ScopeError, "degree"),
     (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"l": 1}), ValuesError, "needs"),
-    (lambda: stabilizing_set(gs.analyze(gs.upright(gs.assemble(BODY, gs.axial_potential(gs.symbol("k3") ** 3)))), "l",
+    (lambda: stabilizing_set(gs.analyze(gs.upright(gs.assemble(BODY,
+                                                               gs.axial_potential(gs.symbol("k3") ** 3)))),
+                             "l",
                              {"I1": 1, "pi3_0": -2}), None, "")])
 def test_what_is_not_solved_is_said(call, error, why):
     """Unknown names, a form beyond those solved, missing numbers."""
@@ -221,29 +267,37 @@ def test_what_is_not_solved_is_said(call, error, why):
         call()
 
 
-TIED = [("U1", "k3", {"l": 1, "omega": 1}, []), ("U1", "omega", {"l": 1, "k3": 0}, [3]), ("U1", "l", {"k3": 0, "omega": 1}, [3]),
+TIED = [("U1", "k3", {"l": 1, "omega": 1}, []), ("U1", "omega", {"l": 1, "k3": 0}, [3]),
+        ("U1", "l", {"k3": 0, "omega": 1}, [3]),
         ("quartic", "k3", {"l": 0, "omega": "1/2"}, ["-sqrt(3)/4", "sqrt(3)/4"]),
-        ("quartic", "I1", {"l": 0, "omega": "1/2", "k3": "1/2"}, [1]), ("quartic", "l", {"k3": "1/2", "omega": "1/2"}, ["1/4"]),
+        ("quartic", "I1", {"l": 0, "omega": "1/2", "k3": "1/2"}, [1]),
+        ("quartic", "l", {"k3": "1/2", "omega": "1/2"}, ["1/4"]),
         ("quartic", "omega", {"l": 0, "k3": "1/4"}, ["-sqrt(3)/2", "sqrt(3)/2"])]
 
 
 @pytest.mark.parametrize(("field", "name", "values", "expected"), TIED)
 def test_a_relation_leaves_points(field, name, values, expected):
-    """E3 with its relation fully given: the points of the family that are stable, nothing where there is none."""
+    """E3 with its relation fully given.
+
+    The points of the family that are stable, nothing where there is none.
+    """
     U = gs.uniform_field() if field == "U1" else gs.axial_potential(lambda z: z**4 - z**2 / 2)
     report = gs.analyze(gs.inclined(gs.assemble(BODY, U)))
     values = {"I1": 2, "I3": 1, **({"m0": 3} if field == "U1" else {}), **values}
     values = {n: x for n, x in values.items() if n != name}
     solution = stabilizing_set(report, name, values)
     ends = [i.low for p in solution.parts for c in p.cases for i in c.intervals]
-    assert ends == [exact_number(x) for x in expected] and all(truth(report, values | {name: x}) for x in expected)
-    assert all(i.low == i.high and i.low_if == INCLUDED for p in solution.parts for c in p.cases for i in c.intervals)
+    assert ends == [exact_number(x) for x in expected]
+    assert all(truth(report, values | {name: x}) for x in expected)
+    assert all(i.low == i.high and i.low_if == INCLUDED for p in solution.parts for c in p.cases
+               for i in c.intervals)
 
 
 def test_a_pole_of_the_family_is_an_infinite_end():
     """a = (ω l − …)/(3 k3²) grows without bound towards k3 = 0."""
     a, b = map(gs.symbol, "ab")
-    report = gs.analyze(gs.inclined(gs.assemble(BODY, gs.axial_potential(lambda z: a * z**3 + b * z)), eliminate="a"))
+    report = gs.analyze(gs.inclined(gs.assemble(BODY, gs.axial_potential(lambda z: a * z**3 + b * z)),
+                                    eliminate="a"))
     (part,) = stabilizing_set(report, "a", {"I1": 2, "I3": 1, "b": 1, "omega": 1, "l": 5}).parts
     (_, run) = part.cases[0].intervals
     assert (run.low, run.high, run.tilt) == (1, oo, (1, 0))
@@ -251,8 +305,13 @@ def test_a_pole_of_the_family_is_an_infinite_end():
 
 @pytest.mark.parametrize("name", ["l", "I2", "omega3_0"])
 def test_a_free_body_in_closed_form(name):
-    """Rotation about axis 3 with l along it: the set is that of the verdicts, ends included as the fourth order says."""
-    report = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l")))), 3))
+    """Rotation about axis 3 with l along it.
+
+    The set is that of the verdicts, ends included as the fourth order says.
+    """
+    report = gs.analyze(
+        gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l")))), 3)
+    )
     solution, draw = stabilizing_set(report, name), random.Random(name)
     for n in range(60):
         values = {s: Fraction(draw.randint(1, 4)) for s in ("I1", "I2", "I3")}
@@ -263,9 +322,16 @@ def test_a_free_body_in_closed_form(name):
 
 
 def test_where_the_margin_is_zero_all_along():
-    """U = k3 + a (k3 − 1)², P² = 4 I1: on the boundary for every a, stable for a ≥ −1/2; I2 of a free body with f1 = 0 likewise."""
-    report = gs.analyze(gs.upright(gs.assemble(BODY, gs.axial_potential(lambda z: z + gs.symbol("a") * (z - 1) ** 2))))
-    free = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l")))), 3))
+    """U = k3 + a (k3 − 1)², P² = 4 I1: on the boundary for every a, stable for a ≥ −1/2.
+
+    I2 of a free body with f1 = 0 likewise.
+    """
+    report = gs.analyze(
+        gs.upright(gs.assemble(BODY, gs.axial_potential(lambda z: z + gs.symbol("a") * (z - 1) ** 2)))
+    )
+    free = gs.analyze(
+        gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l")))), 3)
+    )
     for r, name, values, expected in ((report, "a", {"I1": 1, "l": 0, "pi3_0": 2}, Fraction(-1, 2)),
                                       (free, "I2", {"I1": 1, "I3": 3, "l": -2, "omega3_0": 1}, 1)):
         numeric, symbolic = stabilizing_set(r, name, values), stabilizing_set(r, name)
@@ -273,16 +339,25 @@ def test_where_the_margin_is_zero_all_along():
         assert (interval.low, interval.low_if, interval.high) == (expected, INCLUDED, oo)
         for x in (Fraction(1, 3), Fraction(-3, 5), Fraction(2), Fraction(expected)):
             if x > 0 or name == "a":
-                assert numeric.contains({name: x}) is symbolic.contains(values | {name: x}) is truth(r, values | {name: x})
+                assert (
+                    numeric.contains({name: x})
+                    is symbolic.contains(values | {name: x})
+                    is truth(r, values | {name: x})
+                )
 
 
 def test_a_claimed_point_that_is_on_the_boundary_for_every_value():
     """E1 of numbers, P² = 4 I1 U' exactly: no margin is left, and the ladder decides: a ≥ −1/2."""
-    scene = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, 2)), gs.axial_potential(lambda z: z + gs.symbol("a") * (z - 1) ** 2))
+    scene = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, 2)),
+                        gs.axial_potential(lambda z: z + gs.symbol("a") * (z - 1) ** 2))
     report = gs.analyze(gs.equilibrium(scene, (0, 0, 0, 0, 0, 1)))
     (interval,) = stabilizing_set(report, "a").parts[0].cases[0].intervals
     assert (interval.low, interval.low_if, interval.high) == (Fraction(-1, 2), INCLUDED, oo)
-    assert [report.verdict({"a": a}).verdict.name for a in (-1, "-1/2", 0)] == ["UNSTABLE", "STABLE", "STABLE"]
+    assert [report.verdict({"a": a}).verdict.name for a in (-1, "-1/2", 0)] == [
+        "UNSTABLE",
+        "STABLE",
+        "STABLE",
+    ]
 
 
 def test_transcendental_numbers_are_solved_in_closed_form():
@@ -302,26 +377,34 @@ def test_ends_of_an_unspecified_field():
 
 ASYMMETRIC = [((2, 1, 3), "omega3_0", {"m0": 1, "l": 0}), ((2, 3, 1), "l", {"m0": 1, "omega3_0": 4}),
               ((2, 3, 1), "omega3_0", {"m0": 1, "l": 1}),
-              ((1, 2, "5/2"), "m0", {"omega3_0": "3/2", "l": -1}), ((3, 4, 2), "l", {"m0": -2, "omega3_0": 1})]
+              ((1, 2, "5/2"), "m0", {"omega3_0": "3/2", "l": -1}),
+              ((3, 4, 2), "l", {"m0": -2, "omega3_0": 1})]
 
 
 @pytest.mark.parametrize("wholly", [True, pytest.param(False, marks=pytest.mark.slow)])
-@pytest.mark.parametrize(("inertia", "name", "values"), [ASYMMETRIC[1], *(pytest.param(*case, marks=pytest.mark.slow) for case in (
+@pytest.mark.parametrize(("inertia", "name", "values"),
+                         [ASYMMETRIC[1], *(pytest.param(*case, marks=pytest.mark.slow) for case in (
     ASYMMETRIC[:1] + ASYMMETRIC[2:]))])
 def test_an_asymmetric_body_as_far_as_it_is_proved(inertia, name, values, wholly):
-    """Unstable iff Euler and Poisson's equations have a growing mode; stable where (I3 − Ii) ω² + l ω − m0 > 0 for both; else unproved.
+    """Unstable iff Euler and Poisson's equations have a growing mode.
 
-    With numbers for all other names, and with none: then what is claimed is true, and what is sufficient is found.
+    Stable where (I3 − Ii) ω² + l ω − m0 > 0 for both; else unproved.
+
+    With numbers for all other names, and with none: then what is claimed is true, and what is sufficient is
+    found.
     """
     body = gs.Gyrostat(tuple(map(exact_number, inertia)), (0, 0, gs.symbol("l")))
-    report = gs.analyze(gs.upright(gs.assemble(body, gs.axial_potential(lambda z: gs.symbol("m0") * z)), "omega3_0"))
+    report = gs.analyze(gs.upright(gs.assemble(body, gs.axial_potential(lambda z: gs.symbol("m0") * z)),
+                                   "omega3_0"))
     solution, kinds = stabilizing_set(report, name, values if wholly else None), set()
     I1, I2, I3 = map(Fraction, inertia)
     for n in range(-40, 41):
         v = {s: Fraction(x) for s, x in values.items()} | {name: Fraction(n, 4)}
         omega, l, m0 = v["omega3_0"], v["l"], v["m0"]
-        x, moments, rotor = oracle.exact([0, 0, I3 * omega, 0, 0, 1]), oracle.exact([I1, I2, I3]), oracle.exact([0, 0, l])
-        unstable = oracle.growth(partial(oracle.field, inertia=moments, rotor=rotor, slope=oracle.axial_slope(m0, Fraction(0), 1)), x)
+        x, moments, rotor = oracle.exact([0, 0, I3 * omega, 0, 0,
+                                          1]), oracle.exact([I1, I2, I3]), oracle.exact([0, 0, l])
+        unstable = oracle.growth(partial(oracle.field, inertia=moments, rotor=rotor,
+                                         slope=oracle.axial_slope(m0, Fraction(0), 1)), x)
         lowest = min((I3 - i) * omega**2 + l * omega - m0 for i in (I1, I2))
         stable = lowest > 0
         answer = solution.contains({name: v[name]} if wholly else v)
@@ -329,7 +412,12 @@ def test_an_asymmetric_body_as_far_as_it_is_proved(inertia, name, values, wholly
         if lowest == 0 and not unstable:                   # the fourth order may prove it stable
             assert answer is not False
             continue
-        assert answer is (True if stable else False if unstable else None) or not wholly and answer is None and not stable, v
+        assert (
+            answer is (True if stable else False if unstable else None)
+            or not wholly
+            and answer is None
+            and not stable
+        ), v
     shown = text(result_blocks(solution))
     assert len(kinds) > 1 and shown.count("\n") >= len(solution.parts) and shown.count("Stable:") <= 1
     assert None not in kinds or ("Nothing is proved for" if wholly else "nothing is claimed") in shown
@@ -343,10 +431,14 @@ def test_a_number_between_two_that_are_very_near():
         assert a < between(a, b) < b
 
 
-@pytest.mark.parametrize(("moment", "rotor"), [(1, sqrt(3)), (sqrt(5), sqrt(2)), (2 ** Rational(1, 4), sqrt(2) + sqrt(3)),
+@pytest.mark.parametrize(("moment", "rotor"),
+                         [(1, sqrt(3)), (sqrt(5), sqrt(2)), (2 ** Rational(1, 4), sqrt(2) + sqrt(3)),
                                                (sqrt(pi), sin(1)), (2 ** Rational(1, 12), sqrt(6))])
 def test_numbers_that_are_not_rational_lose_no_part_of_a_set(moment, rotor):
-    """The third minor and its square, the fourth, are one condition whatever numbers are in them: (π3 + l)² ≥ ∓4 I1 m0."""
+    """The third minor and its square, the fourth, are one condition whatever numbers are in them.
+
+    (π3 + l)² ≥ ∓4 I1 m0.
+    """
     body = gs.Gyrostat((moment, moment, 1), (0, 0, rotor))
     report = gs.analyze(gs.hanging(gs.assemble(body, gs.axial_potential(lambda z: gs.symbol("m0") * z))))
     (part,) = stabilizing_set(report, "pi3_0").parts

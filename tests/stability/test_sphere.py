@@ -1,4 +1,7 @@
-"""A free body about a principal axis where the two criteria are silent: the energy on the momentum sphere, at exact points of it."""
+"""A free body about a principal axis where the two criteria are silent.
+
+The energy on the momentum sphere, at exact points of it.
+"""
 from fractions import Fraction
 from itertools import product
 
@@ -14,12 +17,16 @@ rates = st.fractions(min_value=-3, max_value=3, max_denominator=6).filter(bool)
 
 
 def strict_extremum(inertia, rotor, rate, axis, step):
-    """Whether the energy has one strict sign at rational points of the sphere around the rotation; None where it is constant."""
+    """Whether the energy has one strict sign at rational points of the sphere around the rotation.
+
+    None where it is constant.
+    """
     b, c = (n for n in range(3) if n != axis)
     R = inertia[axis] * rate + rotor
 
     def energy(s, t):
-        size = 1 + s * s + t * t                           # stereographic: a rational point of the sphere |M| = |R|
+        # stereographic: a rational point of the sphere |M| = |R|
+        size = 1 + s * s + t * t
         M = [Fraction(0)] * 3
         M[b], M[c], M[axis] = 2 * s * R / size, 2 * t * R / size, (1 - s * s - t * t) * R / size
         return sum((m - (rotor if n == axis else 0)) ** 2 / (2 * inertia[n]) for n, m in enumerate(M))
@@ -33,10 +40,14 @@ def strict_extremum(inertia, rotor, rate, axis, step):
 
 
 @pytest.mark.parametrize("axis", [1, 2, 3])
-@given(I=st.tuples(sizes, sizes, sizes), rate=rates, which=st.integers(0, 1), equal=st.sampled_from(["", "own", "others", "all"]))
+@given(I=st.tuples(sizes, sizes, sizes), rate=rates, which=st.integers(0, 1),
+       equal=st.sampled_from(["", "own", "others", "all"]))
 @settings(max_examples=60)
 def test_verdicts_where_a_coefficient_vanishes(axis, I, rate, which, equal):
-    """f_b f_c = 0 exactly: stable where the energy has a strict extremum on the sphere, or is constant; never undecided."""
+    """f_b f_c = 0 exactly: stable where the energy has a strict extremum on the sphere, or is constant.
+
+    Never undecided.
+    """
     a = axis - 1
     b, c = ([n for n in range(3) if n != a])[::1 if which else -1]
     I = list(I)
@@ -60,10 +71,15 @@ def test_verdicts_where_a_coefficient_vanishes(axis, I, rate, which, equal):
 
 
 def test_the_generic_case_in_symbols():
-    """One report in symbols: I = (1, 2, 3), l = −2 ω about axis 3 has f1 = 0; I = (2, 1, 3), l = −ω; and with three equal moments."""
+    """One report in symbols: I = (1, 2, 3), l = −2 ω about axis 3 has f1 = 0; I = (2, 1, 3), l = −ω.
+
+    And with three equal moments.
+    """
     free = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l"))))
     report = gs.analyze(gs.principal_rotation(free, 3))
-    for inertia, l, expected in (((1, 2, 3), -2, "STABLE"), ((2, 1, 3), -1, "UNSTABLE"), ((2, 2, 3), -1, "STABLE"),
-                                 ((2, 2, 2), 0, "STABLE"), ((3, 2, 3), 0, "UNSTABLE"), ((2, 1, "1/2"), "3/2", "STABLE")):
+    for inertia, l, expected in (((1, 2, 3), -2, "STABLE"), ((2, 1, 3), -1, "UNSTABLE"),
+                                 ((2, 2, 3), -1, "STABLE"),
+                                 ((2, 2, 2), 0, "STABLE"), ((3, 2, 3), 0, "UNSTABLE"),
+                                 ((2, 1, "1/2"), "3/2", "STABLE")):
         values = dict(zip(("I1", "I2", "I3"), inertia)) | {"l": l, "omega3_0": 1}
         assert report.verdict(values).verdict.name == expected, inertia

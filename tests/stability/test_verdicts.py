@@ -1,7 +1,10 @@
-"""A million verdicts, interior and boundary, against whole-number arithmetic that knows neither the library nor its formulas.
+"""A million verdicts, interior and boundary, against whole-number arithmetic that knows neither the library
+nor its formulas.
 
-U = a1 k3 + … + a6 k3⁶. The oracle takes the energy, C1 and P of the equilibrium, from its vectors, and looks at the first Taylor
-coefficient of g = I1² k̇3² at the point that is not 0: a motion leaves where g > 0 beside it. Numbers are n/d with one d a case.
+U = a1 k3 + … + a6 k3⁶. The oracle takes the energy, C1 and P of the equilibrium, from its vectors, and looks
+    at the first Taylor
+coefficient of g = I1² k̇3² at the point that is not 0: a motion leaves where g > 0 beside it. Numbers are n/d
+    with one d a case.
 """
 import math
 from collections import Counter
@@ -27,8 +30,10 @@ BATCH = 5000
 @pytest.fixture(scope="module")
 def reports():
     """E1, E2, E3 by the sign of k3 at a pole, 0 for a tilt."""
-    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(sum(gs.symbol(a) * k3**n for n, a in enumerate(NAMES, 1))))
-    return {1: gs.analyze(gs.upright(scene)), -1: gs.analyze(gs.hanging(scene)), 0: gs.analyze(gs.inclined(scene))}
+    scene = gs.assemble(gs.symmetric_gyrostat(),
+                        gs.axial_potential(sum(gs.symbol(a) * k3**n for n, a in enumerate(NAMES, 1))))
+    return {1: gs.analyze(gs.upright(scene)), -1: gs.analyze(gs.hanging(scene)),
+            0: gs.analyze(gs.inclined(scene))}
 
 
 def solve(rows, right):
@@ -40,7 +45,8 @@ def solve(rows, right):
             return None
         rows[i], rows[pivot] = rows[pivot], rows[i]
         rows[i] = [c / rows[i][i] for c in rows[i]]
-        rows = [row if j == i or not row[i] else [a - row[i] * b for a, b in zip(row, rows[i])] for j, row in enumerate(rows)]
+        rows = [row if j == i or not row[i] else [a - row[i] * b for a, b in zip(row, rows[i])]
+                for j, row in enumerate(rows)]
     return [row[n] for row in rows]
 
 
@@ -49,14 +55,17 @@ def on_the_boundary(motion, B, m, start, count):
     free = [0] * count + B[count:]
     rest = oracle.taylor(motion(free), m)[start:start + count]
     nothing = oracle.taylor(motion([0] * 6), m)[start:start + count]
-    columns = [[x - y for x, y in zip(oracle.taylor(motion([int(i == j) for i in range(6)]), m)[start:start + count], nothing)]
+    columns = [[x - y for x, y in zip(oracle.taylor(motion([int(i == j) for i in range(6)]),
+                                                    m)[start:start + count], nothing)]
                for j in range(count)]
     found = solve(list(zip(*columns)), [-c for c in rest])
     return None if found is None else [*found, *B[count:]]
 
 
 def drawn(seed):
-    """Without end: (pole or 0, values, whether a motion leaves, on the boundary, how many more coefficients vanish)."""
+    """Without end: (pole or 0, values, whether a motion leaves, on the boundary, how many more coefficients
+    vanish).
+    """
     source = np.random.default_rng(seed)
     while True:
         whole = source.integers(-50, 51, size=(BATCH, 12)).tolist()
@@ -65,10 +74,15 @@ def drawn(seed):
         kinds = source.integers(0, 60, size=(BATCH, 4)).tolist()
         for row, (A, C, q), d, (kind, degree, special, deeper) in zip(whole, natural, common, kinds):
             B = row[:6]
-            if degree < 12:                            # a lower degree, or a few terms alone
-                B = [b if n < degree / 2 else 0 for n, b in enumerate(B)] if degree % 2 else [b * (b % 2) for b in B]
+            if degree < 12:  # a lower degree, or a few terms alone
+                B = (
+                    [b if n < degree / 2 else 0 for n, b in enumerate(B)]
+                    if degree % 2
+                    else [b * (b % 2) for b in B]
+                )
             on, more = kind % 3 == 0, 1 + deeper % 5 if kind % 3 == 0 and deeper < 6 else 0
-            yield from (tilted if kind // 20 == 2 else vertical)(kind // 20, A, C, q, B, row, d, special, on, more)
+            yield from (tilted if kind // 20 == 2
+                        else vertical)(kind // 20, A, C, q, B, row, d, special, on, more)
 
 
 def vertical(which, A, C, q, B, row, d, special, on, more):
@@ -90,13 +104,17 @@ def vertical(which, A, C, q, B, row, d, special, on, more):
         return
     # A, L, P and B may be multiplied by one number
     n = math.lcm(*(b.denominator for b in B))
-    leaves = oracle.moves_away(oracle.whole_motion(A * n, 0, P * n, [int(b * n) for b in B], s, 1, 1), s, SIDES[s])
+    leaves = oracle.moves_away(oracle.whole_motion(A * n, 0, P * n, [int(b * n) for b in B], s, 1, 1), s,
+                               SIDES[s])
     values = {"I1": Fraction(A, d), "l": Fraction(L, d), "pi3_0": Fraction(pi3, d)}
     yield s, values | {a: b / Fraction(d) for a, b in zip(NAMES, B)}, leaves, on, more
 
 
 def tilted(which, A, C, q, B, row, d, special, on, more):
-    """E3; for special cases |k3| near 1, I3 near I1, P = 0 or nearly, k3 = 0. B1 balances l, by the coefficient of x in g."""
+    """E3; for special cases abs(k3) near 1, I3 near I1, P = 0 or nearly, k3 = 0.
+
+    B1 balances l, by the coefficient of x in g.
+    """
     L, W, m = row[6:9]
     r, W, m, q = 1 + row[9] % 7, W or 1, abs(m) % (q + 1), q + 1
     m, B = m if row[10] % 2 else -m, [b * 10 ** (row[11] % 4) for b in B]
@@ -118,8 +136,10 @@ def tilted(which, A, C, q, B, row, d, special, on, more):
     if B is None:
         return
     n = math.lcm(*(b.denominator for b in B))
-    leaves = oracle.moves_away(oracle.whole_motion(A * n, W, P * n, [int(b * n) for b in B], m, q, r), m, SIDES[0])
-    values = {"I1": Fraction(A, d), "I3": Fraction(C, d), "omega": Fraction(W, r), "k3": Fraction(m, q), "l": Fraction(L, d)}
+    leaves = oracle.moves_away(oracle.whole_motion(A * n, W, P * n, [int(b * n) for b in B], m, q, r), m,
+                               SIDES[0])
+    values = {"I1": Fraction(A, d), "I3": Fraction(C, d), "omega": Fraction(W, r), "k3": Fraction(m, q),
+              "l": Fraction(L, d)}
     yield 0, values | {a: b / Fraction(d) for a, b in zip(NAMES, B)}, leaves, on, more
 
 
@@ -136,13 +156,18 @@ def count_wrong(reports, seed, cases):
 
 
 def test_no_wrong_verdict_in_3_000_points(reports):
-    """0 wrong on E1, E2, E3; a third on a boundary, a tenth of those with more coefficients 0; both answers everywhere."""
+    """0 wrong on E1, E2, E3; a third on a boundary, a tenth of those with more coefficients 0.
+
+    Both answers everywhere.
+    """
     wrong, seen = count_wrong(reports, 20261121, 3_000)
     assert not wrong
     boundary = sum(n for (_, on, _, _), n in seen.items() if on)
     assert 900 < boundary < 1110 and 75 < sum(n for (_, _, more, _), n in seen.items() if more)
-    assert all(seen[pole, on, more, leaves] for pole in (1, -1, 0) for on, more in ((False, False), (True, False), (True, True))
-               for leaves in (False, True) if (pole, on, more, leaves) != (0, True, False, False))    # g''' ≠ 0 leaves at a tilt
+    assert all(seen[pole, on, more, leaves] for pole in (1, -1, 0)
+               for on, more in ((False, False), (True, False), (True, True))
+               # g''' ≠ 0 leaves at a tilt
+               for leaves in (False, True) if (pole, on, more, leaves) != (0, True, False, False))
 
 
 @pytest.mark.slow
@@ -152,7 +177,8 @@ def test_no_wrong_verdict_in_1_000_000_points(reports):
     assert not wrong
 
 
-@given(I1=moments, I3=moments, l=numbers, omega=nonzero, tilt=tilts, B=st.lists(numbers, min_size=6, max_size=6))
+@given(I1=moments, I3=moments, l=numbers, omega=nonzero, tilt=tilts,
+       B=st.lists(numbers, min_size=6, max_size=6))
 @settings(max_examples=40)
 def test_whole_numbers_are_the_vectors(I1, I3, l, omega, tilt, B):
     """The whole-number g is g of the vectors π = I ω k, k = (k1, 0, k3), in Fractions, times (d r q⁴)²."""
@@ -162,13 +188,17 @@ def test_whole_numbers_are_the_vectors(I1, I3, l, omega, tilt, B):
     state = oracle.exact([I1 * omega * k1, 0, I3 * omega * z, k1, 0, z])
     g = oracle.reduced_motion(I1, *oracle.axial_integrals(state, I1, l, potential), potential)
     d = math.lcm(*(x.denominator for x in (I1, I3, l, *B)))
-    whole = oracle.whole_motion(int(I1 * d), omega.numerator, int(P * d * r * q), [int(b * d) for b in B], m, q, r)
+    whole = oracle.whole_motion(int(I1 * d), omega.numerator, int(P * d * r * q), [int(b * d) for b in B], m,
+                                q, r)
     assert whole == [c * (d * r * q**4) ** 2 / q**n for n, c in enumerate(g)]
 
 
 @pytest.mark.parametrize("pole", [1, -1, 0])
 def test_the_point_itself_is_never_stable_at_a_tilt(reports, pole):
-    """Report.itself at E3: UNSTABLE wherever verdict is, and by its drift wherever verdict is STABLE; at a pole it is verdict."""
+    """Report.itself at E3: UNSTABLE wherever verdict is, and by its drift wherever verdict is STABLE.
+
+    At a pole it is verdict.
+    """
     cases = [values for which, values, *_ in islice(drawn(7), 300) if which == pole][:40 if pole else 12]
     for values in cases:
         decision, itself = reports[pole].verdict(values), reports[pole].itself(values)

@@ -1,4 +1,7 @@
-"""Verdicts of every kind against the motion: the excursions from a perturbed equilibrium, in the size of the perturbation."""
+"""Verdicts of every kind against the motion.
+
+The excursions from a perturbed equilibrium, in the size of the perturbation.
+"""
 from dataclasses import replace
 from fractions import Fraction
 
@@ -24,7 +27,10 @@ vectors = st.tuples(*[draw.numbers] * 3).map(lambda v: ImmutableMatrix([Rational
 
 @pytest.fixture(autouse=True)
 def one_direction(monkeypatch):
-    """One of the directions and its negative, which is enough for every verdict here; the example of confirm has them all."""
+    """One of the directions and its negative, which is enough for every verdict here.
+
+    The example of confirm has them all.
+    """
     monkeypatch.setattr(confirmation, "TURNS", confirmation.TURNS[:1])
 
 
@@ -39,23 +45,32 @@ def top():
 def quartic():
     """U = a k3⁴ + b k3²/2 + c k3."""
     a, b, c = map(gs.symbol, "abc")
-    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda z: a * z**4 + b * z**2 / 2 + c * z))
+    scene = gs.assemble(gs.symmetric_gyrostat(),
+                        gs.axial_potential(lambda z: a * z**4 + b * z**2 / 2 + c * z))
     return {family: gs.analyze(getattr(gs, family)(scene)) for family in ("upright", "inclined")}
 
 
 @pytest.fixture(scope="module")
 def asymmetric_report():
     """I = (1, 2, 3), l = (0, 0, 1/2), U = k1 k2 + k3, spinning upright with π3."""
-    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "1/2")), gs.general_potential(lambda x, y, z: x * y + z))
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "1/2")),
+                        gs.general_potential(lambda x, y, z: x * y + z))
     return lambda spin: gs.analyze(gs.equilibrium(scene, (0, 0, spin, 0, 0, 1)))
 
 
 def test_a_sleeping_top_at_the_critical_spin(top):
-    """I1 = m0 = 1, I3 ω3 = 2: stable, the distance goes with √ε; above that spin with ε, below it is of order one."""
+    """I1 = m0 = 1, I3 ω3 = 2: stable, the distance goes with √ε.
+
+    Above that spin with ε, below it is of order one.
+    """
     critical = confirm(top["upright"], TOP | {"pi3_0": 2}, COARSE)
-    assert critical.decision.verdict is Verdict.STABLE and critical.expected == 0.5 and critical.agrees and critical.complete
+    assert critical.decision.verdict is Verdict.STABLE
+    assert critical.expected == 0.5
+    assert critical.agrees
+    assert critical.complete
     assert critical.sizes == (1e-3, 1e-5, 1e-7)
-    np.testing.assert_allclose(np.diff(np.log10(critical.excursions)), -1, atol=0.01)                   # the next term is ε as large
+    # the next term is ε as large
+    np.testing.assert_allclose(np.diff(np.log10(critical.excursions)), -1, atol=0.01)
     assert abs(critical.slope - 0.5) < 1e-3
     above, below = (confirm(top["upright"], TOP | {"pi3_0": spin}, LARGE) for spin in ("5/2", "3/2"))
     assert above.agrees and above.expected == 1 and abs(above.slope - 1) < 1e-2
@@ -64,24 +79,40 @@ def test_a_sleeping_top_at_the_critical_spin(top):
 
 @pytest.mark.parametrize("a, b, c, I1, pi3_0, verdict, slope", [
     (0, -2, 3, 1, 2, "UNSTABLE", 0), (-1, 0, 16, 3, 12, "STABLE", 1 / 4), (1, -13, 10, 1, 2, "UNSTABLE", 0),
-    ("1/16", "-7/4", "5/2", 1, 2, "STABLE", 1 / 6), (0, 1, -1, 1, 0, "STABLE", 1 / 2), (-1, 12, -8, 1, 0, "STABLE", 1 / 3)])
+    ("1/16", "-7/4", "5/2", 1, 2, "STABLE", 1 / 6), (0, 1, -1, 1, 0, "STABLE", 1 / 2),
+    (-1, 12, -8, 1, 0, "STABLE", 1 / 3)])
 def test_boundary_at_a_pole(quartic, a, b, c, I1, pi3_0, verdict, slope):
-    """P² = 4 I1 U′(1) and c_n the first coefficient of g: ε to the power 1/(2n), 1/(n + 1) where P = 0; of order one where unstable."""
-    found = confirm(quartic["upright"], {"a": a, "b": b, "c": c, "I1": I1, "I3": 1, "l": 0, "pi3_0": pi3_0}, COARSE if slope else LARGE)
-    assert found.decision.verdict.name == verdict and found.expected == slope and found.agrees and found.complete
-    assert abs(found.slope - slope) < 0.02                                                              # next terms: ε^(1/6) or less
+    """P² = 4 I1 U′(1) and c_n the first coefficient of g: ε to the power 1/(2n), 1/(n + 1) where P = 0.
+
+    Of order one where unstable.
+    """
+    found = confirm(quartic["upright"], {"a": a, "b": b, "c": c, "I1": I1, "I3": 1, "l": 0, "pi3_0": pi3_0},
+                    COARSE if slope else LARGE)
+    assert found.decision.verdict.name == verdict
+    assert found.expected == slope
+    assert found.agrees
+    assert found.complete
+    # next terms: ε^(1/6) or less
+    assert abs(found.slope - slope) < 0.02
 
 
 @pytest.mark.parametrize("a, b, c, verdict, slope", [
-    (0, 1, 0, "STABLE", 1), (0, -2, 0, "UNSTABLE", 0), (0, -1, 0, "STABLE", 1 / 3), (-1, -1, 0, "UNSTABLE", 0), (0, -2, 1, "UNSTABLE", 0),
+    (0, 1, 0, "STABLE", 1), (0, -2, 0, "UNSTABLE", 0), (0, -1, 0, "STABLE", 1 / 3),
+    (-1, -1, 0, "UNSTABLE", 0), (0, -2, 1, "UNSTABLE", 0),
     (0, -2, -1, "UNSTABLE", 0)])
 def test_inclined_modulo_the_spin(quartic, a, b, c, verdict, slope):
-    """E3 with its axis horizontal, l = c: definite, indefinite, and p = 0 with the first coefficient of order 4, 4 and 3.
+    """E3 with its axis horizontal, l = c.
+
+    Definite, indefinite, and p = 0 with the first coefficient of order 4, 4 and 3.
 
     Of order 3, at a fold, one sign of the perturbation leads away, and the other does not.
     """
-    found = confirm(quartic["inclined"], {"a": a, "b": b, "c": c, "I1": 1, "I3": 2, "omega": 1, "k3": 0}, COARSE if slope else LARGE)
-    assert found.decision.verdict.name == verdict and found.expected == slope and found.agrees and found.complete
+    found = confirm(quartic["inclined"], {"a": a, "b": b, "c": c, "I1": 1, "I3": 2, "omega": 1, "k3": 0},
+                    COARSE if slope else LARGE)
+    assert found.decision.verdict.name == verdict
+    assert found.expected == slope
+    assert found.agrees
+    assert found.complete
     assert found.decision.modulo and abs(found.slope - slope) < 0.02
 
 
@@ -100,7 +131,8 @@ def test_free_body(axis, verdict):
     body = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), axis))
     found = confirm(body, {f"omega{axis}_0": 1}, COARSE)
     assert found.decision.verdict.name == verdict and found.agrees and found.complete
-    assert found.routes == ("free body",) and (axis != 2 or min(found.excursions) > 3.9)                # 2 |M| = 4
+    # 2 |M| = 4
+    assert found.routes == ("free body",) and (axis != 2 or min(found.excursions) > 3.9)
 
 
 @pytest.mark.parametrize("method", [pytest.param("DOP853", marks=pytest.mark.slow), "heyoka"])
@@ -110,35 +142,52 @@ def test_asymmetric_body_in_a_field(asymmetric_report, monkeypatch, method):
     monkeypatch.setattr(integration, "find_spec", lambda name: method == "heyoka" or None)
     for spin, verdict in ((4, "STABLE"), (2, "UNSTABLE")):
         found = confirm(asymmetric_report(spin), {}, LARGE)
-        assert found.decision.verdict.name == verdict and found.agrees and not found.complete and found.routes == (method,)
+        assert found.decision.verdict.name == verdict
+        assert found.agrees
+        assert not found.complete
+        assert found.routes == (method,)
 
 
 def test_undecided_stays_undecided():
-    """An asymmetric top spinning fast about its longest axis is spectrally stable, its energy no extremum: no slope settles that."""
+    """An asymmetric top spinning fast about its longest axis is spectrally stable, its energy no extremum.
+
+    No slope settles that.
+    """
     pytest.importorskip("heyoka")
     scene = gs.assemble(gs.Gyrostat((2, 3, 1), (0, 0, 0)), gs.general_potential(lambda x, y, z: z))
     found = confirm(gs.analyze(gs.equilibrium(scene, (0, 0, 10, 0, 0, 1))), {}, LARGE)
-    assert found.decision.verdict is Verdict.UNDECIDED and found.expected is found.agrees is None and abs(found.slope - 1) < 0.05
+    assert found.decision.verdict is Verdict.UNDECIDED
+    assert found.expected is found.agrees is None
+    assert abs(found.slope - 1) < 0.05
 
 
 def test_sizes_that_do_not_tell(top):
-    """Closer to the boundary than the sizes go, an unstable top moves like a stable one on it: neither agreed nor denied."""
+    """Closer to the boundary than the sizes go, an unstable top moves like a stable one on it.
+
+    Neither agreed nor denied.
+    """
     near = confirm(top["upright"], TOP | {"pi3_0": 2 - Fraction(1, 10**9)}, COARSE)
     assert near.decision.verdict is Verdict.UNSTABLE and near.agrees is None and abs(near.slope - 0.5) < 0.05
 
 
-@pytest.mark.parametrize("slope, stable, unstable", [(0.0, False, True), (0.3, None, None), (0.5, True, None), (1.0, None, False)])
+@pytest.mark.parametrize("slope, stable, unstable",
+                         [(0.0, False, True), (0.3, None, None), (0.5, True, None), (1.0, None, False)])
 def test_agreement_has_three_values(top, slope, stable, unstable):
     """A slope of 0 speaks against stability, one of 1 for it, one in between for what it is expected for."""
     critical = confirm(top["upright"], TOP | {"pi3_0": 2}, COARSE)
     assert replace(critical, slope=slope).agrees is stable
-    assert replace(critical, slope=slope, decision=replace(critical.decision, verdict=Verdict.UNSTABLE)).agrees is unstable
+    assert (
+        replace(critical, slope=slope, decision=replace(critical.decision, verdict=Verdict.UNSTABLE)).agrees
+        is unstable
+    )
 
 
 @settings(max_examples=10)
 @given(turn=vectors, change=vectors, tilt=draw.tilts, spin=draw.numbers)
 def test_a_moved_point_keeps_the_length_of_k(turn, change, tilt, spin):
-    """|k|² = 1 exactly, π is changed by what is given, and k turns about the vector by 2 arctan(|vector|/2)."""
+    """abs(k)² = 1 exactly, π is changed by what is given, and k turns about the vector by 2
+    arctan(abs(vector)/2).
+    """
     k = ImmutableMatrix([Rational(tilt[0]), 0, Rational(tilt[1])])
     new = moved((0, Rational(spin), 0, *k), turn, change)
     turned = ImmutableMatrix(new[3:])
@@ -149,11 +198,14 @@ def test_a_moved_point_keeps_the_length_of_k(turn, change, tilt, spin):
 
 
 def test_distance_modulo_the_spin(quartic):
-    """Turned about axis 3, the equilibrium is at the distance 0 from itself, and of states a small distance apart no digit is lost."""
+    """Turned about axis 3, the equilibrium is at the distance 0 from itself, and of states a small distance
+    apart no digit is lost.
+    """
     report = quartic["inclined"]
     point = [Rational(x) for x in (1, 0, 2, "3/5", 0, "4/5")]
     decision = report.verdict({"a": 0, "b": 0, "c": 0, "I1": 1, "I3": 2, "omega": 1, "k3": 0})
-    modulo, itself = (_Distance(report.equilibrium, d, point) for d in (decision, replace(decision, modulo=())))
+    modulo, itself = (_Distance(report.equilibrium, d, point)
+                      for d in (decision, replace(decision, modulo=())))
     c, s = np.cos(2.5), np.sin(2.5)
     turned = np.array([[c, s, 2, 0.6 * c, 0.6 * s, 0.8], [1, 0, 2, 0.6, 0, 0.8 + 1e-9]])
     np.testing.assert_allclose(modulo(turned), [0, 1e-9], rtol=1e-6, atol=1e-15)

@@ -16,7 +16,8 @@ parts = st.fractions(min_value=-2, max_value=2, max_denominator=64)
 def theirs(u, complement):
     """sn, cn, dn by mpmath, with digits to spare for m = 1 − m1."""
     with mpmath.workdps(100):
-        return [mpmath.ellipfun(name, mpmath.mpf(u), m=1 - mpmath.mpf(complement)) for name in ("sn", "cn", "dn")]
+        return [mpmath.ellipfun(name, mpmath.mpf(u), m=1 - mpmath.mpf(complement))
+                for name in ("sn", "cn", "dn")]
 
 
 def mid(x, digits=60):
@@ -50,15 +51,20 @@ def test_squares_add_up(n, part):
     with ctx.workprec(128):
         K = float(quarter_period(arb(10) ** -n))
     sn, cn, dn = jacobi(np.array([float(part) * K, 1e6 * K, -3.7 * K]), 10.0**-n)
-    assert np.abs(sn**2 + cn**2 - 1).max() < 4e-15 and np.abs(dn**2 - cn**2 - 10.0**-n * sn**2).max() < 4e-15    # ten roundings
+    # ten roundings
+    assert np.abs(sn**2 + cn**2 - 1).max() < 4e-15 and np.abs(dn**2 - cn**2 - 10.0**-n * sn**2).max() < 4e-15
 
 
 def test_hyperbolic_and_circular_functions_are_the_ends():
     """m1 = 0: tanh, sech, sech, at any size of u; m1 = 1: sin, cos, 1."""
     u = np.array([-1e6, -800.0, -1.5, 0.0, 2.0, 720.0])
     sn, cn, dn = jacobi(u, 0.0)
-    assert (sn == np.tanh(u)).all() and (cn == dn).all() and np.allclose(cn, [0, 0, 1 / np.cosh(1.5), 1, 1 / np.cosh(2), 0], 1e-15, 1e-300)
-    assert [float(x) for x in jacobi_ball(arb(2), arb(0))] == pytest.approx([np.tanh(2), 1 / np.cosh(2), 1 / np.cosh(2)], rel=1e-15)
+    assert (sn == np.tanh(u)).all()
+    assert (cn == dn).all()
+    assert np.allclose(cn, [0, 0, 1 / np.cosh(1.5), 1, 1 / np.cosh(2), 0], 1e-15, 1e-300)
+    assert [float(x) for x in jacobi_ball(arb(2), arb(0))] == pytest.approx(
+        [np.tanh(2), 1 / np.cosh(2), 1 / np.cosh(2)], rel=1e-15
+    )
     sn, cn, dn = jacobi(u, 1.0)
     assert np.abs(sn - np.sin(u)).max() < 1e-15 and np.abs(cn - np.cos(u)).max() < 1e-15 and (dn == 1).all()
     near = jacobi(np.array([1.25]), 1e-300)                                # continuous there
@@ -80,7 +86,9 @@ def test_quarter_period_is_where_cn_vanishes(complement):
 @settings(max_examples=40)
 @given(n=exponents, part=st.fractions(min_value=0, max_value=2, max_denominator=64))
 def test_argument_inverts_the_functions(n, part):
-    """u from sn u : cn u, 0 ≤ u ≤ 2 K, to full relative precision, also at K and near 2 K, also times any factor."""
+    """u from sn u : cn u, 0 ≤ u ≤ 2 K, to full relative precision, also at K and near 2 K, also times any
+    factor.
+    """
     with ctx.workprec(512):
         m1 = arb(10) ** -n
         u = quarter_period(m1) * arb(part.numerator) / part.denominator

@@ -52,13 +52,14 @@ def test_products_are_exact(x, factor):
     parts = pair(enclosed(factor))
     rounded, rest = product(np.array([x]), parts)
     exact = F(x) * (F(parts.high) + F(parts.low))
-    assert rounded[0] == x * parts.high and abs(F(rounded[0]) + F(rest[0]) - exact) <= abs(exact) * 4 * ULP**2 + F(1, 2**1000)
+    assert rounded[0] == x * parts.high
+    assert abs(F(rounded[0]) + F(rest[0]) - exact) <= abs(exact) * 4 * ULP**2 + F(1, 2**1000)
 
 
 @some
 @given(t=times, period=fractions)
 def test_reduced_times_are_exact(t, period):
-    """t = n · period + r with |r| at most half a period, to a rounding of r and 2⁻¹⁰⁴ of t."""
+    """t = n · period + r with abs(r) at most half a period, to a rounding of r and 2⁻¹⁰⁴ of t."""
     n, r = reduced(np.array([t]), pair(enclosed(period)))
     error = abs(F(t) - int(n[0]) * period - F(r[0]))
     assert n[0] == int(n[0]) and error <= 2 * ULP * abs(F(r[0])) + 8 * ULP**2 * abs(F(t))
@@ -77,7 +78,8 @@ def test_turns_of_a_whole_number_are_exact(n, delta, sign):
 def test_turns_at_the_ends():
     """Whole turns are 0, halves stay halves, an array keeps its shape."""
     half = Pair(0.5, 0.0)
-    np.testing.assert_array_equal(np.abs(turns(np.array([[0.0, 1.0], [2.0, -3.0]]), half)), [[0, 0.5], [0, 0.5]])
+    np.testing.assert_array_equal(np.abs(turns(np.array([[0.0, 1.0], [2.0, -3.0]]), half)),
+                                  [[0, 0.5], [0, 0.5]])
     assert turns(np.array([1.0]), Pair(1.0, 2.0**-60))[0] == 2.0**-60
     assert turns(np.array([3.0]), Pair(0.5, 2.0**-50))[0] == -0.5 + 3 * 2.0**-50
 

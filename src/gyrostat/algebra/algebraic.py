@@ -1,4 +1,5 @@
-"""Algebraic numbers: how near to 0 one can be that is not 0, and real roots of polynomials to any precision."""
+"""Algebraic numbers: how near to 0 one can be that is not 0, and real roots of polynomials to any precision.
+"""
 import math
 from collections.abc import Iterable
 from functools import lru_cache
@@ -12,7 +13,8 @@ TURNS = (sin, cos, tan, cot, sec, csc)
 
 
 def is_algebraic(constant: Expr) -> bool:
-    """Whether a constant is written with rationals, + − × ÷, roots, roots of polynomials, and sines and cosines of rational multiples of π.
+    """Whether a constant is written with rationals, + − × ÷, roots, roots of polynomials, and sines and
+    cosines of rational multiples of π.
 
     SymPy does not know it of all of them.
 
@@ -28,12 +30,12 @@ def is_algebraic(constant: Expr) -> bool:
 def separation(constant: Expr) -> int | None:
     """n such that the constant, if it is not 0, is at least 2⁻ⁿ in size; None for a transcendental one.
 
-    Of an expression in rationals, + − × ÷ and roots: |E| ≥ 1/(u^(D−1) l), where u and l bound the conjugates of its numerator
-    and denominator and D is the degree of a field that holds its roots: the product of their degrees, and φ(n)/2 for all the
-    cosines of multiples of 2π/n together.
+    Of an expression in rationals, + − × ÷ and roots: abs(E) ≥ 1/(u^(D−1) l), where u and l bound the conjugates
+    of its numerator and denominator and D is the degree of a field that holds its roots: the product of their
+    degrees, and φ(n)/2 for all the cosines of multiples of 2π/n together.
 
-    Source
-    ------
+    References
+    ----------
     Burnikel, Fleischer, Mehlhorn & Schirra, Algorithmica 27 (2000) 87-99.
     """
     if (bounds := _conjugates(constant)) is None:
@@ -45,19 +47,26 @@ def separation(constant: Expr) -> int | None:
 
 
 def _degree_of_roots(constant: Expr) -> int:
-    """A bound on the degree of a field with all roots: of each base once, and of integers the roots of numbers without common factors."""
+    """A bound on the degree of a field with all roots.
+
+    Of each base once, and of integers the roots of numbers without common factors.
+    """
     orders: dict[Expr, int] = {}
     for p in constant.atoms(Pow):
         if isinstance(p.exp, Rational):
             orders[p.base] = math.lcm(orders.get(p.base, 1), int(p.exp.q))
     whole = {int(base): n for base, n in orders.items() if isinstance(base, Integer) and base > 1}
-    shared = math.prod(math.lcm(*(n for base, n in whole.items() if math.gcd(base, b) > 1)) for b in coprime(whole))
+    shared = math.prod(math.lcm(*(n for base, n in whole.items() if math.gcd(base, b) > 1))
+                       for b in coprime(whole))
     others = math.prod(n for base, n in orders.items() if base not in whole)
     return others * min(shared, math.prod(whole.values()))
 
 
 def coprime(integers: Iterable[int]) -> list[int]:
-    """Numbers without common factors of whose powers all the integers are products: their logarithms are independent."""
+    """Numbers without common factors of whose powers all the integers are products.
+
+    Their logarithms are independent.
+    """
     base: list[int] = []
     left = [n for n in integers if n > 1]
     while left:
@@ -78,7 +87,8 @@ def turn(function: Expr) -> Rational | None:
 
 
 def _conjugates(node: Expr) -> tuple[float, float, int] | None:
-    """log₂ of u and v, each at least 0, and w, of the expression as U/(V w) with algebraic integers U and V and a positive integer w.
+    """log₂ of u and v, each at least 0, and w, of the expression as U/(V w) with algebraic integers U and V
+    and a positive integer w.
 
     None where the expression is not of that form.
     """
@@ -87,8 +97,11 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
     if isinstance(node, CRootOf):
         coefficients = [abs(int(c)) for c in _polynomial(node).coeffs()]
         return math.log2(coefficients[-1] + max(coefficients)), 0.0, coefficients[-1]
-    if isinstance(node, TURNS):                            # 2 sin rπ and 2 cos rπ are integers whose conjugates are at most 2
-        return None if turn(node) is None else (1.0, 0.0, 2) if isinstance(node, (sin, cos)) else (1.0, 1.0, 1)
+    # 2 sin rπ and 2 cos rπ are integers whose conjugates are at most 2
+    if isinstance(node, TURNS):
+        return (
+            None if turn(node) is None else (1.0, 0.0, 2) if isinstance(node, (sin, cos)) else (1.0, 1.0, 1)
+        )
     parts = [_conjugates(part) for part in (node.args if isinstance(node, (Add, Mul)) else node.args[:1])]
     if not parts or None in parts:
         return None
@@ -97,12 +110,17 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
         return sum(u for u, _, _ in given), sum(v for _, v, _ in given), math.prod(w for _, _, w in given)
     if isinstance(node, Add):
         below, whole = sum(v for _, v, _ in given), math.lcm(*(w for _, _, w in given))
-        return max(u + below - v + math.log2(whole // w) for u, v, w in given) + math.log2(len(given)), below, whole
+        return (
+            max(u + below - v + math.log2(whole // w) for u, v, w in given) + math.log2(len(given)),
+            below,
+            whole,
+        )
     if not isinstance(node, Pow) or not isinstance(node.exp, Rational):
         return None
     (u, v, w), n, k = given[0], abs(int(node.exp.p)), int(node.exp.q)
     low = v + math.log2(w)
-    if k > 1 and u < low:                                  # of U/V the root of U V^(k−1) over V, or U over that of U^(k−1) V
+    # of U/V the root of U V^(k−1) over V, or U over that of U^(k−1) V
+    if k > 1 and u < low:
         u, v, w = u, ((k - 1) * u + low) / k, 1
     elif k > 1:
         u = (u + (k - 1) * low) / k
@@ -111,7 +129,10 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
 
 @lru_cache(maxsize=256)
 def real_root(root: CRootOf, precision: int) -> arb:
-    """Enclosure of a real root of a polynomial, not finite where it is not real; by Newton's method from one of half as many bits."""
+    """Enclosure of a real root of a polynomial, not finite where it is not real.
+
+    By Newton's method from one of half as many bits.
+    """
     near = real_root(root, precision // 2) if precision > 128 else _isolated(root, precision)
     polynomial, slope = _polynomial(root), _polynomial(root).derivative()
     with own_precision(precision + 32):
@@ -129,7 +150,8 @@ def real_root(root: CRootOf, precision: int) -> arb:
 def _isolated(root: CRootOf, precision: int) -> arb:
     with own_precision(precision):
         real = sorted((x.real for x, _ in _polynomial(root).complex_roots() if x.imag == 0), key=arb.mid)
-    return real[root.index] if root.index < len(real) else arb("nan")          # the real ones come first, in order
+    # the real ones come first, in order
+    return real[root.index] if root.index < len(real) else arb("nan")
 
 
 def _at(polynomial: fmpz_poly, x: arb) -> arb:

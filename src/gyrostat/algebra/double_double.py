@@ -45,7 +45,7 @@ def _sum(a: Any, b: Any) -> Twofold:
 
 
 def _quick(a: Any, b: Any) -> Twofold:
-    """The same where |a| ≥ |b|."""
+    """The same where abs(a) ≥ abs(b)."""
     s = a + b
     return s, b - (s - a)
 

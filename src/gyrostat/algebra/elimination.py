@@ -1,4 +1,7 @@
-"""Polynomials seen as polynomials in one generator t: powers of t, and a combination of two that is linear in t."""
+"""Polynomials seen as polynomials in one generator t.
+
+Powers of t, and a combination of two that is linear in t.
+"""
 from flint import fmpq_mpoly
 
 from .polynomials import by_degree
@@ -6,18 +9,27 @@ from .polynomials import by_degree
 
 def deflated(polynomial: fmpq_mpoly, place: int, n: int) -> fmpq_mpoly:
     """With s for tⁿ."""
-    return polynomial.context().from_dict({(*e[:place], e[place] // n, *e[place + 1:]): c for e, c in polynomial.to_dict().items()})
+    return polynomial.context().from_dict({(*e[:place], e[place] // n, *e[place + 1:]): c
+                                           for e, c in polynomial.to_dict().items()})
 
 
 def inflated(polynomial: fmpq_mpoly, place: int, n: int) -> fmpq_mpoly:
     """With tⁿ for t."""
-    return polynomial.context().from_dict({(*e[:place], e[place] * n, *e[place + 1:]): c for e, c in polynomial.to_dict().items()})
+    return polynomial.context().from_dict({(*e[:place], e[place] * n, *e[place + 1:]): c
+                                           for e, c in polynomial.to_dict().items()})
 
 
 def linear(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-    """(a, b) of a combination a t + b of two polynomials in t, by pseudo-division; (0, 0) where none is found."""
+    """(a, b) of a combination a t + b of two polynomials in t, by pseudo-division.
+
+    (0, 0) where none is found.
+    """
     while G.degrees()[place] > 1 and F.degrees()[place] > 1:
-        F, G = (G, _remainder(F, G, place)) if F.degrees()[place] >= G.degrees()[place] else (F, _remainder(G, F, place))
+        F, G = (
+            (G, _remainder(F, G, place))
+            if F.degrees()[place] >= G.degrees()[place]
+            else (F, _remainder(G, F, place))
+        )
     for f in (G, F):
         if f.degrees()[place] == 1:
             b, a = by_degree(f, place, 1)

@@ -1,4 +1,7 @@
-"""The sign of an expression at exact numbers: by rational arithmetic, or by proved enclosures and a separation bound."""
+"""The sign of an expression at exact numbers.
+
+By rational arithmetic, or by proved enclosures and a separation bound.
+"""
 import math
 from collections.abc import Mapping
 from functools import lru_cache
@@ -13,27 +16,33 @@ from .polynomials import Ring
 from .precision import own_precision
 from .transcendental import vanishes
 
-LIMIT, ALGEBRAIC_LIMIT, FAR = 4096, 2**20, 2**14       # bits: a sign that is not proved by then is not known; the normal form is sooner
+# bits: a sign that is not proved by then is not known; the normal form is sooner
+LIMIT, ALGEBRAIC_LIMIT, FAR = 4096, 2**20, 2**14
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 _FUNCTIONS = {name: getattr(arb, name) for name in (
-    "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
+    "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
+    "atanh")}
 
 
 def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
     """Sign of an expression at a point: exact, or None where it cannot be proved.
 
-    Exact for rational numbers and for algebraic ones written with roots and with sines and cosines of rational multiples of π, zero
-    included. With transcendental numbers the precision of the enclosure is doubled up to 4096 bits, and a value is 0 if its normal
-    form is (gyrostat.algebra.transcendental); what is neither stays None.
+    Exact for rational numbers and for algebraic ones written with roots and with sines and cosines of
+    rational multiples of π, zero included. With transcendental numbers the precision of the enclosure is
+    doubled up to 4096 bits, and a value is 0 if its normal form is (gyrostat.algebra.transcendental); what is
+    neither stays None.
 
     Parameters
     ----------
-    expression : Expr                     in the symbols of values
-    values : mapping of Symbol to Expr    exact numbers
+    expression : Expr
+        in the symbols of values
+    values : mapping of Symbol to Expr
+        exact numbers
 
     Returns
     -------
-    int or None                           -1, 0, 1; None: not proved, or not a real number there
+    int or None
+        -1, 0, 1; None: not proved, or not a real number there
 
     Examples
     --------
@@ -46,7 +55,10 @@ def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
 
 
 class Point(dict[Symbol, Expr]):
-    """Exact numbers by symbol, the rational ones ready for polynomial arithmetic; doubt says what is not proved of them, "" if nothing."""
+    """Exact numbers by symbol, the rational ones ready for polynomial arithmetic.
+
+    Doubt says what is not proved of them, "" if nothing.
+    """
 
     def __init__(self, numbers: Mapping[Symbol, Expr], doubt: str = ""):
         super().__init__(numbers)
@@ -55,12 +67,15 @@ class Point(dict[Symbol, Expr]):
 
 
 def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
-    """The exact value: a Rational where all numbers are rational and the expression is a fraction of polynomials."""
+    """The exact value: a Rational where all numbers are rational and the expression is a fraction of
+    polynomials.
+    """
     given = values if isinstance(values, Point) else Point(values)
     fraction = compiled(expression)
     if fraction is None or not all(s in given.rational for s in fraction[0]):
         placed = _inserted(expression, values)
-        return placed.doit() if placed.has(Derivative, Subs) else placed       # doit factors the polynomial of a root once more
+        # doit factors the polynomial of a root once more
+        return placed.doit() if placed.has(Derivative, Subs) else placed
     symbols, top, bottom = fraction
     point = [given.rational[s] for s in symbols]
     value = top(*point)
@@ -73,7 +88,9 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
 
 
 def _inserted(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
-    """Numbers in the place of symbols, but not of the variable inside the root of a polynomial, which may be one of ours."""
+    """Numbers in the place of symbols, but not of the variable inside the root of a polynomial, which may be
+    one of ours.
+    """
     roots = {root: Dummy() for root in expression.atoms(CRootOf)}
     placed = expression.xreplace(roots).xreplace(dict(values))
     return placed.xreplace({dummy: root for root, dummy in roots.items()})
@@ -81,7 +98,10 @@ def _inserted(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
 
 @lru_cache(maxsize=4096)
 def compiled(expression: Expr) -> tuple[tuple[Symbol, ...], fmpq_mpoly, fmpq_mpoly | None] | None:
-    """The expression as a fraction of polynomials in its symbols, None where it is none; a denominator 1 is left out."""
+    """The expression as a fraction of polynomials in its symbols, None where it is none.
+
+    A denominator 1 is left out.
+    """
     ring = Ring([expression])
     if not all(isinstance(g, Symbol) for g in ring.generators):
         return None
@@ -90,7 +110,10 @@ def compiled(expression: Expr) -> tuple[tuple[Symbol, ...], fmpq_mpoly, fmpq_mpo
 
 
 def sign_of_constant(constant: Expr) -> int | None:
-    """Sign of a constant, by enclosures of doubled precision; 0 by a separation bound or by the normal form of transcendental numbers."""
+    """Sign of a constant, by enclosures of doubled precision.
+
+    0 by a separation bound or by the normal form of transcendental numbers.
+    """
     if isinstance(constant, Rational):
         return (constant.p > 0) - (constant.p < 0)
     if constant is sympy.nan:
@@ -104,36 +127,52 @@ def sign_of_constant(constant: Expr) -> int | None:
             most = min(4 * least + 256, ALGEBRAIC_LIMIT)
         if least is not None and abs(enclosure) < arb(2) ** -least:
             return 0
-        if precision == 256 and (least is None or least > FAR) and enclosure.is_finite() and vanishes(constant, sign_of_constant):
+        if (
+            precision == 256
+            and (least is None or least > FAR)
+            and enclosure.is_finite()
+            and vanishes(constant, sign_of_constant)
+        ):
             return 0
         precision *= 2
     return None
 
 
 def is_identically_zero(expression: Expr) -> bool | None:
-    """Whether an expression is 0 at all values of its symbols: every coefficient of its numerator is; None where that is not proved."""
+    """Whether an expression is 0 at all values of its symbols: every coefficient of its numerator is.
+
+    None where that is not proved.
+    """
     ring = Ring([expression])
     top = ring.reduce(ring.fraction(expression)[0])
-    signs = {sign_of_constant(ring.expression(c)) for c in ring.coefficients(top, expression.free_symbols).values()}
+    signs = {sign_of_constant(ring.expression(c))
+             for c in ring.coefficients(top, expression.free_symbols).values()}
     return True if signs <= {0} else None if signs <= {0, None} else False
 
 
 def plain(constant: Expr) -> Expr:
     """0, 1 or -1 in place of a constant that is proved to be that number; anything else as it is."""
-    if constant.free_symbols or isinstance(constant, Rational) or not (near := ball(constant, 64)).is_finite():
+    if (
+        constant.free_symbols
+        or isinstance(constant, Rational)
+        or not (near := ball(constant, 64)).is_finite()
+    ):
         return constant
     found = (Integer(n) for n in (0, 1, -1) if near.contains(n) and sign_of_constant(constant - n) == 0)
     return next(found, constant)
 
 
 def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:
-    """Enclosure of a real expression in ball arithmetic of the precision given (not finite where it is undefined).
+    """Enclosure of a real expression in ball arithmetic of the precision given (not finite where it is
+    undefined).
 
     Parameters
     ----------
     expression : Expr
-    precision : int                       bits
-    values : mapping of Symbol to arb     enclosures of its symbols
+    precision : int
+        bits
+    values : mapping of Symbol to arb
+        enclosures of its symbols
     """
     with own_precision(precision):
         return +_ball(expression, values)
@@ -176,7 +215,8 @@ def _function(node: Expr, values: Mapping[Symbol, arb]) -> arb:
 
 def _power(node: Pow, values: Mapping[Symbol, arb]) -> arb:
     base, n = _root(_ball(node.base, values), int(node.exp.q)), int(node.exp.p)
-    return math.prod([base] * n, start=arb(1)) if 0 < n <= 64 else base**n         # ** has no power of a ball that contains 0
+    # ** has no power of a ball that contains 0
+    return math.prod([base] * n, start=arb(1)) if 0 < n <= 64 else base**n
 
 
 def _root(base: arb, n: int) -> arb:

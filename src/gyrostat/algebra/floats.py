@@ -12,7 +12,10 @@ Array = NDArray[Any]
 
 
 def in_floats(node: Expr, xp: Any, arrays: Mapping[Symbol, Any]) -> Any:
-    """A symbol, function or constant in the floats of a namespace; functions are those of the namespace, and no better."""
+    """A symbol, function or constant in the floats of a namespace.
+
+    Functions are those of the namespace, and no better.
+    """
     if isinstance(node, Symbol):
         return arrays[node]
     if isinstance(node, (Rational, sympy.CRootOf)) or node in (S.Pi, S.Exp1):

@@ -18,7 +18,8 @@ def values_of(form: Form, degree: int) -> set[int]:
 
     Raises
     ------
-    ScopeError      a sign is not proved: coefficients are transcendental, and the form is 0 somewhere, or almost
+    ScopeError
+        a sign is not proved: coefficients are transcendental, and the form is 0 somewhere, or almost
 
     Examples
     --------
@@ -26,13 +27,15 @@ def values_of(form: Form, degree: int) -> set[int]:
     (True, {1})
     """
     scale = next(iter(form.values()))
-    line = sum((_tidy(c / scale) * Y**j for (_, j), c in form.items()), S.Zero)          # x = 1; the direction x = 0 comes last
+    # x = 1; the direction x = 0 comes last
+    line = sum((_tidy(c / scale) * Y**j for (_, j), c in form.items()), S.Zero)
     try:
         roots = real_roots(line, Y) or []
     except ScopeError:
         return _values_in_balls(form, degree)
     ends = [-oo, *roots, oo]
-    values = {proved_sign(line.xreplace({Y: between(a, b)})) for a, b in zip(ends, ends[1:])} | ({0} if roots else set())
+    values = {proved_sign(line.xreplace({Y: between(a, b)}))
+              for a, b in zip(ends, ends[1:])} | ({0} if roots else set())
     values.add(proved_sign(_tidy(form.get((0, degree), S.Zero) / scale)))
     if degree % 2:
         values |= {-v for v in values}
@@ -40,11 +43,16 @@ def values_of(form: Form, degree: int) -> set[int]:
 
 
 def _values_in_balls(form: Form, degree: int) -> set[int]:
-    """The same by enclosures of the form over ranges of directions; it does not find single directions of value 0."""
+    """The same by enclosures of the form over ranges of directions.
+
+    It does not find single directions of value 0.
+    """
     values: set[int] = set()
     unknown = False
-    for straight in (True, False):                     # (1, y) and (x, 1) between −1 and 1; the others have the same or the opposite sign
-        row = [ball(form.get((degree - n, n) if straight else (n, degree - n), S.Zero), 128) for n in range(degree + 1)]
+    # (1, y) and (x, 1) between −1 and 1; the others have the same or the opposite sign
+    for straight in (True, False):
+        row = [ball(form.get((degree - n, n) if straight else (n, degree - n), S.Zero), 128)
+               for n in range(degree + 1)]
         ranges = [(arb(0), 0)]
         while ranges:
             middle, depth = ranges.pop()
@@ -57,12 +65,15 @@ def _values_in_balls(form: Form, degree: int) -> set[int]:
             else:
                 unknown = True
     if unknown and -1 not in values:
-        raise ScopeError("coefficients are transcendental, and the leading form is 0 along a direction, or almost")
+        raise ScopeError("coefficients are transcendental, and the leading form is 0 along a direction, or "
+                         "almost")
     return values | ({0} if unknown else set()) | ({-v for v in values} if degree % 2 else set())
 
 
 def valley(forms: Sequence[Form]) -> Iterator[Expr]:
-    """Coefficients of y³, y⁴, … in the lowest value over x, where the second form is a square: a x², up to a shear and exchange of x and y.
+    """Coefficients of y³, y⁴, … in the lowest value over x, where the second form is a square.
+
+    A x², up to a shear and exchange of x and y.
 
     Examples
     --------
@@ -80,16 +91,19 @@ def valley(forms: Sequence[Form]) -> Iterator[Expr]:
             sheared[place] = sheared.get(place, S.Zero) + c * binomial(i, n) * shear ** (i - n)
     bottom = [S.Zero, S.Zero]                          # x = Σ bottom[n] yⁿ, where the slope along x is 0
     for n in range(3, len(forms)):
-        slope = sum((i * c * _power(bottom, i - 1, n - 1 - j) for (i, j), c in sheared.items() if i and j < n), S.Zero)
+        slope = sum((i * c * _power(bottom, i - 1, n - 1 - j) for (i, j),
+                     c in sheared.items() if i and j < n), S.Zero)
         bottom.append(_tidy(-slope / (2 * square)))
-        yield _tidy(square * _power(bottom, 2, n) + sum((c * _power(bottom, i, n - j) for (i, j), c in sheared.items() if j <= n), S.Zero))
+        yield _tidy(square * _power(bottom, 2, n)
+                    + sum((c * _power(bottom, i, n - j) for (i, j), c in sheared.items() if j <= n), S.Zero))
 
 
 def _power(series: Sequence[Expr], exponent: int, n: int) -> Expr:
     """The coefficient of yⁿ in a power of a series."""
     if exponent == 0:
         return S.One if n == 0 else S.Zero
-    return sum((series[m] * _power(series, exponent - 1, n - m) for m in range(2, min(len(series), n + 1))), S.Zero)
+    return sum((series[m] * _power(series, exponent - 1, n - m) for m in range(2, min(len(series), n + 1))),
+               S.Zero)
 
 
 def _tidy(number: Expr) -> Expr:

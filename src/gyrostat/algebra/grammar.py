@@ -5,8 +5,8 @@
     factor  := ('+' | '-') factor | atom ['**' factor]
     atom    := number | name | function '(' sum ')' | '(' sum ')'
 
-What would be slow is refused before it is computed: each part carries bounds on what expanding it could cost, and each constant an
-enclosure, so that SymPy is never asked for the sine of a number with 10⁵⁰ digits.
+What would be slow is refused before it is computed: each part carries bounds on what expanding it could cost,
+and each constant an enclosure, so that SymPy is never asked for the sine of a number with 10⁵⁰ digits.
 """
 import operator
 import re
@@ -25,12 +25,17 @@ from .parts import BITS, DEGREE, FUNCTIONS, HYPERBOLIC, NESTING, PARTIAL, TERMS,
 from .scanner import Scanner
 
 DEPTH, CALLS = 40, 30
-_MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh", "arccosh": "acosh", "arctanh": "atanh",
-          "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh", "arctg": "atan", "tg": "tan", "sh": "sinh", "ch": "cosh", "th": "tanh"}
+_MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh",
+          "arccosh": "acosh", "arctanh": "atanh",
+          "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh", "arctg": "atan", "tg": "tan",
+          "sh": "sinh", "ch": "cosh", "th": "tanh"}
 
 
 class Parser(Scanner):
-    """Recursive descent through the grammar; a language with more names and functions extends named and call."""
+    """Recursive descent through the grammar.
+
+    A language with more names and functions extends named and call.
+    """
 
     TERMS = TERMS
 
@@ -42,7 +47,8 @@ class Parser(Scanner):
         """The whole text."""
         part = self.sum()
         if self.peek():
-            self.fail(f"{self.peek()!r} comes where an operator or the end should be", "check the operators and parentheses")
+            self.fail(f"{self.peek()!r} comes where an operator or the end should be",
+                      "check the operators and parentheses")
         return part
 
     def sum(self) -> Part:
@@ -56,7 +62,8 @@ class Parser(Scanner):
             return summands[0]
         ball = reduce(magnitudes.added, [part.ball for part in summands])
         cost = parts.of_sum([part.cost for part in summands])
-        return self.bounded(self.total([part.value for part in summands]), cost, max(part.nesting for part in summands), ball)
+        return self.bounded(self.total([part.value for part in summands]), cost,
+                            max(part.nesting for part in summands), ball)
 
     def total(self, values: Sequence[Any]) -> Any:
         """The sum of some values, taken at once."""
@@ -73,7 +80,8 @@ class Parser(Scanner):
                     self.fail("a factor cannot be told from 0", "simplify the constants")
             cost = self.checked(parts.of_product([left.cost, right.cost]))
             ball = magnitudes.multiplied(left.ball, right.ball)
-            left = self.bounded(self.made(operator.mul, left.value, right.value), cost, max(left.nesting, right.nesting), ball)
+            left = self.bounded(self.made(operator.mul, left.value, right.value), cost,
+                                max(left.nesting, right.nesting), ball)
         return left
 
     def factor(self) -> Part:
@@ -86,7 +94,8 @@ class Parser(Scanner):
             if self.take("**"):
                 exponent = self.factor().value
                 if not isinstance(exponent, Rational):
-                    self.fail(f"the exponent {str(exponent)[:60]} is not a rational number", "write a**x as exp(x*log(a))")
+                    self.fail(f"the exponent {str(exponent)[:60]} is not a rational number",
+                              "write a**x as exp(x*log(a))")
                 result = self.power(result, exponent)
         self.depth -= 1
         return result
@@ -103,7 +112,8 @@ class Parser(Scanner):
     def power(self, base: Part, exponent: Rational) -> Part:
         times, root = abs(int(exponent.p)), int(exponent.q)
         if root > 12 or times > DEGREE and base.value not in (0, 1, -1):
-            self.fail(f"the exponent {str(exponent)[:20]} is too large", f"exponents go up to {DEGREE}, roots up to the 12th")
+            self.fail(f"the exponent {str(exponent)[:20]} is too large",
+                      f"exponents go up to {DEGREE}, roots up to the 12th")
         if base.value == 0 and exponent < 0:
             self.fail("it divides by zero", "check the denominators")
         if base.doubtful and (exponent < 0 or root > 1):
@@ -123,10 +133,14 @@ class Parser(Scanner):
     def moderate(self, bits: int) -> None:
         """Refuse a root for which SymPy would factor too long a number."""
         if bits > BITS:
-            self.fail(f"for a root in it a number of {min(bits, 10**9)} bits is factored", f"the limit is {BITS} bits: shorten the numbers")
+            self.fail(f"for a root in it a number of {min(bits, 10**9)} bits is factored",
+                      f"the limit is {BITS} bits: shorten the numbers")
 
     def made(self, function: Callable[..., Any], *arguments: Any) -> Any:
-        """What SymPy makes of it; its comparisons and factors fail at some numbers that are too large for them."""
+        """What SymPy makes of it.
+
+        Its comparisons and factors fail at some numbers that are too large for them.
+        """
         try:
             return function(*arguments)
         except (ArithmeticError, AttributeError, RecursionError, TypeError, ValueError) as error:
@@ -142,18 +156,24 @@ class Parser(Scanner):
     def checked(self, cost: Cost) -> Cost:
         """The cost, if it is within the limits."""
         if not cost.fits(self.TERMS):
-            self.fail(f"expanded, it could have {min(cost.terms, 10**9)} terms, degree {min(cost.degree, 10**9)} or numbers of "
-                      f"{min(cost.bits, 10**9)} bits", f"the limits are {self.TERMS} terms, degree {DEGREE}, {BITS} bits")
+            self.fail(f"expanded, it could have {min(cost.terms, 10**9)} terms, degree "
+                      f"{min(cost.degree, 10**9)} or numbers of "
+                      f"{min(cost.bits, 10**9)} bits",
+                      f"the limits are {self.TERMS} terms, degree {DEGREE}, {BITS} bits")
         return cost
 
     def finite(self, ball: Any) -> None:
-        """Refuse a constant that is not proved to be a finite real number, or that is too large or too small to be one of a scene."""
+        """Refuse a constant that is not proved to be a finite real number, or that is too large or too small
+        to be one of a scene.
+        """
         if ball is None:
             return
         if not ball.is_finite():
-            self.fail("a part of it is not a finite real number", "check divisions, roots, logarithms and inverse functions")
+            self.fail("a part of it is not a finite real number",
+                      "check divisions, roots, logarithms and inverse functions")
         if max(abs(end or 0) for end in magnitudes.extent(ball)) > BITS:
-            self.fail("a part of it is too large, or too close to 0", f"numbers lie between 2**-{BITS} and 2**{BITS} in size")
+            self.fail("a part of it is too large, or too close to 0",
+                      f"numbers lie between 2**-{BITS} and 2**{BITS} in size")
 
     def bounded(self, value: Any, cost: Cost, nesting: int, ball: Any) -> Part:
         """A part within all limits."""
@@ -219,9 +239,10 @@ class Parser(Scanner):
                       f"such an argument has up to {PARTIAL} terms and degree {PARTIAL}")
         self.finite(ball)
         self.moderate(parts.factored_by(token, inner))
-        cost = self.checked(parts.of_function(token, inner.cost) if ball is None else Cost(degree=1, bits=inner.cost.bits))
+        cost = self.checked(parts.of_function(token, inner.cost) if ball is None
+                            else Cost(degree=1, bits=inner.cost.bits))
         value = self.made(FUNCTIONS[token], inner.value)
-        if isinstance(value, FUNCTIONS[token]) and value.args == (inner.value,):        # type: ignore[arg-type]
+        if isinstance(value, FUNCTIONS[token]) and value.args == (inner.value,):  # type: ignore[arg-type]
             return self.bounded(value, cost, nesting, ball)
         return self.remade(value, nesting, ball)
 
@@ -231,7 +252,8 @@ def parse(text: str) -> Expr:
 
     Parameters
     ----------
-    text : str      names, numbers (read exactly), + - * / **, parentheses, elementary functions, pi
+    text : str
+        names, numbers (read exactly), + - * / **, parentheses, elementary functions, pi
 
     Returns
     -------
@@ -239,7 +261,8 @@ def parse(text: str) -> Expr:
 
     Raises
     ------
-    ExpressionError  anything outside the grammar, division by zero, complex numbers, input made to be slow
+    ExpressionError
+        anything outside the grammar, division by zero, complex numbers, input made to be slow
 
     Examples
     --------

@@ -1,4 +1,7 @@
-"""Files and lines from outside: what would make their parsers slow, large or deep is refused before they are asked."""
+"""Files and lines from outside.
+
+What would make their parsers slow, large or deep is refused before they are asked.
+"""
 import json
 import re
 import tomllib
@@ -9,9 +12,12 @@ from typing import Any, NoReturn
 
 from ..errors import GyrostatError, PublishedError, ValuesError, brief, printable
 
-FILE, LINE, NAME = 500_000, 100_000, 60                # bytes of a file of formulas and of a line of numbers; characters of a name
-DEPTH, DOTS, WORD = 20, 16, 200                        # of brackets, on a line, outside of texts; characters of a number or key
-_TEXTS = re.compile(r'"""(?:\\.|[^\\])*?"""' r"|'''.*?'''" r'|"(?:\\.|[^"\\\n])*"' r"|'[^'\n]*'|#[^\n]*", re.DOTALL)
+# bytes of a file of formulas and of a line of numbers; characters of a name
+FILE, LINE, NAME = 500_000, 100_000, 60
+# of brackets, on a line, outside of texts; characters of a number or key
+DEPTH, DOTS, WORD = 20, 16, 200
+_TEXTS = re.compile(r'"""(?:\\.|[^\\])*?"""' r"|'''.*?'''" r'|"(?:\\.|[^"\\\n])*"' r"|'[^'\n]*'|#[^\n]*",
+                    re.DOTALL)
 
 
 def is_name(text: str) -> bool:
@@ -24,7 +30,8 @@ def toml_of(path: Path | Traversable) -> dict[str, Any]:
 
     Raises
     ------
-    PublishedError       it cannot be read, is not TOML, or is larger, deeper or longer-worded than a file of formulas can be
+    PublishedError
+        it cannot be read, is not TOML, or is larger, deeper or longer-worded than a file of formulas can be
     """
     try:
         with path.open("rb") as file:
@@ -37,11 +44,14 @@ def toml_of(path: Path | Traversable) -> dict[str, Any]:
     bare, depth = _TEXTS.sub('""', text), 0
     for bracket in re.findall(r"[\[\]{}]", bare):
         if (depth := depth + (1 if bracket in "[{" else -1)) > DEPTH:
-            raise PublishedError(f"{path}: its brackets are nested more than {DEPTH} deep: formulas are texts, or lists of lists of them")
+            raise PublishedError(f"{path}: its brackets are nested more than {DEPTH} deep: formulas are "
+                                 "texts, or lists of lists of them")
     if any(line.count(".") > DOTS for line in bare.splitlines()):
-        raise PublishedError(f"{path}: a line has more than {DOTS} dots outside of quotation marks: write [scene.NAME] and key = \"…\"")
+        raise PublishedError(f"{path}: a line has more than {DOTS} dots outside of quotation marks: write "
+                             "[scene.NAME] and key = \"…\"")
     if long := re.search(rf"[\w+-]{{{WORD}}}", bare):
-        raise PublishedError(f"{path}: {brief(long[0])} is longer than {WORD} characters: write a text in quotation marks")
+        raise PublishedError(f"{path}: {brief(long[0])} is longer than {WORD} characters: write a text in "
+                             "quotation marks")
     try:
         tables = tomllib.loads(text.replace("\r\n", "\n"))
     except (ValueError, RecursionError) as error:      # a TOMLDecodeError is one
@@ -66,23 +76,29 @@ def json_object(line: bytes) -> dict[str, Any]:
 
     Raises
     ------
-    ValuesError          it is not one JSON object of numbers and texts, each name given once
+    ValuesError
+        it is not one JSON object of numbers and texts, each name given once
     """
     if len(line) > LINE:
-        raise ValuesError(f"it is not JSON of less than {LINE} bytes: an object has a few names and numbers, {{\"I1\": 1.6}}")
+        raise ValuesError(f"it is not JSON of less than {LINE} bytes: an object has a few names and "
+                          f"numbers, {{\"I1\": 1.6}}")
     bare = re.sub(rb'"(?:\\.|[^"\\])*"', b"", line)
     if bare.count(b"[") + bare.count(b"{") > DEPTH:
-        raise ValuesError("it is not JSON of numbers alone, but has lists or objects in it: write an object, {\"I1\": 1.6}")
+        raise ValuesError("it is not JSON of numbers alone, but has lists or objects in it: write an "
+                          "object, {\"I1\": 1.6}")
     try:
-        own = json.loads(line, object_pairs_hook=_once, parse_float=str, parse_int=str, parse_constant=_refused)
+        own = json.loads(line, object_pairs_hook=_once, parse_float=str, parse_int=str,
+                         parse_constant=_refused)
     except GyrostatError:
         raise
     except json.JSONDecodeError as error:
-        raise ValuesError(f"it is not JSON: {error.msg} at character {error.pos + 1}; write an object, {{\"I1\": 1.6}}") from None
+        raise ValuesError(f"it is not JSON: {error.msg} at character {error.pos + 1}; write an object, "
+                          f"{{\"I1\": 1.6}}") from None
     except (ValueError, RecursionError) as error:
         raise ValuesError(f"it is not JSON: {error}") from None
     if not isinstance(own, dict):
-        raise ValuesError(f"it is not an object: write {{\"I1\": 1.6}}, not {printable(line[:20].decode(errors='replace').strip())}")
+        raise ValuesError(f"it is not an object: write {{\"I1\": 1.6}}, not "
+                          f"{printable(line[:20].decode(errors='replace').strip())}")
     return own
 
 

@@ -1,4 +1,7 @@
-"""How large a constant is, known before it is computed: enclosures of 512 bits, by operations that none of them can keep busy."""
+"""How large a constant is, known before it is computed.
+
+Enclosures of 512 bits, by operations that none of them can keep busy.
+"""
 import operator
 from collections.abc import Callable
 from math import prod
@@ -9,13 +12,18 @@ from sympy import Rational
 
 from .precision import own_precision
 
-PRECISION = 512                                        # bits; what two enclosures of it do not tell apart is not told apart
+# bits; what two enclosures of it do not tell apart is not told apart
+PRECISION = 512
 FUNCTIONS: dict[str, Callable[[arb], arb]] = {name: getattr(arb, name) for name in (
-    "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
+    "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
+    "atanh")}
 
 
 def enclosed(operation: Callable[..., arb], *enclosures: arb | None) -> arb | None:
-    """What an operation makes of enclosures (not finite where it may be undefined); None where one of them is not known."""
+    """What an operation makes of enclosures (not finite where it may be undefined).
+
+    None where one of them is not known.
+    """
     if any(x is None for x in enclosures):
         return None
     with own_precision(PRECISION):

@@ -15,7 +15,8 @@ class Signs:
     def __init__(self, ring: Ring, domain: Iterable[Expr] = ()):
         self.ring = ring
         self._positive = {g for g in ring.generators if g.is_positive and g not in ring.squares}
-        self._known: dict[str, int] = {}                  # factors are kept under their text: polynomials do not hash
+        # factors are kept under their text: polynomials do not hash
+        self._known: dict[str, int] = {}
         self._groups: list[tuple[frozenset[str], int]] = []   # odd factors whose product has this sign
         self._nonzero: set[str] = set()
         self._quadratics: dict[str, int] = {}
@@ -67,7 +68,8 @@ class Signs:
             margin *= factor
         return margin, tuple(even[name] for name in sorted(even))
 
-    def _factors(self, top: fmpq_mpoly, bottom: fmpq_mpoly, deep: bool = True) -> tuple[int, Factors, Factors]:
+    def _factors(self, top: fmpq_mpoly, bottom: fmpq_mpoly,
+                 deep: bool = True) -> tuple[int, Factors, Factors]:
         """Sign, odd factors, and even factors of top, without those of known sign."""
         sign: int = 1
         odd: Factors = {}
@@ -77,7 +79,11 @@ class Signs:
             sign = sign if content > 0 else -sign
             for factor, n in factors:
                 name = str(factor)
-                if known := self._known.get(name) or self._form(factor) or (deep and self._quadratic(name, factor)):
+                if (
+                    known := self._known.get(name)
+                    or self._form(factor)
+                    or (deep and self._quadratic(name, factor))
+                ):
                     sign *= known ** int(n)
                 elif n % 2:
                     odd[name] = factor

@@ -1,4 +1,7 @@
-"""Matrices of polynomials: products, determinants, characteristic polynomials, kernels, all without fractions."""
+"""Matrices of polynomials.
+
+Products, determinants, characteristic polynomials, kernels, all without fractions.
+"""
 import math
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -13,7 +16,8 @@ Key = Callable[[int, fmpq_mpoly], Any]
 def multiply(ring: Ring, a: Sequence[Row], b: Sequence[Row]) -> list[Row]:
     """Product of two matrices of polynomials, reduced."""
     columns = list(zip(*b))
-    return [[ring.reduce(sum((x * y for x, y in zip(row, column) if x and y), ring.zero)) for column in columns] for row in a]
+    return [[ring.reduce(sum((x * y for x, y in zip(row, column) if x and y), ring.zero))
+             for column in columns] for row in a]
 
 
 def determinant(ring: Ring, matrix: Sequence[Row]) -> fmpq_mpoly:
@@ -79,7 +83,10 @@ def primitive(ring: Ring, row: Row) -> Row:
 
 
 def null_space(ring: Ring, rows: Sequence[Row], key: Key, size: int) -> list[tuple[int, Row]]:
-    """Polynomial basis of {v : rows·v = 0}, as (free column, vector) pairs; the free columns form a diagonal."""
+    """Polynomial basis of {v : rows·v = 0}, as (free column, vector) pairs.
+
+    The free columns form a diagonal.
+    """
     reduced = row_reduce(ring, rows, key, size)
     basis = []
     for free in sorted(set(range(size)) - {column for column, _ in reduced}):

@@ -18,7 +18,9 @@ _NO_NUMBERS = frozenset({"nan", "inf", "infinity", "oo", "zoo"})
 
 
 def shown(number: Any, digits: int = 40) -> str:
-    """A number in a message: a rational exactly if it is short, with the decimal that a double was; anything else rounded.
+    """A number in a message: a rational exactly if it is short, with the decimal that a double was.
+
+    Anything else rounded.
 
     Examples
     --------
@@ -36,18 +38,30 @@ def shown(number: Any, digits: int = 40) -> str:
 
 
 def double(value: Expr) -> str:
-    """The decimal that a rational was, as far as can be told: that of a double which is longer as a fraction; "" for any other number."""
-    if not isinstance(value, Rational) or value.q < 2**20 or int(value.q).bit_count() != 1 or int(value.q).bit_length() > 1075:
+    """The decimal that a rational was, as far as can be told.
+
+    That of a double which is longer as a fraction; "" for any other number.
+    """
+    if (
+        not isinstance(value, Rational)
+        or value.q < 2**20
+        or int(value.q).bit_count() != 1
+        or int(value.q).bit_length() > 1075
+    ):
         return ""
     near = int(value.p) / int(value.q)
     return repr(near) if Fraction(near) == Fraction(int(value.p), int(value.q)) else ""
 
 
 def exact_expression(value: Any, name: str = "value") -> Expr:
-    """An expression in our symbols, matched by name, its floats the dyadic rationals they are; or an exact number."""
+    """An expression in our symbols, matched by name, its floats the dyadic rationals they are.
+
+    Or an exact number.
+    """
     if isinstance(value, Expr) and value.free_symbols:
         if taken := [root for root in value.atoms(CRootOf) if root.poly.gen == symbol(root.poly.gen.name)]:
-            raise ExpressionError(f"{name} contains {taken[0]}, the root of a polynomial in a name of its own: write it in another symbol")
+            raise ExpressionError(f"{name} contains {taken[0]}, the root of a polynomial in a name of its "
+                                  "own: write it in another symbol")
         return own(value.xreplace({f: _dyadic(f, name) for f in value.atoms(Float)}))
     return exact_number(value, name)
 
@@ -55,8 +69,8 @@ def exact_expression(value: Any, name: str = "value") -> Expr:
 def exact_number(value: Any, name: str = "value") -> Expr:
     """The exact real number a user means: a Rational, or a SymPy constant where it is irrational.
 
-    int, Fraction, Decimal, SymPy numbers and strings are what they say; a float, or an mpmath.mpf, is the dyadic rational it is. An
-    array of one number and no axis is that number.
+    int, Fraction, Decimal, SymPy numbers and strings are what they say; a float, or an mpmath.mpf, is the
+    dyadic rational it is. An array of one number and no axis is that number.
 
     Examples
     --------
@@ -73,13 +87,18 @@ def exact_number(value: Any, name: str = "value") -> Expr:
         return _dyadic(value, name)
     if isinstance(value, Expr):
         if value.free_symbols:
-            raise ValuesError(f"{name} = {value} contains the names {', '.join(sorted(map(str, value.free_symbols)))}: give a number")
-        known = enclosure(value)                           # SymPy takes many seconds to tell a sum of nested roots from 0
-        if value.has(Float) or not (known is not None and known.is_finite() or value.is_finite and value.is_real):
-            raise ValuesError(f"{name} = {value} is not an exact finite real number: give an integer, fraction or closed form")
+            raise ValuesError(f"{name} = {value} contains the names "
+                              f"{', '.join(sorted(map(str, value.free_symbols)))}: give a number")
+        # SymPy takes many seconds to tell a sum of nested roots from 0
+        known = enclosure(value)
+        if value.has(Float) or not (known is not None and known.is_finite() or value.is_finite
+                                    and value.is_real):
+            raise ValuesError(f"{name} = {value} is not an exact finite real number: give an integer, "
+                              "fraction or closed form")
         return _bounded(value, name)
     if isinstance(value, bool) or not (isinstance(value, numbers.Real) or hasattr(value, "as_integer_ratio")):
-        raise ValuesError(f"{name} = {brief(value)} is a {type(value).__name__}, not a real number: give an int, Fraction, "
+        raise ValuesError(f"{name} = {brief(value)} is a {type(value).__name__}, not a real number: give "
+                          "an int, Fraction, "
                           "float, SymPy number or a string like '1/2'")
     if isinstance(value, numbers.Rational):
         return _bounded(Rational(int(value.numerator), int(value.denominator)), name)
@@ -98,7 +117,8 @@ def _text(text: str, name: str) -> Expr:
     names = sorted(s.name for s in value.free_symbols)
     if any(n.lower() in _NO_NUMBERS for n in names):
         raise ValuesError(f"{name} = {brief(text)[1:-1]} is not finite: give a finite number")
-    raise ValuesError(f"{name} = {brief(text)[1:-1]} contains the names {brief(', '.join(names))[1:-1]}: give a number")
+    raise ValuesError(f"{name} = {brief(text)[1:-1]} contains the names {brief(', '.join(names))[1:-1]}: "
+                      "give a number")
 
 
 def _dyadic(value: Any, name: str) -> Rational:

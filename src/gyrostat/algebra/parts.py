@@ -13,21 +13,26 @@ from sympy import Add, Expr, I, Mul, Pow, Rational, S, Symbol, cot, tan
 from . import magnitudes
 
 FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {name: getattr(sympy, name) for name in (
-    "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")}
+    "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh",
+    "acosh", "atanh")}
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 TERMS, DEGREE, BITS, NESTING = 1000, 100, 4000, 4
 HYPERBOLIC, PARTIAL = ("sinh", "cosh", "tanh"), 8
-_EXPONENTIAL, _LOGARITHMIC, _SOMEWHERE = ("exp", "sinh", "cosh"), ("log", "asinh", "acosh"), ("log", "asin", "acos", "acosh", "atanh")
+_EXPONENTIAL, _LOGARITHMIC, _SOMEWHERE = ("exp", "sinh",
+                                          "cosh"), ("log", "asinh",
+                                                    "acosh"), ("log", "asin", "acos", "acosh", "atanh")
 _INVERSE = tuple(FUNCTIONS[name] for name in ("asin", "acos", "atan", "asinh", "acosh", "atanh"))
-_FOREIGN = (I, S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity, sympy.Mod, sympy.floor, sympy.ceiling, sympy.re, sympy.im,
+_FOREIGN = (I, S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity, sympy.Mod, sympy.floor,
+            sympy.ceiling, sympy.re, sympy.im,
             sympy.arg, sympy.sign, sympy.conjugate, sympy.Piecewise, sympy.AccumBounds)
 
 
 class Cost(NamedTuple):
     """Bounds on an expression that is expanded.
 
-    size: log₂ of its value where no symbol exceeds 1. partial: terms or degree of what is made of functions that are real only
-    somewhere, as log(k3); of these SymPy looks for real and imaginary parts, which takes its time.
+    size: log₂ of its value where no symbol exceeds 1. partial: terms or degree of what is made of functions
+    that are real only somewhere, as log(k3); of these SymPy looks for real and imaginary parts, which takes
+    its time.
     """
 
     terms: int = 1
@@ -47,10 +52,13 @@ class Part:
 
     Parameters
     ----------
-    value : Expr             or a matrix, in languages that have them
+    value : Expr
+        or a matrix, in languages that have them
     cost : Cost
-    nesting : int            functions and roots inside one another
-    ball : arb or None       an enclosure, of a constant
+    nesting : int
+        functions and roots inside one another
+    ball : arb or None
+        an enclosure, of a constant
     """
 
     value: Any
@@ -77,30 +85,47 @@ def of_number(value: Rational) -> Cost:
 
 def of_sum(costs: Sequence[Cost]) -> Cost:
     """Bounds of a sum."""
-    return _joined(Cost(sum(c.terms for c in costs), max(c.degree for c in costs), max(c.bits for c in costs) + len(costs).bit_length(),
+    return _joined(Cost(sum(c.terms for c in costs), max(c.degree for c in costs),
+                        max(c.bits for c in costs) + len(costs).bit_length(),
                         max(c.size for c in costs) + math.log2(len(costs))), max(c.partial for c in costs))
 
 
 def of_product(costs: Sequence[Cost]) -> Cost:
     """Bounds of a product."""
-    return _joined(Cost(math.prod(c.terms for c in costs), sum(c.degree for c in costs), sum(c.bits for c in costs),
+    return _joined(Cost(math.prod(c.terms for c in costs), sum(c.degree for c in costs),
+                        sum(c.bits for c in costs),
                         sum(c.size for c in costs)), max(c.partial for c in costs))
 
 
 def of_power(base: Cost, exponent: Rational) -> Cost:
     """Bounds of a rational power."""
     times, root = abs(int(exponent.p)), int(exponent.q)
-    terms = 1 if base.terms == 1 else 10**9 if base.terms > 20 * TERMS or times > DEGREE else math.comb(times + base.terms - 1, times)
+    terms = (
+        1
+        if base.terms == 1
+        else 10**9
+        if base.terms > 20 * TERMS or times > DEGREE
+        else math.comb(times + base.terms - 1, times)
+    )
     bits = base.bits * max(times, 1)
     cost = Cost(terms, base.degree * times, bits, base.size * times / root if exponent.p > 0 else bits)
     return _joined(cost, max(base.partial, int(root > 1 and base.degree > 0)))
 
 
 def factored(base: Part, root: int) -> int:
-    """Bits of the number that SymPy factors for a root, where it writes n**(-1/7) as n**(6/7)/n; 0 where there is no root."""
-    factors = Mul.make_args(base.value) if isinstance(base.value, Expr) else ()         # of what is only typeset nothing is computed
-    order = root * max((part.exp.q for part in factors if isinstance(part, Pow) and isinstance(part.exp, Rational)), default=1)
-    bits = base.cost.bits if not isinstance(base.value, Rational) else max(map(_without_tens, (int(base.value.p), int(base.value.q))))
+    """Bits of the number that SymPy factors for a root, where it writes n**(-1/7) as n**(6/7)/n.
+
+    0 where there is no root.
+    """
+    # of what is only typeset nothing is computed
+    factors = Mul.make_args(base.value) if isinstance(base.value, Expr) else ()
+    order = root * max((part.exp.q for part in factors if isinstance(part, Pow)
+                        and isinstance(part.exp, Rational)), default=1)
+    bits = (
+        base.cost.bits
+        if not isinstance(base.value, Rational)
+        else max(map(_without_tens, (int(base.value.p), int(base.value.q))))
+    )
     return order * bits if order > 1 else 0
 
 
@@ -113,11 +138,18 @@ def _without_tens(number: int) -> int:
 
 
 def factored_by(name: str, argument: Part) -> int:
-    """The same for a function: one of an inverse function is a root of a number twice as long, exp(c*log(r)) is the power r**c."""
+    """The same for a function.
+
+    One of an inverse function is a root of a number twice as long, exp(c*log(r)) is the power r**c.
+    """
     found = [8 * argument.cost.bits if argument.value.has(*_INVERSE) else 0]
     for term in Add.make_args(argument.value) if name == "exp" else ():
         c, logarithm = term.as_coeff_Mul()
-        if isinstance(logarithm, sympy.log) and isinstance(r := logarithm.args[0], Rational) and not (r.is_prime or (1 / r).is_prime):
+        if (
+            isinstance(logarithm, sympy.log)
+            and isinstance(r := logarithm.args[0], Rational)
+            and not (r.is_prime or (1 / r).is_prime)
+        ):
             found.append(max(abs(int(c.p)), int(c.q)) * of_number(r).bits)
     return max(found)
 
@@ -126,7 +158,8 @@ def of_function(name: str, argument: Cost) -> Cost:
     """Bounds of an elementary function."""
     partial = max(argument.partial, int(name in _SOMEWHERE))
     if name not in _EXPONENTIAL:
-        return Cost(1, 1, argument.bits, math.log2(argument.bits + 1) if name in _LOGARITHMIC else 1.0, partial)
+        return Cost(1, 1, argument.bits, math.log2(argument.bits + 1) if name in _LOGARITHMIC else 1.0,
+                    partial)
     growth = 1.4427 * 2 ** min(max(argument.size, 0.0), 64)                # log₂ e
     return Cost(1, 1, argument.bits + math.ceil(growth), growth, partial)
 
@@ -150,7 +183,10 @@ def of_expression(node: Expr) -> Cost:
 
 
 def enclosure(node: Expr, known: Mapping[Symbol, arb] = NOTHING) -> arb | None:
-    """Of an expression that has been built; None where it has another name or a function that is not in the grammar."""
+    """Of an expression that has been built.
+
+    None where it has another name or a function that is not in the grammar.
+    """
     if isinstance(node, Symbol):
         return known.get(node)
     if isinstance(node, Rational):
@@ -158,7 +194,8 @@ def enclosure(node: Expr, known: Mapping[Symbol, arb] = NOTHING) -> arb | None:
     if node in (S.Pi, S.Exp1):
         return magnitudes.pi() if node == S.Pi else magnitudes.applied("exp", magnitudes.number(S.One))
     if isinstance(node, Add | Mul):
-        return reduce(magnitudes.added if isinstance(node, Add) else magnitudes.multiplied, [enclosure(part, known) for part in node.args])
+        return reduce(magnitudes.added if isinstance(node, Add) else magnitudes.multiplied,
+                      [enclosure(part, known) for part in node.args])
     if isinstance(node, Pow) and isinstance(node.exp, Rational) and max(abs(node.exp.p), node.exp.q) <= BITS:
         return magnitudes.raised(enclosure(node.base, known), node.exp)
     name = type(node).__name__
@@ -166,7 +203,10 @@ def enclosure(node: Expr, known: Mapping[Symbol, arb] = NOTHING) -> arb | None:
 
 
 def immoderate(expression: Expr, known: Mapping[Symbol, arb]) -> Expr | None:
-    """A function in it that is asked at a number of more than 4000 bits, which takes as many digits; None where there is none."""
+    """A function in it that is asked at a number of more than 4000 bits, which takes as many digits.
+
+    None where there is none.
+    """
     for node in expression.atoms(sympy.Function):
         argument = enclosure(node.args[0], known) if type(node).__name__ in magnitudes.FUNCTIONS else None
         if argument is not None and argument.is_finite() and magnitudes.extent(argument)[0] > BITS:

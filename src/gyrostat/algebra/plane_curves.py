@@ -1,4 +1,7 @@
-"""A plane curve F(x, t) = 0 over −1 < x < 1: its points in common with another, and how many branches leave a point on either side."""
+"""A plane curve F(x, t) = 0 over −1 < x < 1.
+
+Its points in common with another, and how many branches leave a point on either side.
+"""
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,18 +19,24 @@ from .polynomials import Ring, by_degree, cancel
 from .precision import own_precision
 from .roots import inserted, real_roots
 
-LARGEST = 150                                          # degree of the polynomials whose roots are the points of a curve
+# degree of the polynomials whose roots are the points of a curve
+LARGEST = 150
 
 
 @dataclass(frozen=True)
 class Box:
-    """A neighbourhood of a point of a curve: every branch inside it, at before and at after, goes on to the point.
+    """A neighbourhood of a point of a curve.
+
+    Every branch inside it, at before and at after, goes on to the point.
 
     Parameters
     ----------
-    low, high : Fraction         of x
-    before, after : Fraction     of t, on either side of the point
-    order : int                  multiplicity of the point as a root at its t
+    low, high : Fraction
+        of x
+    before, after : Fraction
+        of t, on either side of the point
+    order : int
+        multiplicity of the point as a root at its t
     """
 
     low: Fraction
@@ -42,19 +51,25 @@ class PlaneCurve:
 
     Parameters
     ----------
-    expression : Expr            rational in x and t, with rational or algebraic coefficients
+    expression : Expr
+        rational in x and t, with rational or algebraic coefficients
     x, t : Symbol
-    also : sequence of Expr      whose numerators are asked for, too
+    also : sequence of Expr
+        whose numerators are asked for, too
 
     Attributes
     ----------
-    components : list            irreducible factors in which x occurs, each once, without x ± 1
-    lines : list                 those in which t alone occurs: at their roots every x is on the curve
-    poles : list                 factors of the denominator
+    components : list
+        irreducible factors in which x occurs, each once, without x ± 1
+    lines : list
+        those in which t alone occurs: at their roots every x is on the curve
+    poles : list
+        factors of the denominator
 
     Raises
     ------
-    ScopeError                   the expression is not rational in x and t, or vanishes identically
+    ScopeError
+        the expression is not rational in x and t, or vanishes identically
 
     Examples
     --------
@@ -68,13 +83,16 @@ class PlaneCurve:
         self.ring, self.x, self.t = Ring([expression, x, t, *also]), x, t
         others = [g for g in self.ring.generators if g not in (x, t)]
         if any(g.free_symbols or not is_algebraic(g) or g.is_real is False for g in others):
-            raise ScopeError(f"{expression} is not rational in {x} and {t} with algebraic coefficients, so that its branches cannot all be "
-                             "found: give a field that is rational in k3, numbers without pi or functions, and another name along the axis")
+            raise ScopeError(f"{expression} is not rational in {x} and {t} with algebraic coefficients, so "
+                             "that its branches cannot all be "
+                             "found: give a field that is rational in k3, numbers without pi or functions, "
+                             "and another name along the axis")
         self.place = [self.ring.generators.index(s) for s in (x, t)]
         top, bottom = self.ring.fraction(expression)
         top, bottom = cancel(self.ring.reduce(top), bottom)
         if not top:
-            raise ScopeError(f"{expression} vanishes at every {x} and {t}: everything is an equilibrium, there are no branches to follow")
+            raise ScopeError(f"{expression} vanishes at every {x} and {t}: everything is an equilibrium, "
+                             "there are no branches to follow")
         self.rational = not others
         self.components, self.lines = [], []
         ends = self.ring.gens[x] - 1, self.ring.gens[x] + 1
@@ -106,13 +124,17 @@ class PlaneCurve:
         return tuple(dict.fromkeys(found))
 
     def common(self, F: fmpq_mpoly, G: fmpq_mpoly) -> list[tuple[Expr, Expr]]:
-        """(t, x) of every common zero with −1 < x < 1 of a component and a polynomial that it does not divide; each t is canonical."""
+        """(t, x) of every common zero with −1 < x < 1 of a component and a polynomial that it does not
+        divide; each t is canonical.
+        """
         x, t = self.place
         n = math.gcd(*(int(e[t]) for f in (F, G) for e in f.to_dict())) or 1
         F, G = (deflated(f, t, n) for f in (F, G))
         if self.degree(F, 0) * self.degree(G, 1) + self.degree(G, 0) * self.degree(F, 1) > LARGEST:
-            raise ScopeError(f"the points of a curve of degree {self.degree(self.whole, 0)} in {self.x} and {self.degree(self.whole, 1)} "
-                             f"in {self.t} are the roots of polynomials of degree over {LARGEST}: give a field of lower degree")
+            raise ScopeError(f"the points of a curve of degree {self.degree(self.whole, 0)} in {self.x} "
+                             f"and {self.degree(self.whole, 1)} "
+                             f"in {self.t} are the roots of polynomials of degree over {LARGEST}: give a "
+                             "field of lower degree")
         over_x = self._resultant(F, G, 1)
         if over_x.is_constant() and over_x:
             return []
@@ -120,7 +142,8 @@ class PlaneCurve:
         across = real_roots(self.ring.expression(over_x), self.x, S.NegativeOne, S.One)
         along = real_roots(self.ring.expression(over_t), self.t)
         if across is None or along is None:
-            raise ScopeError(f"{self.ring.expression(F)} and {self.ring.expression(G)} have a curve in common once their algebraic numbers "
+            raise ScopeError(f"{self.ring.expression(F)} and {self.ring.expression(G)} have a curve in "
+                             "common once their algebraic numbers "
                              "are related: write these in one root")
         pairs = [(s, x0) for x0 in across for s in self._above(F, G, x0, along)]
         if n == 1:
@@ -155,16 +178,18 @@ class PlaneCurve:
     def box(self, t0: Expr, x0: Expr, gap: Fraction, reach: Fraction) -> Box:
         """A box about a point, less than gap in x and less than reach in t on either side.
 
-        Of the derivatives in x the first that is not 0 at the point is not 0 in the box, so that x0 is the only root in it at t0;
-        and no branch crosses its lower or its upper side.
+        Of the derivatives in x the first that is not 0 at the point is not 0 in the box, so that x0 is the
+        only root in it at t0; and no branch crosses its lower or its upper side.
         """
         first = 2 if (t0, x0) in self.double else 1
-        order = next(n for n in range(first, self.degree(self.whole, 0) + 1) if self.sign(self._slope(n), t0, x0))
+        order = next(n for n in range(first, self.degree(self.whole, 0) + 1)
+                     if self.sign(self._slope(n), t0, x0))
         precision, size = 128, min(gap, Fraction(1, 8)) / 2
         while True:
             with own_precision(precision):
                 step = min(reach / 2, size ** (order + 1))
-                middle, at = (_dyadic(ball(value, precision), small) for value, small in ((x0, size / 16), (t0, step / 16)))
+                middle, at = (_dyadic(ball(value, precision), small)
+                              for value, small in ((x0, size / 16), (t0, step / 16)))
                 if middle is not None and at is not None:
                     T = _interval(at - step, at + step)
                     sides = [self._enclosed(self.whole, T, _interval(middle + s * size)) for s in (-1, 1)]
@@ -182,11 +207,15 @@ class PlaneCurve:
     def _enclosed(self, polynomial: fmpq_mpoly, t: arb, x: arb) -> arb:
         """At the precision that is set."""
         values = [x if g == self.x else t if g == self.t else ball(g, ctx.prec) for g in self.ring.generators]
-        return sum((math.prod((v for v, e in zip(values, powers) for _ in range(int(e))), start=arb(c))      # ** has no power of a ball
-                    for powers, c in polynomial.to_dict().items()), arb(0))                              # that contains 0
+        # ** has no power of a ball
+        return sum((math.prod((v for v, e in zip(values, powers) for _ in range(int(e))), start=arb(c))
+                    # that contains 0
+                    for powers, c in polynomial.to_dict().items()), arb(0))
 
     def roots(self, t: Fraction, count: int | None = None, precision: int = 96) -> list[arb]:
-        """The roots −1 < x < 1 at a t where they are simple and not ±1, in increasing order, to half of the precision; count, if known."""
+        """The roots −1 < x < 1 at a t where they are simple and not ±1, in increasing order, to half of the
+        precision; count, if known.
+        """
         if not self.rational and count is None:
             placed = inserted(self.ring, self.whole, {self.t: Rational(t.numerator, t.denominator)})
             count = len(real_roots(placed, self.x, S.NegativeOne, S.One) or ())
@@ -202,16 +231,19 @@ class PlaneCurve:
         if self.rational:
             at = [fmpq(0)] * len(self.ring.generators)
             at[self.place[1]] = fmpq(t.numerator, t.denominator)
-            real = [x.real for x, _ in fmpq_poly([part(*at) for part in parts]).complex_roots() if x.imag == 0]
+            real = [x.real for x, _ in fmpq_poly([part(*at) for part in parts]).complex_roots()
+                    if x.imag == 0]
         else:
             here = _interval(t)
             try:
-                found = arb_poly([self._enclosed(part, here, arb(0)) for part in parts]).complex_roots(tol=2.0 ** -(ctx.prec // 2 + 8))
+                found = arb_poly([self._enclosed(part, here, arb(0))
+                                  for part in parts]).complex_roots(tol=2.0 ** -(ctx.prec // 2 + 8))
             except ValueError:                             # not isolated at this precision
                 return None
             real = [x.real for x in found if x.imag.contains(0)]
         small = 2.0 ** -(ctx.prec // 2 + 2)
-        if any(r.overlaps(arb(1)) or r.overlaps(arb(-1)) or r.rad() > (abs(r.mid()) + 2.0**-10) * small for r in real):
+        if any(r.overlaps(arb(1)) or r.overlaps(arb(-1)) or r.rad() > (abs(r.mid()) + 2.0**-10) * small
+               for r in real):
             return None
         inside = sorted((r for r in real if abs(r) < 1), key=arb.mid)
         return inside if count is None or len(inside) == count else None
@@ -222,7 +254,11 @@ def _nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
     precision = 64
     while True:
         here = math.prod([ball(value, precision)] * power, start=arb(1))
-        left = [number for number in known if here.overlaps(ball(number, precision))] if here.is_finite() else known
+        left = (
+            [number for number in known if here.overlaps(ball(number, precision))]
+            if here.is_finite()
+            else known
+        )
         if len(left) == 1:
             return left[0]
         precision *= 2

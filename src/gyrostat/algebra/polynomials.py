@@ -8,7 +8,25 @@ from collections.abc import Iterable, Sequence, Set
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cos, cosh, exp, log, pi, sin, sinh, tan, tanh
+from sympy import (
+    Add,
+    Expr,
+    Integer,
+    Mul,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    cos,
+    cosh,
+    exp,
+    log,
+    pi,
+    sin,
+    sinh,
+    tan,
+    tanh,
+)
 
 from ..errors import ExpressionError
 
@@ -61,7 +79,8 @@ class Ring:
         elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
             factors = [_power(self.fraction(Pow(node.base, Rational(1, 2))), int(node.exp.p))]
         elif isinstance(node, Pow) and isinstance(node.exp, Rational):
-            factors = [_power((self.gens[Pow(node.base, Rational(1, node.exp.q))], self.one), int(node.exp.p))]
+            factors = [_power((self.gens[Pow(node.base, Rational(1, node.exp.q))], self.one),
+                              int(node.exp.p))]
         elif isinstance(node, exp):
             factors = [_power((self.gens[base], self.one), n) for base, n in _exponential(node)]
         elif (same := _spelt_once(node)) is not None:
@@ -92,12 +111,14 @@ class Ring:
         for row in entries:
             for _, denominator in row:
                 bottom = lcm(bottom, denominator)
-        return [[self.reduce(top * (bottom / denominator)) for top, denominator in row] for row in entries], bottom
+        return [[self.reduce(top * (bottom / denominator)) for top, denominator in row]
+                for row in entries], bottom
 
     def expression(self, polynomial: fmpq_mpoly) -> Expr:
         """The SymPy expression, expanded."""
         meaning = [self._meaning[g] for g in self.generators]
-        return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, Integer(e)) for g, e in zip(meaning, exponents) if e))
+        return Add(*(Mul(Rational(int(c.p), int(c.q)),
+                         *(Pow(g, Integer(e)) for g, e in zip(meaning, exponents) if e))
                      for exponents, c in polynomial.to_dict().items()))
 
     def coefficients(self, polynomial: fmpq_mpoly, moving: Set[Symbol]) -> dict[tuple[int, ...], fmpq_mpoly]:
@@ -153,7 +174,10 @@ def _collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict
 
 
 def _spelt_once(node: Expr) -> Expr | None:
-    """A logarithm of a rational by those of primes, a sine or tangent of rπ by cosines; None for what is spelt in one way."""
+    """A logarithm of a rational by those of primes, a sine or tangent of rπ by cosines.
+
+    None for what is spelt in one way.
+    """
     if isinstance(node, log) and isinstance(node.args[0], Rational) and node.args[0] > 0:
         parts = [(Integer(int(p)), side * n) for side, x in ((1, node.args[0].p), (-1, node.args[0].q))
                  for p, n in fmpz(int(x)).factor(trial_limit=PRIMES)]
@@ -178,7 +202,8 @@ def _exponential(node: exp) -> list[tuple[Expr, int]]:
 def _power(part: tuple[fmpq_mpoly, fmpq_mpoly], n: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
     top, bottom = part if n >= 0 else part[::-1]
     if not bottom:
-        raise ExpressionError("an expression divides by 0: one of its denominators vanishes identically; check the denominators")
+        raise ExpressionError("an expression divides by 0: one of its denominators vanishes identically; "
+                              "check the denominators")
     return top ** abs(n), bottom ** abs(n)
 
 
@@ -190,7 +215,8 @@ def derivatives(f: Expr, variables: Sequence[Symbol]) -> list[Expr]:
     if any(g.free_symbols & moving for g in ring.generators if g not in moving) or any(
             bottom.degrees()[ring.generators.index(x)] for x in moving):
         return [f.diff(x) for x in variables]
-    return [ring.quotient(top.derivative(ring.generators.index(x)), bottom) if x in moving else S.Zero for x in variables]
+    return [ring.quotient(top.derivative(ring.generators.index(x)), bottom) if x in moving else S.Zero
+            for x in variables]
 
 
 def by_degree(polynomial: fmpq_mpoly, index: int, degree: int) -> list[fmpq_mpoly]:
@@ -213,7 +239,9 @@ def cancel(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]
 
 
 def by_factors(expression: Expr) -> Expr:
-    """A rational expression as a quotient of products; in doubles they keep their digits close to a zero, what is multiplied out does not.
+    """A rational expression as a quotient of products.
+
+    In doubles they keep their digits close to a zero, what is multiplied out does not.
 
     Examples
     --------
@@ -226,5 +254,6 @@ def by_factors(expression: Expr) -> Expr:
     products = []
     for polynomial in ring.fraction(expression):
         constant, factors = polynomial.factor()
-        products.append(Mul(Rational(int(constant.p), int(constant.q)), *(ring.expression(factor) ** int(n) for factor, n in factors)))
+        products.append(Mul(Rational(int(constant.p), int(constant.q)),
+                            *(ring.expression(factor) ** int(n) for factor, n in factors)))
     return products[0] / products[1]

@@ -12,7 +12,8 @@ ONE_AT_A_TIME = threading.RLock()                      # held by every computati
 def own_precision(bits: int) -> Iterator[None]:
     """Every enclosure that is computed inside has so many bits, whatever other threads compute.
 
-    A computation of ours waits for those of other threads. Whoever calls python-flint besides has to hold ONE_AT_A_TIME as well.
+    A computation of ours waits for those of other threads. Whoever calls python-flint besides has to hold
+    ONE_AT_A_TIME as well.
 
     Examples
     --------

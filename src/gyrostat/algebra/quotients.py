@@ -1,4 +1,7 @@
-"""Fractions of polynomials whose variables are algebraic, modulo what those satisfy; what would be too much work is refused."""
+"""Fractions of polynomials whose variables are algebraic, modulo what those satisfy.
+
+What would be too much work is refused.
+"""
 from functools import reduce
 
 from flint import fmpq_mpoly
@@ -9,7 +12,9 @@ Fraction = tuple[fmpq_mpoly, fmpq_mpoly]
 
 
 class Quotients:
-    """Sums, products and powers, each reduced by the relations g^q = …; OverflowError beyond the bounds of work.
+    """Sums, products and powers, each reduced by the relations g^q = ….
+
+    OverflowError beyond the bounds of work.
 
     Examples
     --------
@@ -25,7 +30,10 @@ class Quotients:
         self._relations: list[tuple[int, int, fmpq_mpoly]] = []
 
     def relate(self, place: int, degree: int, relation: fmpq_mpoly) -> None:
-        """A relation of one more variable, over those that have relations already; it has its highest power alone, and leads with it."""
+        """A relation of one more variable, over those that have relations already.
+
+        It has its highest power alone, and leads with it.
+        """
         self._relations.insert(0, (place, degree, relation))
 
     def sum(self, a: Fraction, b: Fraction) -> Fraction:
@@ -56,7 +64,9 @@ class Quotients:
 
 def _remainder(polynomial: fmpq_mpoly, relation: tuple[int, int, fmpq_mpoly]) -> fmpq_mpoly:
     place, degree, divisor = relation
-    return divmod(polynomial, divisor)[1] if polynomial and polynomial.degrees()[place] >= degree else polynomial
+    return (
+        divmod(polynomial, divisor)[1] if polynomial and polynomial.degrees()[place] >= degree else polynomial
+    )
 
 
 def _common(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:

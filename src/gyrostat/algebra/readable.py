@@ -32,7 +32,8 @@ def split(entry: Expr) -> Expr:
         numerator, denominator = cancel(top.context().from_dict({exponents: coefficient}), bottom)
         scale = denominator.leading_coefficient()
         numerator, denominator = numerator / scale, denominator / scale
-        groups[str(denominator)] = (groups.get(str(denominator), (ring.zero, ring.zero))[0] + numerator, denominator)
+        groups[str(denominator)] = (groups.get(str(denominator), (ring.zero, ring.zero))[0] + numerator,
+                                    denominator)
     return Add(*(_quotient(ring, *group) for group in groups.values()))
 
 
@@ -40,7 +41,8 @@ def _quotient(ring: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
     if not top:
         return Add()
     factors = _factors(ring, top)
-    return Mul(*factors, *(Pow(factor, -1) for factor in _factors(ring, bottom)))   # at once: −1·(a + b)/c stays a product
+    # at once: −1·(a + b)/c stays a product
+    return Mul(*factors, *(Pow(factor, -1) for factor in _factors(ring, bottom)))
 
 
 def _factors(ring: Ring, polynomial: fmpq_mpoly) -> list[Expr]:
@@ -66,8 +68,11 @@ def _paired(factors: list[tuple[fmpq_mpoly, int]]) -> list[tuple[fmpq_mpoly, int
     """Factors x − y and x + y as the one x² − y²."""
     result: list[tuple[fmpq_mpoly, int]] = []
     for f, n in factors:
-        partner = next((g for g, m in result if m == int(n) and len(g) == len(f) == 2 and len(f * g) == 2), None)
-        result = [(g, m) for g, m in result if g is not partner] + [(f if partner is None else f * partner, int(n))]
+        partner = next((g for g, m in result if m == int(n) and len(g) == len(f) == 2 and len(f * g) == 2),
+                       None)
+        result = [(g, m) for g, m in result if g is not partner] + [
+            (f if partner is None else f * partner, int(n))
+        ]
     return result
 
 
@@ -109,6 +114,9 @@ def _collected(ring: Ring, polynomial: fmpq_mpoly) -> Expr:
 
 
 def term_order(term: Expr) -> tuple[int, ...]:
-    """Where a term stands in a sum: constants, then momenta, rates, parameters, k and U, as in notation.py."""
+    """Where a term stands in a sum.
+
+    Constants, then momenta, rates, parameters, k and U, as in notation.py.
+    """
     symbols = {s for s in term.free_symbols if not s.is_positive} or term.free_symbols
     return tuple(sorted(ORDER.get(s.name, len(ORDER)) for s in symbols))

@@ -1,4 +1,7 @@
-"""All real roots of a polynomial in an interval, exact: rational, quadratic surds, or roots of a named polynomial."""
+"""All real roots of a polynomial in an interval, exact.
+
+Rational, quadratic surds, or roots of a named polynomial.
+"""
 from collections.abc import Mapping, Sequence
 from functools import cmp_to_key
 
@@ -14,27 +17,34 @@ from .precision import own_precision
 FEW = 3                                                # numbers of which a norm is soon taken
 
 
-def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr | None = None) -> list[Expr] | None:
-    """The distinct real roots of the numerator of a rational function of x, in increasing order, strictly between low and high.
+def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
+               high: Expr | None = None) -> list[Expr] | None:
+    """The distinct real roots of the numerator of a rational function of x, in increasing order, strictly
+    between low and high.
 
-    Complete: the polynomial is factored over ℚ and the real roots of each factor are counted. Algebraic coefficients are eliminated
-    by resultants with their minimal polynomials, and of the roots of that norm those of the polynomial are kept. With transcendental
-    coefficients, or algebraic ones that depend on each other, factors of degree 1 and 2 are solved by formula.
+    Complete: the polynomial is factored over ℚ and the real roots of each factor are counted. Algebraic
+    coefficients are eliminated by resultants with their minimal polynomials, and of the roots of that norm
+    those of the polynomial are kept. With transcendental coefficients, or algebraic ones that depend on each
+    other, factors of degree 1 and 2 are solved by formula.
 
     Parameters
     ----------
-    expression : Expr          rational in x, with coefficients that are exact numbers
+    expression : Expr
+        rational in x, with coefficients that are exact numbers
     x : Symbol
-    low, high : Expr or None   exact numbers; None: unbounded
+    low, high : Expr or None
+        exact numbers; None: unbounded
 
     Returns
     -------
-    list of Expr               exact numbers; None if the expression vanishes identically
+    list of Expr
+        exact numbers; None if the expression vanishes identically
 
     Raises
     ------
-    ScopeError                 the expression is not rational in x, or has a coefficient that is not real, or is not algebraic in a
-                               factor of higher degree
+    ScopeError
+        the expression is not rational in x, or has a coefficient that is not real, or is not algebraic in a
+        factor of higher degree
 
     Examples
     --------
@@ -50,26 +60,33 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None, high: Expr 
     top, bottom = ring.fraction(expression)
     top, place = ring.reduce(top), ring.generators.index(x)
     parts = by_degree(top, place, top.degrees()[place])
-    top = sum((c * ring.gens[x] ** n for n, c in enumerate(parts) if c and (c.is_constant() or proved_sign(ring.expression(c)))), ring.zero)
+    top = sum((c * ring.gens[x] ** n for n, c in enumerate(parts) if c
+               and (c.is_constant() or proved_sign(ring.expression(c)))), ring.zero)
     if not top:
         return None
     ways = (_by_norm, _by_formulas) if len(constants) <= FEW else (_by_formulas, _by_norm)
     found = next((roots for way in ways if (roots := way(ring, top, x)) is not None), None)
     if found is None and all(map(is_algebraic, constants)):
-        raise ScopeError(f"the algebraic numbers of {expression} depend on each other: write them in one root")
+        raise ScopeError(f"the algebraic numbers of {expression} depend on each other: write them in one "
+                         "root")
     if found is None:
         raise _beyond(expression, x)
     found = [r for r in found if bottom.is_one() or proved_sign(inserted(ring, bottom, {x: r})) != 0]
-    return [r for r in found if (low is None or proved_sign(r - low) == 1) and (high is None or proved_sign(high - r) == 1)]
+    return [r for r in found if (low is None or proved_sign(r - low) == 1)
+            and (high is None or proved_sign(high - r) == 1)]
 
 
 def _beyond(expression: Expr, x: Symbol) -> ScopeError:
-    return ScopeError(f"{expression} is not a polynomial in {x} with algebraic coefficients: its roots are not found; give numbers for "
+    return ScopeError(f"{expression} is not a polynomial in {x} with algebraic coefficients: its roots are "
+                      "not found; give numbers for "
                       "its parameters, and a field that is polynomial in k3")
 
 
 def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
-    """The real roots in order, from the product of the conjugates; None where that is 0, or a coefficient is not algebraic."""
+    """The real roots in order, from the product of the conjugates.
+
+    None where that is 0, or a coefficient is not algebraic.
+    """
     if not all(g == x or is_algebraic(g) for g in ring.generators):
         return None
     norm, place = polynomial, ring.generators.index(x)
@@ -80,7 +97,8 @@ def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None
         return None
     nothing = (0,) * len(ring.generators)
     coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
-    found = in_order([r for factor, _ in fmpq_poly(coefficients).factor()[1] for r in _roots_of_factor(factor)])
+    found = in_order([r for factor, _ in fmpq_poly(coefficients).factor()[1]
+                      for r in _roots_of_factor(factor)])
     return found if norm is polynomial else _kept(ring, polynomial, x, found)
 
 
@@ -111,14 +129,19 @@ def _relation(ring: Ring, g: Expr, x: Symbol) -> fmpq_mpoly:
     if g in ring.squares:
         return ring.gens[g] ** 2 - ring.squares[g]
     coefficients = Poly(minimal_polynomial(g, x), x).all_coeffs()
-    return sum((ring.one * int(c) * ring.gens[g] ** n for n, c in enumerate(reversed(coefficients))), ring.zero)
+    return sum((ring.one * int(c) * ring.gens[g] ** n for n, c in enumerate(reversed(coefficients))),
+               ring.zero)
 
 
 def _kept(ring: Ring, polynomial: fmpq_mpoly, x: Symbol, numbers: list[Expr]) -> list[Expr]:
-    """Of numbers in order, all roots of a polynomial and others: the roots. A change of sign around a number proves that it is one."""
+    """Of numbers in order, all roots of a polynomial and others.
+
+    The roots. A change of sign around a number proves that it is one.
+    """
     midway = [between(a, b) for a, b in zip([-oo, *numbers], [*numbers, oo])]
     signs = [proved_sign(inserted(ring, polynomial, {x: q})) for q in midway]
-    return [r for r, a, b in zip(numbers, signs, signs[1:]) if a * b < 0 or proved_sign(inserted(ring, polynomial, {x: r})) == 0]
+    return [r for r, a, b in zip(numbers, signs, signs[1:]) if a * b < 0
+            or proved_sign(inserted(ring, polynomial, {x: r})) == 0]
 
 
 def in_order(numbers: Sequence[Expr]) -> list[Expr]:
@@ -148,7 +171,10 @@ def between(a: Expr, b: Expr) -> Rational:
 
 
 def _side(number: Expr, precision: int, side: int) -> Rational:
-    """The upper or lower end of an enclosure, exact: the ends of balls are rounded to the precision of the context."""
+    """The upper or lower end of an enclosure, exact.
+
+    The ends of balls are rounded to the precision of the context.
+    """
     with own_precision(precision):
         enclosure = ball(number, precision)
         mantissa, exponent = (enclosure.upper() if side > 0 else enclosure.lower()).man_exp()
@@ -156,7 +182,10 @@ def _side(number: Expr, precision: int, side: int) -> Rational:
 
 
 def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:
-    """The polynomial with numbers for generators; never inside a number, where a CRootOf has a variable of its own."""
+    """The polynomial with numbers for generators.
+
+    Never inside a number, where a CRootOf has a variable of its own.
+    """
     meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
     return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
                  for exponents, c in polynomial.to_dict().items()))

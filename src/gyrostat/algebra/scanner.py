@@ -18,7 +18,8 @@ class Scanner:
     def __init__(self, text: str):
         self.text, self.place = text, 0
         if len(text) > LENGTH:
-            raise ExpressionError(f"an expression of {len(text)} characters is longer than the {LENGTH} allowed: shorten it")
+            raise ExpressionError(f"an expression of {len(text)} characters is longer than the {LENGTH} "
+                                  "allowed: shorten it")
         self.tokens = self._scan()
 
     def _scan(self) -> list[tuple[str, str]]:
@@ -28,9 +29,11 @@ class Scanner:
             if match is None:
                 rest = self.text[place:].lstrip()
                 hint = "write ** for powers" if rest[0] == "^" else self.HINT
-                if comma := re.search(r"(\d+),(\d+)\Z", self.text[:place] + re.match(r",?\d*", rest)[0]):  # type: ignore[index]
+                if comma := re.search(r"(\d+),(\d+)\Z",
+                                      self.text[:place] + re.match(r",?\d*", rest)[0]):  # type: ignore[index]
                     hint = f"write a decimal point, {comma[1]}.{comma[2]}"
-                self.fail(f"{rest[:12]!r} at character {len(self.text) - len(rest) + 1} is not part of the grammar", hint)
+                self.fail(f"{rest[:12]!r} at character {len(self.text) - len(rest) + 1} is not part of the "
+                          "grammar", hint)
             tokens.append((str(match.lastgroup), match[str(match.lastgroup)]))
             place = match.end()
         return tokens

@@ -1,4 +1,7 @@
-"""Along the parameter of a plane curve: where its branches meet, begin and end, and which of them come to the same point."""
+"""Along the parameter of a plane curve.
+
+Where its branches meet, begin and end, and which of them come to the same point.
+"""
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -29,9 +32,12 @@ class Station:
 
     Parameters
     ----------
-    t : Expr                             exact
-    before, after : Fraction             values beside it; nothing else happens between them
-    places : tuple of Place              from below
+    t : Expr
+        exact
+    before, after : Fraction
+        values beside it; nothing else happens between them
+    places : tuple of Place
+        from below
     """
 
     t: Expr
@@ -40,14 +46,19 @@ class Station:
     places: tuple[Place, ...]
 
 
-def stations(curve: PlaneCurve, points: Iterable[tuple[Expr, Expr]], other: Iterable[Expr] = ()) -> list[Station]:
-    """Points of a curve, and other values of t, in order; each point with the branches that come to it from either side.
+def stations(curve: PlaneCurve, points: Iterable[tuple[Expr, Expr]],
+             other: Iterable[Expr] = ()) -> list[Station]:
+    """Points of a curve, and other values of t, in order.
+
+    Each point with the branches that come to it from either side.
 
     Parameters
     ----------
     curve : PlaneCurve
-    points : iterable of (t, x)          exact and canonical; every multiple root −1 < x < 1, and every root ±1, is among them
-    other : iterable of Expr             values of t without a point
+    points : iterable of (t, x)
+        exact and canonical; every multiple root −1 < x < 1, and every root ±1, is among them
+    other : iterable of Expr
+        values of t without a point
 
     Examples
     --------
@@ -70,7 +81,10 @@ def stations(curve: PlaneCurve, points: Iterable[tuple[Expr, Expr]], other: Iter
 
 
 def critical_points(curve: PlaneCurve) -> list[tuple[Expr, Expr]]:
-    """(t, x) of every multiple root −1 < x < 1 and of every root ±1: between them branches are simple, in a fixed order, and do not end."""
+    """(t, x) of every multiple root −1 < x < 1 and of every root ±1.
+
+    Between them branches are simple, in a fixed order, and do not end.
+    """
     return [*curve.double, *((t, S(s)) for s in (1, -1) for t in curve.at_edge(s))]
 
 
@@ -85,7 +99,8 @@ def _station(curve: PlaneCurve, t: Expr, places: Sequence[Expr], reach: Fraction
     before, after = (steps[0][1], steps[1][1]) if boxes else near
     left, right = (curve.roots(side, precision=BITS) for side in (before, after))
     return Station(t, before, after, tuple(
-        Place(x, box, _inside(curve, before, left, box), _inside(curve, after, right, box)) for x, box in zip(places, boxes)))
+        Place(x, box, _inside(curve, before, left, box), _inside(curve, after, right, box))
+        for x, box in zip(places, boxes)))
 
 
 def _inside(curve: PlaneCurve, t: Fraction, roots: Sequence[arb], box: Box) -> range:

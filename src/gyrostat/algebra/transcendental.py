@@ -1,9 +1,12 @@
-"""Zero among transcendental numbers, by a normal form: π, exponentials, sines and logarithms as variables over the algebraic numbers.
+"""Zero among transcendental numbers, by a normal form.
 
-A constant is written as a fraction of polynomials in π, in e^(1/n), in cos(1/n) and sin(1/n), and in the logarithms of integers
-without common factors; sin² is 1 − cos². It is 0 if every coefficient is. The converse holds where the variables are algebraically
-independent: one of them alone; exponentials, sines and cosines of rational numbers together (Lindemann and Weierstrass); logarithms
-of rationals to the first power (Baker). Beyond those a constant that is 0 may not be found to be.
+Π, exponentials, sines and logarithms as variables over the algebraic numbers.
+
+A constant is written as a fraction of polynomials in π, in e^(1/n), in cos(1/n) and sin(1/n), and in the
+logarithms of integers without common factors; sin² is 1 − cos². It is 0 if every coefficient is. The converse
+holds where the variables are algebraically independent: one of them alone; exponentials, sines and cosines of
+rational numbers together (Lindemann and Weierstrass); logarithms of rationals to the first power (Baker).
+Beyond those a constant that is 0 may not be found to be.
 """
 from collections import defaultdict
 from collections.abc import Callable
@@ -12,7 +15,25 @@ from math import gcd, lcm
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
-from sympy import Add, CRootOf, Expr, Integer, Mul, Pow, Rational, S, cos, cosh, exp, expand_log, log, multiplicity, sin, sinh, tanh
+from sympy import (
+    Add,
+    CRootOf,
+    Expr,
+    Integer,
+    Mul,
+    Pow,
+    Rational,
+    S,
+    cos,
+    cosh,
+    exp,
+    expand_log,
+    log,
+    multiplicity,
+    sin,
+    sinh,
+    tanh,
+)
 
 from .algebraic import TURNS, coprime, is_algebraic, separation, turn
 from .polynomials import by_degree
@@ -52,19 +73,25 @@ def vanishes(constant: Expr, sign: Callable[[Expr], int | None]) -> bool:
 
 
 class _Form:
-    """The ring of one constant: a variable for each of its independent parts, and one for each other part that has no normal form."""
+    """The ring of one constant.
+
+    A variable for each of its independent parts, and one for each other part that has no normal form.
+    """
 
     def __init__(self, constant: Expr, sign: Callable[[Expr], int | None]):
         self._sign = sign
         self._below: list[fmpq_mpoly] = []                                                   # denominators
-        self._angles: defaultdict[tuple[type, Expr], list[Rational]] = defaultdict(list)     # of e^… and of cos, sin
+        # of e^… and of cos, sin
+        self._angles: defaultdict[tuple[type, Expr], list[Rational]] = defaultdict(list)
         self._integers: set[int] = set()                                                     # of logarithms
         self._plain: dict[Expr, None] = {}
         self._collect(constant, set())
         self._units = {key: Rational(gcd(*(int(r.p) for r in angles)), lcm(*(int(r.q) for r in angles)))
                        for key, angles in self._angles.items()}
         self._base = coprime(self._integers)
-        meaning: dict[Any, Expr] = {node: node for node in reversed(self._plain)} | {(log, n): log(n) for n in self._base}
+        meaning: dict[Any, Expr] = {node: node for node in reversed(self._plain)} | {
+            (log, n): log(n) for n in self._base
+        }
         for (kind, rest), unit in self._units.items():
             meaning |= {(f, rest): f(unit * rest) for f in ((cos, sin) if kind is cos else (exp,))}
         context = fmpq_mpoly_ctx.get(tuple(f"x{n}" for n in range(len(meaning))), Ordering.lex)
@@ -77,15 +104,18 @@ class _Form:
                 self._relate(place, node)
         outer = [(int(v.exp.q), self.fraction(v.base), self._gens[v], v) for v in reversed(self._plain)
                  if isinstance(v, Pow) and isinstance(v.exp, Rational) and not is_algebraic(v)]
-        turned = [(self._gens[cos, rest], self._gens[sin, rest], meaning[sin, rest]) for kind, rest in self._units if kind is cos]
-        self.roots: list[Root] = outer + [(2, (self._one - c**2, self._one), s, value) for c, s, value in turned]
+        turned = [(self._gens[cos, rest], self._gens[sin, rest], meaning[sin, rest])
+                  for kind, rest in self._units if kind is cos]
+        self.roots: list[Root] = outer + [(2, (self._one - c**2, self._one), s, value)
+                                          for c, s, value in turned]
 
     def _relate(self, place: int, node: Expr) -> None:
         """Reduce by what a root satisfies over those inside it, if that has no denominator."""
         g = self._gens[node]
         if isinstance(node, CRootOf):
             coefficients = enumerate(reversed(node.poly.monic().all_coeffs()))
-            self._ring.relate(place, node.poly.degree(), sum((self.fraction(c)[0] * g**n for n, c in coefficients), self._zero))
+            self._ring.relate(place, node.poly.degree(),
+                              sum((self.fraction(c)[0] * g**n for n, c in coefficients), self._zero))
         elif isinstance(node, Pow):
             top, bottom = self.fraction(node.base)
             if bottom.is_constant():
@@ -134,13 +164,15 @@ class _Form:
             base = node.base if node.exp.q == 1 else Pow(node.base, Rational(1, node.exp.q))
             return self._power(self.fraction(base), int(node.exp.p))
         if isinstance(node, log):
-            powers = ((b, multiplicity(b, node.args[0])) for b in self._base)                  # negative where b divides the denominator
+            # negative where b divides the denominator
+            powers = ((b, multiplicity(b, node.args[0])) for b in self._base)
             return sum((n * self._gens[log, b] for b, n in powers), self._zero), self._one
         if isinstance(node, (sinh, cosh, tanh)):
             return self.fraction(node.rewrite(exp))
         c, s = self._turned(node)
         above, below = self._power(c, -1), self._power(s, -1)
-        return (s, c, self._ring.product(s, above), self._ring.product(c, below), above, below)[TURNS.index(type(node))]
+        return (s, c, self._ring.product(s, above), self._ring.product(c, below), above,
+                below)[TURNS.index(type(node))]
 
     def _power(self, part: Fraction, n: int) -> Fraction:
         top, bottom = part if n >= 0 else part[::-1]
@@ -180,7 +212,10 @@ class _Form:
         return (here[0], self._one), (s * here[1] * (1 if n > 0 else -1), self._one)
 
     def is_zero(self, polynomial: fmpq_mpoly, roots: list[Root]) -> bool:
-        """Whether a polynomial is proved to vanish at the meaning of its variables; roots are eliminated, outer ones first."""
+        """Whether a polynomial is proved to vanish at the meaning of its variables.
+
+        Roots are eliminated, outer ones first.
+        """
         if not polynomial or not roots:
             return not polynomial or self._coefficients_are_zero(polynomial)
         (q, (top, bottom), g, meaning), *rest = roots
@@ -188,7 +223,8 @@ class _Form:
         parts = by_degree(polynomial, place, degree := polynomial.degrees()[place])
         most = degree // q
         times, raised = self._ring.times, self._ring.raised
-        by_power = [times(times(c, raised(top, n // q)), raised(bottom, most - n // q)) for n, c in enumerate(parts)]
+        by_power = [times(times(c, raised(top, n // q)), raised(bottom, most - n // q))
+                    for n, c in enumerate(parts)]
         residues = [sum(by_power[n::q], self._zero) for n in range(q)]
         if all(self.is_zero(part, rest) for part in residues):
             return True
@@ -197,7 +233,8 @@ class _Form:
         a, b = residues                                     # a + b g, with g² = N/D
         if not self.is_zero(times(times(a, a), bottom) - times(times(b, b), top), rest):
             return False
-        first, second, root = (self._sign(x) for x in (self._expression(a.to_dict()), self._expression(b.to_dict()), meaning))
+        first, second, root = (self._sign(x) for x in (self._expression(a.to_dict()),
+                                                       self._expression(b.to_dict()), meaning))
         return first is not None and second is not None and root is not None and first == -second * root
 
     def _coefficients_are_zero(self, polynomial: fmpq_mpoly) -> bool:
@@ -206,7 +243,8 @@ class _Form:
         for exponents, c in polynomial.to_dict().items():
             kind = tuple(0 if own else e for e, own in zip(exponents, self._algebraic))
             groups[kind][tuple(e if own else 0 for e, own in zip(exponents, self._algebraic))] = c
-        if any(len(terms) == 1 and not any(exponents) for terms in groups.values() for exponents in terms):     # a rational number
+        # a rational number
+        if any(len(terms) == 1 and not any(exponents) for terms in groups.values() for exponents in terms):
             return False
         coefficients = [self._expression(terms) for terms in groups.values()]
         if sum(separation(c) or 0 for c in coefficients) > SEPARATION:
@@ -214,7 +252,8 @@ class _Form:
         return all(self._sign(c) == 0 for c in coefficients)
 
     def _expression(self, terms: dict[tuple[int, ...], fmpq]) -> Expr:
-        return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(v, int(e)) for v, e in zip(self._meaning, exponents) if e))
+        return Add(*(Mul(Rational(int(c.p), int(c.q)),
+                         *(Pow(v, int(e)) for v, e in zip(self._meaning, exponents) if e))
                      for exponents, c in terms.items()))
 
 

@@ -1,4 +1,7 @@
-"""Certified verdicts on boxes of parameters: each claim is proved for every point of a closed box where the equilibrium exists."""
+"""Certified verdicts on boxes of parameters.
+
+Each claim is proved for every point of a closed box where the equilibrium exists.
+"""
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -26,9 +29,11 @@ class BoxDecision:
 
     Parameters
     ----------
-    verdict : Verdict          STABLE or UNSTABLE: proved at every point of the box where the equilibrium exists
+    verdict : Verdict
+        STABLE or UNSTABLE: proved at every point of the box where the equilibrium exists
     reason : str
-    chart : CertifiedChart     the parts of the box, and what is proved of each
+    chart : CertifiedChart
+        the parts of the box, and what is proved of each
     """
 
     verdict: Verdict
@@ -59,27 +64,35 @@ class BoxDecision:
         return np.stack([self.chart.low, self.chart.high], axis=-1)[self.chart.code == code]
 
 
-def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24, limit: int = 200_000) -> BoxDecision:
+def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
+                limit: int = 200_000) -> BoxDecision:
     """A verdict on all points of a box, by bisection into parts on which margins have a proved sign.
 
     Parameters
     ----------
     report : Report
-    box : mapping of name to number or (low, high)      numbers as Report.verdict takes them
-    depth : int                                         bisections of one part, at most
-    limit : int                                         parts, at most
+    box : mapping of name to number or (low, high)
+        numbers as Report.verdict takes them
+    depth : int
+        bisections of one part, at most
+    limit : int
+        parts, at most
 
     Returns
     -------
-    BoxDecision        a box that is one point is decided as Report.verdict does, equality included
+    BoxDecision
+        a box that is one point is decided as Report.verdict does, equality included
 
     Raises
     ------
-    ValuesError        names are missing or unknown, an interval is empty or not finite, or no point of the box is an equilibrium
-    ScopeError         the relation of the family was not eliminated
+    ValuesError
+        names are missing or unknown, an interval is empty or not finite, or no point of the box is an
+        equilibrium
+    ScopeError
+        the relation of the family was not eliminated
 
-    Source
-    ------
+    References
+    ----------
     Interval arithmetic: Moore, Kearfott & Cloud, Introduction to Interval Analysis (2009), chapters 5 and 6.
 
     Examples
@@ -96,34 +109,44 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24, limi
     if not region.axes:
         decision = report.verdict({s.name: number for s, number in region.fixed.items()})
         code = {Verdict.STABLE: STABLE, Verdict.UNSTABLE: UNSTABLE}.get(decision.verdict, UNDECIDED)
-        chart = CertifiedChart((), region.fixed_numbers, np.empty((1, 0)), np.empty((1, 0)), np.array([code], np.int8), True)
+        chart = CertifiedChart((), region.fixed_numbers, np.empty((1, 0)), np.empty((1, 0)),
+                               np.array([code], np.int8), True)
         return BoxDecision(decision.verdict, decision.reason, chart)
     chart = covered(Proof(report, region), region, DEEPEST, depth, limit, None)
     found = set(chart.code.tolist()) - {ABSENT}
     if not found:
-        raise ValuesError(f"{report.equilibrium.label} exists at no point of the box: choose a box in which its domain is positive")
+        raise ValuesError(f"{report.equilibrium.label} exists at no point of the box: choose a box in "
+                          "which its domain is positive")
     if found == {STABLE}:
         return BoxDecision(Verdict.STABLE, "a sufficient condition is proved on every part of the box", chart)
     if found == {UNSTABLE}:
-        return BoxDecision(Verdict.UNSTABLE, "a necessary condition is proved to fail on every part of the box", chart)
+        return BoxDecision(Verdict.UNSTABLE,
+                           "a necessary condition is proved to fail on every part of the box", chart)
     if found >= {STABLE, UNSTABLE}:
-        return BoxDecision(Verdict.UNDECIDED, "a part of the box is proved stable and another part unstable", chart)
-    reason = f"nothing is proved on {int((chart.code == UNDECIDED).sum())} of {len(chart.code)} parts of the box"
+        return BoxDecision(Verdict.UNDECIDED, "a part of the box is proved stable and another part unstable",
+                           chart)
+    reason = (
+        f"nothing is proved on {int((chart.code == UNDECIDED).sum())} of {len(chart.code)} parts of the box"
+    )
     return BoxDecision(Verdict.UNDECIDED, reason, chart)
 
 
-def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: Any = Fraction(1, 8192), limit: int = 1_000_000,
+def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: Any = Fraction(1, 8192),
+                    limit: int = 1_000_000,
                     progress: Told | bool | None = None) -> CertifiedChart:
     """A region covered by boxes, each with a proved verdict; the undecided ones lie along the boundary.
 
     Parameters
     ----------
     report : Report
-    region : mapping of name to number or (low, high)      one pair at least
-    resolution : number                                    a side is halved until it is at most this share of the region's
-    limit : int                                            boxes, at most
-    progress : callable, False or None                     called with the levels of bisection done and all of them; None: a bar on a
-                                                           terminal
+    region : mapping of name to number or (low, high)
+        one pair at least
+    resolution : number
+        a side is halved until it is at most this share of the region's
+    limit : int
+        boxes, at most
+    progress : callable, False or None
+        called with the levels of bisection done and all of them; None: a bar on a terminal
 
     Returns
     -------
@@ -131,7 +154,8 @@ def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: An
 
     Raises
     ------
-    ValuesError, ScopeError       as in certify_box; and where no name varies, or a resolution is not in (0, 1]
+    ValuesError, ScopeError
+        as in certify_box; and where no name varies, or a resolution is not in (0, 1]
 
     Examples
     --------
@@ -143,10 +167,12 @@ def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: An
     """
     share = exact_number(resolution, "resolution")
     if sign_of_constant(share) != 1 or sign_of_constant(1 - share) == -1:
-        raise ValuesError(f"resolution = {shown(share)} is not in (0, 1]: give the smallest side as a share of the region's, as 1/1024")
+        raise ValuesError(f"resolution = {shown(share)} is not in (0, 1]: give the smallest side as a "
+                          "share of the region's, as 1/1024")
     read = region_of(report, region)
     if not read.axes:
-        raise ValuesError("no name varies: give a pair (low, high) for one name at least, or ask report.verdict for the point")
+        raise ValuesError("no name varies: give a pair (low, high) for one name at least, or ask "
+                          "report.verdict for the point")
     levels = max(0, math.ceil(-math.log2(max(float(share), 2.0**-DEEPEST))))
     with telling(progress, "boxes") as tell:
         return covered(Proof(report, read, separate=True), read, levels, levels * len(read.axes), limit, tell)

@@ -1,4 +1,6 @@
-"""Stability charts: the exact verdict at every point of a grid of parameters, labelled, with the exact boundary between the verdicts."""
+"""Stability charts: the exact verdict at every point of a grid of parameters, labelled, with the exact
+boundary between the verdicts.
+"""
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -21,38 +23,53 @@ from .stores import filled
 Axis = tuple[str, Any]
 
 
-def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any] | None = None, axes: Mapping[str, Any] | None = None,
-                    margins: bool = False, store: str | Path | None = None, backend: str = "numpy", threads: int = 1,
+def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any] | None = None,
+                    axes: Mapping[str, Any] | None = None,
+                    margins: bool = False, store: str | Path | None = None, backend: str = "numpy",
+                    threads: int = 1,
                     progress: Told | bool | None = None) -> Any:
     """The verdict at every point of a grid of parameters, as a labelled dataset.
 
-    Each is what Report.verdict says of that point, proved; between them, of two axes, the curves on which they change.
+    Each is what Report.verdict says of that point, proved; between them, of two axes, the curves on which
+    they change.
 
     Parameters
     ----------
     report : Report
-    x, y : pairs (name, values)             values: floats, strictly increasing or decreasing
-    fixed : mapping of name to number       the other parameters, exact: "1/3", Fraction, int; a float is the dyadic rational it is
-    axes : mapping of name to values        further axes, outermost first
-    margins : bool                          the values of the margins too
-    store : str or Path                     a path that ends in .zarr: blocks are written to it, and continued where it exists; the chart
-                                            may be larger than the memory
-    backend : str                           "numpy", or "numba" (extra fast)
+    x, y : pairs (name, values)
+        values: floats, strictly increasing or decreasing
+    fixed : mapping of name to number
+        the other parameters, exact: "1/3", Fraction, int; a float is the dyadic rational it is
+    axes : mapping of name to values
+        further axes, outermost first
+    margins : bool
+        the values of the margins too
+    store : str or Path
+        a path that ends in .zarr: blocks are written to it, and continued where it exists; the chart may be
+        larger than the memory
+    backend : str
+        "numpy", or "numba" (extra fast)
     threads : int
-    progress : callable, False or None      called with the blocks that are done and all blocks of a store; None: a bar on a terminal
+    progress : callable, False or None
+        called with the blocks that are done and all blocks of a store; None: a bar on a terminal
 
     Returns
     -------
-    xarray.Dataset      verdict (int8: 1 stable, 0 undecided, −1 unstable, −2 no equilibrium) with the dimensions (…, y, x); on request
-                        margin_0, …; of two axes boundary_x and boundary_y, NaN between pieces. Every parameter is a coordinate with its
-                        meaning, units (SI) and LaTeX, fixed ones with the exact number. Of a store, opened lazily
+    xarray.Dataset
+        verdict (int8: 1 stable, 0 undecided, −1 unstable, −2 no equilibrium) with the dimensions (…, y, x);
+        on request margin_0, …; of two axes boundary_x and boundary_y, NaN between pieces. Every parameter is
+        a coordinate with its meaning, units (SI) and LaTeX, fixed ones with the exact number. Of a store,
+        opened lazily
 
     Raises
     ------
-    ValuesError         names are missing, unknown, given twice or expressed by others; values are not finite, not monotonic, or not
-                        positive where the parameter is
-    StoreError          the store holds another chart
-    MissingExtraError   pip install "gyrostat[charts]"
+    ValuesError
+        names are missing, unknown, given twice or expressed by others; values are not finite, not monotonic,
+        or not positive where the parameter is
+    StoreError
+        the store holds another chart
+    MissingExtraError
+        pip install "gyrostat[charts]"
 
     Examples
     --------
@@ -68,7 +85,8 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     given = [*(axes or {}).items(), _pair(y, "y"), _pair(x, "x")]
     _check_names(report, [name for name, _ in given], list(fixed or {}))
     arrays = [_axis(name, values) for name, values in given]
-    chart = Chart(report, tuple(name for name, _ in given), tuple(_number(name, value) for name, value in (fixed or {}).items()),
+    chart = Chart(report, tuple(name for name, _ in given),
+                  tuple(_number(name, value) for name, value in (fixed or {}).items()),
                   bool(margins), backend)
     if store is not None:
         return filled(Path(store), chart, arrays, threads, progress)
@@ -78,17 +96,20 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
 
 def _pair(axis: Any, which: str) -> Axis:
     if not isinstance(axis, tuple) or len(axis) != 2 or not isinstance(axis[0], str):
-        raise ArgumentError(f'{which} is no pair of a name and values: write {which}=("l", np.linspace(0, 1, 200))')
+        raise ArgumentError(f'{which} is no pair of a name and values: write {which}=("l", np.linspace(0, '
+                            '1, 200))')
     return axis
 
 
 def _check_names(report: Report, varied: Sequence[str], fixed: Sequence[str]) -> None:
     for n, name in enumerate(given := [*varied, *fixed]):
         if name in given[:n]:
-            raise ValuesError(f"{name} is given twice, as an axis and again as an axis or fixed: give it once")
+            raise ValuesError(f"{name} is given twice, as an axis and again as an axis or fixed: give it "
+                              "once")
         if name in OWN or name.startswith("margin_"):
             raise ValuesError(f"{name} is a name of the dataset itself: call the parameter otherwise")
-    check_family(report.equilibrium, given, report.required, report.parameters, "fix each at a number, or make it an axis")
+    check_family(report.equilibrium, given, report.required, report.parameters,
+                 "fix each at a number, or make it an axis")
 
 
 def _number(name: str, value: Any) -> tuple[str, Expr, str]:
@@ -108,18 +129,22 @@ def _axis(name: str, values: Iterable[Any]) -> Array:
             raise TypeError(f"they are of type {array.dtype}")
         array = array.astype(np.float64)
     except (TypeError, ValueError) as error:
-        raise ValuesError(f"the values of {name} are not real numbers ({error}): give floats, such as np.linspace(0, 1, 200)") from None
+        raise ValuesError(f"the values of {name} are not real numbers ({error}): give floats, such as "
+                          "np.linspace(0, 1, 200)") from None
     if array.ndim != 1 or not array.size:
-        raise ValuesError(f"the values of {name} have the shape {array.shape}: give one sequence, with one value at least")
+        raise ValuesError(f"the values of {name} have the shape {array.shape}: give one sequence, with one "
+                          "value at least")
     if not np.isfinite(array).all():
         place = int(np.argmin(np.isfinite(array)))
         raise ValuesError(f"the value {place} of {name} is {array[place]}, not finite: remove it")
     if symbol(name).is_positive and not (array > 0).all():
         place = int(np.argmin(array > 0))
-        raise ValuesError(f"the value {place} of {name} is {array[place]}, but {name} must be positive: give an axis of positive values")
+        raise ValuesError(f"the value {place} of {name} is {array[place]}, but {name} must be positive: "
+                          "give an axis of positive values")
     on = array[1:] < array[:-1] if array.size > 1 and array[1] < array[0] else array[1:] > array[:-1]
     if not on.all():
         place = int(np.argmin(on)) + 1
-        raise ValuesError(f"the values of {name} are not strictly monotonic: {array[place - 1]} is followed by {array[place]} at index "
+        raise ValuesError(f"the values of {name} are not strictly monotonic: {array[place - 1]} is "
+                          f"followed by {array[place]} at index "
                           f"{place}; sort them, each once")
     return array

@@ -1,4 +1,7 @@
-"""Curves on which a verdict changes: zeros of margins, each point of them on a line of the grid, moved along it to the last bits."""
+"""Curves on which a verdict changes.
+
+Zeros of margins, each point of them on a line of the grid, moved along it to the last bits.
+"""
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
@@ -15,34 +18,42 @@ from .straightline import Program, program_of
 
 Sign = Callable[[Array, Array], Array]                 # at points, from their x and y
 Verdicts = Callable[[Array, Array], Array]
-FINEST = 2000                                              # values of an axis between which curves are followed
-NOTHING = 2.0**-100                                        # of an edge: a zero that is no further from 0 is at 0
+# values of an axis between which curves are followed
+FINEST = 2000
+# of an edge: a zero that is no further from 0 is at 0
+NOTHING = 2.0**-100
 _AROUND = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
 
 
-def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[Symbol, Array], y: tuple[Symbol, Array],
+def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[Symbol, Array],
+             y: tuple[Symbol, Array],
              verdict: Array, ask: Verdicts | None = None) -> tuple[Array, Array]:
     """Points of the curves between different verdicts, NaN between the pieces.
 
-    Marching squares on the sign of each margin; a vertex is kept where the verdict differs on the two sides of it, and moved along its
-    edge onto the zero, by bisection in twofold arithmetic (106 bits): of a polynomial with rational numbers, within two units of the
-    last place where nothing is degenerate. Functions such as exp are taken in doubles, and the point is as good as they are.
+    Marching squares on the sign of each margin; a vertex is kept where the verdict differs on the two sides
+    of it, and moved along its edge onto the zero, by bisection in twofold arithmetic (106 bits): of a
+    polynomial with rational numbers, within two units of the last place where nothing is degenerate.
+    Functions such as exp are taken in doubles, and the point is as good as they are.
 
     Parameters
     ----------
     margins : sequence of Expr
-    numbers : mapping of Symbol to Expr         the other parameters
-    x, y : pairs (symbol, array)                strictly monotonic
+    numbers : mapping of Symbol to Expr
+        the other parameters
+    x, y : pairs (symbol, array)
+        strictly monotonic
     verdict : array, shape (len(y), len(x))
-    ask : callable or None                      the verdict at points: which of several margins that change their sign on one edge it is
-                                                that the verdict changes with
+    ask : callable or None
+        the verdict at points: which of several margins that change their sign on one edge it is that the
+        verdict changes with
 
     Returns
     -------
-    pair of arrays                              x and y of the points
+    pair of arrays
+        x and y of the points
 
-    Source
-    ------
+    References
+    ----------
     Dekker, Numer. Math. 18 (1971) 224-242.
 
     Examples
@@ -64,12 +75,19 @@ def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[S
     pieces = [_curves(sign, signs, (x[1], y[1]), verdict, crowded, ask) for sign, signs in known]
     pieces = [piece for piece in pieces if piece.shape[1]]
     gap = np.full((2, 1), np.nan)
-    joined = np.concatenate([part for piece in pieces for part in (piece, gap)][:-1], axis=1) if pieces else np.empty((2, 0))
+    joined = (
+        np.concatenate([part for piece in pieces for part in (piece, gap)][:-1], axis=1)
+        if pieces
+        else np.empty((2, 0))
+    )
     return joined[0], joined[1]
 
 
 def thinned(n: int) -> Array:
-    """Places along an axis of n values between which curves are followed: all of them, or some 2000 that lie evenly, both ends included."""
+    """Places along an axis of n values between which curves are followed.
+
+    All of them, or some 2000 that lie evenly, both ends included.
+    """
     return np.unique(np.linspace(0, n - 1, min(n, FINEST)).round().astype(np.int64))
 
 
@@ -94,7 +112,8 @@ def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array,
     gaps = np.isnan(vertices[:, 0])
     low = np.floor(np.where(gaps[:, None], 0, vertices)).astype(np.int64)
     high = np.ceil(np.where(gaps[:, None], 0, vertices)).astype(np.int64)
-    ends = [(low[:, 1], low[:, 0]), (high[:, 1], high[:, 0])]                # row, column of the two ends of the edge
+    # row, column of the two ends of the edge
+    ends = [(low[:, 1], low[:, 0]), (high[:, 1], high[:, 0])]
     first = signs[ends[0]] > 0
     good, bad = (tuple(np.where(first, a, b) for a, b in zip(*pair)) for pair in (ends, ends[::-1]))
     kept = ~gaps & _between_verdicts(verdict, signs, good, bad)
@@ -104,15 +123,20 @@ def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array,
         sides = [(columns[c], rows[r]) for r, c in places]
         points[:, kept] = found = _zeros(sign, *sides)
         (row, column), along = (part[kept] for part in ends[0]), (ends[0][0] == ends[1][0])[kept]
-        several = np.array([crowded[0][r, c] if flat else crowded[1][r, c] for r, c, flat in zip(row, column, along)])
+        several = np.array([crowded[0][r, c] if flat else crowded[1][r, c]
+                            for r, c, flat in zip(row, column, along)])
         if ask is not None and several.any():
             points[:, np.flatnonzero(kept)[several]] = np.where(_parts(ask, found[:, several], *(
                 tuple(part[several] for part in side) for side in sides)), found[:, several], np.nan)
     return _without_empty_pieces(points)
 
 
-def _signs(margin: Expr, program: Program, x: tuple[Symbol, Array], y: tuple[Symbol, Array], sign: Sign) -> Array:
-    """The sign at every point of the grid, NaN where the margin has none; where doubles cannot tell, in twofold arithmetic."""
+def _signs(margin: Expr, program: Program, x: tuple[Symbol, Array], y: tuple[Symbol, Array],
+           sign: Sign) -> Array:
+    """The sign at every point of the grid, NaN where the margin has none.
+
+    Where doubles cannot tell, in twofold arithmetic.
+    """
     (across, columns), (up, rows) = x, y
     given = {across: columns[None, :], up: rows[:, None]}
     used: dict[Symbol, Any] = {s: given[s] for s in (across, up) if s in margin.free_symbols}
@@ -135,12 +159,16 @@ def _marched(signs: Array) -> Array:
     """Vertices (column, row) half-way on the edges where the sign changes, a row of NaN between two lines."""
     contourpy = optional("contourpy", "charts")
     sides = np.where(np.isnan(signs), np.nan, np.where(signs > 0, 1.0, -1.0))
-    lines = contourpy.contour_generator(z=sides, corner_mask=False, line_type="ChunkCombinedNan").lines(0.0)[0][0]
+    lines = contourpy.contour_generator(z=sides, corner_mask=False,
+                                        line_type="ChunkCombinedNan").lines(0.0)[0][0]
     return np.empty((0, 2)) if lines is None else lines
 
 
 def _between_verdicts(verdict: Array, signs: Array, good: tuple[Array, ...], bad: tuple[Array, ...]) -> Array:
-    """Whether the verdict differs on the two sides; where an end lies on the curve itself, whether it differs beyond that end."""
+    """Whether the verdict differs on the two sides.
+
+    Where an end lies on the curve itself, whether it differs beyond that end.
+    """
     here = verdict[good]
     different = here != verdict[bad]
     asked = np.nonzero(~different & (signs[bad] == 0))[0]
@@ -152,16 +180,21 @@ def _between_verdicts(verdict: Array, signs: Array, good: tuple[Array, ...], bad
 
 
 def _zeros(sign: Sign, good: tuple[Array, Array], bad: tuple[Array, Array]) -> Array:
-    """Where the sign stops being 1 between two ends of an edge, shape (2, edges); so it does where there is none."""
+    """Where the sign stops being 1 between two ends of an edge, shape (2, edges).
+
+    So it does where there is none.
+    """
     along = good[0] != bad[0]                          # the edge lies along x
     p, q = np.where(along, good[0], good[1]), np.where(along, bad[0], bad[1])
     other = np.where(along, good[1], good[0])
     nothing = np.maximum(abs(p), abs(q)) * NOTHING
     while True:
-        beside = (p == 0) | (q == 0)                   # a zero at 0 would be halved towards for long, until powers underflow
+        # a zero at 0 would be halved towards for long, until powers underflow
+        beside = (p == 0) | (q == 0)
         at_zero = beside & (abs(p + q) <= nothing)
         p, q = np.where(at_zero, 0.0, p), np.where(at_zero, 0.0, q)
-        middle = np.where(np.sign(p) * np.sign(q) < 0, 0.0, np.where(beside, (p + q) * NOTHING, p + (q - p) / 2))
+        middle = np.where(np.sign(p) * np.sign(q) < 0, 0.0,
+                          np.where(beside, (p + q) * NOTHING, p + (q - p) / 2))
         open_ = (middle != p) & (middle != q)
         if not open_.any():
             break
@@ -172,11 +205,15 @@ def _zeros(sign: Sign, good: tuple[Array, Array], bad: tuple[Array, Array]) -> A
 
 
 def _parts(ask: Verdicts, points: Array, good: tuple[Array, Array], bad: tuple[Array, Array]) -> Array:
-    """Whether the verdict differs between points on edges and their two sides, a few units of the last place away."""
+    """Whether the verdict differs between points on edges and their two sides, a few units of the last place
+    away.
+    """
     seen = [ask(*points)]
     for side in (good, bad):
-        steps = [np.minimum(4 * np.spacing(np.abs(value)), np.abs(end - value)) for value, end in zip(points, side)]
-        seen.append(ask(*(value + np.sign(end - value) * step for value, end, step in zip(points, side, steps))))
+        steps = [np.minimum(4 * np.spacing(np.abs(value)), np.abs(end - value))
+                 for value, end in zip(points, side)]
+        seen.append(ask(*(value + np.sign(end - value) * step
+                          for value, end, step in zip(points, side, steps))))
     return (seen[0] != seen[1]) | (seen[0] != seen[2])
 
 
@@ -193,7 +230,11 @@ def _sign(program: Program, arrays: Mapping[Symbol, Array]) -> Array:
     def leaf(value: Expr) -> Twofold:
         if isinstance(value, Symbol):
             return arrays[value], np.float64(0)
-        return constant(Rational(value.evalf(40))) if not value.free_symbols else (in_floats(value, np, arrays), np.float64(0))
+        return (
+            constant(Rational(value.evalf(40)))
+            if not value.free_symbols
+            else (in_floats(value, np, arrays), np.float64(0))
+        )
 
     def constant(value: Rational) -> Twofold:
         near = float(value)

@@ -1,4 +1,7 @@
-"""Named arrays on a common grid: broadcast, with the axes along which each varies, in blocks that fit a cache."""
+"""Named arrays on a common grid.
+
+Broadcast, with the axes along which each varies, in blocks that fit a cache.
+"""
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -25,14 +28,19 @@ COLUMNS, ROWS = 16384, 256                              # up to which short neig
 
 @dataclass(frozen=True)
 class Grid:
-    """Arrays by symbol over the points of a grid, all of the same number of dimensions, of length 1 where they do not vary.
+    """Arrays by symbol over the points of a grid, all of the same number of dimensions, of length 1 where
+    they do not vary.
 
     Parameters
     ----------
-    shape : tuple of int          what the arrays broadcast to
-    merged : tuple of int         the same points, neighbouring axes joined where every array allows it; two axes at least
-    values : dict                 floats
-    exact : dict                  the numbers themselves, as objects, where a float is only near
+    shape : tuple of int
+        what the arrays broadcast to
+    merged : tuple of int
+        the same points, neighbouring axes joined where every array allows it; two axes at least
+    values : dict
+        floats
+    exact : dict
+        the numbers themselves, as objects, where a float is only near
     """
 
     shape: tuple[int, ...]
@@ -53,8 +61,11 @@ class Grid:
         return None if all_finite(self.values[name]) else ~np.isfinite(self.values[name])
 
     def apart_from(self, out: Array) -> "Grid":
-        """The same grid, of copies where its arrays may lie in the memory of another, so that what is written there is not read."""
-        return replace(self, values={s: a.copy() if np.may_share_memory(a, out) else a for s, a in self.values.items()})
+        """The same grid, of copies where its arrays may lie in the memory of another, so that what is written
+        there is not read.
+        """
+        return replace(self, values={s: a.copy() if np.may_share_memory(a, out) else a
+                                     for s, a in self.values.items()})
 
     def index(self, place: Sequence[int]) -> tuple[int, ...]:
         """Where in the result a place of the merged grid lies."""
@@ -69,24 +80,35 @@ class Grid:
         width = min(columns, max(points // 8, 1))
         height = min(rows, max(points // width, 1))
         places = list(product(*(range(n) for n in outer)))
-        return [[(*(slice(i, i + 1) for i in place), slice(row, min(row + height, rows)), slice(column, min(column + width, columns)))
-                 for place in places] for column in range(0, columns, width) for row in range(0, rows, height)]
+        return [[(*(slice(i, i + 1) for i in place), slice(row, min(row + height, rows)),
+                  slice(column, min(column + width, columns)))
+                 for place in places] for column in range(0, columns, width)
+                for row in range(0, rows, height)]
 
     def at(self, block: Block, rows: Array, columns: Array) -> "Grid":
         """The points at these rows and columns of a block, in a row."""
         def gathered(array: Array) -> Array:
             here = last(cut(array, block))
-            found = here[rows if here.shape[0] > 1 else 0, columns if here.shape[1] > 1 else 0] if here.size > 1 else here
+            found = (
+                here[rows if here.shape[0] > 1 else 0, columns if here.shape[1] > 1 else 0]
+                if here.size > 1
+                else here
+            )
             return found.reshape(1, -1)
 
         count = len(rows)
-        return Grid((count,), (1, count), *({s: gathered(a) for s, a in arrays.items()} for arrays in (self.values, self.exact)))
+        return Grid((count,), (1, count), *({s: gathered(a) for s, a in arrays.items()}
+                                            for arrays in (self.values, self.exact)))
 
     def numbers(self, symbols: Collection[Symbol]) -> Iterable[tuple[Any, ...]]:
-        """The numbers of some symbols, point after point: doubles, or exact numbers where those are only near."""
+        """The numbers of some symbols, point after point.
+
+        Doubles, or exact numbers where those are only near.
+        """
         if not symbols:
             return repeat((), prod(self.merged))
-        return zip(*(np.broadcast_to(self.exact.get(s, self.values[s]), self.merged).ravel().tolist() for s in symbols))
+        return zip(*(np.broadcast_to(self.exact.get(s, self.values[s]), self.merged).ravel().tolist()
+                     for s in symbols))
 
 
 def cut(array: Array, block: Block) -> Array:
@@ -95,7 +117,10 @@ def cut(array: Array, block: Block) -> Array:
 
 
 def places(where: Array) -> tuple[Array, Array]:
-    """Rows and columns where an array is true; numpy.nonzero takes several times as long for two axes as for one."""
+    """Rows and columns where an array is true.
+
+    Numpy.nonzero takes several times as long for two axes as for one.
+    """
     rows, columns = np.divmod(np.flatnonzero(where), where.shape[1])
     return rows, columns
 
@@ -110,13 +135,18 @@ def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = Tr
 
     Parameters
     ----------
-    values : mapping of name to array or number      floats, integers, or objects: Fraction, SymPy numbers
-    kind : NumPy type                                of the floats
-    finite : bool                                    whether NaN and infinities are refused
+    values : mapping of name to array or number
+        floats, integers, or objects: Fraction, SymPy numbers
+    kind : NumPy type
+        of the floats
+    finite : bool
+        whether NaN and infinities are refused
 
     Raises
     ------
-    ValuesError      an array is not of real finite numbers, has masked ones, or other labels than another; shapes do not broadcast
+    ValuesError
+        an array is not of real finite numbers, has masked ones, or other labels than another; shapes do not
+        broadcast
     """
     check_plain(values)
     read = {symbol(str(name)): _read(str(name), value, kind, finite) for name, value in values.items()}
@@ -124,8 +154,10 @@ def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = Tr
         shape = np.broadcast_shapes(*(floats.shape for floats, _ in read.values()))
     except ValueError:
         shapes = ", ".join(f"{s} {floats.shape}" for s, (floats, _) in read.items() if floats.shape)
-        raise ValuesError(f"the arrays do not broadcast: {shapes}; give shapes that agree, such as (n, 1) and (m,) for a grid") from None
-    read = {s: (_base(floats), None if exact is None else _base(exact)) for s, (floats, exact) in read.items()}
+        raise ValuesError(f"the arrays do not broadcast: {shapes}; give shapes that agree, such as (n, 1) "
+                          "and (m,) for a grid") from None
+    read = {s: (_base(floats), None if exact is None else _base(exact))
+            for s, (floats, exact) in read.items()}
     groups = _groups(shape, [floats.shape for floats, _ in read.values()])
 
     def merge(array: Array) -> Array:
@@ -138,14 +170,18 @@ def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = Tr
 
 
 def _widened(grid: Grid) -> Grid:
-    """The grid with short last axes joined, so that columns, and then rows, are worth a loop; few numbers are repeated."""
+    """The grid with short last axes joined, so that columns, and then rows, are worth a loop.
+
+    Few numbers are repeated.
+    """
     for last_of_pair, most in ((1, COLUMNS), (2, ROWS)):
         while (place := len(grid.merged) - last_of_pair - 1) >= 0 and len(grid.merged) > 2:
             pair = grid.merged[place:place + 2]
             if prod(pair) > most or not _apart(grid, place):
                 break
             shape = (*grid.merged[:place], prod(pair), *grid.merged[place + 2:])
-            both = ({s: _joined(a, place, pair) for s, a in arrays.items()} for arrays in (grid.values, grid.exact))
+            both = ({s: _joined(a, place, pair) for s, a in arrays.items()}
+                    for arrays in (grid.values, grid.exact))
             grid = Grid(grid.shape, shape, *both)
     return grid
 
@@ -159,7 +195,9 @@ def _joined(array: Array, place: int, pair: tuple[int, ...]) -> Array:
 
 
 def _apart(grid: Grid, place: int) -> bool:
-    """Whether each array that varies along one of two neighbouring axes varies along the other too, or along nothing else."""
+    """Whether each array that varies along one of two neighbouring axes varies along the other too, or along
+    nothing else.
+    """
     pair = {place, place + 1}
     return all(along >= pair or along <= pair or not along & pair for along in grid.axes.values())
 
@@ -167,11 +205,16 @@ def _apart(grid: Grid, place: int) -> bool:
 def _base(array: Array) -> Array:
     """An array without the axes along which it was broadcast before."""
     repeated = [step == 0 and n > 1 for step, n in zip(array.strides, array.shape)]
-    return array[tuple(slice(0, 1) if again else slice(None) for again in repeated)] if any(repeated) else array
+    return (
+        array[tuple(slice(0, 1) if again else slice(None) for again in repeated)] if any(repeated) else array
+    )
 
 
 def _groups(shape: tuple[int, ...], shapes: list[tuple[int, ...]]) -> list[list[int]]:
-    """Neighbouring axes on which each array varies along all or along none, joined; empty groups in front, so that there are two."""
+    """Neighbouring axes on which each array varies along all or along none, joined.
+
+    Empty groups in front, so that there are two.
+    """
     varies = [(1,) * (len(shape) - len(s)) + s for s in shapes]
     groups: list[list[int]] = []
     for axis, n in enumerate(shape):
@@ -185,21 +228,32 @@ def _groups(shape: tuple[int, ...], shapes: list[tuple[int, ...]]) -> list[list[
 
 def _read(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array | None]:
     """Floats, and the exact numbers where a float is not one."""
-    if isinstance(value, (str, Decimal, Fraction, Expr)) or isinstance(value, int) and not isinstance(value, bool):
+    if (
+        isinstance(value, (str, Decimal, Fraction, Expr))
+        or isinstance(value, int)
+        and not isinstance(value, bool)
+    ):
         value = np.array(exact_number(value, name), dtype=object)
     try:
         array = np.asarray(value)
     except ValueError:
-        raise ValuesError(f"{name} is a sequence of sequences that differ in length: give rows of one length") from None
+        raise ValuesError(f"{name} is a sequence of sequences that differ in length: give rows of one "
+                          "length") from None
     if array.dtype.kind in "iu":
-        array = array.astype(object) if array.size and max(abs(int(array.min())), abs(int(array.max()))) > 2**53 else array.astype(kind)
+        array = (
+            array.astype(object)
+            if array.size and max(abs(int(array.min())), abs(int(array.max()))) > 2**53
+            else array.astype(kind)
+        )
     if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
         if finite and not all_finite(array):
             where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
-            raise ValuesError(f"{name}{list(where) if where else ''} = {array[where]} is not a finite number: remove it")
+            raise ValuesError(f"{name}{list(where) if where else ''} = {array[where]} is not a finite "
+                              "number: remove it")
         return array.astype(kind, copy=False), None
     if array.dtype.kind != "O":
-        raise ValuesError(f"{name} is an array of {array.dtype}, not of real numbers: give floats of at most 64 bits, integers, "
+        raise ValuesError(f"{name} is an array of {array.dtype}, not of real numbers: give floats of at "
+                          "most 64 bits, integers, "
                           "or exact numbers such as Fraction")
     numbers = np.empty(array.shape, dtype=object)
     for where in np.ndindex(array.shape):
@@ -208,7 +262,8 @@ def _read(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array 
         else:
             numbers[where] = float("nan")              # the only floats among the exact numbers
     floats = np.array([_near(x) for x in numbers.flat], dtype=float).reshape(array.shape)
-    if all(Rational(*x.as_integer_ratio()) == n if np.isfinite(x) else False for x, n in zip(floats.ravel().tolist(), numbers.flat)):
+    if all(Rational(*x.as_integer_ratio()) == n if np.isfinite(x) else False
+           for x, n in zip(floats.ravel().tolist(), numbers.flat)):
         return floats.astype(kind), None
     return floats.astype(kind), numbers
 
@@ -219,7 +274,10 @@ def all_finite(array: Array) -> bool:
 
 
 def _near(number: Expr | float) -> float:
-    """A double within one rounding of an exact number; NaN where there is none, or it is too small to be rounded well."""
+    """A double within one rounding of an exact number.
+
+    NaN where there is none, or it is too small to be rounded well.
+    """
     if isinstance(number, float):
         return number
     if isinstance(number, Rational):

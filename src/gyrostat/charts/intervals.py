@@ -1,4 +1,7 @@
-"""Enclosures of expressions on many boxes at once: interval arithmetic on arrays, rounded outward after every operation."""
+"""Enclosures of expressions on many boxes at once.
+
+Interval arithmetic on arrays, rounded outward after every operation.
+"""
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,7 +17,8 @@ from ..algebra.precision import own_precision
 from .straightline import program_of
 
 Array = np.ndarray[Any, Any]
-PRECISION = 64                                             # bits of the enclosures that are rounded to float64
+# bits of the enclosures that are rounded to float64
+PRECISION = 64
 # Functions that are monotone between two points of their domain; all others are enclosed as balls.
 _SLOPES = dict.fromkeys("exp log sinh tanh asin atan asinh acosh atanh".split(), 1) | {"acos": -1}
 _FUNCTIONS = {*_SLOPES, "sin", "cos", "tan", "cosh"}
@@ -46,21 +50,33 @@ class Enclosure:
 Box = Mapping[Symbol, Enclosure]
 
 
-def _outward(low: Array, high: Array, low_exact: Array | bool = False, high_exact: Array | bool = False) -> Enclosure:
-    """Bounds that were rounded to nearest, moved by one float unless they are exact; the whole line where an operation was undefined."""
-    low, high = np.where(low_exact, low, np.nextafter(low, -np.inf)), np.where(high_exact, high, np.nextafter(high, np.inf))
+def _outward(low: Array, high: Array, low_exact: Array | bool = False,
+             high_exact: Array | bool = False) -> Enclosure:
+    """Bounds that were rounded to nearest, moved by one float unless they are exact.
+
+    The whole line where an operation was undefined.
+    """
+    low, high = (
+        np.where(low_exact, low, np.nextafter(low, -np.inf)),
+        np.where(high_exact, high, np.nextafter(high, np.inf)),
+    )
     return Enclosure(np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high))
 
 
 def _sum(a: Array, b: Array) -> tuple[Array, Array]:
-    """a + b, and whether it is exact: its error, which Knuth's two-sum gives, is 0; NaN where it overflows."""
+    """a + b, and whether it is exact: its error, which Knuth's two-sum gives, is 0.
+
+    NaN where it overflows.
+    """
     total = a + b
     of_b = total - a
     return total, (a - (total - of_b)) + (b - of_b) == 0
 
 
 class Outward:
-    """The arithmetic of enclosures, for straight-line programs; exact where a sum, or a product of short numbers, is exact.
+    """The arithmetic of enclosures, for straight-line programs.
+
+    Exact where a sum, or a product of short numbers, is exact.
 
     Examples
     --------
@@ -90,7 +106,8 @@ class Outward:
         if a is b:
             one, other = a.low * a.low, a.high * a.high
             square = _outward(np.minimum(one, other), np.maximum(one, other), exact, exact)
-            return Enclosure(np.where((a.low > 0) | (a.high < 0), np.maximum(square.low, 0), 0.0), square.high)
+            return Enclosure(np.where((a.low > 0) | (a.high < 0), np.maximum(square.low, 0), 0.0),
+                             square.high)
         products = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
         low, high = (bound(bound(*products[:2]), bound(*products[2:])) for bound in (np.minimum, np.maximum))
         return _outward(low, high, exact, exact)
@@ -108,8 +125,10 @@ def enclosure(expression: Expr, box: Box) -> Enclosure:
 
     Parameters
     ----------
-    expression : Expr                         in the symbols of box, and functions of them
-    box : mapping of Symbol to Enclosure      all of one shape
+    expression : Expr
+        in the symbols of box, and functions of them
+    box : mapping of Symbol to Enclosure
+        all of one shape
 
     Examples
     --------
@@ -122,14 +141,23 @@ def enclosure(expression: Expr, box: Box) -> Enclosure:
     axes = {name: frozenset((place,)) for place, name in enumerate(box)}
 
     def leaf(node: Expr) -> Enclosure:
-        return box[node] if isinstance(node, Symbol) else _function(node, box) if node.free_symbols else enclosed(node)
+        return (
+            box[node]
+            if isinstance(node, Symbol)
+            else _function(node, box)
+            if node.free_symbols
+            else enclosed(node)
+        )
 
     with np.errstate(all="ignore"):
         return program_of(expression, axes).run(leaf, enclosed, Outward)[-1]
 
 
-def sharpened(expression: Expr, natural: Enclosure, box: Box, slopes: Mapping[Symbol, Enclosure]) -> Enclosure:
-    """The natural enclosure and the mean value form together: its excess falls with the square of the width of the box.
+def sharpened(expression: Expr, natural: Enclosure, box: Box,
+              slopes: Mapping[Symbol, Enclosure]) -> Enclosure:
+    """The natural enclosure and the mean value form together.
+
+    Its excess falls with the square of the width of the box.
 
     f(x) = f(c) + Σ ∂f/∂xᵢ(ξ) (xᵢ − cᵢ) with c and ξ in the box, where f is defined on the whole box.
     """
@@ -153,7 +181,8 @@ def derivative(expression: Expr, name: Symbol) -> Expr:
 
 @lru_cache(maxsize=4096)
 def rounded(number: Expr) -> tuple[float, float]:
-    """The greatest float that is not above an exact real number and the least that is not below it, infinite beyond the range.
+    """The greatest float that is not above an exact real number and the least that is not below it, infinite
+    beyond the range.
 
     Examples
     --------
@@ -162,7 +191,8 @@ def rounded(number: Expr) -> tuple[float, float]:
     ((0.5, 0.5), (1.414213562373095, 1.4142135623730951), (1.7976931348623157e+308, inf))
     """
     low, high = _bounds(ball(number, 2 * PRECISION), ball(number, 2 * PRECISION))
-    for _ in range(4):                                     # a few floats at most, unless the number is not known so well
+    # a few floats at most, unless the number is not known so well
+    for _ in range(4):
         if _not_below(number, above := math.nextafter(low, math.inf)):
             low = above
         if _not_below(-number, above := math.nextafter(-high, math.inf)):
@@ -194,7 +224,8 @@ def _power(base: Enclosure, p: int, q: int) -> Enclosure:
     """The power p of the root q."""
     if q == 2:
         root = _outward(np.sqrt(base.low), np.sqrt(base.high))
-        base = Enclosure(np.where(base.low >= 0, np.maximum(root.low, 0), -np.inf), np.where(base.low >= 0, root.high, np.inf))
+        base = Enclosure(np.where(base.low >= 0, np.maximum(root.low, 0), -np.inf),
+                         np.where(base.low >= 0, root.high, np.inf))
     elif q > 2:
         base = _each(str(q), base)
     result = base
@@ -209,13 +240,17 @@ def _each(name: str, argument: Enclosure) -> Enclosure:
     both = np.empty(argument.low.shape, complex)
     both.real, both.imag = argument.low, argument.high
     distinct, place = np.unique(both, return_inverse=True)
-    values = np.array([_at(name, float(z.real), float(z.imag)) for z in distinct]).reshape(-1, 2)[place.reshape(both.shape)]
+    values = np.array([_at(name, float(z.real), float(z.imag))
+                       for z in distinct]).reshape(-1, 2)[place.reshape(both.shape)]
     return Enclosure(values[..., 0], values[..., 1])
 
 
 @lru_cache(maxsize=2**16)
 def _at(name: str, low: float, high: float) -> tuple[float, float]:
-    """Bounds of a function on one interval: from its ends where it is monotone, else from the ball that contains the interval."""
+    """Bounds of a function on one interval.
+
+    From its ends where it is monotone, else from the ball that contains the interval.
+    """
     if not (math.isfinite(low) and math.isfinite(high)):
         return -np.inf, np.inf
     with own_precision(PRECISION):

@@ -21,7 +21,8 @@ from .tiles import Tiles
 
 Finish = Literal["value", "positive", "nonnegative", "sign"]
 _SYMBOLS = {"add": "+", "subtract": "-", "multiply": "*"}
-_FINISH = {"value": "{0}", "positive": "{0} > 0", "nonnegative": "{0} >= 0", "sign": "({0} > bound) - ({0} < -bound)"}
+_FINISH = {"value": "{0}", "positive": "{0} > 0", "nonnegative": "{0} >= 0",
+           "sign": "({0} > bound) - ({0} < -bound)"}
 
 
 class Kernel:
@@ -30,8 +31,10 @@ class Kernel:
     Parameters
     ----------
     tiles : Tiles
-    finish : str      what is written: the value, whether it is positive or nonnegative, or its sign beyond a bound
-    spent : list      the seconds of a compilation, or of reading it from disk, with the first block, are entered
+    finish : str
+        what is written: the value, whether it is positive or nonnegative, or its sign beyond a bound
+    spent : list
+        the seconds of a compilation, or of reading it from disk, with the first block, are entered
     """
 
     def __init__(self, tiles: Tiles, finish: Finish, spent: list[float]):
@@ -41,11 +44,13 @@ class Kernel:
     def __call__(self, block: Block, out: Array, bound: float = 0.0) -> None:
         """Write a block of results."""
         operands = [self.tiles.small(i, block) for i in self.tiles.operands]
-        kinds = "".join("s" if a.size == 1 else "c" if a.shape[0] == 1 else "r" if a.shape[1] == 1 else "f" for a in operands)
+        kinds = "".join("s" if a.size == 1 else "c" if a.shape[0] == 1 else "r" if a.shape[1] == 1 else "f"
+                        for a in operands)
         if kinds not in self.functions:
             self.functions[kinds] = _function(self._source(kinds))
         function = self.functions[kinds]
-        given = [a[0, 0] if kind == "s" else np.ascontiguousarray(a[0] if kind == "c" else a[:, 0] if kind == "r" else a)
+        given = [a[0, 0] if kind == "s"
+                 else np.ascontiguousarray(a[0] if kind == "c" else a[:, 0] if kind == "r" else a)
                  for a, kind in zip(operands, kinds)]
         into = out if out.flags.c_contiguous else np.empty(out.shape, dtype=out.dtype)
         known, begin = len(function.overloads), time.perf_counter()
@@ -59,7 +64,8 @@ class Kernel:
         tiles = self.tiles
         read = {"s": "a{0}", "r": "r{0}", "c": "a{0}[j]", "f": "b{0}[j]"}
         names = {i: read[kind].format(i) for i, kind in zip(tiles.operands, kinds)}
-        before = [f"        {kind if kind == 'r' else 'b'}{i} = a{i}[i]" for i, kind in zip(tiles.operands, kinds) if kind in "rf"]
+        before = [f"        {kind if kind == 'r' else 'b'}{i} = a{i}[i]"
+                  for i, kind in zip(tiles.operands, kinds) if kind in "rf"]
         lines = []
         for i, step in tiles.inner:
             names[i] = f"x{i}"
@@ -69,7 +75,8 @@ class Kernel:
         final = _FINISH[self.finish].format(names[tiles.inner[-1][0]])
         return "\n".join([f"def kernel({', '.join(f'a{i}' for i in tiles.operands)}, bound, out):",
                           "    for i in range(out.shape[0]):", "        row = out[i]", *before,
-                          "        for j in range(out.shape[1]):", *lines, f"            row[j] = {final}", ""])
+                          "        for j in range(out.shape[1]):", *lines, f"            row[j] = {final}",
+                          ""])
 
 
 @lru_cache(maxsize=128)
@@ -84,7 +91,8 @@ def _module(source: str) -> ModuleType:
     name = "gyrostat_kernel_" + hashlib.sha256(source.encode()).hexdigest()[:24]
     path = _folder() / f"{name}.py"
     if not path.exists() or path.read_text(encoding="utf-8") != source:
-        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, suffix=".tmp", delete=False) as file:
+        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, suffix=".tmp",
+                                         delete=False) as file:
             file.write(source)
         os.replace(file.name, path)
     spec = importlib.util.spec_from_file_location(name, path)

@@ -1,4 +1,7 @@
-"""What arrays carry beside their numbers: masks, which are refused, and labels, which must agree, for numbers meet by their places."""
+"""What arrays carry beside their numbers.
+
+Masks, which are refused, and labels, which must agree, for numbers meet by their places.
+"""
 import sys
 from collections.abc import Mapping
 from typing import Any
@@ -7,29 +10,35 @@ import numpy as np
 
 from ..errors import ValuesError
 
-Labels = dict[str, Any]                                    # a pandas Index, or None where there is none, by the name of the axis
+# a pandas Index, or None where there is none, by the name of the axis
+Labels = dict[str, Any]
 
 
 def check_plain(values: Mapping[str, Any]) -> None:
-    """Raise ValuesError where a number is masked, or two arrays of xarray or pandas differ in their labels."""
+    """Raise ValuesError where a number is masked, or two arrays of xarray or pandas differ in their labels.
+    """
     first: tuple[str, Labels] | None = None
     for name, value in values.items():
         mask = np.ma.getmask(value)
         if mask.any():
             place = tuple(int(i) for i in np.argwhere(mask)[0])
-            raise ValuesError(f"{name}{list(place) if place else ''} is masked, a verdict needs a number: leave it out, or pass "
+            raise ValuesError(f"{name}{list(place) if place else ''} is masked, a verdict needs a number: "
+                              "leave it out, or pass "
                               f"{name}.filled(np.nan), which verdicts(…, invalid=\"mark\") marks")
         if not (labels := _labels(value)):
             continue
         first = first or (name, labels)
         if not _agree(labels, first[1]):
-            raise ValuesError(f"{name} and {first[0]} differ in their labels, {_shown(labels)} and {_shown(first[1])}, but arrays are "
-                              "combined by the places of their numbers: align them first, or pass their .values in shapes that broadcast")
+            raise ValuesError(f"{name} and {first[0]} differ in their labels, {_shown(labels)} and "
+                              f"{_shown(first[1])}, but arrays are "
+                              "combined by the places of their numbers: align them first, or pass their "
+                              ".values in shapes that broadcast")
 
 
 def _labels(value: Any) -> Labels:
     """The labels of an array of xarray or pandas by axis; none of any other, or of a single number."""
-    xarray, pandas = sys.modules.get("xarray"), sys.modules.get("pandas")           # where they are not loaded there is no such array
+    # where they are not loaded there is no such array
+    xarray, pandas = sys.modules.get("xarray"), sys.modules.get("pandas")
     if xarray and isinstance(value, (xarray.DataArray, xarray.Variable)):
         indexes = value.indexes if isinstance(value, xarray.DataArray) else {}
         return {str(axis): indexes.get(axis) for axis in value.dims}
@@ -49,4 +58,5 @@ def _agree(one: Labels, other: Labels) -> bool:
 
 def _shown(labels: Labels) -> str:
     """Axes, with the ends of their labels."""
-    return " × ".join(name if index is None or not len(index) else f"{name} {index[0]}…{index[-1]}" for name, index in labels.items())
+    return " × ".join(name if index is None or not len(index) else f"{name} {index[0]}…{index[-1]}"
+                      for name, index in labels.items())

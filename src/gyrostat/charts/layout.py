@@ -1,4 +1,7 @@
-"""What of a store is not computed block by block: moved into place whole, compared with the call, made again where it is damaged."""
+"""What of a store is not computed block by block.
+
+Moved into place whole, compared with the call, made again where it is damaged.
+"""
 import json
 import os
 import shutil
@@ -16,9 +19,21 @@ import numpy as np
 from ..algebra.floats import Array
 from ..errors import StoreError
 from .datasets import Chart, described, variable_attributes
-from .marks import DESCRIPTION, Marks, attributes_of, describe, files, flush, replace, summed, unharmed, vouched
+from .marks import (
+    DESCRIPTION,
+    Marks,
+    attributes_of,
+    describe,
+    files,
+    flush,
+    replace,
+    summed,
+    unharmed,
+    vouched,
+)
 
-FORMAT = 2                                                 # of what a store holds; another one is not continued
+# of what a store holds; another one is not continued
+FORMAT = 2
 
 
 @dataclass(frozen=True)
@@ -29,8 +44,10 @@ class Layout:
     ----------
     path : Path
     chart : Chart
-    arrays : tuple of array      the axes, outermost first
-    points : int                 of a block, at most, where a row has no more
+    arrays : tuple of array
+        the axes, outermost first
+    points : int
+        of a block, at most, where a row has no more
     """
 
     path: Path
@@ -50,10 +67,13 @@ class Layout:
     def identity(self) -> dict[str, Any]:
         """What makes two charts the same, in words and sums of their data."""
         chart, eq = self.chart, self.chart.report.equilibrium
-        scene = [eq.label, eq.system.hamiltonian, eq.system.space.tensor.tolist(), eq.point, eq.relations, eq.domain, eq.eliminated]
+        scene = [eq.label, eq.system.hamiltonian, eq.system.space.tensor.tolist(), eq.point, eq.relations,
+                 eq.domain, eq.eliminated]
         return {"format": FORMAT, "equilibrium": summed(str(scene).encode()), "axes": list(chart.names),
-                **{f"values of {name}": summed(array.astype("<f8").tobytes()) for name, array in zip(chart.names, self.arrays)},
-                **{f"value of {name}": str(number) for name, number, _ in chart.fixed}, "margins": chart.margins, "block": list(self.block)}
+                **{f"values of {name}": summed(array.astype("<f8").tobytes())
+                   for name, array in zip(chart.names, self.arrays)},
+                **{f"value of {name}": str(number) for name, number, _ in chart.fixed},
+                "margins": chart.margins, "block": list(self.block)}
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -66,7 +86,9 @@ class Layout:
         return ("verdict", *(f"margin_{n}" for n in range(len(self.chart.all_margins)) if self.chart.margins))
 
     def ready(self) -> Marks:
-        """The marks, after the store is made where there is none, and all that is not computed block by block is whole."""
+        """The marks, after the store is made where there is none, and all that is not computed block by block
+        is whole.
+        """
         if not self.path.exists():
             with self._new() as new:
                 try:
@@ -82,7 +104,10 @@ class Layout:
         return self._marks(self.path)
 
     def _marks(self, form: Path) -> Marks:
-        """The marks of this store, if its variables have the form of those in a folder: shape, chunks, codecs."""
+        """The marks of this store, if its variables have the form of those in a folder.
+
+        Shape, chunks, codecs.
+        """
         forms = []
         for name in self.names:
             document = json.loads((form / name / "zarr.json").read_bytes())
@@ -93,19 +118,26 @@ class Layout:
     def _check(self, own: Mapping[str, Any]) -> None:
         """Raise StoreError unless a store is one of this chart."""
         if other := [name for name in {**self.identity, **own} if own.get(name) != self.identity.get(name)]:
-            raise StoreError(f"{self.path} is the store of another chart, they differ in {', '.join(other)}: give another path, "
+            raise StoreError(f"{self.path} is the store of another chart, they differ in "
+                             f"{', '.join(other)}: give another path, "
                              "or remove it")
 
     def _repair(self) -> None:
-        """Make again from the call what is not computed block by block; if its description is damaged, a block must prove whose it is."""
+        """Make again from the call what is not computed block by block.
+
+        If its description is damaged, a block must prove whose it is.
+        """
         if '"format": 1,' in str(attributes_of(self.path).get("chart")):
-            raise StoreError(f"{self.path} is a store of format 1, of a gyrostat that wrote no checksums, so that nothing tells whether "
-                             "its blocks are whole: xarray.open_zarr reads it as before; to convert it to this format, move it away and "
+            raise StoreError(f"{self.path} is a store of format 1, of a gyrostat that wrote no checksums, "
+                             "so that nothing tells whether "
+                             "its blocks are whole: xarray.open_zarr reads it as before; to convert it to "
+                             "this format, move it away and "
                              "call again, which computes it anew")
         with self._new() as new:
             marks = self._marks(new)
             if not vouched(self.path) and not any(marks.fits(n) for n in range(prod(marks.counts))):
-                raise StoreError(f"{self.path} exists and is no store of a chart, or one whose {DESCRIPTION} is damaged and of which no "
+                raise StoreError(f"{self.path} exists and is no store of a chart, or one whose "
+                                 f"{DESCRIPTION} is damaged and of which no "
                                  "block is one of this chart: give another path, or remove it")
             for name, data in sorted(files(new).items(), key=lambda item: item[0] == DESCRIPTION):
                 if not (old := self.path / name).is_file() or old.read_bytes() != data:
@@ -122,18 +154,23 @@ class Layout:
         try:
             os.mkdir(new)
             dataset.to_zarr(str(new), mode="w", zarr_format=3, consolidated=False,
-                            encoding={name: {"compressors": checked, "_FillValue": None} for name in dataset.variables})
+                            encoding={name: {"compressors": checked, "_FillValue": None}
+                                      for name in dataset.variables})
             group = zarr.open_group(str(new), mode="r+")
             for name in self.names:
                 attributes = {key: value.tolist() if isinstance(value, np.ndarray) else value
                               for key, value in variable_attributes(name, self.chart).items()}
                 if self.chart.fixed:
                     attributes["coordinates"] = " ".join(name for name, _, _ in self.chart.fixed)
-                group.create_array(name, shape=tuple(map(len, self.arrays)), chunks=self.block, compressors=checked,
-                                   dtype="int8" if name == "verdict" else "float64", fill_value=-128 if name == "verdict" else 0.0,
+                group.create_array(name, shape=tuple(map(len, self.arrays)), chunks=self.block,
+                                   compressors=checked,
+                                   dtype="int8" if name == "verdict" else "float64",
+                                   fill_value=-128 if name == "verdict" else 0.0,
                                    dimension_names=self.chart.names, attributes=attributes)
-            group.create_array("complete", shape=(prod(self.counts),), chunks=(1,), dtype="uint64", fill_value=0, compressors=None,
-                               dimension_names=("block",), attributes={"long_name": "checksum of the chunks of a block, 0: not written"})
+            group.create_array("complete", shape=(prod(self.counts),), chunks=(1,), dtype="uint64",
+                               fill_value=0, compressors=None,
+                               dimension_names=("block",),
+                               attributes={"long_name": "checksum of the chunks of a block, 0: not written"})
             describe(new, self.identity)
             for place in (new, *new.rglob("*")):
                 flush(place)

@@ -1,5 +1,8 @@
-"""What a power cut leaves of a store: files flushed to the disk, blocks marked by a checksum of their chunks, descriptions that vouch for
-themselves."""
+"""What a power cut leaves of a store.
+
+Files flushed to the disk, blocks marked by a checksum of their chunks, descriptions that vouch for
+themselves.
+"""
 import json
 import os
 from collections.abc import Mapping
@@ -11,23 +14,29 @@ from uuid import uuid4
 
 import numpy as np
 
-DESCRIPTION = "complete/zarr.json"                         # of a store: what it is of, and the sums of all files but chunks and marks
-UNSUMMED = "0" * 64                                        # stands for the sum of a description while it is taken
+# of a store: what it is of, and the sums of all files but chunks and marks
+DESCRIPTION = "complete/zarr.json"
+# stands for the sum of a description while it is taken
+UNSUMMED = "0" * 64
 
 
 @dataclass(frozen=True)
 class Marks:
     """The marks of the blocks of a store, one file each: a checksum of the chunks of the block.
 
-    A mark is written after its chunks are on the disk. One that is missing, cut off or altered does not fit its chunks, nor does one whose
-    chunks are: the block is not there, and is computed again.
+    A mark is written after its chunks are on the disk. One that is missing, cut off or altered does not fit
+    its chunks, nor does one whose chunks are: the block is not there, and is computed again.
 
     Parameters
     ----------
-    path : Path                  of the store
-    names : tuple of str         the variables of which a block is one chunk
-    counts : tuple of int        blocks along each axis
-    key : bytes                  of the chart and of the form of the variables, so that no mark is believed of another
+    path : Path
+        of the store
+    names : tuple of str
+        the variables of which a block is one chunk
+    counts : tuple of int
+        blocks along each axis
+    key : bytes
+        of the chart and of the form of the variables, so that no mark is believed of another
     """
 
     path: Path
@@ -97,11 +106,15 @@ def replace(path: Path, data: bytes) -> None:
 
 def files(folder: Path) -> dict[str, bytes]:
     """All files below a folder by their path in it."""
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+    return {path.relative_to(folder).as_posix(): path.read_bytes()
+            for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 def describe(folder: Path, identity: Mapping[str, Any]) -> None:
-    """Enter into the description of a store what it is of, the sums of its files, and its own; before it has chunks or marks."""
+    """Enter into the description of a store what it is of, the sums of its files, and its own.
+
+    Before it has chunks or marks.
+    """
     sums = {name: summed(data) for name, data in files(folder).items() if name != DESCRIPTION}
     document = json.loads((folder / DESCRIPTION).read_bytes())
     document["attributes"] |= {"chart": json.dumps(identity), "files": json.dumps(sums), "sum": UNSUMMED}
@@ -110,7 +123,10 @@ def describe(folder: Path, identity: Mapping[str, Any]) -> None:
 
 
 def attributes_of(path: Path) -> dict[str, Any]:
-    """The attributes of the description of a store, whether it is whole or not; none where it cannot be read."""
+    """The attributes of the description of a store, whether it is whole or not.
+
+    None where it cannot be read.
+    """
     try:
         return dict(json.loads((path / DESCRIPTION).read_bytes())["attributes"])
     except (OSError, KeyError, TypeError, ValueError, RecursionError):

@@ -22,29 +22,36 @@ from .rounding import rounded
 from .straightline import program_of
 from .tiles import Tiles
 
-NUMPY_BLOCK, NUMBA_BLOCK = 2**17, 2**20                # points: a few buffers fit a core's cache; a call is short beside the loop
+# points: a few buffers fit a core's cache; a call is short beside the loop
+NUMPY_BLOCK, NUMBA_BLOCK = 2**17, 2**20
 
 
 class CompiledMargin:
     """A margin or criterion as a function of named arrays.
 
+    Calling it ----------
+
     Attributes
     ----------
-    names : tuple of str         the arrays that it takes
-    backend : str                "numpy", "numba", or the name of the namespace
-
-    Calling it
-    ----------
-    **arrays : array-like        one for each name; they broadcast as in NumPy. Arrays of shapes (n, 1) and (m,) make a grid, and nothing
-                                 is computed again along an axis on which it does not depend. float32 throughout gives float32
-    out : array or None          where to write; C-contiguous, of the shape of the result; it may overlap the arrays given. Of NumPy and
-                                 Numba
-    threads : int                blocks are shared out among them
+    names : tuple of str
+        the arrays that it takes
+    backend : str
+        "numpy", "numba", or the name of the namespace
+    **arrays : array-like
+        one for each name; they broadcast as in NumPy. Arrays of shapes (n, 1) and (m,) make a grid, and
+        nothing is computed again along an axis on which it does not depend. float32 throughout gives float32
+    out : array or None
+        where to write; C-contiguous, of the shape of the result; it may overlap the arrays given. Of NumPy
+        and Numba
+    threads : int
+        blocks are shared out among them
     """
 
-    def __init__(self, conditions: Sequence[Sequence[Condition]], margin: Expr | None, backend: str | ModuleType):
+    def __init__(self, conditions: Sequence[Sequence[Condition]], margin: Expr | None,
+                 backend: str | ModuleType):
         self._conditions, self._margin = conditions, margin
-        parts = [margin] if margin is not None else [x for group in conditions for c in group for x in (c.margin, *c.degenerate)]
+        parts = [margin] if margin is not None else [x for group in conditions for c in group
+                                                     for x in (c.margin, *c.degenerate)]
         self.names = names_in(parts)
         self.backend = backend if isinstance(backend, str) else backend.__name__
         self._spent: list[float] = []
@@ -59,11 +66,13 @@ class CompiledMargin:
         check_names(arrays, self.names, "this margin" if self._margin is not None else "this criterion")
         if self._namespace is not None:
             if out is not None:
-                raise ArgumentError(f"out is written to by NumPy and Numba, not by {self.backend}: leave it out, and keep what is returned")
+                raise ArgumentError(f"out is written to by NumPy and Numba, not by {self.backend}: leave "
+                                    "it out, and keep what is returned")
             check_plain(arrays)
             return self._everywhere(self._namespace, arrays)
         used = {name: arrays[name] for name in self.names}
-        single = bool(used) and all(getattr(a, "dtype", None) == np.float32 for a in used.values() if np.ndim(a))
+        single = bool(used) and all(getattr(a, "dtype", None) == np.float32
+                                    for a in used.values() if np.ndim(a))
         kind = np.float32 if single and any(np.ndim(a) for a in used.values()) else np.float64
         with np.errstate(all="ignore"):
             grid = grid_of(used, kind)
@@ -121,7 +130,8 @@ class CompiledMargin:
 
     def _everywhere(self, xp: ModuleType, arrays: Mapping[str, Any]) -> Any:
         """The whole result at once, in another namespace."""
-        kinds = [a.dtype for a in (arrays[name] for name in self.names) if hasattr(a, "dtype") and xp.isdtype(a.dtype, "real floating")]
+        kinds = [a.dtype for a in (arrays[name] for name in self.names) if hasattr(a, "dtype")
+                 and xp.isdtype(a.dtype, "real floating")]
         kind = xp.result_type(*kinds) if kinds else xp.asarray(1.0).dtype
         given = {name: xp.asarray(arrays[name], dtype=kind) for name in self.names}
         if self._margin is not None:
@@ -132,7 +142,8 @@ class CompiledMargin:
             for c in group:
                 margin = _in_namespace(c.margin, xp, given)
                 each.append(reduce(operator.and_ if c.strict else operator.or_, [
-                    _in_namespace(x, xp, given) != 0 if c.strict else _in_namespace(x, xp, given) == 0 for x in c.degenerate],
+                    _in_namespace(x, xp, given) != 0 if c.strict else _in_namespace(x, xp, given) == 0
+                    for x in c.degenerate],
                     margin > 0 if c.strict else margin >= 0))
             groups.append(reduce(operator.and_, each, xp.asarray(True)))
         return reduce(operator.or_, groups, xp.asarray(False))
@@ -143,8 +154,10 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
 
     Parameters
     ----------
-    what : Condition, Criterion or Expr      a condition stands for its margin [its dimension], a criterion for a bool
-    backend : str or module                  "numpy"; "numba" (extra fast); or a namespace of the array API standard, such as jax.numpy
+    what : Condition, Criterion or Expr
+        a condition stands for its margin [its dimension], a criterion for a bool
+    backend : str or module
+        "numpy"; "numba" (extra fast); or a namespace of the array API standard, such as jax.numpy
 
     Returns
     -------
@@ -152,8 +165,10 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
 
     Raises
     ------
-    ValuesError, when it is called           names are missing or unknown, an array is not of finite real numbers, shapes disagree
-    MissingExtraError                        Numba is not installed
+    ValuesError, when it is called
+        names are missing or unknown, an array is not of finite real numbers, shapes disagree
+    MissingExtraError
+        Numba is not installed
 
     Examples
     --------
@@ -167,7 +182,8 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
            [False, False,  True]])
     """
     if isinstance(backend, str) and backend not in ("numpy", "numba"):
-        raise ArgumentError(f"backend = {backend!r} is none that there is: use 'numpy', 'numba' or a module such as array_api_strict")
+        raise ArgumentError(f"backend = {backend!r} is none that there is: use 'numpy', 'numba' or a "
+                            "module such as array_api_strict")
     if backend == "numba":
         optional("numba", "fast")
     if isinstance(what, Condition):
@@ -176,10 +192,12 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
         return CompiledMargin(what.alternatives, None, backend)
     if isinstance(what, Expr):
         return CompiledMargin((), own(what), backend)
-    raise ArgumentError(f"what to compile is a {type(what).__name__}, not a Condition or a Criterion: pass report.sufficient, say")
+    raise ArgumentError(f"what to compile is a {type(what).__name__}, not a Condition or a Criterion: pass "
+                        "report.sufficient, say")
 
 
-def filler(margin: Expr, grid: Grid, finish: Finish, backend: str, kind: Any, spent: list[float]) -> Callable[[Block, Array], None]:
+def filler(margin: Expr, grid: Grid, finish: Finish, backend: str, kind: Any,
+           spent: list[float]) -> Callable[[Block, Array], None]:
     """What writes the value of a margin, or a test of it, into a block of the result."""
     tiles = tiles_of(margin, grid, kind)
     if backend == "numba" and tiles.inner:
@@ -210,8 +228,10 @@ def _in_namespace(margin: Expr, xp: ModuleType, given: Mapping[str, Any]) -> Any
     arrays = {s: given[s.name] for s in margin.free_symbols}
     kind = next(iter(given.values())).dtype if given else None
     dimensions = max((a.ndim for a in arrays.values()), default=0)
-    axes = {s: frozenset(i + dimensions - a.ndim for i, n in enumerate(a.shape) if n != 1) for s, a in arrays.items()}
-    return program_of(margin, axes).run(lambda leaf: in_floats(leaf, xp, arrays), lambda c: xp.asarray(rounded(c)[0], dtype=kind), xp)[-1]
+    axes = {s: frozenset(i + dimensions - a.ndim for i, n in enumerate(a.shape) if n != 1)
+            for s, a in arrays.items()}
+    return program_of(margin, axes).run(lambda leaf: in_floats(leaf, xp, arrays),
+                                        lambda c: xp.asarray(rounded(c)[0], dtype=kind), xp)[-1]
 
 
 def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
@@ -221,7 +241,8 @@ def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
     require(out, np.ndarray, "out")
     if out.shape != shape or out.dtype != kind or not out.flags.carray:
         kept = "" if out.flags.carray else ", and is read-only or not C-contiguous"
-        raise ValuesError(f"out has shape {out.shape}, type {out.dtype}{kept}; the result has shape {shape}, type {np.dtype(kind)}: "
+        raise ValuesError(f"out has shape {out.shape}, type {out.dtype}{kept}; the result has shape "
+                          f"{shape}, type {np.dtype(kind)}: "
                           "pass an array made by np.empty")
     return out
 

@@ -23,17 +23,21 @@ BLOCK = 8192                                               # boxes at a time
 class CertifiedChart:
     """Closed boxes that cover a region without gap or overlap, each with what is proved of it.
 
-    The ends of the region are rounded outward to float64. The boxes come from it by bisection at floats, so that neighbours share
-    their edges exactly. code: 1, every point of the box where the equilibrium exists is stable; -1, every such point is unstable;
-    -2, there is no such point; 0, nothing is proved.
+    The ends of the region are rounded outward to float64. The boxes come from it by bisection at floats, so
+    that neighbours share their edges exactly. code: 1, every point of the box where the equilibrium exists is
+    stable; -1, every such point is unstable; -2, there is no such point; 0, nothing is proved.
 
     Parameters
     ----------
-    axes : tuple of str                       names that vary
-    fixed : tuple of (str, Expr)              exact numbers of the others
-    low, high : array, shape (boxes, axes)    edges
+    axes : tuple of str
+        names that vary
+    fixed : tuple of (str, Expr)
+        exact numbers of the others
+    low, high : array, shape (boxes, axes)
+        edges
     code : int8 array, shape (boxes,)
-    complete : bool                           False: the limit on boxes was reached before the resolution
+    complete : bool
+        False: the limit on boxes was reached before the resolution
     """
 
     axes: tuple[str, ...]
@@ -57,10 +61,12 @@ class CertifiedChart:
 
         Raises
         ------
-        ValuesError      a name is no axis, the point is outside the region, or it is proved that there is no equilibrium
+        ValuesError
+            a name is no axis, the point is outside the region, or it is proved that there is no equilibrium
         """
         if set(point) != set(self.axes):
-            raise ValuesError(f"the point has the names {', '.join(sorted(point)) or '(none)'}, the chart the axes {', '.join(self.axes)}: "
+            raise ValuesError(f"the point has the names {', '.join(sorted(point)) or '(none)'}, the chart "
+                              f"the axes {', '.join(self.axes)}: "
                               "give a number for each axis and for nothing else")
         inside = np.ones(len(self.code), dtype=bool)
         for name, low, high in zip(self.axes, self.low.T, self.high.T):
@@ -71,7 +77,13 @@ class CertifiedChart:
             raise ValuesError(f"{_point(point)} is outside the chart: choose a point in the region")
         if ABSENT in codes:
             raise ValuesError(f"there is no equilibrium at {_point(point)}: choose a point where it exists")
-        return Verdict.STABLE if STABLE in codes else Verdict.UNSTABLE if UNSTABLE in codes else Verdict.UNDECIDED
+        return (
+            Verdict.STABLE
+            if STABLE in codes
+            else Verdict.UNSTABLE
+            if UNSTABLE in codes
+            else Verdict.UNDECIDED
+        )
 
     def __repr__(self) -> str:
         shares = ", ".join(f"{kind} {float(share):.6g}" for kind, share in self.measure.items() if share)
@@ -80,16 +92,22 @@ class CertifiedChart:
 
 def covered(proof: Proof, region: Region, deepest: int, bisections: int, limit: int,
            progress: Callable[[int, int], object] | None) -> CertifiedChart:
-    """The chart of a region: boxes are halved along the axis that matters most until nothing is open or that axis is at its end.
+    """The chart of a region.
+
+    Boxes are halved along the axis that matters most until nothing is open or that axis is at its end.
 
     Parameters
     ----------
     proof : Proof
     region : Region
-    deepest : int                           bisections along one axis, at most
-    bisections : int                        of one box along all axes, at most
-    limit : int                             boxes, at most
-    progress : callable (done, total)       called after each level
+    deepest : int
+        bisections along one axis, at most
+    bisections : int
+        of one box along all axes, at most
+    limit : int
+        boxes, at most
+    progress : callable (done, total)
+        called after each level
     """
     low, high = region.low[None], region.high[None]
     depth = np.zeros(low.shape, np.int16)
@@ -112,12 +130,17 @@ def covered(proof: Proof, region: Region, deepest: int, bisections: int, limit: 
     return CertifiedChart(region.axes, region.fixed_numbers, low, high, code, complete)
 
 
-def _halving(low: Array, high: Array, depth: Array, influence: Array, deepest: int) -> tuple[Array, Array, Array]:
-    """The axis to halve, whether there is nothing to halve, and the middle; a float between the ends, at any scale."""
+def _halving(low: Array, high: Array, depth: Array, influence: Array,
+             deepest: int) -> tuple[Array, Array, Array]:
+    """The axis to halve, whether there is nothing to halve, and the middle.
+
+    A float between the ends, at any scale.
+    """
     with np.errstate(over="ignore"):
         total = low + high
     middle = np.where(np.isfinite(total), total / 2, low / 2 + high / 2)
-    weight = np.where((low < middle) & (middle < high), influence * (1 - 1e-6 * depth), 0)      # equal ones in turn
+    # equal ones in turn
+    weight = np.where((low < middle) & (middle < high), influence * (1 - 1e-6 * depth), 0)
     axis = weight.argmax(axis=1)
     rows = np.arange(len(low))
     return axis, (weight[rows, axis] <= 0) | (depth[rows, axis] >= deepest), middle[rows, axis]
@@ -128,7 +151,8 @@ def _halves(low: Array, high: Array, depth: Array, axis: Array, middle: Array) -
     depth[rows, axis] += 1
     inner_high, inner_low = high.copy(), low.copy()
     inner_high[rows, axis] = inner_low[rows, axis] = middle
-    return np.concatenate([low, inner_low]), np.concatenate([inner_high, high]), np.concatenate([depth, depth])
+    return np.concatenate([low, inner_low]), np.concatenate([inner_high,
+                                                             high]), np.concatenate([depth, depth])
 
 
 def _exact_widths(low: Array, high: Array) -> Array:

@@ -6,15 +6,21 @@ from contextlib import contextmanager
 from functools import partial
 from time import monotonic
 
-Told = Callable[[int, int], object]                        # is called with what is done, and with all there is
+# is called with what is done, and with all there is
+Told = Callable[[int, int], object]
 
 WIDTH, PAUSE = 30, 0.1                                     # characters of a bar; seconds from one to the next
-QUIET = 2.0                                                # seconds until a process that waits says that the other works
-_shared: list[mmap.mmap] = []                              # one byte for both of them: whether the one that works has the terminal
+# seconds until a process that waits says that the other works
+QUIET = 2.0
+# one byte for both of them: whether the one that works has the terminal
+_shared: list[mmap.mmap] = []
 
 
 class Progress:
-    """A line on a terminal, drawn again a few times a second and wiped at the end; nothing where there is no terminal."""
+    """A line on a terminal, drawn again a few times a second and wiped at the end.
+
+    Nothing where there is no terminal.
+    """
 
     def __init__(self, shown: bool = True):
         self.shown = shown and on_terminal()
@@ -26,7 +32,11 @@ class Progress:
             return
         taken()
         filled = WIDTH * done // total if total else 0
-        line = f"{name:<12} [{'#' * filled}{'.' * (WIDTH - filled)}] {done}/{total}" if total else f"{name:<12} {done}"
+        line = (
+            f"{name:<12} [{'#' * filled}{'.' * (WIDTH - filled)}] {done}/{total}"
+            if total
+            else f"{name:<12} {done}"
+        )
         self.draw(line)
         self.next = monotonic() + PAUSE
 
@@ -43,7 +53,10 @@ class Progress:
 
 
 class Waiting(Progress):
-    """The line of a process that waits for another: how long that works, until it takes the terminal for itself."""
+    """The line of a process that waits for another.
+
+    How long that works, until it takes the terminal for itself.
+    """
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -75,7 +88,10 @@ def taken() -> None:
 
 @contextmanager
 def telling(progress: Told | bool | None, name: str) -> Iterator[Told]:
-    """What to call as work goes on: the function given, nothing for False, else a bar on a terminal, wiped at the end."""
+    """What to call as work goes on.
+
+    The function given, nothing for False, else a bar on a terminal, wiped at the end.
+    """
     bar = Progress(progress is not False)
     try:
         yield progress if callable(progress) else partial(bar.show, name)

@@ -1,4 +1,7 @@
-"""What a report proves on boxes of parameters: a sufficient condition holds, a necessary one fails, or nothing exists."""
+"""What a report proves on boxes of parameters.
+
+A sufficient condition holds, a necessary one fails, or nothing exists.
+"""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -20,7 +23,10 @@ STABLE, UNDECIDED, UNSTABLE, ABSENT = 1, 0, -1, -2
 
 @dataclass(frozen=True)
 class Sign:
-    """What decides a condition: a margin and even factors, by their places among the expressions that are enclosed."""
+    """What decides a condition.
+
+    A margin and even factors, by their places among the expressions that are enclosed.
+    """
 
     margin: int
     degenerate: tuple[int, ...]
@@ -30,13 +36,15 @@ class Sign:
         """Where the condition is proved at every point of the box."""
         if not self.strict:
             return bounds[self.margin].low >= 0
-        return np.logical_and.reduce([bounds[self.margin].low > 0, *(_apart(bounds[n]) for n in self.degenerate)])
+        return np.logical_and.reduce([bounds[self.margin].low > 0,
+                                      *(_apart(bounds[n]) for n in self.degenerate)])
 
     def fails(self, bounds: Sequence[Enclosure]) -> Array:
         """Where the condition is disproved at every point of the box."""
         if self.strict:
             return bounds[self.margin].high <= 0
-        return np.logical_and.reduce([bounds[self.margin].high < 0, *(_apart(bounds[n]) for n in self.degenerate)])
+        return np.logical_and.reduce([bounds[self.margin].high < 0,
+                                      *(_apart(bounds[n]) for n in self.degenerate)])
 
 
 def _apart(bounds: Enclosure) -> Array:
@@ -51,7 +59,8 @@ class Proof:
     ----------
     report : Report
     region : Region
-    separate : bool      bisect also to tell where the equilibrium exists, where the verdict is decided
+    separate : bool
+        bisect also to tell where the equilibrium exists, where the verdict is decided
     """
 
     def __init__(self, report: Report, region: Region, separate: bool = False):
@@ -77,13 +86,16 @@ class Proof:
         """In normal form once more: what is positive in the region is left out, squares are taken out."""
         ring = Ring([margin, *even, *domain])
         top, squares = Signs(ring, domain).split(*ring.fraction(margin))
-        return Sign(self._place(ring.expression(top)), tuple(map(self._place, (*even, *map(ring.expression, squares)))), strict)
+        return Sign(self._place(ring.expression(top)),
+                    tuple(map(self._place, (*even, *map(ring.expression, squares)))), strict)
 
     def _place(self, expression: Expr) -> int:
         return self._places.setdefault(expression, len(self._places))
 
     def judge(self, low: Array, high: Array) -> tuple[Array, Array]:
-        """A code for each box, and how much each axis contributes to what is open there; 0 where no bisection will help.
+        """A code for each box, and how much each axis contributes to what is open there.
+
+        0 where no bisection will help.
 
         Parameters
         ----------
@@ -102,11 +114,15 @@ class Proof:
             left = np.flatnonzero((code == UNDECIDED) | partly.any(axis=0))
             if len(left):
                 bounds = [Enclosure(b.low[left], b.high[left]) for b in bounds]
-                code[left], influence[left] = self._judge_sharply(bounds, low[left], high[left], partly[:, left])
+                code[left], influence[left] = self._judge_sharply(
+                    bounds, low[left], high[left], partly[:, left]
+                )
         return code, influence
 
     def _partly(self, bounds: Sequence[Enclosure], low: Array, high: Array) -> Array:
-        """Where the equilibrium exists in a part of the box, shape (conditions, boxes): what separates it from the rest.
+        """Where the equilibrium exists in a part of the box, shape (conditions, boxes).
+
+        What separates it from the rest.
 
         A choice of what to bisect, not a proof: a margin that is negative only by rounding does not count.
         """
@@ -114,10 +130,15 @@ class Proof:
             return np.zeros((0, len(low)), bool)
         margins = [bounds[sign.margin] for sign in self.existence]
         sides = [(low[:, place], high[:, place]) for place in self.positive]
-        return np.array([(a < -1e-9 * b) & (b > 0) for a, b in [*((m.low, m.high) for m in margins), *sides]]).reshape(-1, len(low))
+        return np.array([(a < -1e-9 * b) & (b > 0) for a, b in [*((m.low, m.high) for m in margins),
+                                                                *sides]]).reshape(-1, len(low))
 
-    def _judge_sharply(self, bounds: list[Enclosure], low: Array, high: Array, partly: Array) -> tuple[Array, Array]:
-        """As judge, where the natural enclosures leave something open: what matters is enclosed again, by its slopes."""
+    def _judge_sharply(self, bounds: list[Enclosure], low: Array, high: Array,
+                       partly: Array) -> tuple[Array, Array]:
+        """As judge, where the natural enclosures leave something open.
+
+        What matters is enclosed again, by its slopes.
+        """
         influence = np.zeros(low.shape)
         if len(partly):
             influence[:, self.positive] = partly[len(self.existence):].T
@@ -127,7 +148,8 @@ class Proof:
             rows = np.flatnonzero((undecided | divided if n in domain else undecided) & ~_apart(bounds[n]))
             if not len(rows) or not expression.free_symbols:
                 continue
-            box, natural = self._box(low[rows], high[rows]), Enclosure(bounds[n].low[rows], bounds[n].high[rows])
+            box, natural = self._box(low[rows],
+                                     high[rows]), Enclosure(bounds[n].low[rows], bounds[n].high[rows])
             slopes = {name: self._whole(enclosure(derivative(expression, name), box), len(rows))
                       for name in self.names if name in expression.free_symbols}
             sharp = sharpened(expression, natural, box, slopes)
@@ -139,7 +161,10 @@ class Proof:
         return code, influence
 
     def _contributions(self, slopes: Mapping[Any, Enclosure], widths: Array) -> Array:
-        """|slope| × width, relative to the largest; 1 where it is not bounded. A choice, not a proof: rounding does not matter."""
+        """abs(slope) × width, relative to the largest.
+
+        1 where it is not bounded. A choice, not a proof: rounding does not matter.
+        """
         parts = np.zeros(widths.shape)
         for place, name in enumerate(self.names):
             if name in slopes:
@@ -152,7 +177,8 @@ class Proof:
         nowhere, always = np.zeros(len(high), bool), np.ones(len(high), bool)
         hold = [np.logical_and.reduce([always, *(sign.holds(bounds) for sign in a)]) for a in self.sufficient]
         fail = [np.logical_or.reduce([nowhere, *(sign.fails(bounds) for sign in a)]) for a in self.necessary]
-        none = [*(high[:, place] <= 0 for place in self.positive), *(sign.fails(bounds) for sign in self.existence)]
+        none = [*(high[:, place] <= 0 for place in self.positive),
+                *(sign.fails(bounds) for sign in self.existence)]
         stable, unstable = np.logical_or.reduce([nowhere, *hold]), np.logical_and.reduce([always, *fail])
         absent = np.logical_or.reduce([nowhere, *none])
         code = np.where(stable, STABLE, np.where(unstable, UNSTABLE, UNDECIDED))

@@ -42,17 +42,20 @@ def region_of(report: Report, given: Mapping[str, Any]) -> Region:
     require(report, Report, "the report")
     eq = report.equilibrium
     if eq.constraints:
-        raise ScopeError(f"{eq.label} exists only where {eq.constraints[0]} = 0, on no box of its parameters: eliminate a name "
+        raise ScopeError(f"{eq.label} exists only where {eq.constraints[0]} = 0, on no box of its "
+                         "parameters: eliminate a name "
                          "that enters this relation affinely")
     names = [str(name) for name in given]
-    check_family(eq, names, report.required, report.parameters, "give a number or a pair (low, high) for each")
+    check_family(eq, names, report.required, report.parameters,
+                 "give a number or a pair (low, high) for each")
     ends = {str(name): _ends(value, str(name)) for name, value in given.items()}
     fixed = Point({symbol(name): low for name, (low, high) in ends.items() if low == high})
     axes = tuple(name for name in ends if symbol(name) not in fixed)
     low, high = (np.array([rounded(ends[name][side])[side] for name in axes], dtype=float) for side in (0, 1))
     for name, a, b in zip(axes, low, high):
         if not np.isfinite([a, b]).all():
-            raise ValuesError(f"the ends of {name} are beyond the range of float64: measure it in other units")
+            raise ValuesError(f"the ends of {name} are beyond the range of float64: measure it in other "
+                              "units")
     _check(eq, {symbol(name): high for name, (_, high) in ends.items()}, fixed)
     return Region(axes, low, high, fixed)
 
@@ -61,14 +64,17 @@ def _ends(value: Any, name: str) -> tuple[Expr, Expr]:
     """Both ends as exact numbers; one number twice where nothing lies between."""
     pair = tuple(value) if isinstance(value, (tuple, list, np.ndarray)) else (value, value)
     if len(pair) != 2:
-        raise ValuesError(f"{name} = {value} has {len(pair)} entries, an interval has two ends: give a number or a pair (low, high)")
+        raise ValuesError(f"{name} = {value} has {len(pair)} entries, an interval has two ends: give a "
+                          "number or a pair (low, high)")
     low, high = (exact_number(end, name) for end in pair)
     for end in (low, high):
         if not ball(end, 64).is_finite():
-            raise ValuesError(f"{name} = {end} cannot be enclosed: write it with rationals, roots, pi, exp, log and the like")
+            raise ValuesError(f"{name} = {end} cannot be enclosed: write it with rationals, roots, pi, "
+                              "exp, log and the like")
     order = sign_of_constant(high - low)
     if order == -1:
-        raise ValuesError(f"{name} = ({shown(low)}, {shown(high)}) is empty, its low end is above its high one: exchange them")
+        raise ValuesError(f"{name} = ({shown(low)}, {shown(high)}) is empty, its low end is above its high "
+                          "one: exchange them")
     return (low, low) if order == 0 else (low, high)
 
 
@@ -76,14 +82,17 @@ def _check(eq: Equilibrium, greatest: Mapping[Any, Expr], fixed: Point) -> None:
     """Whether the equilibrium exists anywhere, as far as the numbers that do not vary tell."""
     for name, number in greatest.items():
         if name.is_positive and sign_of_constant(number) in (0, -1):
-            raise ValuesError(f"{name} is at most {shown(number)} in the region, but it must be positive: choose other ends")
+            raise ValuesError(f"{name} is at most {shown(number)} in the region, but it must be positive: "
+                              "choose other ends")
     for expression in eq.existence():
         value = evaluate(expression, fixed)
         if _undefined(value) or is_identically_zero(value) or _not_positive(value):
-            raise ValuesError(f"{eq.label} exists only where {expression} > 0, which holds nowhere in the region: choose another one")
+            raise ValuesError(f"{eq.label} exists only where {expression} > 0, which holds nowhere in the "
+                              "region: choose another one")
     for expression in eq.field_values:
         if _undefined(evaluate(expression, fixed)):
-            raise ValuesError(f"U or one of its derivatives, {expression}, is not finite anywhere in the region: choose another one")
+            raise ValuesError(f"U or one of its derivatives, {expression}, is not finite anywhere in the "
+                              "region: choose another one")
 
 
 def _not_positive(value: Expr) -> bool:

@@ -1,4 +1,7 @@
-"""How far the floating-point value of a margin is from the exact one: a bound that is proved, underflow and overflow included."""
+"""How far the floating-point value of a margin is from the exact one.
+
+A bound that is proved, underflow and overflow included.
+"""
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,7 +13,8 @@ from .straightline import Program
 UNIT = 2.0**-53                                        # half the distance from 1 to the next double
 SMALLEST = 2.0**-1074
 LARGEST = 2.0**1000                                    # nothing above is trusted not to overflow on the way
-SLACK = 1 + 2.0**-20                                   # for products of errors and for the rounding of the bound itself
+# for products of errors and for the rounding of the bound itself
+SLACK = 1 + 2.0**-20
 Magnitude = Any                                        # a float or an array of them
 
 
@@ -18,24 +22,29 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
                 computed: Sequence[Magnitude] | None = None) -> Magnitude:
     """e such that |value in doubles − exact value| < e wherever the leaves are no larger than the magnitudes.
 
-    Each step is x̂ with |x̂ − x| ≤ n u M + A η: u = 2⁻⁵³, η = 2⁻¹⁰⁷⁴, M the same step with all signs positive, n the number of roundings on
-    the longest way, A what underflow adds. A sum of two takes the larger n and one more, a product both and two more (the
-    second for the product of the errors); a product may underflow by η, a sum never does. Where M may pass 2¹⁰⁰⁰ there is no bound, e = ∞.
+    Each step is x̂ with abs(x̂ − x) ≤ n u M + A η: u = 2⁻⁵³, η = 2⁻¹⁰⁷⁴, M the same step with all signs
+    positive, n the number of roundings on the longest way, A what underflow adds. A sum of two takes the
+    larger n and one more, a product both and two more (the second for the product of the errors); a product
+    may underflow by η, a sum never does. Where M may pass 2¹⁰⁰⁰ there is no bound, e = ∞.
 
     Parameters
     ----------
     program : Program
-    magnitudes : mapping of leaf to float or array      at least |leaf|, in doubles
-    roundings : mapping of leaf to int                  how many roundings a leaf has behind it; a leaf that is left out is exact
-    computed : sequence of float or array               the steps as computed, where known: a sum of two exact numbers, and products of
-                                                        such, have a small relative error, whatever cancels
+    magnitudes : mapping of leaf to float or array
+        at least abs(leaf), in doubles
+    roundings : mapping of leaf to int
+        how many roundings a leaf has behind it; a leaf that is left out is exact
+    computed : sequence of float or array
+        the steps as computed, where known: a sum of two exact numbers, and products of such, have a small
+        relative error, whatever cancels
 
     Returns
     -------
-    float or array      broadcast as the magnitudes are
+    float or array
+        broadcast as the magnitudes are
 
-    Source
-    ------
+    References
+    ----------
     Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2002), chapters 2 and 3.
 
     Examples
@@ -70,7 +79,8 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
             else:
                 a, b = step.arguments
                 size, count, lost = sizes[a] + sizes[b], max(counts[a], counts[b]) + 1, tiny[a] + tiny[b]
-                own = counts[a] == counts[b] == 0 and all(program.steps[i].operation in ("leaf", "constant") for i in (a, b))
+                own = counts[a] == counts[b] == 0 and all(program.steps[i].operation in ("leaf", "constant")
+                                                          for i in (a, b))
             if own and computed is not None:
                 size = np.abs(computed[place])
             sizes.append(size)

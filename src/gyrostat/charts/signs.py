@@ -20,8 +20,10 @@ from .tiles import Tiles
 
 UNKNOWN = 2                                            # no sign is proved
 PRECISION = 128                                        # bits of the first balls
-_BALLS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul, negative=operator.neg)
-_ROUNDINGS = 2                                         # of a function computed in balls and rounded to a double
+_BALLS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
+                         negative=operator.neg)
+# of a function computed in balls and rounded to a double
+_ROUNDINGS = 2
 
 
 class ArraySigns:
@@ -29,10 +31,14 @@ class ArraySigns:
 
     Parameters
     ----------
-    expression : Expr      a polynomial in symbols, functions and constants
-    grid : Grid            of doubles
-    backend : str          "numpy" or "numba"
-    spent : list           seconds of compiling are entered
+    expression : Expr
+        a polynomial in symbols, functions and constants
+    grid : Grid
+        of doubles
+    backend : str
+        "numpy" or "numba"
+    spent : list
+        seconds of compiling are entered
     """
 
     def __init__(self, expression: Expr, grid: Grid, backend: str, spent: list[float]):
@@ -54,15 +60,28 @@ class ArraySigns:
             return _floats(leaf, {s: cut(array, block) for s, array in _arrays(leaf, self.grid).items()})
 
     def _largest(self, leaf: Expr) -> float:
-        """At least the size of a leaf wherever it is known; of a function that varies along all axes nothing is known beforehand."""
+        """At least the size of a leaf wherever it is known.
+
+        Of a function that varies along all axes nothing is known beforehand.
+        """
         arrays = _arrays(leaf, self.grid)
-        if not isinstance(leaf, Symbol) and frozenset().union(*(self.grid.axes[s] for s in arrays)) == self.tiles.full:
+        if (
+            not isinstance(leaf, Symbol)
+            and frozenset().union(*(self.grid.axes[s] for s in arrays)) == self.tiles.full
+        ):
             return float("inf") if self.tiles.full else abs(_floats(leaf, arrays).item())
         values = _floats(leaf, arrays)
-        return float(np.fmax(np.fmax.reduce(values, axis=None), -np.fmin.reduce(values, axis=None))) if values.size else 0.0
+        return (
+            float(np.fmax(np.fmax.reduce(values, axis=None), -np.fmin.reduce(values, axis=None)))
+            if values.size
+            else 0.0
+        )
 
     def __call__(self, block: Block, out: Array | None = None) -> Array:
-        """The signs in a block, of as many rows and columns as the expression varies along; what does not change is kept."""
+        """The signs in a block, of as many rows and columns as the expression varies along.
+
+        What does not change is kept.
+        """
         key = None if self.whole else [(s.start, s.stop) for s, n in zip(block, self.shape) if n > 1]
         if key is not None and self.kept is not None and self.kept[0] == key:
             return self.kept[1]
@@ -78,7 +97,8 @@ class ArraySigns:
 
     def empty(self, block: Block) -> Array:
         """An array for the signs in a block."""
-        return np.empty([s.stop - s.start if n > 1 else 1 for s, n in zip(block[-2:], self.shape[-2:])], dtype=np.int8)
+        return np.empty([s.stop - s.start if n > 1 else 1 for s, n in zip(block[-2:], self.shape[-2:])],
+                        dtype=np.int8)
 
     def filtered(self, block: Block, out: Array) -> None:
         """Write the signs that floats prove with one bound for the whole grid, and 0 elsewhere."""
@@ -92,31 +112,36 @@ class ArraySigns:
 
     def _decide(self, block: Block, signs: Array, unsure: int) -> None:
         """Decide what is 0 in a block: with a bound for each point, and exactly where that is too wide."""
-        leaves = {step.value: self.tiles.small(i, block) for i, step in enumerate(self.tiles.program.steps) if step.operation == "leaf"}
+        leaves = {step.value: self.tiles.small(i, block)
+                  for i, step in enumerate(self.tiles.program.steps) if step.operation == "leaf"}
         if 8 * unsure > signs.size:                    # as rows and columns
             signs[...] = self._bounded(leaves)
         else:
             rows, columns = places(signs == 0)
-            signs[rows, columns] = self._bounded({leaf: a[rows if a.shape[0] > 1 else 0, columns if a.shape[1] > 1 else 0]
+            signs[rows, columns] = self._bounded({leaf: a[rows if a.shape[0] > 1 else 0,
+                                                          columns if a.shape[1] > 1 else 0]
                                                   for leaf, a in leaves.items()})
         rows, columns = places(signs == 0)
         if len(rows):
             exact = ExactSign(self.expression)
-            signs[rows, columns] = [exact(numbers) for numbers in self.grid.at(block, rows, columns).numbers(exact.symbols)]
+            signs[rows, columns] = [exact(numbers)
+                                    for numbers in self.grid.at(block, rows, columns).numbers(exact.symbols)]
 
     def _bounded(self, leaves: dict[Any, Array]) -> Array:
         """Signs that doubles prove with a bound for each point, 0 elsewhere."""
         program = self.tiles.program
         with np.errstate(all="ignore"):
             computed: list[Any] = program.run(leaves.__getitem__, lambda c: np.float64(rounded(c)[0]), np)
-            bound = error_bound(program, {leaf: np.abs(x) for leaf, x in leaves.items()}, _roundings(program, self.grid), computed)
+            bound = error_bound(program, {leaf: np.abs(x) for leaf, x in leaves.items()},
+                                _roundings(program, self.grid), computed)
             return np.greater(computed[-1], bound).astype(np.int8) - np.less(computed[-1], -bound)
 
 
 class ExactSign:
     """The sign of one expression at one point after another: −1, 0, 1, or UNKNOWN.
 
-    By balls of 128 bits; where they contain 0 by rationals, or, with functions and algebraic numbers, by balls of more bits.
+    By balls of 128 bits; where they contain 0 by rationals, or, with functions and algebraic numbers, by
+    balls of more bits.
     """
 
     def __init__(self, expression: Expr):
@@ -131,7 +156,8 @@ class ExactSign:
             return UNKNOWN
         with own_precision(PRECISION):
             values = dict(zip(self.symbols, map(_ball_of, numbers)))
-            enclosure = self.program.run(lambda leaf: values[leaf] if leaf in values else ball(leaf, PRECISION, values),
+            enclosure = self.program.run(lambda leaf: values[leaf] if leaf in values
+                                         else ball(leaf, PRECISION, values),
                                          lambda c: arb(fmpq(int(c.p), int(c.q))), _BALLS)[-1]
         if enclosure > 0 or enclosure < 0:
             return 1 if enclosure > 0 else -1
@@ -162,18 +188,25 @@ def _roundings(program: Program, grid: Grid) -> dict[Expr, int]:
 
 
 def _arrays(leaf: Expr, grid: Grid) -> dict[Symbol, Array]:
-    """The numbers of a leaf: of a symbol the doubles, of a function the exact numbers where they are others."""
+    """The numbers of a leaf.
+
+    Of a symbol the doubles, of a function the exact numbers where they are others.
+    """
     return {s: grid.values[s] if s is leaf else grid.exact.get(s, grid.values[s]) for s in leaf.free_symbols}
 
 
 def _floats(leaf: Expr, arrays: dict[Symbol, Array]) -> Array:
-    """A leaf in doubles: the array of a symbol; a function, computed in balls and rounded; NaN where it is not known that well."""
+    """A leaf in doubles: the array of a symbol; a function, computed in balls and rounded.
+
+    NaN where it is not known that well.
+    """
     if isinstance(leaf, Symbol):
         return arrays[leaf]
     symbols = sorted(leaf.free_symbols, key=str)
     shape = np.broadcast_shapes((1, 1), *(arrays[s].shape for s in symbols))
     rows = zip(*(np.broadcast_to(arrays[s], shape).ravel().tolist() for s in symbols))
-    return np.array([_near(leaf, tuple(symbols), row) for row in rows] if symbols else [_near(leaf, (), ())]).reshape(shape)
+    return np.array([_near(leaf, tuple(symbols), row) for row in rows] if symbols
+                    else [_near(leaf, (), ())]).reshape(shape)
 
 
 @lru_cache(maxsize=2**16)

@@ -1,4 +1,7 @@
-"""Charts larger than memory: blocks of a Zarr store, computed side by side, continued after an interruption."""
+"""Charts larger than memory.
+
+Blocks of a Zarr store, computed side by side, continued after an interruption.
+"""
 import pickle
 import shutil
 import sys
@@ -22,26 +25,32 @@ from .marks import Marks, summed
 from .progress import Told, telling
 
 BLOCK = 2**22                                              # points of a block, an eighth of it with margins
-ABANDONED = 3600                                           # seconds after which a file that was not moved into place is nobody's
+# seconds after which a file that was not moved into place is nobody's
+ABANDONED = 3600
 WAVE = 1024                                                # blocks that are handed out at a time
 
 
-def filled(path: Path, chart: Chart, arrays: Sequence[Array], threads: int, progress: Told | bool | None) -> Any:
+def filled(path: Path, chart: Chart, arrays: Sequence[Array], threads: int,
+           progress: Told | bool | None) -> Any:
     """The dataset of a store after its missing blocks are computed, opened lazily.
 
-    Each block is one chunk of every variable. Its mark in the variable complete, a checksum of the chunks, is written when they are on the
-    disk, and each is moved into place whole. A block whose mark does not fit is computed again; what else is damaged is made again from
-    the call. With a client of dask.distributed the blocks go to its workers, which need the path; else to threads of this process.
+    Each block is one chunk of every variable. Its mark in the variable complete, a checksum of the chunks, is
+    written when they are on the disk, and each is moved into place whole. A block whose mark does not fit is
+    computed again; what else is damaged is made again from the call. With a client of dask.distributed the
+    blocks go to its workers, which need the path; else to threads of this process.
 
     Raises
     ------
-    StoreError         the path holds something else, or another chart; the disk is full, or cannot be written to
-    ValuesError        the path does not end in .zarr
+    StoreError
+        the path holds something else, or another chart; the disk is full, or cannot be written to
+    ValuesError
+        the path does not end in .zarr
     """
     xarray = optional("xarray", "charts")
     optional("zarr", "charts"), optional("dask", "charts")
     if path.suffix != ".zarr":
-        raise ValuesError(f"the store is {path}, blocks are written as Zarr: call it {path.with_suffix('.zarr')}, or leave out store")
+        raise ValuesError(f"the store is {path}, blocks are written as Zarr: call it "
+                          f"{path.with_suffix('.zarr')}, or leave out store")
     if not (path := path.resolve()).parent.is_dir():
         raise StoreError(f"there is no folder {path.parent} for the store: make it, or give another path")
     try:
@@ -52,20 +61,26 @@ def filled(path: Path, chart: Chart, arrays: Sequence[Array], threads: int, prog
             _run(marks, chart, arrays, missing, threads, lambda: tell(next(numbers), prod(marks.counts)))
         _tidy(path)
     except OSError as error:
-        raise StoreError(f"{path} cannot be written: {error.strerror or error}; the blocks that are done are kept: make room, or make it "
+        raise StoreError(f"{path} cannot be written: {error.strerror or error}; the blocks that are done "
+                         "are kept: make room, or make it "
                          "writable, and call again, which goes on from there") from error
-    return xarray.open_zarr(str(path), chunks={}, consolidated=False, mask_and_scale=False).drop_vars("complete")
+    return xarray.open_zarr(str(path), chunks={}, consolidated=False,
+                            mask_and_scale=False).drop_vars("complete")
 
 
 def _tidy(path: Path) -> None:
-    """Remove what processes that were killed left, beside a store and in it; what is younger than an hour may be in use."""
+    """Remove what processes that were killed left, beside a store and in it.
+
+    What is younger than an hour may be in use.
+    """
     for left in (*path.parent.glob(f"{escape(path.name)}.*.new"), *path.rglob("*.partial")):
         with suppress(OSError):
             if time() - left.stat().st_mtime > ABANDONED:
                 shutil.rmtree(left) if left.is_dir() else left.unlink()
 
 
-def _run(marks: Marks, chart: Chart, arrays: Sequence[Array], missing: Sequence[int], threads: int, tick: Callable[[], object]) -> None:
+def _run(marks: Marks, chart: Chart, arrays: Sequence[Array], missing: Sequence[int], threads: int,
+         tick: Callable[[], object]) -> None:
     """Write every missing block, on the workers of a cluster if there is a client of one, else on threads."""
     distributed = sys.modules.get("distributed")       # where it is not loaded there is no client
     try:
@@ -79,7 +94,8 @@ def _run(marks: Marks, chart: Chart, arrays: Sequence[Array], missing: Sequence[
         _on_threads(partial(write_block, marks, chart, arrays), iter(missing), threads, tick)
 
 
-def _on_threads(write: Callable[[int], None], missing: Iterator[int], threads: int, tick: Callable[[], object]) -> None:
+def _on_threads(write: Callable[[int], None], missing: Iterator[int], threads: int,
+                tick: Callable[[], object]) -> None:
     import dask
     from dask.callbacks import Callback
     task = dask.delayed(write, pure=False)
@@ -109,12 +125,16 @@ def write_pickled(problem: bytes, number: int) -> None:
 
 @lru_cache(maxsize=4)
 def _unpickled(problem: bytes) -> tuple[Marks, Chart, list[Array]]:
-    """What a worker derives of a report it derives once; the axes it reads from the store, and compares with those of the call."""
+    """What a worker derives of a report it derives once.
+
+    The axes it reads from the store, and compares with those of the call.
+    """
     import zarr
     marks, chart, sums = pickle.loads(problem)
     arrays = [np.asarray(zarr.open_array(str(marks.path / name), mode="r")[:]) for name in chart.names]
     if [summed(array.tobytes()) for array in arrays] != sums:
-        raise StoreError(f"the axes in {marks.path} are not those of the call: call again, which makes them again")
+        raise StoreError(f"the axes in {marks.path} are not those of the call: call again, which makes "
+                         "them again")
     return marks, chart, arrays
 
 
@@ -124,7 +144,8 @@ def write_block(marks: Marks, chart: Chart, arrays: Sequence[Array], number: int
     shape = tuple(map(len, arrays))
     verdict: Any = zarr.open_array(str(marks.path / "verdict"), mode="r+")
     place = np.unravel_index(number, marks.counts)
-    part = tuple(slice(int(i) * size, min((int(i) + 1) * size, n)) for i, size, n in zip(place, verdict.chunks, shape))
+    part = tuple(slice(int(i) * size, min((int(i) + 1) * size, n))
+                 for i, size, n in zip(place, verdict.chunks, shape))
     for name, values in chart.variables([array[here] for array, here in zip(arrays, part)]).items():
         array: Any = zarr.open_array(str(marks.path / name), mode="r+")
         array[part] = values

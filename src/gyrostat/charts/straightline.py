@@ -1,4 +1,7 @@
-"""Margins as straight-line programs: additions and products in an order that leaves least to do for each point."""
+"""Margins as straight-line programs.
+
+Additions and products in an order that leaves least to do for each point.
+"""
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -21,10 +24,14 @@ class Step:
 
     Parameters
     ----------
-    operation : str            leaf: a symbol, or a function or constant that is no polynomial
-    arguments : tuple of int   earlier steps
-    value : Expr or None       the leaf, or the rational constant
-    axes : frozenset of int    axes of the grid along which the result varies
+    operation : str
+        leaf: a symbol, or a function or constant that is no polynomial
+    arguments : tuple of int
+        earlier steps
+    value : Expr or None
+        the leaf, or the rational constant
+    axes : frozenset of int
+        axes of the grid along which the result varies
     """
 
     operation: Operation
@@ -44,8 +51,11 @@ class Program:
         """Symbols and functions that are read."""
         return (step.value for step in self.steps if step.operation == "leaf")
 
-    def run(self, leaf: Callable[[Expr], Value], constant: Callable[[Rational], Value], arithmetic: Any) -> list[Value]:
-        """The results of all steps, in any arithmetic that has add, subtract, multiply and negative; the last is the program's.
+    def run(self, leaf: Callable[[Expr], Value], constant: Callable[[Rational], Value],
+            arithmetic: Any) -> list[Value]:
+        """The results of all steps, in any arithmetic that has add, subtract, multiply and negative.
+
+        The last is the program's.
 
         Examples
         --------
@@ -69,12 +79,15 @@ class Program:
 
 
 def program_of(margin: Expr, axes: Mapping[Symbol, Axes]) -> Program:
-    """The program of a polynomial in symbols and functions, squares completed, in the order that suits the axes of its symbols.
+    """The program of a polynomial in symbols and functions, squares completed, in the order that suits the
+    axes of its symbols.
 
-    Sums and products are taken first among what varies along the fewest axes, so that nothing is done again along an axis on
-    which it does not depend; equal parts are computed once. A symbol that is not in axes varies along none.
+    Sums and products are taken first among what varies along the fewest axes, so that nothing is done again
+    along an axis on which it does not depend; equal parts are computed once. A symbol that is not in axes
+    varies along none.
     """
-    return _program(margin, tuple(sorted(((s.name, a) for s, a in axes.items() if a), key=lambda pair: pair[0])))
+    return _program(margin,
+                    tuple(sorted(((s.name, a) for s, a in axes.items() if a), key=lambda pair: pair[0])))
 
 
 @lru_cache(maxsize=512)
@@ -86,7 +99,8 @@ def _program(expression: Expr, axes: tuple[tuple[str, Axes], ...]) -> Program:
     used = _used(writer.steps, last)
     place = {old: new for new, old in enumerate(used)}
     kept = [writer.steps[i] for i in used]
-    return Program(tuple(Step(s.operation, tuple(place[i] for i in s.arguments), s.value, s.axes) for s in kept))
+    return Program(tuple(Step(s.operation, tuple(place[i] for i in s.arguments), s.value, s.axes)
+                         for s in kept))
 
 
 def _used(steps: Sequence[Step], last: int) -> list[int]:
@@ -105,11 +119,13 @@ class _Writer:
         self.steps: list[Step] = []
         self.known: dict[Any, int] = {}
 
-    def step(self, operation: Operation, arguments: tuple[int, ...] = (), value: Expr | None = None, along: Axes = frozenset()) -> int:
+    def step(self, operation: Operation, arguments: tuple[int, ...] = (), value: Expr | None = None,
+             along: Axes = frozenset()) -> int:
         arguments = tuple(sorted(arguments)) if operation in ("add", "multiply") else arguments
         key = operation, arguments, value
         if key not in self.known:
-            self.steps.append(Step(operation, arguments, value, along.union(*(self.steps[i].axes for i in arguments))))
+            self.steps.append(Step(operation, arguments, value,
+                                   along.union(*(self.steps[i].axes for i in arguments))))
             self.known[key] = len(self.steps) - 1
         return self.known[key]
 
@@ -125,12 +141,15 @@ class _Writer:
         if isinstance(node, Pow) and isinstance(node.exp, Integer) and node.exp > 1:
             base, negative = self.write(node.base)
             return self.power(base, int(node.exp)), negative and bool(node.exp % 2)
-        return self.step("leaf", value=node, along=frozenset().union(*(self.axes.get(s, frozenset()) for s in node.free_symbols))), False
+        return self.step("leaf", value=node,
+                         along=frozenset().union(*(self.axes.get(s, frozenset())
+                                                   for s in node.free_symbols))), False
 
     def fold(self, terms: list[tuple[int, bool]], join: Callable[..., tuple[int, bool]]) -> tuple[int, bool]:
         """Two terms are joined at a time, those that vary along the fewest axes together first."""
         while len(terms) > 1:
-            i, j = min(combinations(range(len(terms)), 2), key=lambda pair: self._together(*(terms[n][0] for n in pair)))
+            i, j = min(combinations(range(len(terms)), 2),
+                       key=lambda pair: self._together(*(terms[n][0] for n in pair)))
             joined = join(terms[i], terms[j])
             terms = [joined if n == i else term for n, term in enumerate(terms) if n != j]
         return terms[0]

@@ -1,4 +1,7 @@
-"""A program over the blocks of a grid: what does not change from one block to the next is kept, the rest is done in place."""
+"""A program over the blocks of a grid.
+
+What does not change from one block to the next is kept, the rest is done in place.
+"""
 from collections.abc import Callable
 from functools import cached_property
 from typing import Any
@@ -20,9 +23,12 @@ class Tiles:
     Parameters
     ----------
     program : Program
-    full : frozenset of int      the axes along which the grid varies
-    read : callable              a leaf in a block, shape (1, …, 1, rows or 1, columns or 1)
-    kind : NumPy type            of the floats
+    full : frozenset of int
+        the axes along which the grid varies
+    read : callable
+        a leaf in a block, shape (1, …, 1, rows or 1, columns or 1)
+    kind : NumPy type
+        of the floats
     """
 
     def __init__(self, program: Program, full: Axes, read: Read, kind: Any = np.float64):
@@ -65,7 +71,9 @@ class Tiles:
         return last(self.read(leaf, block))
 
     def value(self, block: Block, out: Array | None = None) -> Array:
-        """The program's result in a block, into out where it is given, else into a buffer that the next block uses again."""
+        """The program's result in a block, into out where it is given, else into a buffer that the next block
+        uses again.
+        """
         if not self.inner:
             return self.small(len(self.program.steps) - 1, block)
         shape = block[-2].stop - block[-2].start, block[-1].stop - block[-1].start

@@ -22,37 +22,45 @@ from .proofs import ABSENT as INVALID
 from .proofs import STABLE, UNDECIDED, UNSTABLE
 from .signs import UNKNOWN, ArraySigns, exact_number
 
-__all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "CODES", "INVALID", "STABLE", "UNDECIDED", "UNSTABLE",
+__all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "CODES", "INVALID", "STABLE",
+           "UNDECIDED", "UNSTABLE",
            "verdicts"]
 CODES = {Verdict.STABLE: STABLE, Verdict.UNDECIDED: UNDECIDED, Verdict.UNSTABLE: UNSTABLE}
 
 
-def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, invalid: str = "raise", backend: str = "numpy",
+def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, invalid: str = "raise",
+             backend: str = "numpy",
              threads: int = 1, out: Array | None = None, **arrays: Any) -> Array:
     """The exact verdict at every point of a grid.
 
-    What Report.verdict says of each point, near the speed of the margin in doubles: those decide where they are further from 0 than a
-    proved bound of their error, balls and rationals decide the rest, and on the boundary the ladder does. A float is the dyadic
-    rational that it is.
+    What Report.verdict says of each point, near the speed of the margin in doubles: those decide where they
+    are further from 0 than a proved bound of their error, balls and rationals decide the rest, and on the
+    boundary the ladder does. A float is the dyadic rational that it is.
 
     Parameters
     ----------
     report : Report
-    values, arrays : name to number or array    float64, float32, integers, or objects: Fraction, SymPy numbers; they broadcast. Arrays of
-                                                shapes (n, 1) and (m,) make a grid, which is fastest. The eliminated name is omitted
-    invalid : str                               "raise", or "mark": where the equilibrium does not exist, or a number is not finite
-    backend : str                               "numpy", or "numba" (extra fast)
+    values, arrays : name to number or array
+        float64, float32, integers, or objects: Fraction, SymPy numbers; they broadcast. Arrays of shapes (n,
+        1) and (m,) make a grid, which is fastest. The eliminated name is omitted
+    invalid : str
+        "raise", or "mark": where the equilibrium does not exist, or a number is not finite
+    backend : str
+        "numpy", or "numba" (extra fast)
     threads : int
-    out : array or None                         of int8, to write to; it may overlap the arrays given
+    out : array or None
+        of int8, to write to; it may overlap the arrays given
 
     Returns
     -------
-    array of int8      STABLE = 1, UNSTABLE = −1, UNDECIDED = 0, INVALID = −2
+    array of int8
+        STABLE = 1, UNSTABLE = −1, UNDECIDED = 0, INVALID = −2
 
     Raises
     ------
-    ValuesError        names are missing or unknown, shapes disagree, a number is not finite, or the equilibrium does not exist at a
-                       point: the first such index is named
+    ValuesError
+        names are missing or unknown, shapes disagree, a number is not finite, or the equilibrium does not
+        exist at a point: the first such index is named
 
     Examples
     --------
@@ -86,13 +94,15 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
             report.verdict(dict(zip((s.name for s in grid.values), map(exact_number, numbers))))
         except ValuesError as error:
             why = str(error)
-        raise ValuesError(f"at index {grid.index(place)}: {why}; or ask for such points to be marked, invalid=\"mark\"")
+        raise ValuesError(f"at index {grid.index(place)}: {why}; or ask for such points to be marked, "
+                          "invalid=\"mark\"")
     return result
 
 
 def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True) -> Grid:
     """The grid of the names given, all that a verdict needs and no other."""
-    check_family(report.equilibrium, given, report.required, report.parameters, "give a number or an array for each")
+    check_family(report.equilibrium, given, report.required, report.parameters,
+                 "give a number or an array for each")
     return grid_of(given, finite=finite)
 
 
@@ -103,8 +113,10 @@ class _Worker:
         self.report, self.grid, self.backend = report, grid, backend
         self.known: dict[Expr, ArraySigns] = {}
         eq = report.equilibrium
-        self.positive = [self._signs(e) for e in (*eq.existence(), *(s for s in grid.values if s.is_positive))]
-        self.nonzero = [self._signs(e) for e in _denominators(eq.field_values) if e.free_symbols <= grid.values.keys()]
+        self.positive = [self._signs(e) for e in (*eq.existence(),
+                                                  *(s for s in grid.values if s.is_positive))]
+        self.nonzero = [self._signs(e) for e in _denominators(eq.field_values)
+                        if e.free_symbols <= grid.values.keys()]
         self.zero = [self._signs(e) for e in eq.constraints]
         self.unsafe = [a for a in map(grid.strange, grid.values) if a is not None]
         sufficient, necessary = report.sufficient.alternatives, report.necessary.alternatives
@@ -140,7 +152,8 @@ class _Worker:
 
     def _doubtful(self, block: Block) -> Array:
         """Where it is not proved that the equilibrium exists."""
-        return reduce(np.logical_or, [signs(block) == UNKNOWN for signs in (*self.positive, *self.zero)], np.zeros((1, 1), bool))
+        return reduce(np.logical_or, [signs(block) == UNKNOWN for signs in (*self.positive, *self.zero)],
+                      np.zeros((1, 1), bool))
 
     def _decide(self, block: Block, out: Array, nowhere: Array | None) -> None:
         """Write the verdicts in a block."""
@@ -153,7 +166,8 @@ class _Worker:
             between = out == 0
             out[out == UNKNOWN] = UNDECIDED
         else:
-            sufficient, necessary = (self._holds(c, block) for c in (self.report.sufficient, self.report.necessary))
+            sufficient, necessary = (self._holds(c, block)
+                                     for c in (self.report.sufficient, self.report.necessary))
             out[...] = np.where(sufficient > 0, STABLE, np.where(necessary < 0, UNSTABLE, UNDECIDED))
             between = np.broadcast_to((sufficient < 0) & (necessary > 0), out.shape)
         if nowhere is not None:
@@ -164,7 +178,10 @@ class _Worker:
                 out[rows, columns] = self._between(self.grid.at(block, rows, columns))
 
     def _between(self, grid: Grid) -> Array | list[int]:
-        """Verdicts at points between the two criteria: by the ladder of the boundary, or one by one where there is none."""
+        """Verdicts at points between the two criteria.
+
+        By the ladder of the boundary, or one by one where there is none.
+        """
         boundary = self.report.boundary
         if boundary is None:
             names = [s.name for s in grid.values]
@@ -175,9 +192,11 @@ class _Worker:
         for rung in boundary.decisive():
             if not rung.condition.symbols <= grid.values.keys():
                 return found
-            signs = _signs_of(rung.condition, grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))
+            signs = _signs_of(rung.condition,
+                              grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))
             unknown = (signs == UNKNOWN) | (signs == 0)
-            found[left] = np.where(unknown, UNDECIDED, np.where((signs > 0) & (not rung.escapes), STABLE, UNSTABLE))
+            found[left] = np.where(unknown, UNDECIDED,
+                                   np.where((signs > 0) & (not rung.escapes), STABLE, UNSTABLE))
             left = left[signs == 0]
             if not len(left):
                 return found
@@ -221,7 +240,11 @@ def _place(block: Block, row: int, column: int) -> tuple[int, ...]:
 def _single(alternatives: Sequence[Sequence[Condition]]) -> Expr | None:
     """The margin that decides alone, None if there is no such."""
     conditions = list(chain.from_iterable(alternatives))
-    return conditions[0].margin if len(alternatives) == len(conditions) == 1 and not conditions[0].degenerate else None
+    return (
+        conditions[0].margin
+        if len(alternatives) == len(conditions) == 1 and not conditions[0].degenerate
+        else None
+    )
 
 
 def _denominators(values: Sequence[Expr]) -> list[Expr]:

@@ -12,14 +12,31 @@ from ..notation import symbol
 from ..printing.data import decision_data, number_data
 from ..stability.branches import Branch, pole_at, relative_equilibria
 from ..stability.report import Decision, Report
-from .options import AT_REST, AXIS, LABELS, Missing, enough, its_own, known_names, labels_of, of_each, report_of, scene_of, spin_of
+from .options import (
+    AT_REST,
+    AXIS,
+    LABELS,
+    Missing,
+    enough,
+    its_own,
+    known_names,
+    labels_of,
+    of_each,
+    report_of,
+    scene_of,
+    spin_of,
+)
 
-MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})     # with these numbers of the motion all are found
+# with these numbers of the motion all are found
+MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})
 
 
 @dataclass(frozen=True)
 class Answer:
-    """One equilibrium, where it lies if it was found, and what is decided: of it, and of the point itself where that differs."""
+    """One equilibrium, where it lies if it was found, and what is decided.
+
+    Of it, and of the point itself where that differs.
+    """
 
     label: str
     at: Expr
@@ -28,11 +45,16 @@ class Answer:
     place: dict[str, Expr | None] = field(default_factory=dict)
 
 
-def answers_at(potential: str | None, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
-    """The equilibrium of that label, or all that the numbers allow; of one that does not exist in this field, why."""
+def answers_at(potential: str | None, label: str | None,
+               numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
+    """The equilibrium of that label, or all that the numbers allow.
+
+    Of one that does not exist in this field, why.
+    """
     scene = scene_of(potential)
     if label is None and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys():
-        raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and pi3_0; or name the --equilibrium")
+        raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and "
+                          "pi3_0; or name the --equilibrium")
     (axis, *_) = labels_of(scene, label and [label])
     given = scene.potential is not None and scene.potential.given
     if axis == AXIS or label in ("E1", "E2"):
@@ -41,21 +63,27 @@ def answers_at(potential: str | None, label: str | None, numbers: Mapping[str, E
         reports, missing = of_each(LABELS, lambda name: [report_of(potential, name, spin_of(numbers))])
         known_names(reports, numbers)
         asked = {r.equilibrium.label: r for r, decided in zip(reports, enough(reports, numbers)) if decided}
-        answers, without = of_each(list(asked), lambda name: [_answer(asked[name], its_own(asked[name], numbers))])
+        answers, without = of_each(list(asked),
+                                   lambda name: [_answer(asked[name], its_own(asked[name], numbers))])
         return [*answers, *missing, *without]
     if label is None or given and len({"k3", "omega"} & numbers.keys()) == 1:
         return _all_found(scene, _level(numbers), label)
     if given and not {"k3", "omega"} & numbers.keys():
         raise ValuesError("E3 needs k3 or omega: give one of them with l, or both")
     if "omega" in numbers and sign_of_constant(numbers["omega"]) == 0:
-        return [_answer(report_of(potential, AT_REST), {name: x for name, x in numbers.items() if name != "omega"})]
+        return [_answer(report_of(potential, AT_REST),
+                        {name: x for name, x in numbers.items() if name != "omega"})]
     return [_answer(report_of(potential, "E3"), numbers)]
 
 
 def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) -> list[Answer | Missing]:
-    """Every relative equilibrium of a label, or of all; at a rate at which those of a tilt are not found, E1 and E2, and why."""
+    """Every relative equilibrium of a label, or of all.
+
+    At a rate at which those of a tilt are not found, E1 and E2, and why.
+    """
     try:
-        return [_found(branch) for branch in relative_equilibria(scene, numbers) if label in (None, branch.label)]
+        return [_found(branch) for branch in relative_equilibria(scene, numbers)
+                if label in (None, branch.label)]
     except ScopeError as error:
         if label is not None or "omega" not in numbers:
             raise
@@ -75,7 +103,8 @@ def _level(numbers: Mapping[str, Expr]) -> dict[str, Expr]:
 
 def _answer(report: Report, numbers: Mapping[str, Expr]) -> Answer:
     decision = report.verdict(numbers)
-    return Answer(report.equilibrium.label, report.equilibrium.at, decision, report.itself(numbers) if decision.modulo else None)
+    return Answer(report.equilibrium.label, report.equilibrium.at, decision,
+                  report.itself(numbers) if decision.modulo else None)
 
 
 def _found(branch: Branch) -> Answer:
@@ -88,5 +117,6 @@ def _found(branch: Branch) -> Answer:
 def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
     """The answers as data for JSON."""
     return {"equilibria": [a.data() if isinstance(a, Missing) else
-        {"label": a.label} | {name: number_data(x) for name, x in a.place.items()} | {"decision": decision_data(a.decision)}
+        {"label": a.label} | {name: number_data(x) for name, x in a.place.items()}
+                           | {"decision": decision_data(a.decision)}
         | ({"itself": decision_data(a.itself)} if a.itself else {}) for a in answers]}

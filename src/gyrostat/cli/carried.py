@@ -7,7 +7,8 @@ from ..errors import GyrostatError, ValuesError
 from .output import Output, silenced, told
 from .watch import watched
 
-DEBUG = "GYROSTAT_DEBUG"                               # in the environment: an internal error comes with its traceback
+# in the environment: an internal error comes with its traceback
+DEBUG = "GYROSTAT_DEBUG"
 
 
 def carried_out(given: argparse.Namespace, limited: bool) -> int:
@@ -18,10 +19,12 @@ def carried_out(given: argparse.Namespace, limited: bool) -> int:
                 raise ValuesError(f"--fragment is for LaTeX, --format is {given.format}: add --format latex")
             if limited and given.timeout is not None and getattr(given, "batch", None) is None:
                 watched(given.verb, given.timeout, given.output)
-            return int(import_module(f".{given.verb}", __package__).run(given, out))     # what it needs is loaded here
+            # what it needs is loaded here
+            return int(import_module(f".{given.verb}", __package__).run(given, out))
     except GyrostatError as error:
         told(str(error))
-    except BrokenPipeError:                            # the reader has seen enough, as in gyrostat report | head
+    # the reader has seen enough, as in gyrostat report | head
+    except BrokenPipeError:
         silenced()
         return 0
     except OSError as error:
@@ -36,7 +39,8 @@ def carried_out(given: argparse.Namespace, limited: bool) -> int:
         if os.environ.get(DEBUG):
             raise
         text = " ".join(str(error).split())[:300]
-        told(f"internal error, {type(error).__name__}{': ' * bool(text)}{text}; it is a bug, please report it with what you typed "
+        told(f"internal error, {type(error).__name__}{': ' * bool(text)}{text}; it is a bug, please report "
+             "it with what you typed "
              f"({DEBUG}=1 shows where it is)")
     return 2
 

@@ -27,20 +27,24 @@ def run(given: argparse.Namespace, out: Output) -> int:
     numbers = numbers_of(given.values)
     axes = dict(_axes([("--axis", text) for text in given.axis or ()] + [("--y", given.y), ("--x", given.x)]))
     if len(axes) > 2 and path.suffix in PICTURES:
-        raise ValuesError(f"a picture has two axes, these are {', '.join(axes)}: write the data, --output {path.with_suffix('.zarr')}")
+        raise ValuesError(f"a picture has two axes, these are {', '.join(axes)}: write the data, --output "
+                          f"{path.with_suffix('.zarr')}")
     if (points := prod(map(len, axes.values()))) > LARGEST and path.suffix != ".zarr":
-        raise ValuesError(f"{points} points are more than the {LARGEST} that are held in memory: --output {path.with_suffix('.zarr')}")
+        raise ValuesError(f"{points} points are more than the {LARGEST} that are held in memory: --output "
+                          f"{path.with_suffix('.zarr')}")
     one_spin(names := {**numbers, **dict.fromkeys(axes)})
     report = report_for("chart", given.potential, given.equilibrium, names)
     *further, y, x = axes.items()
     store = path if path.suffix == ".zarr" else None
-    chart = stability_chart(report, x=x, y=y, axes=dict(further), fixed=_as_written(given.values), store=store, backend=given.backend,
+    chart = stability_chart(report, x=x, y=y, axes=dict(further), fixed=_as_written(given.values),
+                            store=store, backend=given.backend,
                             threads=given.threads)
     if path.suffix in PICTURES:
         _draw(chart, path)
     elif store is None:
         save_netcdf(chart, path, encoding={"verdict": {"zlib": True, "complevel": 1}})
-    out.noted(scene_note(report.equilibrium.system, {symbol(name): number for name, number in numbers.items()}))
+    out.noted(scene_note(report.equilibrium.system,
+                         {symbol(name): number for name, number in numbers.items()}))
     return 0
 
 
@@ -57,7 +61,8 @@ def _axes(texts: Sequence[tuple[str, str]]) -> list[tuple[str, Any]]:
 
 def _as_written(settings: Sequence[str]) -> dict[str, str]:
     """The numbers of --set as they stand there."""
-    return {name.strip(): value.strip() for name, _, value in (setting.partition("=") for setting in settings)}
+    return {name.strip(): value.strip() for name, _, value in (setting.partition("=")
+                                                               for setting in settings)}
 
 
 def _draw(chart: Any, path: Path) -> None:

@@ -25,7 +25,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
         missing = missing + without
     after = [block for m in missing for block in m.blocks()]
     if given.format == "json":
-        out(json_text({"equilibria": [conditions_data(report) for report in reports] + [m.data() for m in missing]}))
+        out(json_text({"equilibria": [conditions_data(report) for report in reports]
+                       + [m.data() for m in missing]}))
     elif given.format == "latex":
         out(conditions_table(reports, given.fragment, after))
     else:
@@ -37,5 +38,6 @@ def conditions_blocks(report: Report) -> list[Block]:
     """The conditions of one equilibrium."""
     eq = report.equilibrium
     return [Heading(eq.label), *(existence(d, eq.at) for d in eq.existence() if d.free_symbols),
-            *criterion_blocks("Necessary", report.necessary, eq.at), *criterion_blocks("Sufficient", report.sufficient, eq.at),
+            *criterion_blocks("Necessary", report.necessary, eq.at),
+            *criterion_blocks("Sufficient", report.sufficient, eq.at),
             *boundary_blocks(report)]

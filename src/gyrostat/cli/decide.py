@@ -24,7 +24,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.format == "json":
         out(json_text(answers_data(answers)))
     else:
-        out(text([block for a in answers for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))] or [Sentence(_NOWHERE)]))
+        out(text([block for a in answers for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))]
+                 or [Sentence(_NOWHERE)]))
     return 0
 
 
@@ -42,7 +43,11 @@ def _value(number: Expr | None) -> Word:
     """A number exactly, and as a decimal where that says more."""
     if number is None:
         return Word("any", "any")
-    text = str(number) if number.is_Integer else f"{number} ≈ {f'{value:.10g}' if (value := double(number)) else number.evalf(10)}"
+    text = (
+        str(number)
+        if number.is_Integer
+        else f"{number} ≈ {f'{value:.10g}' if (value := double(number)) else number.evalf(10)}"
+    )
     return Word(text, text)
 
 

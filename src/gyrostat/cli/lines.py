@@ -30,7 +30,12 @@ def opened(path: str, output: str | None) -> Iterator[BinaryIO]:
             raise ValuesError("--batch - reads standard input, which is closed: give a file")
         yield sys.stdin.buffer
         return
-    if output is not None and os.path.exists(path) and os.path.exists(output) and os.path.samefile(path, output):
+    if (
+        output is not None
+        and os.path.exists(path)
+        and os.path.exists(output)
+        and os.path.samefile(path, output)
+    ):
         raise ValuesError(f"--batch and --output are the same file, {path}: write to another one")
     with contextlib.ExitStack() as stack:
         try:
@@ -50,7 +55,10 @@ def size_of(file: BinaryIO) -> int | None:
 
 
 def numbered(file: Any) -> Iterator[list[Numbered]]:
-    """The lines with their numbers, from 1 on, as many at a time as there are without waiting; of one too long its beginning."""
+    """The lines with their numbers, from 1 on, as many at a time as there are without waiting.
+
+    Of one too long its beginning.
+    """
     n, parts, length = 1, list[bytes](), 0
     while data := _read(file):
         first, *rest = data.split(b"\n")
@@ -72,12 +80,18 @@ def _read(file: Any) -> bytes:
         raise ValuesError(f"cannot read --batch: {error.strerror}") from None
 
 
-def question(line: bytes, given: argparse.Namespace, defaults: Mapping[str, Expr]) -> tuple[str | None, str | None, dict[str, Expr]]:
+def question(line: bytes, given: argparse.Namespace,
+             defaults: Mapping[str, Expr]) -> tuple[str | None, str | None, dict[str, Expr]]:
     """Potential, equilibrium and numbers of a line."""
     own = json_object(line)
     potential, label = own.pop("potential", given.potential), own.pop("equilibrium", given.equilibrium)
-    if not isinstance(potential, str | None) or not isinstance(label, str | None) or label not in (None, *LABELS):
-        raise ValuesError(f"potential = {brief(potential)}, equilibrium = {brief(label)}: a potential is a text in the grammar of "
+    if (
+        not isinstance(potential, str | None)
+        or not isinstance(label, str | None)
+        or label not in (None, *LABELS)
+    ):
+        raise ValuesError(f"potential = {brief(potential)}, equilibrium = {brief(label)}: a potential is a "
+                          "text in the grammar of "
                           f"--potential, an equilibrium one of {', '.join(LABELS)}")
     if wrong := [name for name in own if not is_name(name)]:
         raise ValuesError(f"{brief(wrong[0])} is not a name: write {{\"I1\": 1.6}}")
@@ -88,12 +102,16 @@ def question(line: bytes, given: argparse.Namespace, defaults: Mapping[str, Expr
 
 
 class Kept:
-    """Where answers go as they come: standard output, or FILE.part, which takes the place of FILE when all are there.
+    """Where answers go as they come.
+
+    Standard output, or FILE.part, which takes the place of FILE when all are there.
 
     Parameters
     ----------
-    path : str or None      FILE; None for standard output
-    start : int             the first line; after 1 the answers of an interrupted batch are continued
+    path : str or None
+        FILE; None for standard output
+    start : int
+        the first line; after 1 the answers of an interrupted batch are continued
     """
 
     def __init__(self, path: str | None, start: int):
@@ -104,7 +122,8 @@ class Kept:
         self.place = Path(os.path.realpath(path))
         self.whole = not replaceable(self.place)       # a pipe takes the lines itself
         self.part = self.place if self.whole else self.place.with_name(f"{self.place.name}.part")
-        self.file = open(self.part, "ab" if start > 1 and not self.whole else "wb")  # noqa: SIM115 (ended closes it)
+        goes_on = start > 1 and not self.whole
+        self.file = open(self.part, "ab" if goes_on else "wb")  # noqa: SIM115 (ended closes it)
         if not self.whole:
             self.length = self.file.tell()
 

@@ -28,10 +28,12 @@ from .options import LONGEST, body_of, numbers_of
 from .output import FILMS, PICTURES, Output, file_of, save_picture
 
 KINDS = "a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; an animation, motion.gif or .mp4"
-ROWS, POINTS, FRAMES = 201, 2001, 150                  # times of a table, of a curve and of an animation where none are asked for
+# times of a table, of a curve and of an animation where none are asked for
+ROWS, POINTS, FRAMES = 201, 2001, 150
 PARTS = 50                                             # of the times, between which the progress is shown
 LATEST = 10**300                                       # a time that is a double
-NUMBERS = ("inertia", "gyrostatic_momentum", "potential", "state", "route", "gyrostat_version")     # above a table
+# above a table
+NUMBERS = ("inertia", "gyrostatic_momentum", "potential", "state", "route", "gyrostat_version")
 SPACE: dict[str, Any] = {"projection": "3d", "elev": 22, "azim": 40}
 
 
@@ -40,8 +42,10 @@ def run(given: argparse.Namespace, out: Output) -> int:
     path = None if out.path is None else file_of(out, "motion", (".csv", ".nc", *PICTURES, *FILMS), KINDS)
     kind, digits = path.suffix if path else ".csv", given.precision
     if digits is not None and kind != ".csv":
-        raise ValuesError(f"--precision {digits} is for a table, {path} holds doubles: leave it out, or write a .csv")
-    times = times_of(given, {**dict.fromkeys(PICTURES, POINTS), **dict.fromkeys(FILMS, FRAMES)}.get(kind, ROWS))
+        raise ValuesError(f"--precision {digits} is for a table, {path} holds doubles: leave it out, or "
+                          "write a .csv")
+    times = times_of(given, {**dict.fromkeys(PICTURES, POINTS),
+                             **dict.fromkeys(FILMS, FRAMES)}.get(kind, ROWS))
     if kind == ".nc":
         optional("xarray", "charts")                    # before anything is computed
     moving = motion_of(given)
@@ -60,17 +64,23 @@ def motion_of(given: argparse.Namespace) -> Motion:
     numbers = numbers_of(given.values)
     scene, texts = body_of(given.potential, numbers), given.state.split(",")
     if len(texts) != len(names := [str(s) for s in scene.space.coordinates]):
-        raise ValuesError(f"--state {given.state} has {len(texts)} numbers, the body {len(names)} coordinates: give {','.join(names)}")
+        raise ValuesError(f"--state {given.state} has {len(texts)} numbers, the body {len(names)} "
+                          f"coordinates: give {','.join(names)}")
     tolerance = None if given.tolerance is None else float(_positive("--tolerance", given.tolerance))
-    return motion(scene, [exact_number(text, name) for text, name in zip(texts, names)], numbers, precision=given.precision,
+    return motion(scene, [exact_number(text, name) for text, name in zip(texts, names)], numbers,
+                  precision=given.precision,
                   tolerance=tolerance)
 
 
 def times_of(given: argparse.Namespace, count: int) -> Array:
-    """The times from 0 to --until, doubles or decimals: the states beside them are those at the times as they are written."""
+    """The times from 0 to --until, doubles or decimals.
+
+    The states beside them are those at the times as they are written.
+    """
     end = exact_number(given.until, "--until")
     if not 0 < abs(end) < LATEST:
-        raise ValuesError(f"--until {given.until} is no end of a motion that starts at 0: give another time, before 0 to go back")
+        raise ValuesError(f"--until {given.until} is no end of a motion that starts at 0: give another "
+                          "time, before 0 to go back")
     if given.step is None:
         count = count if given.count is None else given.count
         step = end / max(count - 1, 1)
@@ -79,9 +89,12 @@ def times_of(given: argparse.Namespace, count: int) -> Array:
         count = int(floor(abs(end) / step)) + 1
         step = step if end > 0 else -step
     if not 2 <= count <= LONGEST:
-        raise ValuesError(f"--until {given.until} with {f'--count {count}' if given.step is None else f'--step {given.step}'} is {count} "
+        raise ValuesError(f"--until {given.until} with "
+                          f"{f'--count {count}' if given.step is None else f'--step {given.step}'} is "
+                          f"{count} "
                           f"times, which makes no table: ask for 2 to {LONGEST}")
-    p, q = (step if isinstance(step, Rational) else Rational(str(step.evalf(40 + (given.precision or 0))))).as_numer_denom()
+    p, q = (step if isinstance(step, Rational)
+            else Rational(str(step.evalf(40 + (given.precision or 0))))).as_numer_denom()
     p, q = int(p), int(q)
     if given.precision is None:
         return np.array([p * i / q for i in range(count)])
@@ -92,11 +105,13 @@ def times_of(given: argparse.Namespace, count: int) -> Array:
 def _positive(option: str, text: str) -> Expr:
     number = exact_number(text, option)
     if not number > 0:
-        raise ValuesError(f"{option} {text} is not positive, and nothing else is meant by it: give, for example, {option} 1e-3")
+        raise ValuesError(f"{option} {text} is not positive, and nothing else is meant by it: give, for "
+                          f"example, {option} 1e-3")
     return number
 
 
-def _followed(moving: Motion, times: Array, at: Callable[[Array], Any], exact: bool = False) -> tuple[list[Any], dict[str, float]]:
+def _followed(moving: Motion, times: Array, at: Callable[[Array], Any],
+              exact: bool = False) -> tuple[list[Any], dict[str, float]]:
     """What there is at the times, part by part, and the largest drifts of what is in doubles."""
     found, drift, done = [], dict[str, float](), 0
     with telling(None, "motion") as told:
@@ -109,7 +124,10 @@ def _followed(moving: Motion, times: Array, at: Callable[[Array], Any], exact: b
 
 
 def _table(moving: Motion, times: Array, out: Output, digits: int | None) -> dict[str, float]:
-    """Comma-separated, after a # what is known of it: doubles that are read back as they are, or all digits of the state."""
+    """Comma-separated, after a # what is known of it.
+
+    Doubles that are read back as they are, or all digits of the state.
+    """
     if digits is None:
         states, turns, drift = _computed(moving, times)
         found = columns(moving.scene, states, turns)
@@ -123,7 +141,8 @@ def _table(moving: Motion, times: Array, out: Output, digits: int | None) -> dic
         write = partial(mpmath.nstr, n=digits)
     out(_head(moving, meaning, digits) + ",".join(["time", *names]) + "\n")
     for at, values in zip(*(np.array_split(array, min(len(times), PARTS)) for array in (times, rows))):
-        out("".join(",".join([str(t), *map(write, row)]) + "\n" for t, row in zip(at.tolist(), values.tolist())))
+        out("".join(",".join([str(t), *map(write, row)]) + "\n"
+                    for t, row in zip(at.tolist(), values.tolist())))
     return drift
 
 
@@ -149,7 +168,10 @@ def _data(moving: Motion, times: Array, path: Path) -> dict[str, float]:
 
 
 def _picture(moving: Motion, times: Array, path: Path) -> dict[str, float]:
-    """Left the sphere, of a free body with the path of M, of a body in a field with that of e3; right the components over the time."""
+    """Left the sphere, of a free body with the path of M, of a body in a field with that of e3.
+
+    Right the components over the time.
+    """
     from matplotlib.figure import Figure
 
     states, _, drift = _computed(moving, times)
@@ -170,7 +192,8 @@ def _picture(moving: Motion, times: Array, path: Path) -> dict[str, float]:
 
 
 def _polhode(ax: Any, moving: Motion, states: Array) -> None:
-    """The momentum sphere with the curves of this energy, and on them, heavy, the path of M, from a dot on."""
+    """The momentum sphere with the curves of this energy, and on them, heavy, the path of M, from a dot on.
+    """
     rotor = moving.scene.body.gyrostatic_momentum
     momentum = sqrt(Add(*((p + l)**2 for p, l in zip(moving.state, rotor))))
     draw_momentum_sphere(moving.scene, {}, momentum, [moving.energy], ax)
@@ -195,7 +218,8 @@ def _film(moving: Motion, times: Array, path: Path) -> dict[str, float]:
 
     def save(path: Path, writer: Any) -> None:
         with telling(None, "animation") as told:
-            animation = animate_top(moving, times, Figure(figsize=(4, 4.2)).add_axes((0, 0, 1, 0.95), **SPACE))
+            animation = animate_top(moving, times,
+                                    Figure(figsize=(4, 4.2)).add_axes((0, 0, 1, 0.95), **SPACE))
             animation.save(path, writer=writer, progress_callback=lambda n, total: told(n + 1, total))
 
     save_animation(SimpleNamespace(save=save), path)
@@ -206,9 +230,12 @@ def _summary(moving: Motion, drift: dict[str, float], digits: int | None) -> str
     """What is known of the motion, a line each."""
     period = moving.period
     facts: dict[str, Any] = {"scene": moving.recognised or None, "route": moving.route,
-                             "period": period if digits is None or period is None else mpmath.nstr(period, digits)}
+                             "period": period if digits is None or period is None
+                             else mpmath.nstr(period, digits)}
     for name, gain in (("precession", moving.precession), ("spin", moving.spin)):
-        facts[name] = None if gain is None else f"{gain} {'per unit of time' if period is None else 'in a period'}"
+        facts[name] = (
+            None if gain is None else f"{gain} {'per unit of time' if period is None else 'in a period'}"
+        )
     facts["error"] = f"{moving.error:.1e}, estimated" if digits is None else None
     if drift:
         worst = max(drift, key=lambda name: drift[name])

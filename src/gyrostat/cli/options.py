@@ -36,7 +36,8 @@ def numbers_of(settings: Sequence[str]) -> dict[str, Expr]:
         name, equals, value = setting.partition("=")
         name = name.strip()
         if not equals or not is_name(name):
-            raise ValuesError(f"--set {brief(setting)[1:-1]} is not NAME=VALUE: write, for example, --set I1=1.6")
+            raise ValuesError(f"--set {brief(setting)[1:-1]} is not NAME=VALUE: write, for example, --set "
+                              "I1=1.6")
         if name in numbers:
             raise ValuesError(f"--set gives {name} twice: give it once")
         numbers[name] = exact_number(value, name)
@@ -61,31 +62,43 @@ def scene_of(potential: str | None) -> System:
 def body_of(potential: str | None, names: Collection[str]) -> System:
     """The scene of a body by the names that have numbers: I1, I3, or I1, I2, I3; l, or l1, l2, l3."""
     if potential is None:
-        raise ValuesError('--potential is missing, and an unspecified U moves nothing: write --potential "m0*k3", or none for a free body')
+        raise ValuesError('--potential is missing, and an unspecified U moves nothing: write --potential '
+                          '"m0*k3", or none for a free body')
     field = None if potential.strip() == "none" else parse(potential)
     aside = field is not None and not field.free_symbols.isdisjoint(map(symbol, ("k1", "k2")))
     three, rotor = aside or field is None or "I2" in names, [name for name in ROTOR if name in names]
     if rotor and "l" in names:
-        raise ValuesError(f"both l and {rotor[0]} are given, l is the rotor along axis 3: give l, or {', '.join(ROTOR)}")
+        raise ValuesError(f"both l and {rotor[0]} are given, l is the rotor along axis 3: give l, or "
+                          f"{', '.join(ROTOR)}")
     body = Gyrostat([symbol(name) for name in ("I1", "I2" if three else "I1", "I3")],
                     [symbol(name) for name in ROTOR] if rotor else [0, 0, symbol("l")])
-    scene = assemble(body, None if field is None else general_potential(field) if aside else axial_potential(field))
+    scene = assemble(body, None if field is None else general_potential(field) if aside
+                     else axial_potential(field))
     parameters = scene.potential.parameters if scene.potential else ()
-    if missing := [name for name in names_in([*body.inertia, *body.gyrostatic_momentum, *parameters]) if name not in names]:
-        moments, momentum = (f"({', '.join(map(str, entries))})" for entries in (body.inertia, body.gyrostatic_momentum))
-        raise ValuesError(f"--set gives no number for {', '.join(missing)}, and the body has the moments {moments}, the rotor {momentum}: "
+    if missing := [name for name in names_in([*body.inertia, *body.gyrostatic_momentum, *parameters])
+                   if name not in names]:
+        moments, momentum = (f"({', '.join(map(str, entries))})"
+                             for entries in (body.inertia, body.gyrostatic_momentum))
+        raise ValuesError(f"--set gives no number for {', '.join(missing)}, and the body has the moments "
+                          f"{moments}, the rotor {momentum}: "
                           f"add --set {missing[0]}=…")
     return scene
 
 
-def axis_of(option: str, text: str, form: str = "NAME=LOW:HIGH:COUNT", count: int = 0) -> tuple[str, Expr, Expr, int]:
-    """Name, ends and number of values of an axis; its COUNT may be left out where the form has it in brackets."""
+def axis_of(option: str, text: str, form: str = "NAME=LOW:HIGH:COUNT",
+            count: int = 0) -> tuple[str, Expr, Expr, int]:
+    """Name, ends and number of values of an axis.
+
+    Its COUNT may be left out where the form has it in brackets.
+    """
     name, equals, values = text.partition("=")
     name, ends = name.strip(), [value.strip() for value in values.split(":")]
     if not equals or not is_name(name) or len(ends) not in {form.count(":") + 1, 2 if "[" in form else 0}:
-        raise ValuesError(f"{option} {brief(text)} is not {form}: write, for example, {option} l=-2:2{':400' if 'COUNT' in form else ''}")
+        raise ValuesError(f"{option} {brief(text)} is not {form}: write, for example, {option} "
+                          f"l=-2:2{':400' if 'COUNT' in form else ''}")
     if ends[2:] and (not ends[2].isdecimal() or len(ends[2]) > 20 or not 2 <= int(ends[2]) <= LONGEST):
-        raise ValuesError(f"{option} has the COUNT {brief(ends[2])[1:-1]}: give a whole number, 2 to {LONGEST}; one value goes to --set")
+        raise ValuesError(f"{option} has the COUNT {brief(ends[2])[1:-1]}: give a whole number, 2 to "
+                          f"{LONGEST}; one value goes to --set")
     low, high = (exact_number(end, name) for end in ends[:2])
     return name, low, high, int(ends[2]) if ends[2:] else count
 
@@ -93,7 +106,8 @@ def axis_of(option: str, text: str, form: str = "NAME=LOW:HIGH:COUNT", count: in
 def labels_of(scene: System, given: Sequence[str] | None) -> Sequence[str]:
     """The equilibria of --equilibrium, in the order given; all of them where it is left out."""
     if scene.potential is None and given:
-        raise ValuesError(f"--equilibrium {given[0]} needs a field, --potential none has none: leave out one of the two")
+        raise ValuesError(f"--equilibrium {given[0]} needs a field, --potential none has none: leave out "
+                          "one of the two")
     return (AXIS,) if scene.potential is None else tuple(dict.fromkeys(given)) if given else LABELS
 
 
@@ -122,7 +136,8 @@ class Missing:
 
     def blocks(self) -> list[Block]:
         """A heading and a sentence."""
-        return [Heading(self.label), prose(f"{'' if self.why.startswith(self.label) else 'Not answered: '}{self.why}")]
+        return [Heading(self.label),
+                prose(f"{'' if self.why.startswith(self.label) else 'Not answered: '}{self.why}")]
 
     def data(self) -> dict[str, str]:
         """For JSON."""
@@ -130,7 +145,10 @@ class Missing:
 
 
 def of_each(labels: Sequence[str], make: Callable[[str], list[Found]]) -> tuple[list[Found], list[Missing]]:
-    """What there is of each equilibrium, and why there is nothing of the others; the reasons raised where there is nothing of any."""
+    """What there is of each equilibrium, and why there is nothing of the others.
+
+    The reasons raised where there is nothing of any.
+    """
     found, missing, errors = list[Found](), list[Missing](), list[GyrostatError]()
     for label in labels:
         try:
@@ -145,13 +163,15 @@ def of_each(labels: Sequence[str], make: Callable[[str], list[Found]]) -> tuple[
     raise ValuesError("; ".join(reasons))
 
 
-def reports_of(potential: str | None, labels: Sequence[str], numbers: Mapping[str, Expr]) -> tuple[list[Report], list[Missing]]:
+def reports_of(potential: str | None, labels: Sequence[str],
+               numbers: Mapping[str, Expr]) -> tuple[list[Report], list[Missing]]:
     """The reports of several equilibria, as the numbers ask for them, and why there is none of the others."""
     return of_each(labels, lambda label: _tilted(potential, numbers) if label == "E3" else [
         report_of(potential, label, spin_of(numbers))])
 
 
-def report_for(what: str, potential: str | None, equilibrium: str | None, names: Mapping[str, Expr]) -> Report:
+def report_for(what: str, potential: str | None, equilibrium: str | None,
+               names: Mapping[str, Expr]) -> Report:
     """The report of the one equilibrium that a chart or a picture is of."""
     scene = scene_of(potential)
     if scene.potential is not None and equilibrium is None:
@@ -161,7 +181,10 @@ def report_for(what: str, potential: str | None, equilibrium: str | None, names:
 
 
 def _tilted(potential: str | None, numbers: Mapping[str, Expr]) -> list[Report]:
-    """E3; its tilt eliminated where l is set and k3 is not; without numbers the tilt at rest of a given U too, if there is one."""
+    """E3; its tilt eliminated where l is set and k3 is not.
+
+    Without numbers the tilt at rest of a given U too, if there is one.
+    """
     scene = scene_of(potential)
     if scene.potential and scene.potential.given:
         with contextlib.suppress(EquilibriumError):
@@ -175,7 +198,8 @@ def _tilted(potential: str | None, numbers: Mapping[str, Expr]) -> list[Report]:
 def known_names(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> None:
     """Refuse a name that none of the reports has."""
     known = {name for report in reports for name in report.parameters}
-    free_jet = any(r.equilibrium.system.potential and not r.equilibrium.system.potential.given for r in reports)
+    free_jet = any(r.equilibrium.system.potential and not r.equilibrium.system.potential.given
+                   for r in reports)
     for name in numbers:
         if name not in known and not (free_jet and jet(name)):
             raise ValuesError(unknown(name, sorted(known), "the scene"))

@@ -48,7 +48,10 @@ class Output:
 
 @contextmanager
 def standard_streams() -> Iterator[None]:
-    """Nothing else gets the number of a closed stream; what a terminal cannot show of a help text is a question mark."""
+    """Nothing else gets the number of a closed stream.
+
+    What a terminal cannot show of a help text is a question mark.
+    """
     for number in (0, 1, 2):
         try:
             os.fstat(number)

@@ -82,49 +82,68 @@ LIMIT = 60.0                                           # seconds of a verb, or o
 def parser() -> argparse.ArgumentParser:
     """The command line's grammar."""
     top = argparse.ArgumentParser(prog="gyrostat", description=(
-        "Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the inequalities."),
+        "Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the "
+        "inequalities."),
         epilog=_REPORT, formatter_class=argparse.RawDescriptionHelpFormatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
     report, conditions, decide, chart, motion, plot, verify = (
-        verbs.add_parser(name, help=text, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter) for name, text, epilog in (
+        verbs.add_parser(name, help=text, epilog=epilog,
+                         formatter_class=argparse.RawDescriptionHelpFormatter) for name, text, epilog in (
             ("report", "the whole derivation, and verdicts where numbers are set", _REPORT),
-            ("conditions", "where each equilibrium exists, its conditions, and what decides between them", _CONDITIONS),
+            ("conditions", "where each equilibrium exists, its conditions, and what decides between them",
+             _CONDITIONS),
             ("decide", "verdicts at numbers, of one body or of many", _DECIDE),
             ("chart", "verdicts over a grid of parameters, as a picture or as data", _CHART),
             ("motion", "the motion from a state on, as a table, data, a picture or an animation", _MOTION),
             ("plot", "polhodes, nutation, bifurcations, eigenvalues, …, as a picture", _PLOT),
             ("verify", "check published formulas against what is derived", _VERIFY)))
-    for verb, meaning in ((report, "with enough of them a verdict is added"), (conditions, "put in the place of the name"),
-                          (decide, "names of the moments, l, U and the motion"), (chart, "all names but the axes")):
+    for verb, meaning in ((report, "with enough of them a verdict is added"),
+                          (conditions, "put in the place of the name"),
+                          (decide, "names of the moments, l, U and the motion"),
+                          (chart, "all names but the axes")):
         _scene(verb, meaning)
     _motion(motion)
     kinds = _kinds(plot)
-    conditions.add_argument("--solve-for", metavar="NAME", help="the values of one name, l, pi3_0, omega3_0, omega, m0, …, for which each "
-                            "equilibrium exists and is stable; in closed form, or exact where --set gives all other names")
+    conditions.add_argument("--solve-for", metavar="NAME",
+                            help="the values of one name, l, pi3_0, omega3_0, omega, m0, …, for which each "
+                            "equilibrium exists and is stable; in closed form, or exact where --set gives "
+                            "all other names")
     for verb in (report, conditions):
-        verb.add_argument("--equilibrium", action="append", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; "
+        verb.add_argument("--equilibrium", action="append", choices=("E1", "E2", "E3"),
+                          help="upright, hanging or inclined; "
                           "may be repeated; left out: all three")
-    decide.add_argument("--equilibrium", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; left out: every relative "
+    decide.add_argument("--equilibrium", choices=("E1", "E2", "E3"),
+                        help="upright, hanging or inclined; left out: every relative "
                         "equilibrium that the numbers allow")
-    decide.add_argument("--batch", metavar="FILE", help="an object of numbers in each line, - for standard input; --set gives numbers for "
+    decide.add_argument("--batch", metavar="FILE",
+                        help="an object of numbers in each line, - for standard input; --set gives numbers "
+                             "for "
                         "all lines")
-    decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start", help="the line of the batch to begin with, to go on "
+    decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start",
+                        help="the line of the batch to begin with, to go on "
                         "after an interruption; left out: 1")
-    chart.add_argument("--equilibrium", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; left out for a free body")
-    for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"), ("--y", "the vertical axis")):
+    chart.add_argument("--equilibrium", choices=("E1", "E2", "E3"),
+                       help="upright, hanging or inclined; left out for a free body")
+    for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"),
+                         ("--y", "the vertical axis")):
         chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
-    chart.add_argument("--axis", metavar="NAME=LOW:HIGH:COUNT", action="append", help="a further axis of the data; may be repeated")
+    chart.add_argument("--axis", metavar="NAME=LOW:HIGH:COUNT", action="append",
+                       help="a further axis of the data; may be repeated")
     chart.add_argument("--threads", type=int, default=1, metavar="N", help="left out: 1")
-    chart.add_argument("--backend", choices=("numpy", "numba"), default="numpy", help="numba: faster, gyrostat[fast]")
+    chart.add_argument("--backend", choices=("numpy", "numba"), default="numpy",
+                       help="numba: faster, gyrostat[fast]")
     chart.add_argument("--output", metavar="FILE", help="chart.png, .pdf, .svg, .nc or .zarr")
-    verify.add_argument("sources", nargs="*", metavar="SOURCE", help="VV2003, N2025, EA, AR, literature, or a .toml file of your own; "
+    verify.add_argument("sources", nargs="*", metavar="SOURCE",
+                        help="VV2003, N2025, EA, AR, literature, or a .toml file of your own; "
                         "left out: the first five")
     decide.add_argument("--format", choices=("text", "json"), help="left out: text, of a batch JSON")
     for verb in (report, conditions, verify):
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")
-        verb.add_argument("--fragment", action="store_true", help="with --format latex: without preamble, for \\input")
-    motion.add_argument("--precision", type=int, metavar="DIGITS", help="of a table, any number of digits; left out: doubles")
+        verb.add_argument("--fragment", action="store_true",
+                          help="with --format latex: without preamble, for \\input")
+    motion.add_argument("--precision", type=int, metavar="DIGITS",
+                        help="of a table, any number of digits; left out: doubles")
     for verb in (report, conditions, decide, motion, *kinds, chart, verify):
         _timeout(verb, None if verb in (chart, verify) else LIMIT)
     for verb in (report, conditions, decide, motion, verify):
@@ -133,9 +152,11 @@ def parser() -> argparse.ArgumentParser:
     return top
 
 
-def _scene(verb: argparse.ArgumentParser, meaning: str, potential: str = "none for a free body; left out: U unspecified") -> None:
+def _scene(verb: argparse.ArgumentParser, meaning: str,
+           potential: str = "none for a free body; left out: U unspecified") -> None:
     """A field and numbers."""
-    verb.add_argument("--potential", metavar="EXPR", help="U in k3 and parameters: names, numbers, + - * / **, parentheses, sqrt, "
+    verb.add_argument("--potential", metavar="EXPR",
+                      help="U in k3 and parameters: names, numbers, + - * / **, parentheses, sqrt, "
                       f"exp, log, sin, …; {potential}")
     _numbers(verb, meaning)
 
@@ -147,43 +168,57 @@ def _numbers(verb: argparse.ArgumentParser, meaning: str) -> None:
 
 def _motion(verb: argparse.ArgumentParser) -> None:
     """A body, its state and times."""
-    _scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U", "with k1 or k2 in it, U(k1, k2, k3); none for a free body")
-    verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3", required=True, help="at the time 0, exact; of a free body PI1,PI2,PI3; "
+    _scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U",
+           "with k1 or k2 in it, U(k1, k2, k3); none for a free body")
+    verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3", required=True,
+                      help="at the time 0, exact; of a free body PI1,PI2,PI3; "
                       "pi is the momentum with the rotor locked, k the direction of the field in the body")
-    verb.add_argument("--until", metavar="T", required=True, help="the last time; before 0 the motion goes back")
+    verb.add_argument("--until", metavar="T", required=True,
+                      help="the last time; before 0 the motion goes back")
     among = verb.add_mutually_exclusive_group()
-    among.add_argument("--count", type=int, metavar="N", help="times from 0 to T; left out: 201, of a curve 2001, of an animation 150")
+    among.add_argument("--count", type=int, metavar="N",
+                       help="times from 0 to T; left out: 201, of a curve 2001, of an animation 150")
     among.add_argument("--step", metavar="DT", help="the time from one to the next, in place of --count")
-    verb.add_argument("--tolerance", metavar="X", help="the error that is accepted of a motion that is integrated; left out: 1e-3")
+    verb.add_argument("--tolerance", metavar="X",
+                      help="the error that is accepted of a motion that is integrated; left out: 1e-3")
 
 
 def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     """The pictures and what each needs."""
     kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
-    sphere, nutation, well, branches, diagram, eigenvalues, cones = (kinds.add_parser(name, help=text, description=text) for name, text in (
-        ("momentum-sphere", "polhodes, separatrices and equilibria of a free body or gyrostat"),
-        ("nutation", "the path of the axis of the body on the sphere of directions"),
-        ("effective-potential", "V of a body of revolution in U(k3) on a level of its momenta"),
-        ("bifurcations", "k3 of all relative equilibria against a parameter"),
-        ("energy-momentum", "critical values of the energy and C1 at a fixed axial momentum"),
-        ("eigenvalues", "the spectrum of an equilibrium along a parameter"),
-        ("cones", "body cone and space cone of a free body of revolution")))
+    sphere, nutation, well, branches, diagram, eigenvalues, cones = (
+        kinds.add_parser(name, help=text, description=text)
+        for name, text in (
+            ("momentum-sphere", "polhodes, separatrices and equilibria of a free body or gyrostat"),
+            ("nutation", "the path of the axis of the body on the sphere of directions"),
+            ("effective-potential", "V of a body of revolution in U(k3) on a level of its momenta"),
+            ("bifurcations", "k3 of all relative equilibria against a parameter"),
+            ("energy-momentum", "critical values of the energy and C1 at a fixed axial momentum"),
+            ("eigenvalues", "the spectrum of an equilibrium along a parameter"),
+            ("cones", "body cone and space cone of a free body of revolution"),
+        )
+    )
     _numbers(sphere, "I1, I2, I3; l or l1, l2, l3")
     sphere.add_argument("--momentum", metavar="M", required=True, help="the radius, |M|")
-    sphere.add_argument("--energy", metavar="H", action="append", help="of a polhode; may be repeated; left out: some of each kind")
+    sphere.add_argument("--energy", metavar="H", action="append",
+                        help="of a polhode; may be repeated; left out: some of each kind")
     _motion(nutation)
     nutation.set_defaults(precision=None)
     _scene(well, "I1, I3, l, the names in U, p_phi and p_psi", "it is required")
     well.add_argument("--energy", metavar="H", help="with the motion at this energy")
     _scene(branches, "I1, I3, l, omega and the names in U, without that of the axis", "it is required")
-    branches.add_argument("--x", metavar="NAME=LOW:HIGH", required=True, help="the parameter, omega or another name, and its range")
+    branches.add_argument("--x", metavar="NAME=LOW:HIGH", required=True,
+                          help="the parameter, omega or another name, and its range")
     _scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")
     _scene(eigenvalues, "all names in the spectrum but the axis")
-    eigenvalues.add_argument("--equilibrium", choices=("E1", "E2", "E3"), help="upright, hanging or inclined; left out for a free body")
-    eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True, help="the parameter, its range, either "
+    eigenvalues.add_argument("--equilibrium", choices=("E1", "E2", "E3"),
+                             help="upright, hanging or inclined; left out for a free body")
+    eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
+                             help="the parameter, its range, either "
                              "way, and how many values; left out: 200")
     _numbers(cones, "I1 and I3")
-    cones.add_argument("--transverse", metavar="W", required=True, help="the angular velocity across the axis")
+    cones.add_argument("--transverse", metavar="W", required=True,
+                       help="the angular velocity across the axis")
     cones.add_argument("--axial", metavar="W3", required=True, help="the angular velocity along the axis")
     for kind in kinds.choices.values():
         kind.add_argument("--output", metavar="FILE", help="a .png, .pdf or .svg")
@@ -191,8 +226,10 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
 
 
 def _timeout(verb: argparse.ArgumentParser, default: float | None) -> None:
-    verb.add_argument("--timeout", type=_seconds, default=default, metavar="SECONDS", help="the verb is ended when it has taken so long, "
-                      f"of a batch the line; none: never; left out: {'none' if default is None else f'{default:g}'}")
+    verb.add_argument("--timeout", type=_seconds, default=default, metavar="SECONDS",
+                      help="the verb is ended when it has taken so long, "
+                      "of a batch the line; none: never; left out: "
+                      f"{'none' if default is None else f'{default:g}'}")
 
 
 def _line(text: str) -> int:
@@ -217,7 +254,13 @@ def _values_joined(arguments: Sequence[str]) -> list[str]:
     """--state -1,0,2 as --state=-1,0,2: what starts with one minus is the value of the option before it."""
     joined: list[str] = []
     for argument in arguments:
-        if joined and joined[-1].startswith("--") and "=" not in joined[-1] and argument[:1] == "-" and argument[1:2] not in ("", "-", "h"):
+        if (
+            joined
+            and joined[-1].startswith("--")
+            and "=" not in joined[-1]
+            and argument[:1] == "-"
+            and argument[1:2] not in ("", "-", "h")
+        ):
             joined[-1] += f"={argument}"
         else:
             joined.append(argument)
@@ -229,8 +272,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     Returns
     -------
-    int      0: done, 1: a published formula is not as expected, 2: bad input, with the reason on stderr; 130: Ctrl-C, 143: SIGTERM
-
+    int
+        0: done, 1: a published formula is not as expected, 2: bad input, with the reason on stderr; 130:
+        Ctrl-C, 143: SIGTERM
     The limit of --timeout needs processes of its own. A verb that is called from Python runs in the calling process, without a limit;
     the lines of a batch have theirs.
     """

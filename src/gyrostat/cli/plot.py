@@ -35,7 +35,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
 def _momentum_sphere(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     energies = [float(exact_number(text, "--energy")) for text in given.energy or ()]
     scene = body_of("none", numbers)
-    plotting.draw_momentum_sphere(scene, numbers, exact_number(given.momentum, "--momentum"), energies or None, figure.add_subplot(**SPACE))
+    plotting.draw_momentum_sphere(scene, numbers, exact_number(given.momentum, "--momentum"),
+                                  energies or None, figure.add_subplot(**SPACE))
     return _unusual(scene, numbers)
 
 
@@ -53,7 +54,8 @@ def _effective_potential(given: argparse.Namespace, numbers: Numbers, figure: An
 def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     name, low, high, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
     _free(name, numbers)
-    plotting.draw_bifurcation_diagram(scene := _revolving(given), numbers, name, (low, high), figure.subplots())
+    plotting.draw_bifurcation_diagram(scene := _revolving(given), numbers, name, (low, high),
+                                      figure.subplots())
     return _unusual(scene, numbers)
 
 
@@ -67,14 +69,16 @@ def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> st
     _free(name, numbers)
     one_spin(names := {**numbers, name: low})
     eq = report_for("picture", given.potential, given.equilibrium, names).equilibrium
-    plotting.draw_eigenvalues(eq, numbers, name, np.linspace(float(low), float(high), count).tolist(), figure.subplots())
+    plotting.draw_eigenvalues(eq, numbers, name, np.linspace(float(low), float(high), count).tolist(),
+                              figure.subplots())
     return _unusual(eq.system, numbers)
 
 
 def _cones(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     transverse, axial = exact_number(given.transverse, "--transverse"), exact_number(given.axial, "--axial")
     if numbers.keys() != {"I1", "I3"}:
-        raise ValuesError(f"--set gives {', '.join(numbers) or 'nothing'}, the cones are those of a body with I1 = I2 and without a rotor: "
+        raise ValuesError(f"--set gives {', '.join(numbers) or 'nothing'}, the cones are those of a body "
+                          "with I1 = I2 and without a rotor: "
                           "give I1 and I3")
     plotting.draw_cones((numbers["I1"], numbers["I3"]), transverse, axial, figure.add_subplot(**CONES))
     return _unusual(scene_of("none"), {**numbers, "I2": numbers["I1"]})
@@ -88,7 +92,8 @@ def _unusual(scene: System, numbers: Numbers) -> str:
 def _revolving(given: argparse.Namespace) -> System:
     """The body of revolution in the field U(k3) that is given."""
     if given.potential is None or given.potential.strip() == "none":
-        raise ValuesError(f'--potential is {given.potential or "missing"}, and {given.kind} is of a field: write --potential "m0*k3"')
+        raise ValuesError(f'--potential is {given.potential or "missing"}, and {given.kind} is of a field: '
+                          'write --potential "m0*k3"')
     return scene_of(given.potential)
 
 
@@ -100,4 +105,5 @@ def _free(name: str, numbers: Numbers) -> None:
 
 DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], str]] = {
     "momentum-sphere": _momentum_sphere, "nutation": _nutation, "effective-potential": _effective_potential,
-    "bifurcations": _bifurcations, "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues, "cones": _cones}
+    "bifurcations": _bifurcations, "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues,
+    "cones": _cones}

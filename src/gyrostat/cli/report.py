@@ -18,8 +18,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
     decisions: list[Decision | None] = [None for _ in reports]
     if numbers:
         known_names(reports, numbers)
-        asked = {report.equilibrium.label: report for report, decided in zip(reports, enough(reports, numbers)) if decided}
-        found, undecided = of_each(list(asked), lambda label: [(label, asked[label].verdict(its_own(asked[label], numbers)))])
+        asked = {report.equilibrium.label: report
+                 for report, decided in zip(reports, enough(reports, numbers)) if decided}
+        found, undecided = of_each(list(asked),
+                                   lambda label: [(label,
+                                                   asked[label].verdict(its_own(asked[label], numbers)))])
         decisions = [dict(found).get(report.equilibrium.label) for report in reports]
         missing = missing + undecided
     after = [block for m in missing for block in m.blocks()]
@@ -32,6 +35,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     else:
         blocks: list[Block] = scene_blocks(scene)
         for report, decision in zip(reports, decisions):
-            blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
+            blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision
+                                               else [])
         out(text(blocks + after))
     return 0

@@ -1,4 +1,7 @@
-"""gyrostat conditions --solve-for NAME: the values of one parameter for which an equilibrium exists and is stable."""
+"""gyrostat conditions --solve-for NAME.
+
+The values of one parameter for which an equilibrium exists and is stable.
+"""
 import argparse
 import contextlib
 from collections.abc import Iterator, Mapping, Sequence
@@ -24,9 +27,13 @@ from .output import Output
 def run(given: argparse.Namespace, labels: Sequence[str], numbers: Mapping[str, Expr], out: Output) -> int:
     """Write the sets; 0."""
     spin = "omega3_0" if given.solve_for == "omega3_0" else spin_of(numbers)
-    found, missing = of_each(labels, lambda label: [(label, *_solved(given.potential, label, spin, given.solve_for, numbers))])
+    found, missing = of_each(labels,
+                             lambda label: [(label,
+                                             *_solved(given.potential, label, spin, given.solve_for,
+                                                      numbers))])
     if given.format == "json":
-        out(json_text({"equilibria": [{"label": label} | solution_data(solution) for label, _, solution in found]
+        out(json_text({"equilibria": [{"label": label} | solution_data(solution)
+                                      for label, _, solution in found]
                        + [m.data() for m in missing]}))
         return 0
     blocks: list[Block] = []
@@ -34,7 +41,8 @@ def run(given: argparse.Namespace, labels: Sequence[str], numbers: Mapping[str, 
         blocks += [Heading(label), *_family(report), *result_blocks(solution)]
     blocks += [block for m in missing for block in m.blocks()]
     if given.format == "latex":
-        out(article(f"Values of {given.solve_for} that stabilise".replace("_", r"\_"), blocks, given.fragment))
+        out(article(f"Values of {given.solve_for} that stabilise".replace("_", r"\_"), blocks,
+                    given.fragment))
     else:
         out(text(blocks))
     return 0
@@ -43,11 +51,16 @@ def run(given: argparse.Namespace, labels: Sequence[str], numbers: Mapping[str, 
 def _family(report: Report) -> list[Block]:
     """What the family expresses by the other names."""
     eq = report.equilibrium
-    return [block for name, value in eq.relations[-1:] for block in (Sentence("On the family:"), Display(name, readable(value), eq.at))]
+    return [block for name, value in eq.relations[-1:]
+            for block in (Sentence("On the family:"), Display(name, readable(value), eq.at))]
 
 
-def _solved(potential: str | None, label: str, spin: str, name: str, numbers: Mapping[str, Expr]) -> tuple[Report, Solution]:
-    """The first form of the family in which the name can be solved for: E3 as it is, along its tilts, or with k3 expressed."""
+def _solved(potential: str | None, label: str, spin: str, name: str,
+            numbers: Mapping[str, Expr]) -> tuple[Report, Solution]:
+    """The first form of the family in which the name can be solved for.
+
+    E3 as it is, along its tilts, or with k3 expressed.
+    """
     failed: list[GyrostatError] = []
     for report in _forms(potential, label, spin, name):
         try:
@@ -70,10 +83,13 @@ def solution_data(solution: Solution) -> dict[str, Any]:
     return {"name": solution.name, "parts": [{
         "meaning": part.meaning, "margin": str(part.margin), "cases": [{
             "when": [{"expression": str(e), "compared_with_0": relation} for e, relation in case.when],
-            "intervals": [_interval(i) for i in case.intervals]} for case in part.cases]} for part in solution.parts]}
+            "intervals": [_interval(i) for i in case.intervals]} for case in part.cases]}
+                                             for part in solution.parts]}
 
 
 def _interval(i: Interval) -> dict[str, Any]:
-    """Its ends, and the expressions of which the first that is not 0 is positive where the end belongs to it."""
-    return {"low": str(i.low), "low_if": strings(i.low_if), "high": str(i.high), "high_if": strings(i.high_if),
+    """Its ends, and the expressions of which the first that is not 0 is positive where the end belongs to it.
+    """
+    return {"low": str(i.low), "low_if": strings(i.low_if), "high": str(i.high),
+            "high_if": strings(i.high_if),
             "tilt": i.tilt and strings(i.tilt)}

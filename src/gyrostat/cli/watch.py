@@ -14,7 +14,8 @@ from ..charts.progress import Waiting
 from ..printing.files import cleared
 from .output import told
 
-GRACE = 1.0                                            # seconds after which a process ends itself that nobody has ended
+# seconds after which a process ends itself that nobody has ended
+GRACE = 1.0
 ENDING = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
 
 
@@ -23,8 +24,10 @@ class Interrupted(KeyboardInterrupt):
 
     Parameters
     ----------
-    status : int      of exit, 128 and the signal
-    kept : str        what is kept, and how to go on; empty where nothing is
+    status : int
+        of exit, 128 and the signal
+    kept : str
+        what is kept, and how to go on; empty where nothing is
     """
 
     def __init__(self, status: int, kept: str = ""):
@@ -39,7 +42,10 @@ def interrupted(error: KeyboardInterrupt, kept: str) -> Interrupted:
 
 @contextmanager
 def signals() -> Iterator[None]:
-    """SIGTERM and SIGHUP are exceptions, as Ctrl-C is; afterwards, when all is said, Ctrl-C does nothing more."""
+    """SIGTERM and SIGHUP are exceptions, as Ctrl-C is.
+
+    Afterwards, when all is said, Ctrl-C does nothing more.
+    """
     def end(number: int, _: Any) -> None:
         raise Interrupted(128 + number)
 
@@ -85,14 +91,18 @@ def limited(seconds: float | None) -> None:
 
 
 def watched(verb: str, seconds: float, output: str | None) -> None:
-    """Return in a new process, which does the work; this one waits for it, ends it when its time is over, and exits as it does."""
+    """Return in a new process, which does the work.
+
+    This one waits for it, ends it when its time is over, and exits as it does.
+    """
     if not hasattr(os, "fork"):                        # Windows
         sys.exit(_repeated(verb, seconds, sys.argv[1:]))
     line, (reading, writing) = Waiting(verb), os.pipe()
     with held_back():
         process = os.fork()
         if process == 0:
-            os.close(reading)                          # the other end is open as long as this process is there
+            # the other end is open as long as this process is there
+            os.close(reading)
             left_alone()
             limited(seconds)
             return
@@ -112,7 +122,8 @@ def watched(verb: str, seconds: float, output: str | None) -> None:
     if status is None or status == -signal.SIGALRM:
         told(too_long(seconds))
     elif status < 0:
-        told(f"the process that worked was ended by signal {-status}, {signal.strsignal(-status)}: is there too little memory?")
+        told(f"the process that worked was ended by signal {-status}, {signal.strsignal(-status)}: is "
+             "there too little memory?")
     os._exit(status if status is not None and status >= 0 else 2)
 
 
@@ -146,7 +157,8 @@ def _tidied(output: str | None, process: int) -> None:
 def _repeated(verb: str, seconds: float, arguments: Sequence[str]) -> int:
     """The same in another interpreter, where a process cannot be doubled."""
     try:
-        return subprocess.run([sys.executable, "-m", "gyrostat", *arguments, "--timeout=none"], timeout=seconds).returncode
+        return subprocess.run([sys.executable, "-m", "gyrostat", *arguments, "--timeout=none"],
+                              timeout=seconds).returncode
     except subprocess.TimeoutExpired:
         told(too_long(seconds))
         return 2

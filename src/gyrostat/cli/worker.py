@@ -1,4 +1,7 @@
-"""A process that answers the lines of a batch, each within a time; where one takes longer, another process takes the next line."""
+"""A process that answers the lines of a batch, each within a time.
+
+Where one takes longer, another process takes the next line.
+"""
 import argparse
 import json
 import multiprocessing
@@ -16,7 +19,8 @@ from .lines import question
 from .options import numbers_of, scene_of
 from .watch import held_back, left_alone, limited
 
-Answer = tuple[str, str | None]                        # an object of JSON, and the reason where the line is not answered
+# an object of JSON, and the reason where the line is not answered
+Answer = tuple[str, str | None]
 
 
 def reason(error: BaseException) -> str:
@@ -48,7 +52,8 @@ def serve(connection: Connection, given: argparse.Namespace) -> None:
                 try:
                     data = answers_data(answers_at(*question(line, given, defaults)))
                     answer: Answer = json.dumps({"line": n} | data, allow_nan=False), None
-                except Exception as error:             # every line answers for itself, whatever it brings about
+                # every line answers for itself, whatever it brings about
+                except Exception as error:
                     answer = refusal(n, reason(error))
                 connection.send(answer)
     except (EOFError, OSError):                        # nobody is there any more
@@ -61,7 +66,10 @@ def refusal(n: int, why: str) -> Answer:
 
 
 def _within(connection: Connection, seconds: float | None) -> bool:
-    """Whether something comes within the time; as connection.poll, which makes a selector for each call, where select knows pipes."""
+    """Whether something comes within the time.
+
+    As connection.poll, which makes a selector for each call, where select knows pipes.
+    """
     if os.name == "nt":
         return connection.poll(seconds)
     return bool(select([connection.fileno()], [], [], seconds)[0])
@@ -72,7 +80,8 @@ class Worker:
 
     Parameters
     ----------
-    given : argparse.Namespace      of gyrostat decide; timeout in seconds, None for none
+    given : argparse.Namespace
+        of gyrostat decide; timeout in seconds, None for none
     """
 
     def __init__(self, given: argparse.Namespace):
@@ -95,12 +104,14 @@ class Worker:
         self.connection, theirs = multiprocessing.Pipe()
         self.process = context.Process(target=serve, args=(theirs, self.given), daemon=True)
         with held_back(), warnings.catch_warnings():
-            warnings.simplefilter("ignore", DeprecationWarning)        # of threads beside: the new process uses nothing of theirs
+            # of threads beside: the new process uses nothing of theirs
+            warnings.simplefilter("ignore", DeprecationWarning)
             self.process.start()
         theirs.close()
         try:
             if not self.connection.poll(self.given.timeout):
-                raise ValuesError(f"--potential and --set are not understood within {self.given.timeout:g} s: write them more simply")
+                raise ValuesError(f"--potential and --set are not understood within {self.given.timeout:g} "
+                                  "s: write them more simply")
             if (why := self.connection.recv()) is not None:
                 raise ValuesError(why)
         except EOFError:

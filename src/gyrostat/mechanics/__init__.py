@@ -1,10 +1,12 @@
 """Rigid bodies with rotors in fields: what moves, and where it can stay.
 
-A `body` and a field (`potential`, named ones in `fields`) are a scene: the Lie-Poisson bracket (`liepoisson`), which has every sign
-convention, and the Hamiltonian give the equations of motion and the integrals (`system`). `equilibria` are checked when they are built;
-`families` name those of bodies of revolution. At each the coadjoint orbit has a tangent space, in it the symplectic slice (`orbit`).
-A body of revolution has one degree of freedom (`reduction`); which scene is one, about which axis, is proved (`spherical`,
-`recognition`, `standard`). `attitude` and `freebody` hold Euler's angles, the Lagrangian and the classical formulas.
+A `body` and a field (`potential`, named ones in `fields`) are a scene: the Lie-Poisson bracket
+(`liepoisson`), which has every sign convention, and the Hamiltonian give the equations of motion and the
+integrals (`system`). `equilibria` are checked when they are built; `families` name those of bodies of
+revolution. At each the coadjoint orbit has a tangent space, in it the symplectic slice (`orbit`). A body of
+revolution has one degree of freedom (`reduction`); which scene is one, about which axis, is proved
+(`spherical`, `recognition`, `standard`). `attitude` and `freebody` hold Euler's angles, the Lagrangian and
+the classical formulas.
 """
 from .attitude import (
     angle_rates,
@@ -18,5 +20,7 @@ from .attitude import (
 from .freebody import FreePrecession, free_precession, momentum_limits, polhode_period, torque_equations
 from .reduction import Reduction, expansion
 
-__all__ = ["FreePrecession", "Reduction", "angle_rates", "angular_momentum", "angular_velocity", "effective_potential", "expansion",
-           "free_precession", "lagrangian", "momenta", "momentum_limits", "polhode_period", "rotation", "torque_equations"]
+__all__ = ["FreePrecession", "Reduction", "angle_rates", "angular_momentum", "angular_velocity",
+           "effective_potential", "expansion",
+           "free_precession", "lagrangian", "momenta", "momentum_limits", "polhode_period", "rotation",
+           "torque_equations"]

@@ -1,6 +1,8 @@
-"""Euler angles: rotation from the body to space, angular velocity, and the Lagrangian of a gyrostat in a field.
+"""Euler angles: rotation from the body to space, angular velocity, and the Lagrangian of a gyrostat in a
+field.
 
-R = Rz(φ) Rₓ(θ) Rz(ψ) ("zxz") or Rz(φ) R_y(θ) Rz(ψ) ("zyz"), with x_space = R x_body; hat(ω) = Rᵀ Ṙ in body axes, and the
+R = Rz(φ) Rₓ(θ) Rz(ψ) ("zxz") or Rz(φ) R_y(θ) Rz(ψ) ("zyz"), with x_space = R x_body; hat(ω) = Rᵀ Ṙ in body
+    axes, and the
 direction of the field is k = Rᵀ e_z, the same bracket's k: k̇ = k × ω.
 """
 from collections.abc import Sequence
@@ -32,7 +34,8 @@ def rotation(convention: str = "zxz") -> ImmutableMatrix:
 
     Parameters
     ----------
-    convention : "zxz" or "zyz"      axes of the three rotations, the second about the line of nodes
+    convention : "zxz" or "zyz"
+        axes of the three rotations, the second about the line of nodes
 
     Returns
     -------
@@ -40,7 +43,8 @@ def rotation(convention: str = "zxz") -> ImmutableMatrix:
 
     Raises
     ------
-    ScopeError                       another convention
+    ScopeError
+        another convention
 
     Examples
     --------
@@ -72,8 +76,8 @@ def nodes(convention: str = "zxz") -> ImmutableMatrix:
 def angular_velocity(convention: str = "zxz") -> ImmutableMatrix:
     """ω in body components, in the angles and their rates phi_dot, theta_dot, psi_dot, shape (3, 1).
 
-    Source
-    ------
+    References
+    ----------
     Landau & Lifshitz, Mechanics, §35 (zxz); Taylor, Classical Mechanics (2005), §10.9 (zyz).
 
     Examples
@@ -108,10 +112,11 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     Parameters
     ----------
     body : Gyrostat
-    potential : Potential or None       U(k) of the scene; None for the free body
+    potential : Potential or None
+        U(k) of the scene; None for the free body
 
-    Source
-    ------
+    References
+    ----------
     Goldstein, Classical Mechanics, §5.7 (l = 0); the rotor adds l·ω, whose derivative is its momentum.
 
     Examples
@@ -126,7 +131,9 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     if body.inertia[0] == body.inertia[1]:             # ω1² + ω2² is θ̇² + φ̇² sin²θ in either convention
         theta, phi_dot, theta_dot = ANGLES[1], RATES[0], RATES[1]
         square = phi_dot**2 * sin(theta) ** 2 + theta_dot**2
-        kinetic = (Rational(1, 2) * body.inertia[0] * square).expand() + Rational(1, 2) * body.inertia[2] * omega[2] ** 2
+        kinetic = (Rational(1, 2) * body.inertia[0] * square).expand() + Rational(1, 2) * body.inertia[
+            2
+        ] * omega[2] ** 2
     rotor = sum(part * rate for part, rate in zip(body.gyrostatic_momentum, omega))
     k = dict(zip(map(symbol, ("k1", "k2", "k3")), direction(convention)))
     return kinetic + rotor - (potential.expression.subs(k) if potential else 0)
@@ -135,7 +142,8 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
 def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
     """(p_φ, p_θ, p_ψ) = ∂L/∂(φ̇, θ̇, ψ̇).
 
-    p_φ = M·k is the Casimir C1 of e(3)*, conserved in every field U(k); p_ψ = M3 = π3 + l3 is the integral of a body of
+    p_φ = M·k is the Casimir C1 of e(3)*, conserved in every field U(k); p_ψ = M3 = π3 + l3 is the integral of
+        a body of
     revolution in U(k3).
 
     Examples
@@ -149,16 +157,19 @@ def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
 
 
 def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
-    """V(θ) of a body of revolution in U(k3): ½ I1 θ̇² + V = energy, in the momenta p_phi = C1 and p_psi = π3 + l.
+    """V(θ) of a body of revolution in U(k3).
+
+    ½ I1 θ̇² + V = energy, in the momenta p_phi = C1 and p_psi = π3 + l.
 
     V = (p_φ − p_ψ cos θ)² / (2 I1 sin² θ) + (p_ψ − l)² / (2 I3) + U(cos θ)
 
     Raises
     ------
-    ScopeError       the body is not of revolution, or U is not U(k3)
+    ScopeError
+        the body is not of revolution, or U is not U(k3)
 
-    Source
-    ------
+    References
+    ----------
     Goldstein, Classical Mechanics, §5.7 (l = 0).
 
     Examples
@@ -170,7 +181,8 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     require(body, Gyrostat, "the body")
     require(potential, Potential, "the potential")
     if not body.is_of_revolution() or not potential.axial:
-        raise ScopeError(f"θ moves by itself only for a body of revolution in U(k3); here inertia = {body.inertia}, "
+        raise ScopeError("θ moves by itself only for a body of revolution in U(k3); here inertia = "
+                         f"{body.inertia}, "
                          f"U = {potential.expression}: use lagrangian")
     (I1, _, I3), l, theta = body.inertia, body.gyrostatic_momentum[2], ANGLES[1]
     p_phi, p_psi = symbol("p_phi"), symbol("p_psi")
@@ -182,7 +194,8 @@ def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz"
     """(φ̇, θ̇, ψ̇) of an angular velocity in body components, where sin θ ≠ 0."""
     axes, given = nodes(convention), ImmutableMatrix(omega)
     if given.shape != (3, 1):
-        raise BodyError(f"the angular velocity has the shape {given.shape}: give three components, along the axes of the body")
+        raise BodyError(f"the angular velocity has the shape {given.shape}: give three components, along "
+                        "the axes of the body")
     return tuple(map(reduced, axes.adjugate() * given / reduced(axes.det())))
 
 

@@ -18,17 +18,20 @@ _ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))
 class Gyrostat(Shown, Stored):
     """Rigid body with a rotor whose relative angular momentum l is constant, in principal axes.
 
+    Each entry is a number (made exact) or a SymPy expression; the default is the general body, in symbols.
+    Arrays are sequences too, and a diagonal matrix has its moments on the diagonal.
+
     Parameters
     ----------
-    inertia : (I1, I2, I3)                   principal moments of the locked body [M L²], positive
-    gyrostatic_momentum : (l1, l2, l3)       angular momentum of the rotor relative to the body [M L²/T]
-
-    Each entry is a number (made exact) or a SymPy expression; the default is the general body, in symbols. Arrays are sequences too, and a
-    diagonal matrix has its moments on the diagonal.
+    inertia : (I1, I2, I3)
+        principal moments of the locked body [M L²], positive
+    gyrostatic_momentum : (l1, l2, l3)
+        angular momentum of the rotor relative to the body [M L²/T]
 
     Raises
     ------
-    BodyError        a moment is not positive, or there are not three of each
+    BodyError
+        a moment is not positive, or there are not three of each
 
     Examples
     --------
@@ -42,15 +45,18 @@ class Gyrostat(Shown, Stored):
     def __post_init__(self) -> None:
         for field in ("inertia", "gyrostatic_momentum"):
             given = _entries(getattr(self, field), field)
-            object.__setattr__(self, field, tuple(_without_surds_below(exact_expression(value, field)) for value in given))
-        if taken := of_the_motion(s for e in (*self.inertia, *self.gyrostatic_momentum) for s in e.free_symbols):
+            object.__setattr__(self, field, tuple(_without_surds_below(exact_expression(value, field))
+                                                  for value in given))
+        if taken := of_the_motion(s for e in (*self.inertia, *self.gyrostatic_momentum)
+                                  for s in e.free_symbols):
             raise BodyError(f"the body depends on {', '.join(taken)}, a name of the motion: rename it")
         object.__setattr__(self, "inertia", _as_first_written(self.inertia))
         object.__setattr__(self, "gyrostatic_momentum", tuple(map(plain, self.gyrostatic_momentum)))
         for moment in self.inertia:
             if not moment.free_symbols and (sign := sign_of_constant(moment)) != 1:
                 what = "is not proved to be" if sign is None else "is not"
-                raise BodyError(f"inertia = ({', '.join(map(shown, self.inertia))}): {shown(moment)} {what} positive, but a body has "
+                raise BodyError(f"inertia = ({', '.join(map(shown, self.inertia))}): {shown(moment)} "
+                                f"{what} positive, but a body has "
                                 "mass off every axis; give three positive moments")
 
     def kinetic_energy(self, momentum: Sequence[Expr]) -> Expr:
@@ -86,17 +92,22 @@ def _entries(given: Any, field: str) -> tuple[Any, ...]:
     """Three entries, of a sequence or an array; of a diagonal matrix those on the diagonal."""
     rows = given.tolist() if hasattr(given, "tolist") else given
     if isinstance(rows, str | bytes) or not isinstance(rows, Sequence):
-        raise ArgumentError(f"{field} = {brief(given)} is {article(type(given))}, not a sequence: give three numbers, "
+        raise ArgumentError(f"{field} = {brief(given)} is {article(type(given))}, not a sequence: give "
+                            "three numbers, "
                             f"{field}=({'2, 2, 1' if field == 'inertia' else '0, 0, 1'})")
     entries = tuple(rows)
-    if len(entries) == 3 and all(isinstance(row, Sequence) and not isinstance(row, str) and len(row) == 3 for row in entries):
+    if len(entries) == 3 and all(isinstance(row, Sequence) and not isinstance(row, str) and len(row) == 3
+                                 for row in entries):
         if field != "inertia":
             raise BodyError(f"{field} is a matrix: give three numbers, one for each principal axis")
-        if any(exact_expression(row[j], field) != 0 for i, row in enumerate(entries) for j in range(3) if i != j):
-            raise BodyError("inertia is a matrix with products of inertia: give the three principal moments, its eigenvalues, and state "
+        if any(exact_expression(row[j], field) != 0 for i, row in enumerate(entries)
+               for j in range(3) if i != j):
+            raise BodyError("inertia is a matrix with products of inertia: give the three principal "
+                            "moments, its eigenvalues, and state "
                             "everything else in the principal axes, its eigenvectors")
         entries = tuple(row[i] for i, row in enumerate(entries))
-    if len(entries) == 1 and isinstance(entries[0], Sequence):             # a matrix of one row, or of one column
+    # a matrix of one row, or of one column
+    if len(entries) == 1 and isinstance(entries[0], Sequence):
         entries = tuple(entries[0])
     if hasattr(given, "tolist") and all(isinstance(row, Sequence) and len(row) == 1 for row in entries):
         entries = tuple(row[0] for row in entries)

@@ -26,14 +26,19 @@ class Equilibrium(Shown, Stored):
     ----------
     label : str
     system : System
-    point : tuple of Expr, shape (n,)       in the parameters of the family
-    relations : tuple of (Symbol, Expr)     inserted in this order; a derivative of U in them holds on the family
-    domain : tuple of Expr                  positive on the family; the family is not claimed to exist elsewhere
-    eliminated : str or None                the parameter that the last relation expresses by the others
+    point : tuple of Expr, shape (n,)
+        in the parameters of the family
+    relations : tuple of (Symbol, Expr)
+        inserted in this order; a derivative of U in them holds on the family
+    domain : tuple of Expr
+        positive on the family; the family is not claimed to exist elsewhere
+    eliminated : str or None
+        the parameter that the last relation expresses by the others
 
     Raises
     ------
-    EquilibriumError     a component of the field does not vanish; the message names it
+    EquilibriumError
+        a component of the field does not vanish; the message names it
     """
 
     label: str
@@ -47,54 +52,71 @@ class Equilibrium(Shown, Stored):
         require(self.system, System, "the scene")
         moments = [*self.system.body.inertia, *(value for name, value in self.relations if name.is_positive)]
         if impossible := [m for m in moments if not m.free_symbols and sign(m, {}) != 1]:
-            raise EquilibriumError(f"{self.label} has a relation that makes a moment, or another positive name, {impossible[0]}, "
+            raise EquilibriumError(f"{self.label} has a relation that makes a moment, or another positive "
+                                   f"name, {impossible[0]}, "
                                    "which is not proved to be positive: moments of inertia are positive")
-        unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive and m not in self.domain]
+        unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive
+                   and m not in self.domain]
         object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
         if clash := [s for x in self.point for s in x.free_symbols if s.name in INTERNAL]:
-            raise EquilibriumError(f"{self.label} uses {clash[0]}, a name that the derivation introduces: rename it")
+            raise EquilibriumError(f"{self.label} uses {clash[0]}, a name that the derivation introduces: "
+                                   "rename it")
         if len(self.point) != (n := len(self.system.space.coordinates)):
-            raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give one for each coordinate")
-        object.__setattr__(self, "point", tuple(map(plain, self.point)))         # 0 and ±1 are known by what they are, not by spelling
+            raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give "
+                                   "one for each coordinate")
+        # 0 and ±1 are known by what they are, not by spelling
+        object.__setattr__(self, "point", tuple(map(plain, self.point)))
         left = []
         for coordinate, rate in zip(self.system.space.coordinates, self.at_point(self.system.jet_field)):
             if residual := _residual(rate, self):
                 left.append((f"d{coordinate}/dt = {residual}", is_identically_zero(residual)))
         if wrong := [rate for rate, zero in left if zero is False]:
-            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong)}. Check the point, or pass the relation "
+            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong)}. Check the "
+                                   "point, or pass the relation "
                                    "that makes these vanish as relations=((symbol, value),).")
         if left:
-            raise EquilibriumError(f"{self.label} is not proved to be an equilibrium: whether {', '.join(rate for rate, _ in left)} is 0 "
+            raise EquilibriumError(f"{self.label} is not proved to be an equilibrium: whether "
+                                   f"{', '.join(rate for rate, _ in left)} is 0 "
                                    "is not decided. Write its numbers with rationals and roots.")
         if self.system.potential:
             self._check_direction()
 
     def _check_direction(self) -> None:
-        """k is a unit vector (k = 0, on a singular orbit, is refused by the verbs), the relations hold for U, and U is smooth there."""
+        """k is a unit vector (k = 0, on a singular orbit, is refused by the verbs), the relations hold for U,
+        and U is smooth there.
+        """
         k = self.point[3:]
         if any(k) and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
             unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
-            raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}{unknown}: k is a direction, "
+            raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = "
+                                   f"{excess}{unknown}: k is a direction, "
                                    "|k| = 1; divide it by its length")
         for value in (*self.field_values, *self.constraints):
             if value.is_finite is False or value.is_real is False:
-                raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is {shown(value)} there, "
+                raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is "
+                                       f"{shown(value)} there, "
                                        "not a finite real number")
         for residual in self.constraints:
             if not residual.free_symbols:
                 what = "is not proved to be" if sign(residual, {}) is None else "is not"
-                raise EquilibriumError(f"{self.label} {what} an equilibrium: a relation on the derivatives of U is off by {residual}")
+                raise EquilibriumError(f"{self.label} {what} an equilibrium: a relation on the derivatives "
+                                       f"of U is off by {residual}")
         for argument in self._inner_arguments():
             if not argument.free_symbols and sign(argument, {}) != 1:
-                raise EquilibriumError(f"{self.label} does not exist: U is not smooth there, the argument of a root, logarithm or inverse "
+                raise EquilibriumError(f"{self.label} does not exist: U is not smooth there, the argument "
+                                       "of a root, logarithm or inverse "
                                        f"function is not proved to be inside its range, {argument} > 0")
 
     def _inner_arguments(self) -> tuple[Expr, ...]:
-        """What has to be positive for a given U to be smooth at the point: arguments of roots and logarithms, and the like."""
+        """What has to be positive for a given U to be smooth at the point.
+
+        Arguments of roots and logarithms, and the like.
+        """
         potential = self.system.potential
         if not potential or not potential.given:
             return ()
-        return tuple(dict.fromkeys(self.insert(self._placed(a)) for a in smooth_where_positive(potential.expression)))
+        return tuple(dict.fromkeys(self.insert(self._placed(a))
+                                   for a in smooth_where_positive(potential.expression)))
 
     def _placed(self, expression: Expr) -> Expr:
         """An expression in k, at the point."""
@@ -116,7 +138,9 @@ class Equilibrium(Shown, Stored):
         return self.insert(placed) if potential and potential.given and not potential.axial else placed
 
     def insert(self, expression: Any) -> Any:
-        """The jet of a given U replaced by its values at the point, then the eliminated parameter by its value."""
+        """The jet of a given U replaced by its values at the point, then the eliminated parameter by its
+        value.
+        """
         expression = self.insert_field(expression)
         for name, value in self.relations:
             if not jet(name.name):
@@ -128,7 +152,8 @@ class Equilibrium(Shown, Stored):
         potential = self.system.potential
         if not potential or not potential.given:
             return expression
-        return expression.xreplace({s: self._placed(potential.value(s)) for s in expression.free_symbols if jet(s.name)})
+        return expression.xreplace({s: self._placed(potential.value(s))
+                                    for s in expression.free_symbols if jet(s.name)})
 
     def existence(self) -> tuple[Expr, ...]:
         """The domain in the parameters that are left: positive where the family exists."""
@@ -150,10 +175,14 @@ class Equilibrium(Shown, Stored):
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
-        """What has to vanish at given values: relations on derivatives of U that a given U does not satisfy by itself."""
+        """What has to vanish at given values.
+
+        Relations on derivatives of U that a given U does not satisfy by itself.
+        """
         if not self.system.potential or not self.system.potential.given:
             return ()
-        residuals = (_residual(self.insert(name) - self.insert(value), self) for name, value in self.relations if jet(name.name))
+        residuals = (_residual(self.insert(name) - self.insert(value), self)
+                     for name, value in self.relations if jet(name.name))
         return tuple(residual for residual in residuals if residual is not None)
 
     @cached_property
@@ -180,9 +209,12 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
     Parameters
     ----------
     scene : System
-    point : sequence, shape (n,)                  numbers or expressions: momenta [M L²/T], then k [1]
-    relations : pairs (symbol, value)             what holds on the family, such as (dU, …)
-    domain : sequence of Expr                     positive on the family
+    point : sequence, shape (n,)
+        numbers or expressions: momenta [M L²/T], then k [1]
+    relations : pairs (symbol, value)
+        what holds on the family, such as (dU, …)
+    domain : sequence of Expr
+        positive on the family
     label : str
 
     Raises
@@ -199,7 +231,8 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
     gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, ...
     """
     pairs = tuple((symbol(str(name)), exact_expression(value)) for name, value in relations)
-    return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs, tuple(map(exact_expression, domain)),
+    return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs,
+                       tuple(map(exact_expression, domain)),
                        next((name.name for name, _ in pairs[::-1] if not jet(name.name)), None))
 
 

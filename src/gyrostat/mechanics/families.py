@@ -1,4 +1,6 @@
-"""The named families: upright E1, hanging E2, inclined E3 and its limit at rest, principal rotations of a free body."""
+"""The named families: upright E1, hanging E2, inclined E3 and its limit at rest, principal rotations of a
+free body.
+"""
 from collections.abc import Sequence
 
 from sympy import Expr, S, Symbol, sqrt
@@ -18,11 +20,13 @@ def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
 
     Parameters
     ----------
-    scene : System       on e(3)*
-    spin : str           "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
+    scene : System
+        on e(3)*
+    spin : str
+        "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera (2003), §3.
 
     Examples
@@ -56,11 +60,13 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
 
     Parameters
     ----------
-    scene : System       on so(3)*
-    axis : int           1, 2 or 3; the body rate about it is omega1_0, omega2_0 or omega3_0 [1/T]
+    scene : System
+        on so(3)*
+    axis : int
+        1, 2 or 3; the body rate about it is omega1_0, omega2_0 or omega3_0 [1/T]
 
-    Source
-    ------
+    References
+    ----------
     Hughes, Spacecraft Attitude Dynamics (1986), chapter 6.
 
     Examples
@@ -72,7 +78,8 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
     """
     require(scene, System, "the scene")
     if scene.potential is not None:
-        raise ScopeError("principal_rotation is for a free body, the scene has a field: use upright, hanging or inclined")
+        raise ScopeError("principal_rotation is for a free body, the scene has a field: use upright, "
+                         "hanging or inclined")
     if axis not in (1, 2, 3):
         raise EquilibriumError(f"axis = {axis!r} is not a principal axis: give 1, 2 or 3")
     momentum = scene.body.inertia[axis - 1] * symbol(f"omega{axis}_0")
@@ -88,18 +95,22 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
 
     Parameters
     ----------
-    scene : System           body of revolution in U(k3)
-    eliminate : str or None  the name that the relation expresses by the others; it must enter affinely.
-                             None: dU where U is unspecified; else l; else k3, or a parameter of U; else none,
-                             and the relation is checked at every point asked for
+    scene : System
+        body of revolution in U(k3)
+    eliminate : str or None
+        the name that the relation expresses by the others; it must enter affinely. None: dU where U is
+        unspecified; else l; else k3, or a parameter of U; else none, and the relation is checked at every
+        point asked for
 
     Raises
     ------
-    ScopeError               the body is not of revolution, or U is not U(k3)
-    EquilibriumError         the relation is not affine in the name
+    ScopeError
+        the body is not of revolution, or U is not U(k3)
+    EquilibriumError
+        the relation is not affine in the name
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera (2003), §3.
 
     Examples
@@ -131,23 +142,30 @@ def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Eq
     require(scene, System, "the scene")
     body, potential = scene.body, scene.potential
     if potential is None or not potential.axial or not body.is_of_revolution():
-        raise ScopeError(f"{label} is a family of bodies of revolution in U(k3); this scene has inertia {body.inertia}, l = "
-                         f"{body.gyrostatic_momentum}, U = {potential and potential.expression}: use equilibrium(scene, point)")
+        raise ScopeError(f"{label} is a family of bodies of revolution in U(k3); this scene has inertia "
+                         f"{body.inertia}, l = "
+                         f"{body.gyrostatic_momentum}, U = {potential and potential.expression}: use "
+                         "equilibrium(scene, point)")
     (I1, _, I3), l, k1 = body.inertia, body.gyrostatic_momentum[2], sqrt(1 - K3**2)
     point = (I1 * omega * k1, S.Zero, I3 * omega * K3, k1, S.Zero, K3)
     slope = omega * l - omega**2 * K3 * (I1 - I3)
     given = potential.value(DU) if potential.given else DU
     if (relation := plain(slope - given)).is_number and relation != 0:
         unknown = " (not proved to be true or false)" if sign_of_constant(relation) is None else ""
-        raise EquilibriumError(f"{label} does not exist in U = {potential.expression}: its relation is {relation} = 0{unknown}")
+        raise EquilibriumError(f"{label} does not exist in U = {potential.expression}: its relation is "
+                               f"{relation} = 0{unknown}")
     name, solved, pivot = _eliminate(relation, eliminate, potential.parameters, label)
-    relations = [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]
+    relations = (
+        [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]
+    )
     domain = [1 - K3**2] + ([pivot**2] if pivot.free_symbols else [])
     return Equilibrium(label, scene, point, tuple(relations), tuple(domain), name)
 
 
 def solved_tilt(eq: Equilibrium) -> Expr | None:
-    """k3 of a tilted family in closed form, where its relation is affine in k3 and another name was eliminated."""
+    """k3 of a tilted family in closed form, where its relation is affine in k3 and another name was
+    eliminated.
+    """
     potential = eq.system.potential
     slopes = [value for name, value in eq.relations if name == DU]
     if not slopes or not potential or not potential.given or eq.eliminated == "k3":
@@ -156,14 +174,16 @@ def solved_tilt(eq: Equilibrium) -> Expr | None:
     return solved and solved[0]
 
 
-def _eliminate(relation: Expr, wanted: str | None, parameters: Sequence[Symbol], label: str) -> tuple[str | None, Expr | None, Expr]:
+def _eliminate(relation: Expr, wanted: str | None, parameters: Sequence[Symbol],
+               label: str) -> tuple[str | None, Expr | None, Expr]:
     """Name, value and leading coefficient of a parameter in which the relation is affine."""
     ordered = sorted(parameters, key=lambda s: (bool(s.is_positive), s.name))
     for name in [wanted] if wanted else ["dU", "l", "k3", *map(str, ordered)]:
         if solved := affine(relation, symbol(name)):
             return name, *solved
     if wanted:
-        raise EquilibriumError(f"{label}: the relation {relation} = 0 is not affine in {wanted}: eliminate another name, or none")
+        raise EquilibriumError(f"{label}: the relation {relation} = 0 is not affine in {wanted}: eliminate "
+                               "another name, or none")
     return None, None, S.One
 
 

@@ -12,8 +12,8 @@ from .potential import Potential, axial_potential
 def uniform_field() -> Potential:
     """Uniform field, U = m0 k3 with m0 = m g z0; z0 > 0: the centre of mass is above the support at k3 = 1.
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera (2003), §1.
 
     Examples
@@ -27,24 +27,28 @@ def uniform_field() -> Potential:
 def newtonian_field(order: int) -> Potential:
     """Attraction by a distant centre below, to any order in 1/r: 1 is uniform, 2 adds the gravity gradient.
 
-    U⁽ᴺ⁾ = Σ (−1)ⁿ⁺¹ g Jₙ/rⁿ⁻¹ Pₙ(k3) over n = 1, …, N, with Legendre's Pₙ, up to a constant that makes U = 0 at k3 = 0:
+    U⁽ᴺ⁾ = Σ (−1)ⁿ⁺¹ g Jₙ/rⁿ⁻¹ Pₙ(k3) over n = 1, …, N, with Legendre's Pₙ, up to a constant that makes U = 0
+        at k3 = 0:
     U⁽¹⁾ = m0 k3,  U⁽²⁾ = U⁽¹⁾ + (m1/2) (I3 − I1) k3²,  U⁽³⁾ = U⁽²⁾ + (m1/3) (J3/r) P₃(k3), …
 
-    The centre is at the distance r [L] from the fixed point, in the direction −k; g is its attraction there [L/T²].
+    The centre is at the distance r [L] from the fixed point, in the direction −k; g is its attraction there
+        [L/T²].
     J₁ = m z0 and J₂ = I1 − I3 enter through m0 = m g z0 [M L²/T²] and m1 = 3 g/r [1/T²]; from n = 3 on,
-    Jₙ = ∫ |x|ⁿ Pₙ(x3/|x|) dm [M Lⁿ] is a parameter, J3, J4, …, and the mass has to be distributed alike about
+    Jₙ = ∫ abs(x)ⁿ Pₙ(x3/abs(x)) dm [M Lⁿ] is a parameter, J3, J4, …, and the mass has to be distributed alike about
     axis 3: I1 = I2 is not enough. Each Jₙ vanishes for odd n where the body is its own mirror image in x3.
 
     Parameters
     ----------
-    order : int          N, at least 1
+    order : int
+        N, at least 1
 
     Raises
     ------
-    PotentialError       the order is not a positive integer
+    PotentialError
+        the order is not a positive integer
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera (2003), §1 and §3, for N = 1 and 2, §6 for the third.
 
     Examples
@@ -55,7 +59,8 @@ def newtonian_field(order: int) -> Potential:
     J3*m1*(5*k3**3 - 3*k3)/(6*r)
     """
     if isinstance(order, bool) or not isinstance(order, SupportsIndex) or index(order) < 1:
-        raise PotentialError(f"the Newtonian field has no order {order!r}: it counts the terms kept in 1/r, of which the first is the "
+        raise PotentialError(f"the Newtonian field has no order {order!r}: it counts the terms kept in "
+                             "1/r, of which the first is the "
                              "uniform field; give 1, 2, 3, …")
     k3, m0, m1, r, I1, I3 = map(symbol, ("k3", "m0", "m1", "r", "I1", "I3"))
     if index(order) == 1:
@@ -70,14 +75,16 @@ def newtonian_field(order: int) -> Potential:
 def ideal_fluid() -> Potential:
     """Body of revolution in an ideal fluid at rest at infinity: Kirchhoff's equations.
 
-    U = ½ p0² (1/mass3 − 1/mass1) k3², the energy ½ (p1² + p2²)/mass1 + ½ p3²/mass3 of the impulse p = p0 k, up to a constant.
+    U = ½ p0² (1/mass3 − 1/mass1) k3², the energy ½ (p1² + p2²)/mass1 + ½ p3²/mass3 of the impulse p = p0 k,
+        up to a constant.
 
-    k is the direction of the impulse seen from the body, p0 > 0 its constant magnitude [M L/T]; mass1 across and mass3 along the
-    axis, positive, are the mass of the body with the added mass of the fluid [M]. The moments I1, I3 contain the added ones. No
-    weight acts (neutral buoyancy, centres of mass and of buoyancy at the origin), and no term of the energy couples p with π.
+    k is the direction of the impulse seen from the body, p0 > 0 its constant magnitude [M L/T]; mass1 across
+    and mass3 along the axis, positive, are the mass of the body with the added mass of the fluid [M]. The
+    moments I1, I3 contain the added ones. No weight acts (neutral buoyancy, centres of mass and of buoyancy
+    at the origin), and no term of the energy couples p with π.
 
-    Source
-    ------
+    References
+    ----------
     Lamb, Hydrodynamics, 6th ed. (1932), §126; Leonard, Automatica 33 (1997) 331-346.
 
     Examples

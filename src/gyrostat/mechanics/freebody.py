@@ -1,4 +1,6 @@
-"""Free bodies: Euler's equations with a torque, limits of the motion, polhode period, precession of a symmetric body."""
+"""Free bodies: Euler's equations with a torque, limits of the motion, polhode period, precession of a
+symmetric body.
+"""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -23,14 +25,16 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
     Parameters
     ----------
     body : Gyrostat
-    torque : sequence of three       expressions [M L²/T²], or texts of such; by default tau1, tau2, tau3
+    torque : sequence of three
+        expressions [M L²/T²], or texts of such; by default tau1, tau2, tau3
 
     Returns
     -------
-    ImmutableMatrix, shape (3, 1)    in pi1, pi2, pi3 and the torque
+    ImmutableMatrix, shape (3, 1)
+        in pi1, pi2, pi3 and the torque
 
-    Source
-    ------
+    References
+    ----------
     Landau & Lifshitz, Mechanics, §36.
 
     Examples
@@ -48,7 +52,8 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
 
 
 def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
-    """The values of |M|² between which the sphere |M|² = const meets the ellipsoid Σ Mᵢ²/Iᵢ = 2E of a free body.
+    """The values of abs(M)² between which the sphere abs(M)² = const meets the ellipsoid Σ Mᵢ²/Iᵢ = 2E of a
+    free body.
 
     They are 2 E I for the smallest and the largest moment, reached by the rotations about those axes.
 
@@ -59,7 +64,8 @@ def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
     """
     require(body, Gyrostat, "the body")
     if any(body.gyrostatic_momentum):
-        raise ScopeError(f"the ellipsoid is centred only without a rotor; the body has l = {body.gyrostatic_momentum}")
+        raise ScopeError("the ellipsoid is centred only without a rotor; the body has l = "
+                         f"{body.gyrostatic_momentum}")
     twice = 2 * exact_expression(energy, "energy")
     if twice.is_negative:
         raise ValuesError(f"energy = {twice / 2}: the kinetic energy of a body is not negative")
@@ -75,20 +81,25 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
     Parameters
     ----------
     inertia : three positive numbers
-    momentum : three numbers             M at any time [M L²/T]
-    digits : int                         of the result
+    momentum : three numbers
+        M at any time [M L²/T]
+    digits : int
+        of the result
 
     Returns
     -------
-    Expr                                 Float, or oo on the separatrix [T]
+    Expr
+        Float, or oo on the separatrix [T]
 
     Raises
     ------
-    ScopeError                           two moments are equal (free_precession), or M rests on an axis
-    ValuesError                          an entry is not an exact number
+    ScopeError
+        two moments are equal (free_precession), or M rests on an axis
+    ValuesError
+        an entry is not an exact number
 
-    Source
-    ------
+    References
+    ----------
     Landau & Lifshitz, Mechanics, (37.11)-(37.12).
 
     Examples
@@ -97,7 +108,8 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
     22.8986475506197
     """
     if len(inertia) != 3 or len(momentum) != 3 or not isinstance(digits, int) or digits < 1:
-        raise ValuesError(f"inertia = {inertia}, momentum = {momentum}, digits = {digits}: give three moments, three components of M and "
+        raise ValuesError(f"inertia = {inertia}, momentum = {momentum}, digits = {digits}: give three "
+                          "moments, three components of M and "
                           "a positive number of digits")
     moments = [exact_number(i, "inertia") for i in inertia]
     M = [exact_number(m, "momentum") for m in momentum]
@@ -107,32 +119,45 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
     if 0 in (proved_sign(I2 - I1), proved_sign(I3 - I2)):
         raise ScopeError(f"inertia = {tuple(moments)} has two equal moments: use free_precession")
     if sum(proved_sign(m) != 0 for m in M) < 2:
-        raise ScopeError(f"momentum = {tuple(M)} lies on a principal axis, where it rests: give at least two components")
-    above = (I3 - I2) * ((1 - I1 / I2) * M2**2 + (1 - I1 / I3) * M3**2)      # (I3 − I2)(M² − 2 E I1), without cancellation
+        raise ScopeError(f"momentum = {tuple(M)} lies on a principal axis, where it rests: give at least "
+                         "two components")
+    # (I3 − I2)(M² − 2 E I1), without cancellation
+    above = (I3 - I2) * ((1 - I1 / I2) * M2**2 + (1 - I1 / I3) * M3**2)
     below = (I2 - I1) * ((I3 / I1 - 1) * M1**2 + (I3 / I2 - 1) * M2**2)      # (I2 − I1)(2 E I3 − M²)
-    gap = (I3 - I1) * ((1 - I2 / I3) * M3**2 - (I2 / I1 - 1) * M1**2)        # their difference, (I3 − I1)(M² − 2 E I2)
+    # their difference, (I3 − I1)(M² − 2 E I2)
+    gap = (I3 - I1) * ((1 - I2 / I3) * M3**2 - (I2 / I1 - 1) * M1**2)
     if (side := proved_sign(gap)) == 0:
         return oo
     lead = above if side == 1 else below
-    with ONE_AT_A_TIME, mpmath.workdps(digits + 10):       # K(κ) = π / (2 agm(1, κ′)), κ′² = 1 − κ² = |gap| / lead
-        complement, scale = (mpmath.sqrt(mpmath.mpf(x.evalf(digits + 10)._mpf_)) for x in (side * gap / lead, I1 * I2 * I3 / lead))
+    # K(κ) = π / (2 agm(1, κ′)), κ′² = 1 − κ² = |gap| / lead
+    with ONE_AT_A_TIME, mpmath.workdps(digits + 10):
+        complement, scale = (mpmath.sqrt(mpmath.mpf(x.evalf(digits + 10)._mpf_))
+                             for x in (side * gap / lead, I1 * I2 * I3 / lead))
         return Float(2 * mpmath.pi / mpmath.agm(1, complement) * scale, digits)
 
 
 @dataclass(frozen=True)
 class FreePrecession:
-    """Motion of a free body of revolution: ω and the axis e3 turn about M, and, seen from the body, ω and M about e3.
+    """Motion of a free body of revolution.
+
+    Ω and the axis e3 turn about M, and, seen from the body, ω and M about e3.
 
     ω = (ω0 cos Ω t, −ω0 sin Ω t, ω3) from a suitable origin of time, Ω = (I1 − I3) ω3/I1.
 
     Parameters
     ----------
-    body_rate : Expr          Ω: in the body, ω and M turn about e3 at −Ω = −ψ̇ [1/T]
-    precession : Expr         φ̇ = |M|/I1: in space, ω and e3 turn about M [1/T]
-    spin : Expr               ψ̇ = Ω, the rate about e3 relative to the turning plane of M, ω, e3 [1/T]
-    tilt : Expr               angle θ between M and e3
-    body_cone : Expr          half-angle between ω and e3
-    space_cone : Expr         half-angle between ω and M
+    body_rate : Expr
+        Ω: in the body, ω and M turn about e3 at −Ω = −ψ̇ [1/T]
+    precession : Expr
+        φ̇ = abs(M)/I1: in space, ω and e3 turn about M [1/T]
+    spin : Expr
+        ψ̇ = Ω, the rate about e3 relative to the turning plane of M, ω, e3 [1/T]
+    tilt : Expr
+        angle θ between M and e3
+    body_cone : Expr
+        half-angle between ω and e3
+    space_cone : Expr
+        half-angle between ω and M
     """
 
     body_rate: Expr
@@ -148,17 +173,22 @@ def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> Free
 
     Parameters
     ----------
-    inertia : (I1, I3)        transverse and axial moment [M L²]
-    transverse : Expr         ω0 = √(ω1² + ω2²) [1/T]
-    axial : Expr              ω3 [1/T]
+    inertia : (I1, I3)
+        transverse and axial moment [M L²]
+    transverse : Expr
+        ω0 = √(ω1² + ω2²) [1/T]
+    axial : Expr
+        ω3 [1/T]
 
     Raises
     ------
-    BodyError                 there are not two moments, or one is not positive
-    ScopeError                both rates are 0
+    BodyError
+        there are not two moments, or one is not positive
+    ScopeError
+        both rates are 0
 
-    Source
-    ------
+    References
+    ----------
     Taylor, Classical Mechanics (2005), §10.8; Landau & Lifshitz, Mechanics, §33.
 
     Examples
@@ -168,12 +198,14 @@ def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> Free
     (-3, 3*sqrt(5), pi/4)
     """
     if len(inertia) != 2:
-        raise BodyError(f"inertia has {len(inertia)} entries: give the transverse and the axial moment, (I1, I3)")
+        raise BodyError(f"inertia has {len(inertia)} entries: give the transverse and the axial moment, "
+                        "(I1, I3)")
     I1, I3 = (exact_expression(i, "inertia") for i in inertia)
     Gyrostat((I1, I1, I3), (0, 0, 0))                      # positive, or refused
     across, along = exact_expression(transverse, "transverse"), exact_expression(axial, "axial")
     if across == along == 0:
-        raise ScopeError("transverse = axial = 0: the body is at rest and has no precession; give a rate that is not 0")
+        raise ScopeError("transverse = axial = 0: the body is at rest and has no precession; give a rate "
+                         "that is not 0")
     rate = (I1 - I3) * along / I1
     M, omega = sqrt((I1 * across) ** 2 + (I3 * along) ** 2), sqrt(across**2 + along**2)
     return FreePrecession(rate, M / I1, rate, acos(I3 * along / M), acos(along / omega),

@@ -1,4 +1,6 @@
-"""LiePoisson: the bracket of a gyrostat on so(3)* and on e(3)* = (so(3) ⋉ R³)*. The one home of sign conventions.
+"""LiePoisson: the bracket of a gyrostat on so(3)* and on e(3)* = (so(3) ⋉ R³)*.
+
+The one home of sign conventions.
 
 {F, G} = −M·(∂πF × ∂πG) − k·(∂πF × ∂kG + ∂kF × ∂πG),  M = π + l,  so that π̇ = M × ω + k × ∇U and k̇ = k × ω.
 """
@@ -23,17 +25,23 @@ def hat(v: Sequence[Expr]) -> ImmutableMatrix:
 
 @dataclass(frozen=True)
 class LiePoisson(Shown, Stored):
-    """Poisson structure on Rⁿ: what exists is antisymmetric, obeys the Jacobi identity, and has the Casimirs it names.
+    """Poisson structure on Rⁿ.
+
+    What exists is antisymmetric, obeys the Jacobi identity, and has the Casimirs it names.
 
     Parameters
     ----------
-    coordinates : tuple of Symbol, shape (n,)      momenta [M L²/T], then directions [1]
-    tensor : ImmutableMatrix, shape (n, n)         B with {F, G} = ∇F · B ∇G
-    casimirs : tuple of Expr                       functions C with B ∇C = 0
+    coordinates : tuple of Symbol, shape (n,)
+        momenta [M L²/T], then directions [1]
+    tensor : ImmutableMatrix, shape (n, n)
+        B with {F, G} = ∇F · B ∇G
+    casimirs : tuple of Expr
+        functions C with B ∇C = 0
 
     Raises
     ------
-    StructureError       the tensor or a Casimir fails; the message says where
+    StructureError
+        the tensor or a Casimir fails; the message says where
     """
 
     coordinates: tuple[Symbol, ...]
@@ -42,12 +50,15 @@ class LiePoisson(Shown, Stored):
 
     def __post_init__(self) -> None:
         if self.tensor.shape != (len(self.coordinates),) * 2 or any(map(expand, self.tensor + self.tensor.T)):
-            raise StructureError(f"a {self.tensor.rows}×{self.tensor.cols} tensor that is antisymmetric and has one row for each "
-                                 f"of the {len(self.coordinates)} coordinates is needed: B[i, j] = {{x_i, x_j}}")
+            raise StructureError(f"a {self.tensor.rows}×{self.tensor.cols} tensor that is antisymmetric "
+                                 "and has one row for each "
+                                 f"of the {len(self.coordinates)} coordinates is needed: B[i, j] = {{x_i, "
+                                 f"x_j}}")
         for i, j, k in combinations(range(len(self.coordinates)), 3):
             if value := self.jacobiator(i, j, k):
                 names = ", ".join(str(self.coordinates[n]) for n in (i, j, k))
-                raise StructureError(f"the tensor breaks the Jacobi identity: the jacobiator of {names} is {value}, not 0; "
+                raise StructureError(f"the tensor breaks the Jacobi identity: the jacobiator of {names} is "
+                                     f"{value}, not 0; "
                                      "check its entries")
         for casimir in self.casimirs:
             if any(entry := list(expand(self.tensor * self.gradient(casimir)))):
@@ -70,10 +81,11 @@ class LiePoisson(Shown, Stored):
 
         Parameters
         ----------
-        f, g : Expr          smooth functions of the coordinates; symbols are matched by name
+        f, g : Expr
+            smooth functions of the coordinates; symbols are matched by name
 
-        Source
-        ------
+        References
+        ----------
         Vera & Viguera (2003), §2.
 
         Examples
@@ -109,12 +121,14 @@ class LiePoisson(Shown, Stored):
         ring = Ring([*self.tensor, *self.coordinates])
         entries, bottom = ring.matrix(self.tensor.tolist())
         bound = set(self.coordinates)
-        if ring.expression(bottom).free_symbols & bound or any(g not in bound and g.free_symbols & bound for g in ring.generators):
+        if ring.expression(bottom).free_symbols & bound or any(g not in bound and g.free_symbols & bound
+                                                               for g in ring.generators):
             raise StructureError("a Lie-Poisson tensor is a polynomial in its coordinates: check its entries")
         return ring, entries, [ring.generators.index(x) for x in self.coordinates]
 
 
-def lie_poisson(directions: Sequence[str] = ("k",), gyrostatic_momentum: Sequence[Any] | None = None) -> LiePoisson:
+def lie_poisson(directions: Sequence[str] = ("k",),
+                gyrostatic_momentum: Sequence[Any] | None = None) -> LiePoisson:
     """The space of a gyrostat: so(3)* without directions, e(3)* with the one direction k.
 
     B = hat M on so(3)*, B = [[hat M, hat k], [hat k, 0]] on e(3)*, M = π + l.
@@ -122,19 +136,23 @@ def lie_poisson(directions: Sequence[str] = ("k",), gyrostatic_momentum: Sequenc
     Parameters
     ----------
     directions : () or ("k",)
-    gyrostatic_momentum : (l1, l2, l3) or None     l [M L²/T]; None leaves it in symbols
+    gyrostatic_momentum : (l1, l2, l3) or None
+        l [M L²/T]; None leaves it in symbols
 
     Returns
     -------
-    LiePoisson       Casimir |M|² on so(3)*; C1 = M·k, C2 = |k|² on e(3)*
+    LiePoisson
+        Casimir abs(M)² on so(3)*; C1 = M·k, C2 = abs(k)² on e(3)*
 
     Raises
     ------
-    ScopeError       for other directions
-    BodyError        the gyrostatic momentum has not three entries
+    ScopeError
+        for other directions
+    BodyError
+        the gyrostatic momentum has not three entries
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera (2003), §2; Marsden, Ratiu & Weinstein, Trans. Amer. Math. Soc. 281 (1984) 147-177.
 
     Examples
@@ -143,14 +161,21 @@ def lie_poisson(directions: Sequence[str] = ("k",), gyrostatic_momentum: Sequenc
     ((l1 + pi1)**2 + (l2 + pi2)**2 + (l3 + pi3)**2,)
     """
     if tuple(directions) not in ((), ("k",)):
-        raise ScopeError(f"directions = {tuple(directions)}: a gyrostat needs () without a field or ('k',) with one")
-    given = tuple(gyrostatic_momentum) if gyrostatic_momentum is not None else tuple(symbol(f"l{i}") for i in (1, 2, 3))
+        raise ScopeError(f"directions = {tuple(directions)}: a gyrostat needs () without a field or ('k',) "
+                         "with one")
+    given = (
+        tuple(gyrostatic_momentum)
+        if gyrostatic_momentum is not None
+        else tuple(symbol(f"l{i}") for i in (1, 2, 3))
+    )
     if len(given) != 3:
-        raise BodyError(f"gyrostatic_momentum has {len(given)} entries: give three, one for each principal axis")
+        raise BodyError(f"gyrostatic_momentum has {len(given)} entries: give three, one for each principal "
+                        "axis")
     rotor = tuple(map(exact_expression, given))
     pi, k = ([symbol(f"{x}{i}") for i in (1, 2, 3)] for x in ("pi", "k"))
     M = [p + rotor_i for p, rotor_i in zip(pi, rotor)]
     if not directions:
         return LiePoisson(tuple(pi), hat(M), (sum(m**2 for m in M),))
-    tensor = ImmutableMatrix.vstack(ImmutableMatrix.hstack(hat(M), hat(k)), ImmutableMatrix.hstack(hat(k), zeros(3, 3)))
+    tensor = ImmutableMatrix.vstack(ImmutableMatrix.hstack(hat(M), hat(k)),
+                                    ImmutableMatrix.hstack(hat(k), zeros(3, 3)))
     return LiePoisson((*pi, *k), tensor, (sum(m * x for m, x in zip(M, k)), sum(x**2 for x in k)))

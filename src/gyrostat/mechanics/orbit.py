@@ -22,14 +22,16 @@ def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
 
     Returns
     -------
-    ImmutableMatrix, shape (n, n - r)      one column for each vector; r Casimirs
+    ImmutableMatrix, shape (n, n - r)
+        one column for each vector; r Casimirs
 
     Raises
     ------
-    SingularOrbitError       the differentials of the Casimirs are dependent there
+    SingularOrbitError
+        the differentials of the Casimirs are dependent there
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera (2003), §4.1.1.
 
     Examples
@@ -51,7 +53,8 @@ def regular_differentials(eq: Equilibrium) -> tuple[list[Expr], ...]:
     rows = differentials(eq, casimirs)
     if (rank := _rank(rows)) < len(casimirs):
         raise SingularOrbitError(
-            f"{eq.label} lies on a singular coadjoint orbit: the differentials of {', '.join(map(str, casimirs))} have rank {rank}, "
+            f"{eq.label} lies on a singular coadjoint orbit: the differentials of "
+            f"{', '.join(map(str, casimirs))} have rank {rank}, "
             f"not {len(casimirs)}. The energy-Casimir test does not apply there; choose a point with "
             + ("k ≠ 0." if eq.system.potential else "M ≠ 0."))
     return tuple(rows)
@@ -73,18 +76,20 @@ def critical_integrals(eq: Equilibrium) -> tuple[tuple[Expr, ...], tuple[Expr, .
 
 
 def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:
-    """Basis of the tangent space of the level set of Casimirs and integrals, modulo the flows of the integrals.
+    """Basis of the tangent space of the level set of Casimirs and integrals, modulo the flows of the
+    integrals.
 
-    At E1 and E2 it is the whole tangent space; at E3 it has dimension 2: dπ3(δx) = 0, modulo the rotation about
-    the axis of the body.
+    At E1 and E2 it is the whole tangent space; at E3 it has dimension 2: dπ3(δx) = 0, modulo the rotation
+    about the axis of the body.
 
     Returns
     -------
     ImmutableMatrix, shape (n, m)
 
-    Source
-    ------
-    Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59; Ortega & Ratiu, Nonlinearity 12 (1999) 693-720.
+    References
+    ----------
+    Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59; Ortega & Ratiu, Nonlinearity 12 (1999)
+    693-720.
     """
     return slice_and_symmetries(eq)[0]
 
@@ -94,7 +99,8 @@ def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, 
     """The symplectic slice, and the integrals whose flow was divided out."""
     _, moving = critical_integrals(eq)
     level = [*regular_differentials(eq), *differentials(eq, moving)]
-    held: list[list[Expr]] = []                        # a direction along the orbit is removed by holding one coordinate
+    # a direction along the orbit is removed by holding one coordinate
+    held: list[list[Expr]] = []
     symmetries = []
     for integral in moving:
         flow = list(eq.at_point(eq.system.space.tensor * eq.system.space.gradient(integral)))
@@ -107,7 +113,8 @@ def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, 
 def _gauge(eq: Equilibrium, flow: list[Expr]) -> list[Expr]:
     """The coordinate to be held: one along which the flow moves everywhere on the family, if there is one."""
     ring, signs, (row,) = _polynomials(eq, [flow])
-    best = min((j for j, entry in enumerate(row) if entry), key=lambda j: (not signs.nonzero(row[j]), len(row[j]), -j))
+    best = min((j for j, entry in enumerate(row) if entry),
+               key=lambda j: (not signs.nonzero(row[j]), len(row[j]), -j))
     return [ring.expression(ring.one if j == best else ring.zero) for j in range(len(row))]
 
 
@@ -120,7 +127,8 @@ def _kernel(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> ImmutableMatrix:
     """Basis of the common kernel; pivots that vanish nowhere on the family are preferred."""
     ring, signs, polynomials = _polynomials(eq, rows)
     size = len(eq.system.space.coordinates)
-    basis = null_space(ring, polynomials, lambda j, entry: (not signs.nonzero(entry), len(entry), entry.total_degree(), -j), size)
+    basis = null_space(ring, polynomials, lambda j, entry: (not signs.nonzero(entry), len(entry),
+                                                            entry.total_degree(), -j), size)
     return ImmutableMatrix(size, len(basis), lambda i, j: ring.expression(basis[j][1][i]))
 
 
@@ -134,4 +142,5 @@ def _in_kernel(rows: Sequence[Sequence[Expr]], vector: Sequence[Expr]) -> bool:
     ring = Ring([*(entry for row in rows for entry in row), *vector])
     (values,), _ = ring.matrix([vector])
     return any(values) and not any(
-        ring.reduce(sum((x * y for x, y in zip(ring.matrix([row])[0][0], values)), ring.zero)) for row in rows)
+        ring.reduce(sum((x * y for x, y in zip(ring.matrix([row])[0][0], values)), ring.zero))
+        for row in rows)

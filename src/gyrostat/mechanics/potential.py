@@ -15,9 +15,11 @@ from ..algebra.polynomials import Ring
 from ..errors import PotentialError, ValuesError, brief
 from ..notation import Shown, Stored, jet, jet_name, of_the_motion, symbol
 
-_NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.Piecewise, sympy.Max, sympy.Min, sympy.floor,
+_NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.Piecewise, sympy.Max,
+               sympy.Min, sympy.floor,
                sympy.ceiling, sympy.frac, sympy.Mod, sympy.re, sympy.im, sympy.arg, sympy.conjugate)
-_ANGLES, _HEIGHTS = ("theta", "Theta", "th"), ("z", "Z", "K3", "k_3", "kz", "k_z", "zeta", "gamma3", "gamma_3", "costheta", "cos_theta")
+_ANGLES, _HEIGHTS = ("theta", "Theta", "th"), ("z", "Z", "K3", "k_3", "kz", "k_z", "zeta", "gamma3",
+                                               "gamma_3", "costheta", "cos_theta")
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
 U = Function("U", real=True)
 U.__module__ = __name__                                # pickle finds it by this name
@@ -32,9 +34,12 @@ class Potential(Shown, Stored):
 
     Parameters
     ----------
-    variables : tuple of Symbol      (k3,) or (k1, k2, k3)
-    expression : Expr                U [M L²/T²]
-    revolution : bool                whether the formula holds only for a body with I1 = I2
+    variables : tuple of Symbol
+        (k3,) or (k1, k2, k3)
+    expression : Expr
+        U [M L²/T²]
+    revolution : bool
+        whether the formula holds only for a body with I1 = I2
     """
 
     variables: tuple[Symbol, ...]
@@ -43,16 +48,23 @@ class Potential(Shown, Stored):
 
     def __post_init__(self) -> None:
         if taken := of_the_motion(self.parameters):
-            raise PotentialError(f"U = {self.expression} depends on {', '.join(taken)}, which is not a parameter of a "
-                                 f"potential in {', '.join(map(str, self.variables))}: rename it, or use general_potential")
+            raise PotentialError(f"U = {self.expression} depends on {', '.join(taken)}, which is not a "
+                                 "parameter of a "
+                                 f"potential in {', '.join(map(str, self.variables))}: rename it, or use "
+                                 "general_potential")
         if self.expression.free_symbols and not self.expression.free_symbols & set(self.variables):
-            raise PotentialError(f"U = {self.expression} does not depend on {', '.join(map(str, self.variables))}: "
+            raise PotentialError(f"U = {self.expression} does not depend on "
+                                 f"{', '.join(map(str, self.variables))}: "
                                  f"write it in the components of k{_meant(self.expression)}")
         if self.expression.is_real is False or self.expression.is_finite is False:
-            raise PotentialError(f"U = {self.expression} is not a finite real number: check roots, logarithms and denominators")
+            raise PotentialError(f"U = {self.expression} is not a finite real number: check roots, "
+                                 "logarithms and denominators")
         for power in self.expression.atoms(Pow):
-            if power.exp.is_negative and not (ring := Ring([power.base])).reduce(ring.fraction(power.base)[0]):
-                raise PotentialError(f"U = {self.expression} divides by {power.base}, which is 0 identically: check the denominators")
+            if power.exp.is_negative and not (ring := Ring([power.base])).reduce(
+                ring.fraction(power.base)[0]
+            ):
+                raise PotentialError(f"U = {self.expression} divides by {power.base}, which is 0 "
+                                     "identically: check the denominators")
 
     @property
     def given(self) -> bool:
@@ -74,23 +86,31 @@ class Potential(Shown, Stored):
 
         Raises
         ------
-        ValuesError      U = tan(exp(a*k3)) at a = 10⁸, which asks for the tangent of a number of 43 million digits
+        ValuesError
+            U = tan(exp(a*k3)) at a = 10⁸, which asks for the tangent of a number of 43 million digits
         """
         if not self._asks:
             return
         known = {s: magnitudes.at_most_one() for s in self.variables}
-        known |= {s: ball for s, x in numbers.items() if s not in known and (ball := enclosure(x)) is not None}
+        known |= {s: ball for s, x in numbers.items() if s not in known
+                  and (ball := enclosure(x)) is not None}
         if (function := immoderate(self.expression, known)) is not None:
-            raise ValuesError(f"{function} in U is asked at a number of more than {BITS} bits there: give smaller numbers")
+            raise ValuesError(f"{function} in U is asked at a number of more than {BITS} bits there: give "
+                              "smaller numbers")
 
     @cached_property
     def _asks(self) -> bool:
         """Whether U has functions, or roots."""
-        return bool(self.expression.atoms(Function)) or any(not p.exp.is_Integer for p in self.expression.atoms(Pow))
+        return bool(self.expression.atoms(Function)) or any(not p.exp.is_Integer
+                                                            for p in self.expression.atoms(Pow))
 
     def gradient(self) -> tuple[Expr, ...]:
         """∇U in the symbols of the jet, shape (3,)."""
-        return (Rational(0), Rational(0), symbol("dU")) if self.axial else tuple(symbol(jet_name(1, a)) for a in "123")
+        return (
+            (Rational(0), Rational(0), symbol("dU"))
+            if self.axial
+            else tuple(symbol(jet_name(1, a)) for a in "123")
+        )
 
     def following(self, derivative: Symbol) -> tuple[Expr, ...]:
         """Derivatives along k1, k2, k3 of a symbol of the jet, shape (3,)."""
@@ -110,7 +130,11 @@ def _meant(expression: Expr) -> str:
     """What is likely to have been meant for a component of k."""
     meant = [f for f in sorted(expression.atoms(cos), key=str) if str(f.args[0]) in _ANGLES]
     meant += sorted((s for s in expression.free_symbols if s.name in _HEIGHTS), key=str)
-    return f"; k3 for {meant[0]}, as in U = {expression.xreplace(dict.fromkeys(meant, DIRECTIONS[2]))}" if meant else ""
+    return (
+        f"; k3 for {meant[0]}, as in U = {expression.xreplace(dict.fromkeys(meant, DIRECTIONS[2]))}"
+        if meant
+        else ""
+    )
 
 
 def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -> Potential:
@@ -124,10 +148,11 @@ def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -
 
     Raises
     ------
-    PotentialError       U has parameters but no k3, or depends on k1, k2 or a name of the motion
+    PotentialError
+        U has parameters but no k3, or depends on k1, k2 or a name of the motion
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera, Monografías de la Real Academia de Ciencias de Zaragoza 22 (2003) 141-150, §1.
 
     Examples
@@ -141,12 +166,18 @@ def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -
 
 
 def general_potential(expression: Expr | Callable[..., Expr] | None = None) -> Potential:
-    """Potential U(k1, k2, k3): an expression, a function of the three symbols, or None for U left unspecified."""
+    """Potential U(k1, k2, k3).
+
+    An expression, a function of the three symbols, or None for U left unspecified.
+    """
     return _potential(DIRECTIONS, expression)
 
 
 def smooth_where_positive(expression: Expr) -> tuple[Expr, ...]:
-    """What has to be positive for the expression to be real and smooth: x of √x and log x, 1 − x² of asin x, and the like."""
+    """What has to be positive for the expression to be real and smooth.
+
+    X of √x and log x, 1 − x² of asin x, and the like.
+    """
     found: list[Expr] = [p.base for p in expression.atoms(Pow) if p.exp.is_Rational and not p.exp.is_Integer]
     found += [f.args[0] for f in expression.atoms(log)] + [f.args[0] - 1 for f in expression.atoms(acosh)]
     found += [1 - f.args[0] ** 2 for f in expression.atoms(asin, acos, atanh)]
@@ -161,14 +192,19 @@ def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
             given = given(*variables)
         except (AttributeError, TypeError, ValueError) as error:
             names = ", ".join(map(str, variables))
-            raise PotentialError(f"U = {brief(given)} cannot be asked at the symbols {names} ({brief(str(error))}): "
-                                 "give an expression, or a function that makes one, with sympy.cos for numpy.cos") from error
+            raise PotentialError(f"U = {brief(given)} cannot be asked at the symbols {names} "
+                                 f"({brief(str(error))}): "
+                                 "give an expression, or a function that makes one, with sympy.cos for "
+                                 "numpy.cos") from error
     if isinstance(given, (str, bool)):
-        raise PotentialError(f"U = {brief(given)} is not an expression: build it from symbol('k3'), or give a function of "
+        raise PotentialError(f"U = {brief(given)} is not an expression: build it from symbol('k3'), or "
+                             "give a function of "
                              f"{', '.join(map(str, variables))}")
     expression = exact_expression(given, "U")
     if rough := expression.atoms(*_NOT_SMOOTH):
-        raise PotentialError(f"U = {expression} is not smooth, it contains {', '.join(map(str, rough))}: stability needs two derivatives")
+        raise PotentialError(f"U = {expression} is not smooth, it contains {', '.join(map(str, rough))}: "
+                             "stability needs two derivatives")
     if expression.atoms(AppliedUndef):
-        raise PotentialError(f"U = {expression} contains an unspecified function: call without arguments to leave U unspecified")
+        raise PotentialError(f"U = {expression} contains an unspecified function: call without arguments "
+                             "to leave U unspecified")
     return Potential(variables, expression)

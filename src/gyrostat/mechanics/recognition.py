@@ -1,4 +1,7 @@
-"""A body of revolution about any axis, recognised: the axis, and the same scene with that axis for the third."""
+"""A body of revolution about any axis, recognised.
+
+The axis, and the same scene with that axis for the third.
+"""
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -18,18 +21,23 @@ from .system import System, system_of
 
 Vector = tuple[Expr, ...]
 UNITS: tuple[Vector, ...] = ((S.One, S.Zero, S.Zero), (S.Zero, S.One, S.Zero), (S.Zero, S.Zero, S.One))
-PLACES = [tuple(Rational(n, d) for n in row) for *row, d in ((1, 2, 2, 3), (2, 3, 6, 7), (-4, 4, 7, 9), (6, 2, -9, 11), (3, -4, 12, 13))]
+PLACES = [tuple(Rational(n, d) for n in row) for *row, d in ((1, 2, 2, 3), (2, 3, 6, 7), (-4, 4, 7, 9),
+                                                             (6, 2, -9, 11), (3, -4, 12, 13))]
 
 
 @dataclass(frozen=True)
 class Recognition:
-    """A scene that is a body of revolution about an axis c: two equal moments, l along c, and on |k|² = 1 a field U(c·k).
+    """A scene that is a body of revolution about an axis c.
+
+    Two equal moments, l along c, and on abs(k)² = 1 a field U(c·k).
 
     Parameters
     ----------
     scene : System
-    direction : tuple of Expr      along the axis; integers where there are
-    standard : System              the same body in U(k3), its axis the third
+    direction : tuple of Expr
+        along the axis; integers where there are
+    standard : System
+        the same body in U(k3), its axis the third
     """
 
     scene: System
@@ -74,7 +82,8 @@ class Recognition:
 
 @lru_cache(maxsize=64)
 def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
-    """What a scene is, if it is a body of revolution in a field along its axis, on |k|² = square_radius; None where that is not proved.
+    """What a scene is, if it is a body of revolution in a field along its axis, on abs(k)² = square_radius;
+    None where that is not proved.
 
     Examples
     --------
@@ -96,8 +105,10 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
         if U is None:
             continue
         place = UNITS.index(direction) if direction in UNITS else 2
-        across = min(scene.body.inertia[place - 2], scene.body.inertia[place - 1], key=count_ops)         # the same number
-        body = Gyrostat((across, across, scene.body.inertia[place]), (0, 0, lowest(sum((x * l for x, l in zip(axis, rotor)), S.Zero))))
+        # the same number
+        across = min(scene.body.inertia[place - 2], scene.body.inertia[place - 1], key=count_ops)
+        body = Gyrostat((across, across, scene.body.inertia[place]),
+                        (0, 0, lowest(sum((x * l for x, l in zip(axis, rotor)), S.Zero))))
         try:
             return Recognition(scene, direction, system_of(body, axial_potential(U)))
         except PotentialError:                             # as |k3|, which is not smooth
@@ -106,7 +117,10 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
 
 
 def _directions(body: Gyrostat, potential: Potential) -> Iterator[Vector]:
-    """Along the axes about which it may be of revolution: a principal one; of three equal moments, that of l, or of the field."""
+    """Along the axes about which it may be of revolution: a principal one.
+
+    Of three equal moments, that of l, or of the field.
+    """
     equal = [vanishes(body.inertia[place - 2] - body.inertia[place - 1]) for place in range(3)]
     yield from (UNITS[place] for place in (2, 0, 1) if equal[place])
     if all(equal):
@@ -115,7 +129,10 @@ def _directions(body: Gyrostat, potential: Potential) -> Iterator[Vector]:
 
 
 def _of_field(potential: Potential) -> Iterator[Vector]:
-    """Along what may be the axis of U: k × ∇U is at right angles to it, here at a few places, and with some numbers for parameters."""
+    """Along what may be the axis of U.
+
+    K × ∇U is at right angles to it, here at a few places, and with some numbers for parameters.
+    """
     numbers = {s: Rational(7 + 3 * n, 5) for n, s in enumerate(potential.parameters)}
     U = potential.expression.xreplace(numbers)
     slope = ImmutableMatrix([U.diff(k) for k in DIRECTIONS])
@@ -129,7 +146,10 @@ def _of_field(potential: Potential) -> Iterator[Vector]:
 
 
 def _direction(vector: Sequence[Expr]) -> Iterator[Vector]:
-    """Along a vector, its first entry positive, integers where there are; nothing along 0, or where names decide."""
+    """Along a vector, its first entry positive, integers where there are.
+
+    Nothing along 0, or where names decide.
+    """
     entries = [lowest(x) for x in vector]
     first = next((x for x in entries if not vanishes(x)), None)
     if first is None:
@@ -147,7 +167,10 @@ def _unit(direction: Vector) -> Vector:
 
 
 def turned_up(axis: Vector) -> ImmutableMatrix:
-    """The proper rotation R with R axis = e3: the axes in their order where axis is one of them, else by the smallest angle."""
+    """The proper rotation R with R axis = e3.
+
+    The axes in their order where axis is one of them, else by the smallest angle.
+    """
     if axis in UNITS:
         place = UNITS.index(axis)
         return ImmutableMatrix([UNITS[place - 2], UNITS[place - 1], UNITS[place]])

@@ -17,16 +17,21 @@ OMEGA, DEVIATION = symbol("omega"), Symbol("deviation")  # a symbol that is none
 
 @dataclass(frozen=True, repr=False)
 class Reduction(Shown, Stored):
-    """The motion of z = k3 on a level of the integrals: I1² ż² = g(z) = 2 I1 (e − U(z)) (1 − z²) − (v − P z)².
+    """The motion of z = k3 on a level of the integrals.
+
+    I1² ż² = g(z) = 2 I1 (e − U(z)) (1 − z²) − (v − P z)².
 
     The levels are symbols: energy of h, p_phi = v of C1, p_psi = P of π3 + l; e = energy − π3²/(2 I3).
 
     Parameters
     ----------
     system : System
-    axial : Expr         π3²/(2 I3), so that π1² + π2² = 2 I1 (energy − axial − U)
-    across : Expr        k1² + k2² = 1 − z²
-    twist : Expr         π1 k1 + π2 k2 = v − P z
+    axial : Expr
+        π3²/(2 I3), so that π1² + π2² = 2 I1 (energy − axial − U)
+    across : Expr
+        k1² + k2² = 1 − z²
+    twist : Expr
+        π1 k1 + π2 k2 = v − P z
     """
 
     system: System
@@ -36,10 +41,15 @@ class Reduction(Shown, Stored):
 
     def square(self, U: Expr | None = None) -> Expr:
         """g as a function of k3 and the levels [M² L⁴/T²]; U in place of the scene's potential, if given."""
-        return 2 * self.system.body.inertia[0] * (ENERGY - self.axial - self._field(U)) * self.across - self.twist**2
+        return (
+            2 * self.system.body.inertia[0] * (ENERGY - self.axial - self._field(U)) * self.across
+            - self.twist**2
+        )
 
     def effective_potential(self) -> Expr:
-        """V(k3) with g = 2 I1 (1 − k3²) (energy − V) [M L²/T²]: its critical points are the regular precessions.
+        """V(k3) with g = 2 I1 (1 − k3²) (energy − V) [M L²/T²].
+
+        Its critical points are the regular precessions.
 
         With k3 = cos θ it is that of gyrostat.mechanics.attitude, which comes from the Lagrangian.
 
@@ -49,7 +59,9 @@ class Reduction(Shown, Stored):
         >>> reduce(assemble(symmetric_gyrostat(), uniform_field())).effective_potential()
         k3*m0 + (-l + p_psi)**2/(2*I3) + (-k3*p_psi + p_phi)**2/(2*I1*(1 - k3**2))
         """
-        return self.axial + self._field(None) + self.twist**2 / (2 * self.system.body.inertia[0] * self.across)
+        return (
+            self.axial + self._field(None) + self.twist**2 / (2 * self.system.body.inertia[0] * self.across)
+        )
 
     @property
     def rate(self) -> Expr:
@@ -57,7 +69,9 @@ class Reduction(Shown, Stored):
         return self.twist / (self.system.body.inertia[0] * self.across)
 
     def precession(self) -> Expr:
-        """What vanishes for the regular precessions ω = W k + σ e3, U' − P W + I1 k3 W²; W is the symbol omega, U' is dU.
+        """What vanishes for the regular precessions ω = W k + σ e3, U' − P W + I1 k3 W².
+
+        W is the symbol omega, U' is dU.
 
         It is the slope of the effective potential. At σ = 0, P = I3 W k3 + l, it is the relation of E3.
 
@@ -70,7 +84,9 @@ class Reduction(Shown, Stored):
         return symbol("dU") + self._at_rate((self.twist * self.rate / 2).diff(K3))
 
     def restoring(self) -> Expr:
-        """I1 (1 − k3²) V'' = −g''/2 on the regular precessions, with d2U for U'': positive where they are stable.
+        """I1 (1 − k3²) V'' = −g''/2 on the regular precessions, with d2U for U''.
+
+        Positive where they are stable.
 
         Examples
         --------
@@ -78,7 +94,8 @@ class Reduction(Shown, Stored):
         >>> reduce(assemble(symmetric_gyrostat(), axial_potential())).restoring()
         3*I1**2*k3**2*omega**2 + I1**2*omega**2 - I1*d2U*k3**2 + I1*d2U - 4*I1*k3*omega*p_psi + p_psi**2
         """
-        return self._at_rate(self.system.body.inertia[0] * self.across * (symbol("d2U") + (self.twist * self.rate / 2).diff(K3, 2)))
+        return self._at_rate(self.system.body.inertia[0] * self.across
+                             * (symbol("d2U") + (self.twist * self.rate / 2).diff(K3, 2)))
 
     def _at_rate(self, expression: Expr) -> Expr:
         """With the level v expressed by the rate omega, in lowest terms."""
@@ -93,20 +110,26 @@ class Reduction(Shown, Stored):
 
 @lru_cache(maxsize=64)
 def reduce(scene: System) -> Reduction:
-    """The reduced motion, from the bracket and the integrals: I1² {k3, h}² = (k1² + k2²)(π1² + π2²) − (π1 k1 + π2 k2)².
+    """The reduced motion, from the bracket and the integrals.
+
+    I1² {k3, h}² = (k1² + k2²)(π1² + π2²) − (π1 k1 + π2 k2)².
 
     Parameters
     ----------
-    scene : System       a body of revolution in U(k3)
+    scene : System
+        a body of revolution in U(k3)
 
     Raises
     ------
-    ScopeError           the body is not of revolution, or U is not U(k3)
-    StructureError       the identity does not hold
+    ScopeError
+        the body is not of revolution, or U is not U(k3)
+    StructureError
+        the identity does not hold
 
-    Source
-    ------
-    Goldstein, Classical Mechanics, §5.7; for any U, Marsden & Ratiu, Introduction to Mechanics and Symmetry, §15.10.
+    References
+    ----------
+    Goldstein, Classical Mechanics, §5.7; for any U, Marsden & Ratiu, Introduction to Mechanics and Symmetry,
+    §15.10.
 
     Examples
     --------
@@ -116,8 +139,10 @@ def reduce(scene: System) -> Reduction:
     """
     require(scene, System, "the scene")
     if not reducible(scene):
-        raise ScopeError(f"k3 moves by itself only for a body of revolution in U(k3); this scene has inertia {scene.body.inertia}, l = "
-                         f"{scene.body.gyrostatic_momentum}, U = {scene.potential and scene.potential.expression}: use vector_field()")
+        raise ScopeError("k3 moves by itself only for a body of revolution in U(k3); this scene has "
+                         f"inertia {scene.body.inertia}, l = "
+                         f"{scene.body.gyrostatic_momentum}, U = "
+                         f"{scene.potential and scene.potential.expression}: use vector_field()")
     names = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2]) for s in e.free_symbols}
     if taken := sorted(s.name for s in names & {ENERGY, V, P, OMEGA}):
         raise ScopeError(f"the body depends on {', '.join(taken)}, a name of the reduced motion: rename it")
@@ -140,9 +165,11 @@ def reducible(scene: System) -> bool:
 
 
 def expansion(eq: Equilibrium, order: int) -> list[Expr]:
-    """Coefficients of x⁰ … x^order in g on the levels of an equilibrium, where k3 = ±(1 − x) at a pole, else k3 + x.
+    """Coefficients of x⁰ … x^order in g on the levels of an equilibrium, where k3 = ±(1 − x) at a pole, else
+    k3 + x.
 
-    U is expanded in its derivatives dU, d2U, … at the equilibrium, and a relation on them is inserted. The first two vanish.
+    U is expanded in its derivatives dU, d2U, … at the equilibrium, and a relation on them is inserted. The
+    first two vanish.
 
     Examples
     --------
@@ -154,10 +181,12 @@ def expansion(eq: Equilibrium, order: int) -> list[Expr]:
     pi3, k3 = scene.space.coordinates[2], eq.at
     inward = -k3 if k3**2 == 1 else S.One
     step = inward * DEVIATION
-    field = Add(*(symbol(jet_name(n)) * step**n / factorial(n) for n in range(1, order + 1)))          # U − U(k3)
+    # U − U(k3)
+    field = Add(*(symbol(jet_name(n)) * step**n / factorial(n) for n in range(1, order + 1)))
     levels = {V: scene.space.casimirs[0], P: pi3 + scene.body.gyrostatic_momentum[2],
               ENERGY: scene.body.kinetic_energy(scene.space.coordinates[:3])}
-    levels = {level: value.xreplace(dict(zip(scene.space.coordinates, eq.point))) for level, value in levels.items()}
+    levels = {level: value.xreplace(dict(zip(scene.space.coordinates, eq.point)))
+              for level, value in levels.items()}
     g = motion.square(field).xreplace({K3: K3 + step}).xreplace(levels | {K3: k3})
     for name, value in eq.relations:
         if name == symbol("dU"):

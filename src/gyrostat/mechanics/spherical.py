@@ -1,4 +1,7 @@
-"""Functions of the direction k on the sphere |k|² = r²: their normal form, and which of them depend on k3 alone."""
+"""Functions of the direction k on the sphere abs(k)² = r².
+
+Their normal form, and which of them depend on k3 alone.
+"""
 from flint import fmpq_mpoly
 from sympy import Expr, ImmutableMatrix, Integer, Pow, S, Symbol, radsimp
 
@@ -10,10 +13,13 @@ K1, K2, K3 = DIRECTIONS
 
 
 def along_third(U: Expr, rotation: ImmutableMatrix, square_radius: Expr = S.One) -> Expr | None:
-    """U on |k|² = square_radius as a function of k3' alone, where k' = rotation k; None where that is not proved.
+    """U on abs(k)² = square_radius as a function of k3' alone, where k' = rotation k.
 
-    k1'² is replaced by square_radius − k2'² − k3'², in the arguments of functions first, and denominators are freed of k1'. On the
-    sphere that form is unique, as far as the functions that are left in it are independent.
+    None where that is not proved.
+
+    k1'² is replaced by square_radius − k2'² − k3'², in the arguments of functions first, and denominators are
+    freed of k1'. On the sphere that form is unique, as far as the functions that are left in it are
+    independent.
 
     Examples
     --------
@@ -39,8 +45,10 @@ def _reduced(U: Expr, square_radius: Expr) -> Expr:
     (a, b), n = _parted(ring, ring.fraction(U)[0], square, below)
     (c, d), m = _parted(ring, ring.fraction(U)[1], square, below)
     a, b, c, d = a * below**m, b * below**m, c * below**n, d * below**n
-    if d:                                                  # (a + b k1)/(c + d k1) = (a + b k1)(c − d k1)/(c² − d² k1²)
-        a, b, c = (ring.reduce(x) for x in ((a * c * below - b * d * square), (b * c - a * d) * below, (c * c * below - d * d * square)))
+    # (a + b k1)/(c + d k1) = (a + b k1)(c − d k1)/(c² − d² k1²)
+    if d:
+        a, b, c = (ring.reduce(x) for x in ((a * c * below - b * d * square), (b * c - a * d) * below,
+                                            (c * c * below - d * d * square)))
     b, c, k2 = _proved(ring, b), _proved(ring, c), ring.generators.index(K2)
     if b or not c:
         return U
@@ -53,11 +61,13 @@ def _reduced(U: Expr, square_radius: Expr) -> Expr:
 def _proved(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """The same polynomial without the terms whose coefficient, a number, is proved to be 0."""
     polynomial, names = ring.reduce(polynomial), {s for g in ring.generators for s in g.free_symbols}
-    kept = ((kind, c) for kind, c in ring.coefficients(polynomial, names).items() if c.is_constant() or not vanishes(ring.expression(c)))
+    kept = ((kind, c) for kind, c in ring.coefficients(polynomial, names).items() if c.is_constant()
+            or not vanishes(ring.expression(c)))
     return sum((c * polynomial.context().from_dict({kind: 1}) for kind, c in kept), ring.zero)
 
 
-def _parted(ring: Ring, polynomial: fmpq_mpoly, square: fmpq_mpoly, below: fmpq_mpoly) -> tuple[list[fmpq_mpoly], int]:
+def _parted(ring: Ring, polynomial: fmpq_mpoly, square: fmpq_mpoly,
+            below: fmpq_mpoly) -> tuple[list[fmpq_mpoly], int]:
     """Even and odd, with belowⁿ · polynomial = even + odd k1 where below · k1² = square; and n."""
     polynomial, place = ring.reduce(polynomial), ring.generators.index(K1)
     degree = max(polynomial.degrees()[place], 0)

@@ -1,4 +1,6 @@
-"""An equilibrium of a scene that was recognised as a body of revolution, in the standard scene, where its axis is the third."""
+"""An equilibrium of a scene that was recognised as a body of revolution, in the standard scene, where its
+axis is the third.
+"""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
@@ -42,15 +44,25 @@ class Seen:
 
 @once
 def seen(eq: Equilibrium) -> Seen | None:
-    """A family of a scene that is not entered in the standard way, in the standard axes; None where it is not recognised."""
-    if _plain(eq.system) or any(jet(name.name) for name, _ in eq.relations) or not (found := recognise(eq.system)):
+    """A family of a scene that is not entered in the standard way, in the standard axes.
+
+    None where it is not recognised.
+    """
+    if (
+        _plain(eq.system)
+        or any(jet(name.name) for name, _ in eq.relations)
+        or not (found := recognise(eq.system))
+    ):
         return None
     turned = _turned(found, eq, [eq.insert(x) for x in eq.point])
     return Seen(found, turned) if turned else None
 
 
 def _plain(scene: System) -> bool:
-    """Whether there is nothing to recognise: it is entered in the standard way; or U is constant and π is fixed, whatever the axis."""
+    """Whether there is nothing to recognise: it is entered in the standard way.
+
+    Or U is constant and π is fixed, whatever the axis.
+    """
     return reducible(scene) or len(scene.integrals) == 3
 
 
@@ -65,14 +77,17 @@ def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
     scene, point = at_numbers(eq.system, known), [evaluate(eq.insert(x), numbers) for x in eq.point]
     if len(scene.integrals) == 3 or not (found := recognise(scene)):
         return None
-    relations = tuple((name, evaluate(eq.insert(value), numbers)) for name, value in eq.relations if jet(name.name))
+    relations = tuple((name, evaluate(eq.insert(value), numbers))
+                      for name, value in eq.relations if jet(name.name))
     here = Equilibrium(eq.label, scene, tuple(point), relations)
     turned = _turned(found, here, point)
     return Seen(found, turned, "at these numbers ") if turned else None
 
 
 def _turned(found: Recognition, eq: Equilibrium, point: Sequence[Expr]) -> Equilibrium | None:
-    """An equilibrium at a point of the scene, in the standard one and turned to k2 = 0; None where that is not proved to be one.
+    """An equilibrium at a point of the scene, in the standard one and turned to k2 = 0.
+
+    None where that is not proved to be one.
 
     As k̇ = 0, ω = omega k with omega = ω·k; its relations and its domain hold as they do in the scene.
     """
@@ -80,13 +95,18 @@ def _turned(found: Recognition, eq: Equilibrium, point: Sequence[Expr]) -> Equil
     k3, across = found.along(k), lowest(1 - found.along(k) ** 2)
     if vanishes(across):
         place: Vector = (S.Zero, S.Zero, found.along(pi), S.Zero, S.Zero, S(sign_of_constant(k3)))
-    elif across.free_symbols and Signs(ring := Ring([across, *eq.domain]), eq.domain).of(ring.reduce(ring.fraction(across)[0])) != 1:
+    elif (
+        across.free_symbols
+        and Signs(ring := Ring([across, *eq.domain]), eq.domain).of(ring.reduce(ring.fraction(across)[0]))
+        != 1
+    ):
         return None
     else:
         omega = lowest(sum((p * x / moment for p, x, moment in zip(pi, k, found.scene.body.inertia)), S.Zero))
         k1 = sqrt(across)
         place = (moments[0] * omega * k1, S.Zero, moments[2] * omega * k3, k1, S.Zero, k3)
-    relations = tuple(pair for pair in eq.relations if not jet(pair[0].name) or found.standard.potential == eq.system.potential)
+    relations = tuple(pair for pair in eq.relations if not jet(pair[0].name)
+                      or found.standard.potential == eq.system.potential)
     try:
         return Equilibrium(eq.label, found.standard, place, relations, eq.domain, eq.eliminated)
     except EquilibriumError:

@@ -1,4 +1,7 @@
-"""Pictures: each function draws on Matplotlib axes and returns them; stable, unstable and undecided look the same in all of them."""
+"""Pictures: each function draws on Matplotlib axes and returns them.
+
+Stable, unstable and undecided look the same in all of them.
+"""
 from .animation import animate_top, save_animation
 from .bifurcations import draw_bifurcation_diagram
 from .charts import caption, draw_chart
@@ -10,5 +13,6 @@ from .interactive import view_motion
 from .momentum_sphere import draw_momentum_sphere
 from .nutation import draw_nutation
 
-__all__ = ["animate_top", "caption", "draw_bifurcation_diagram", "draw_chart", "draw_cones", "draw_effective_potential", "draw_eigenvalues",
+__all__ = ["animate_top", "caption", "draw_bifurcation_diagram", "draw_chart", "draw_cones",
+           "draw_effective_potential", "draw_eigenvalues",
            "draw_energy_momentum", "draw_momentum_sphere", "draw_nutation", "save_animation", "view_motion"]

@@ -23,26 +23,35 @@ NO_BODY = "no rigid body has these moments of inertia"
 def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
     """The body at the given times, one picture for each, with the path of one of its axes on the unit sphere.
 
-    A body of revolution in a field is a top on its tip, with the path of e3. Any other body is a box with its moments of inertia, with
-    the path of the axis that is next to M, or to the vertical, at the first of the times. Where no rigid body has the moments there is no
-    box, and it says so. Keep what is returned: Matplotlib does not.
+    A body of revolution in a field is a top on its tip, with the path of e3. Any other body is a box with its
+    moments of inertia, with the path of the axis that is next to M, or to the vertical, at the first of the
+    times. Where no rigid body has the moments there is no box, and it says so. Keep what is returned:
+    Matplotlib does not.
 
     Parameters
     ----------
-    motion : Motion               of gyrostat.trajectories.motion
-    times : array, shape (n,)     evenly spaced, for even motion [T]
-    ax : axes of mplot3d          new ones where they are left out
-    kwargs                        of matplotlib.animation.FuncAnimation, interval = 40 ms, say
+    motion : Motion
+        of gyrostat.trajectories.motion
+    times : array, shape (n,)
+        evenly spaced, for even motion [T]
+    ax : axes of mplot3d
+        new ones where they are left out
+    kwargs
+        of matplotlib.animation.FuncAnimation, interval = 40 ms, say
 
     Returns
     -------
-    matplotlib.animation.FuncAnimation      of save_animation; .to_jshtml() shows it in a notebook
+    matplotlib.animation.FuncAnimation
+        of save_animation; .to_jshtml() shows it in a notebook
 
     Raises
     ------
-    ArgumentError          this is no motion, or the axes are flat
-    ValuesError            the times are so far apart that the path between them is lost
-    MissingExtraError      pip install "gyrostat[plot]"
+    ArgumentError
+        this is no motion, or the axes are flat
+    ValuesError
+        the times are so far apart that the path between them is lost
+    MissingExtraError
+        pip install "gyrostat[plot]"
 
     Examples
     --------
@@ -59,12 +68,14 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     ax = axes_of(ax, three=True)
     from matplotlib.animation import FuncAnimation
     eye, faces = stage(ax, 1.0, [label("x"), label("y"), label("z")]), solid(motion.scene)
-    body = polygons(ax, [polygon for polygon, _ in faces], facecolors=[color for _, color in faces], edgecolors=DARK, linewidths=0.3,
+    body = polygons(ax, [polygon for polygon, _ in faces], facecolors=[color for _, color in faces],
+                    edgecolors=DARK, linewidths=0.3,
                     zorder=2)
     if not rigid(motion.scene.body):
         ax.text2D(0.5, 0.02, NO_BODY, ha="center", fontsize="small", transform=ax.transAxes)
     style = {"color": BLUE, "linewidth": 1.4}
-    (back,), (front,) = ax.plot([], [], [], alpha=FADED, zorder=1, **style), ax.plot([], [], [], zorder=3, **style)
+    (back,), (front,) = ax.plot([], [], [], alpha=FADED, zorder=1,
+                                **style), ax.plot([], [], [], zorder=3, **style)
 
     def show(n: int) -> tuple[Any, ...]:
         body.set_verts([polygon @ turns[n].T for polygon, _ in faces])
@@ -76,13 +87,16 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
 
 
 def turning(motion: Motion, times: Any) -> tuple[Array, Array, int]:
-    """The rotations from the body to space, shape (n, 3, 3), the path of the axis that is followed, and its points to a step."""
+    """The rotations from the body to space, shape (n, 3, 3), the path of the axis that is followed, and its
+    points to a step.
+    """
     require(motion, Motion, "the motion")
     turns = motion.attitude(np.asarray(times, dtype=float))
     top = motion.scene.potential is not None and motion.scene.body.is_of_revolution()
     steps, axis, fine = np.arange(len(turns)), 2 if top else int(np.abs(turns[0, 2]).argmax()), FINE
     while True:
-        path = motion.attitude(np.interp(np.linspace(0, steps[-1], fine * steps[-1] + 1), steps, times))[..., axis]
+        path = motion.attitude(np.interp(np.linspace(0, steps[-1], fine * steps[-1] + 1), steps,
+                                         times))[..., axis]
         if fine >= FINEST or widest(path) <= WIDEST / 4:
             return turns, close_enough(path), fine
         fine *= 2
@@ -93,19 +107,25 @@ def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> 
 
     Raises
     ------
-    ValuesError            another kind of file
-    MissingExtraError      ffmpeg is not there
-    OSError                the file cannot be written; what was there is still there
+    ValuesError
+        another kind of file
+    MissingExtraError
+        ffmpeg is not there
+    OSError
+        the file cannot be written; what was there is still there
     """
     optional("matplotlib", "plot")
     from matplotlib.animation import FFMpegWriter, PillowWriter
     kind = Path(path).suffix.lower()
     if kind not in (".gif", ".mp4"):
-        raise ValuesError(f"{path} is to be a {kind or 'nameless'} file: animations are written as .gif, or as .mp4")
+        raise ValuesError(f"{path} is to be a {kind or 'nameless'} file: animations are written as .gif, "
+                          "or as .mp4")
     if kind == ".mp4" and not FFMpegWriter.isAvailable():
-        raise MissingExtraError(f"{path} needs the program ffmpeg, which is not on the search path: install it, or write a .gif")
+        raise MissingExtraError(f"{path} needs the program ffmpeg, which is not on the search path: "
+                                "install it, or write a .gif")
     with written(path) as new:
         try:
             animation.save(new, writer=PillowWriter(fps=fps) if kind == ".gif" else FFMpegWriter(fps=fps))
         except CalledProcessError as error:                # what ffmpeg says goes to its own output
-            raise OSError(EIO, f"ffmpeg ended with status {error.returncode}, is the disk full?", str(path)) from None
+            raise OSError(EIO, f"ffmpeg ended with status {error.returncode}, is the disk full?",
+                          str(path)) from None

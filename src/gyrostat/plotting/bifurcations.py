@@ -1,4 +1,6 @@
-"""The tilts of relative equilibria against a parameter, with their stability and the points where they change or meet."""
+"""The tilts of relative equilibria against a parameter, with their stability and the points where they change
+or meet.
+"""
 from collections.abc import Mapping
 from typing import Any
 
@@ -12,27 +14,36 @@ from ..stability.report import Verdict
 from .looks import DARK, axes_of, label, legend, line, marker, named
 
 CHANGES = {"fold on a level": "o", "precessions leave E1": "s", "precessions leave E2": "p"}
-MEETINGS = {"E3 leaves E1": "^", "E3 leaves E2": "v", "fold at fixed rate": "D", "pitchfork at fixed rate": "P",
+MEETINGS = {"E3 leaves E1": "^", "E3 leaves E2": "v", "fold at fixed rate": "D",
+            "pitchfork at fixed rate": "P",
             "crossing at fixed rate": "X", INFINITE: "x"}
 CLEARANCE = 0.11                                           # of the names, in k3
 
 
-def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter: str, ends: tuple[Any, Any], ax: Any = None,
+def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter: str, ends: tuple[Any, Any],
+                             ax: Any = None,
                              **kwargs: Any) -> Any:
     """Draw k3 of every E1, E2 and E3 at fixed rotor and rate about the vertical against one parameter.
 
-    Solid: stable; dashed: unstable; dotted: undecided; E3 modulo the spin about the axis of the body. A full mark is a change of stability:
-    "fold on a level" of E3, "precessions leave E1". An open mark is a meeting without one, at this rotor and rate: branches of E3 fold, or
-    come to E1 or E2. An E3 without others beside it is a circle as in the other pictures.
+    Solid: stable; dashed: unstable; dotted: undecided; E3 modulo the spin about the axis of the body. A full
+    mark is a change of stability: "fold on a level" of E3, "precessions leave E1". An open mark is a meeting
+    without one, at this rotor and rate: branches of E3 fold, or come to E1 or E2. An E3 without others beside
+    it is a circle as in the other pictures.
 
     Parameters
     ----------
-    scene : System                            body of revolution in a U rational in k3
-    values : mapping of name to number        the moments, l, the parameters of U and omega, without the one that is free
-    parameter : str                           "omega", or another name of these
-    ends : pair of numbers                    of its range
-    ax : matplotlib Axes                      a new one where it is left out
-    kwargs                                    of the branches: of Axes.plot
+    scene : System
+        body of revolution in a U rational in k3
+    values : mapping of name to number
+        the moments, l, the parameters of U and omega, without the one that is free
+    parameter : str
+        "omega", or another name of these
+    ends : pair of numbers
+        of its range
+    ax : matplotlib Axes
+        a new one where it is left out
+    kwargs
+        of the branches: of Axes.plot
 
     Returns
     -------
@@ -40,9 +51,12 @@ def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter
 
     Raises
     ------
-    ScopeError             the body is not of revolution; U is unspecified, not rational in k3, or of too high a degree
-    ValuesError            numbers are missing, unknown or not admissible, or the range is empty
-    MissingExtraError      pip install "gyrostat[plot]"
+    ScopeError
+        the body is not of revolution; U is unspecified, not rational in k3, or of too high a degree
+    ValuesError
+        numbers are missing, unknown or not admissible, or the range is empty
+    MissingExtraError
+        pip install "gyrostat[plot]"
 
     Examples
     --------
@@ -57,21 +71,25 @@ def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter
     ax = axes_of(ax)
     for piece in found.pieces:
         alone = len(piece.parameter) == 1
-        ax.plot(piece.parameter, piece.k3, **{**(marker if alone else line)(piece.verdict), "clip_on": False, **({} if alone else kwargs)})
+        ax.plot(piece.parameter, piece.k3, **{**(marker if alone else line)(piece.verdict), "clip_on": False,
+                                              **({} if alone else kwargs)})
     handles = _verdicts(found, kwargs)
     for kind, shape in {**MEETINGS, **CHANGES}.items():
         if marks := [mark for mark in found.marks if mark.kind == kind]:
             style = _style(marks[0], shape)
-            ax.plot([float(mark.value) for mark in marks], [float(mark.k3) for mark in marks], zorder=4, clip_on=False, **style)
+            ax.plot([float(mark.value) for mark in marks], [float(mark.k3) for mark in marks], zorder=4,
+                    clip_on=False, **style)
             handles.append(named(style, f"changes: {kind}" if kind in CHANGES else kind))
     low, high = (float(exact_number(end, parameter)) for end in ends)
     ax.set(xlim=(low, high), ylim=(-1.1, 1.1))
     for name, height in _names(found, high):
-        ax.annotate(name, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(), textcoords="offset points", va="center")
+        ax.annotate(name, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(),
+                    textcoords="offset points", va="center")
     for piece in _unnamed(found, high):
         n = int(np.argmin(np.abs(piece.parameter - piece.parameter.mean())))
         above = piece.k3[n] < 0                            # away from E1 and E2
-        ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5 if above else -5), textcoords="offset points",
+        ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5 if above else -5),
+                    textcoords="offset points",
                     va="bottom" if above else "top")
     ax.set_xlabel(label(parameter))
     ax.set_ylabel(label("k3"))
@@ -90,7 +108,8 @@ def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:
     handles = []
     for verdict in Verdict:
         labels = {piece.label for piece in found.pieces if piece.verdict is verdict}
-        text = verdict.name.lower() + (" (E3: modulo the spin)" if verdict is Verdict.STABLE and "E3" in labels else "")
+        text = verdict.name.lower() + (" (E3: modulo the spin)" if verdict is Verdict.STABLE
+                                       and "E3" in labels else "")
         if labels:
             handles.append(named({**line(verdict), **kwargs}, text))
         if any(piece.verdict is verdict and len(piece.parameter) == 1 for piece in found.pieces):
@@ -100,7 +119,8 @@ def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:
 
 def _names(found: Continuation, high: float) -> list[tuple[str, float]]:
     """The branches that come to the right side, and the heights of their names, none over another."""
-    ends = [(piece.label, float(piece.k3[-1])) for piece in found.pieces if len(piece.k3) > 1 and piece.parameter[-1] == high]
+    ends = [(piece.label, float(piece.k3[-1])) for piece in found.pieces if len(piece.k3) > 1
+            and piece.parameter[-1] == high]
     names: list[tuple[str, float]] = []
     for name, height in sorted(ends):                      # E1 and E2 first
         if all(abs(height - other) > CLEARANCE for _, other in names):

@@ -10,7 +10,8 @@ from ..notation import ORDER
 from .looks import INK, LOOKS, axes_of, legend
 
 MODULO = {"the flow of pi3": "the spin"}                   # about the axis of the body
-SHOWN = 2000                                               # values of an axis that are drawn; of more, every second, third, …
+# values of an axis that are drawn; of more, every second, third, …
+SHOWN = 2000
 
 
 def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: Any) -> Any:
@@ -18,12 +19,16 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
 
     Parameters
     ----------
-    ds : xarray.Dataset         of stability_chart, from memory or opened from a store or a file; of a large one at most 2000 values of
-                                each axis are read
-    ax : matplotlib Axes        a new one where it is left out
-    title : str or None         caption(ds), say
-    kwargs                      of the image of the verdicts: of Axes.imshow, or of Axes.pcolormesh where the values of an axis are not
-                                evenly spaced
+    ds : xarray.Dataset
+        of stability_chart, from memory or opened from a store or a file; of a large one at most 2000 values
+        of each axis are read
+    ax : matplotlib Axes
+        a new one where it is left out
+    title : str or None
+        caption(ds), say
+    kwargs
+        of the image of the verdicts: of Axes.imshow, or of Axes.pcolormesh where the values of an axis are
+        not evenly spaced
 
     Returns
     -------
@@ -31,8 +36,10 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
 
     Raises
     ------
-    ValuesError            the verdict has another number of axes than two
-    MissingExtraError      pip install "gyrostat[plot]"
+    ValuesError
+        the verdict has another number of axes than two
+    MissingExtraError
+        pip install "gyrostat[plot]"
 
     Examples
     --------
@@ -45,14 +52,17 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     '$\\\\pi_3^0$'
     """
     if ds.verdict.ndim != 2:
-        raise ValuesError(f"the verdict has the axes {', '.join(ds.verdict.dims) or '(none)'}, two are drawn: choose values of the others "
+        raise ValuesError(f"the verdict has the axes {', '.join(ds.verdict.dims) or '(none)'}, two are "
+                          "drawn: choose values of the others "
                           f"with ds.sel({ds.verdict.dims[0] if ds.verdict.dims else 'l'}=…) or ds.isel")
     ax = axes_of(ax)
     dims = ds.verdict.dims
     seen = ds.verdict.isel({name: slice(None, None, -(-n // SHOWN)) for name, n in ds.verdict.sizes.items()})
-    seen = seen.isel({name: slice(None, None, -1) for name in dims if seen.sizes[name] > 1 and seen[name][0] > seen[name][-1]})
+    seen = seen.isel({name: slice(None, None, -1) for name in dims if seen.sizes[name] > 1
+                      and seen[name][0] > seen[name][-1]})
     y, x = (seen[name].values for name in dims)
-    codes = {name: int(code) for name, code in zip(ds.verdict.attrs["flag_meanings"].split(), ds.verdict.attrs["flag_values"])}
+    codes = {name: int(code) for name, code in zip(ds.verdict.attrs["flag_meanings"].split(),
+                                                   ds.verdict.attrs["flag_values"])}
     verdict = np.asarray(seen.values)
     edges = _edges(x), _edges(y)
     _image(ax, x, y, verdict, edges, codes, kwargs)
@@ -73,8 +83,10 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
 def caption(ds: Any) -> str:
     """The equilibrium, U where it is short, and what is fixed, as a title."""
     field = ds.attrs.get("potential_latex", "")
-    name = ds.attrs["equilibrium"] + (f", $U = {field}$" if 0 < len(field) <= 60 and "dfrac" not in field else "")
-    names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=lambda name: (ORDER.get(name, len(ORDER)), name))
+    name = ds.attrs["equilibrium"] + (f", $U = {field}$" if 0 < len(field) <= 60 and "dfrac" not in field
+                                      else "")
+    names = sorted((name for name, c in ds.coords.items() if c.ndim == 0),
+                   key=lambda name: (ORDER.get(name, len(ORDER)), name))
     fixed = [f"${ds[name].attrs.get('latex', name)} = {_number(ds[name])}$" for name in names]
     rows = [", ".join(fixed[i:i + 6]) for i in range(0, len(fixed), 6)]
     return ": ".join([name, *([",\n".join(rows)] if rows else [])])
@@ -83,7 +95,11 @@ def caption(ds: Any) -> str:
 def _number(coordinate: Any) -> str:
     """A number as it was given, where that is short and Matplotlib can set it."""
     exact = str(coordinate.attrs.get("exact", ""))
-    return exact if exact and len(exact) <= 8 and set(exact) <= set("0123456789./-") else f"{float(coordinate):.4g}"
+    return (
+        exact
+        if exact and len(exact) <= 8 and set(exact) <= set("0123456789./-")
+        else f"{float(coordinate):.4g}"
+    )
 
 
 def _edges(values: Array) -> Array:
@@ -94,11 +110,13 @@ def _edges(values: Array) -> Array:
     return np.array([2 * values[0] - inner[0], *inner, 2 * values[-1] - inner[-1]])
 
 
-def _image(ax: Any, x: Array, y: Array, verdict: Array, edges: tuple[Array, Array], codes: dict[str, int], kwargs: dict[str, Any]) -> None:
+def _image(ax: Any, x: Array, y: Array, verdict: Array, edges: tuple[Array, Array], codes: dict[str, int],
+           kwargs: dict[str, Any]) -> None:
     from matplotlib.colors import BoundaryNorm, ListedColormap
     order = sorted(LOOKS, key=lambda name: codes[name])
     bounds = [codes[name] - 0.5 for name in order] + [codes[order[-1]] + 0.5]
-    given = {"cmap": ListedColormap([LOOKS[name][0] for name in order]), "norm": BoundaryNorm(bounds, len(order)), **kwargs}
+    given = {"cmap": ListedColormap([LOOKS[name][0] for name in order]),
+             "norm": BoundaryNorm(bounds, len(order)), **kwargs}
     if _evenly_spaced(x) and _evenly_spaced(y):
         ax.imshow(verdict, **{"origin": "lower", "aspect": "auto", "interpolation": "nearest", "extent": (
             edges[0][0], edges[0][-1], edges[1][0], edges[1][-1]), **given})
@@ -115,7 +133,8 @@ def _evenly_spaced(values: Array) -> bool:
 def _hatched(ax: Any, x: Array, y: Array, edges: tuple[Array, Array], where: Array, name: str) -> None:
     """Hatches over the cells of one verdict, out to the ends of the axes."""
     x, y = (np.concatenate([ends[:1], values, ends[-1:]]) for ends, values in zip(edges, (x, y)))
-    hatches = ax.contourf(x, y, np.pad(where, 1, mode="edge").astype(float), levels=[0.5, 1.5], colors="none", hatches=[LOOKS[name][1]])
+    hatches = ax.contourf(x, y, np.pad(where, 1, mode="edge").astype(float), levels=[0.5, 1.5],
+                          colors="none", hatches=[LOOKS[name][1]])
     hatches.set_edgecolor(INK[name])
     hatches.set_linewidth(0)
 
@@ -129,7 +148,8 @@ def _line(ax: Any, ds: Any, dims: tuple[str, ...], edges: Sequence[Array]) -> bo
         return False
     x, y = (points[name] for name in reversed(dims))
     (left, right), (bottom, top) = ((ends[0], ends[-1]) for ends in edges)
-    if not ((left <= x) & (x <= right) & (bottom <= y) & (y <= top)).any():           # the dataset may be a part of a chart
+    # the dataset may be a part of a chart
+    if not ((left <= x) & (x <= right) & (bottom <= y) & (y <= top)).any():
         return False
     ax.plot(x, y, color="black", linewidth=1.2)
     return True
@@ -149,7 +169,8 @@ def _legend(ax: Any, names: Mapping[str, str], lined: bool) -> None:
     """What occurs, in a row above the axes, where no data are."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
-    handles: list[Any] = [Patch(facecolor=LOOKS[name][0], hatch=LOOKS[name][1], edgecolor=INK.get(name, "black"), linewidth=0.6,
+    handles: list[Any] = [Patch(facecolor=LOOKS[name][0], hatch=LOOKS[name][1],
+                                edgecolor=INK.get(name, "black"), linewidth=0.6,
                                 label=said) for name, said in names.items()]
     handles += [Line2D([], [], color="black", linewidth=1.2, label="boundary")] if lined else []
     legend(ax, handles)

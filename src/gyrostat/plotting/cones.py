@@ -1,4 +1,7 @@
-"""The cones on which the angular velocity of a free body of revolution moves: one fixed in the body rolls on one fixed in space."""
+"""The cones on which the angular velocity of a free body of revolution moves.
+
+One fixed in the body rolls on one fixed in space.
+"""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -18,8 +21,10 @@ class Cone:
 
     Parameters
     ----------
-    axis : array, shape (3,)      unit vector
-    angle : float                 half-angle
+    axis : array, shape (3,)
+        unit vector
+    angle : float
+        half-angle
     """
 
     axis: Array
@@ -42,11 +47,13 @@ class Cone:
 
 
 def cones(inertia: Sequence[Any], transverse: Any, axial: Any) -> tuple[Cone, Cone, dict[str, Array]]:
-    """The space cone about M, the body cone about e3, and the unit vectors M, omega, e3, in one plane, M upwards.
+    """The space cone about M, the body cone about e3, and the unit vectors M, omega, e3, in one plane, M
+    upwards.
 
     Parameters
     ----------
-    inertia, transverse, axial      as in freebody.free_precession
+    inertia, transverse, axial
+        as in freebody.free_precession
 
     Examples
     --------
@@ -56,7 +63,8 @@ def cones(inertia: Sequence[Any], transverse: Any, axial: Any) -> tuple[Cone, Co
     """
     motion = free_precession(inertia, transverse, axial)
     if transverse == 0 or motion.space_cone == 0:
-        raise ScopeError(f"inertia = {tuple(inertia)}, transverse = {transverse}, axial = {axial}: ω lies along M, there is no space cone; "
+        raise ScopeError(f"inertia = {tuple(inertia)}, transverse = {transverse}, axial = {axial}: ω lies "
+                         "along M, there is no space cone; "
                          "give two different moments, and two rates that are not 0")
     tilt, space, body = (float(angle) for angle in (motion.tilt, motion.space_cone, motion.body_cone))
     side = 1 if space + body < tilt + 1e-9 else -1         # ω between M and e3, or beyond M
@@ -69,16 +77,22 @@ def _tilted(angle: float) -> Array:
 
 
 def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = None, **kwargs: Any) -> Any:
-    """Draw the cones of a free body of revolution, seen as ax.view_init says: the body cone rolls on the space cone.
+    """Draw the cones of a free body of revolution, seen as ax.view_init says.
+
+    The body cone rolls on the space cone.
 
     They touch along ω. The body cone lies outside where I1 > I3, around the space cone where I1 < I3.
 
     Parameters
     ----------
-    inertia : (I1, I3)             transverse and axial moment [M L²]
-    transverse, axial : number     √(ω1² + ω2²) and ω3 [1/T]
-    ax : axes of mplot3d           new ones where they are left out
-    kwargs                         of the surfaces: of Poly3DCollection
+    inertia : (I1, I3)
+        transverse and axial moment [M L²]
+    transverse, axial : number
+        √(ω1² + ω2²) and ω3 [1/T]
+    ax : axes of mplot3d
+        new ones where they are left out
+    kwargs
+        of the surfaces: of Poly3DCollection
 
     Returns
     -------
@@ -86,13 +100,17 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
 
     Raises
     ------
-    BodyError              there are not two moments, or one is not positive
-    ScopeError             ω lies along M
-    ArgumentError          the axes are flat
-    MissingExtraError      pip install "gyrostat[plot]"
+    BodyError
+        there are not two moments, or one is not positive
+    ScopeError
+        ω lies along M
+    ArgumentError
+        the axes are flat
+    MissingExtraError
+        pip install "gyrostat[plot]"
 
-    Source
-    ------
+    References
+    ----------
     Taylor, Classical Mechanics (2005), §10.8; Landau & Lifshitz, Mechanics, §33.
 
     Examples
@@ -109,7 +127,8 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
     ax.computed_zorder = False
     ax.set_axis_off()
     eye, handles = towards(ax), []
-    for cone, name, face, edge in ((space, "space cone", LOOKS["undecided"][0], INK["undecided"]), (body, "body cone", "#c9ddef", BLUE)):
+    for cone, name, face, edge in ((space, "space cone", LOOKS["undecided"][0], INK["undecided"]),
+                                   (body, "body cone", "#c9ddef", BLUE)):
         rim = cone.rim()
         wedges = [np.stack([np.zeros(3), a, b]) for a, b in zip(rim, rim[1:])]
         polygons(ax, wedges, **{"facecolor": face, "edgecolor": "none", "alpha": 0.55, "zorder": 1, **kwargs})
@@ -121,7 +140,8 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
         length = 1.3 if name != "omega" else 1.15
         arrow(ax, vector, length, eye, linewidth=1.5, zorder=3)
         ax.text(*(vector * (length + 0.1)), label(name), ha="center", va="center", zorder=4)
-    points = np.concatenate([space.rim(), body.rim(), np.zeros((1, 3)), *([1.3 * v] for v in vectors.values())])
+    points = np.concatenate([space.rim(), body.rim(), np.zeros((1, 3)),
+                             *([1.3 * v] for v in vectors.values())])
     low, high = points.min(axis=0), points.max(axis=0)
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     ax.set_box_aspect(high - low, zoom=1.2)

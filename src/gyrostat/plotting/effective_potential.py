@@ -29,11 +29,15 @@ class Well:
 
     Parameters
     ----------
-    theta, height : arrays, shape (n,)     V at angles inside (0, π), close together beside what is special; NaN where U is infinite
+    theta, height : arrays, shape (n,)
+        V at angles inside (0, π), close together beside what is special; NaN where U is infinite
     equilibria : list of (theta, V, Branch)
-    turning : list of Expr                 exact k3 at which V is the energy
-    reach : list of (Expr, Expr)           from which to which k3 the energy lets the body go
-    level : bool                           V is constant: every tilt is an equilibrium
+    turning : list of Expr
+        exact k3 at which V is the energy
+    reach : list of (Expr, Expr)
+        from which to which k3 the energy lets the body go
+    level : bool
+        V is constant: every tilt is an equilibrium
     """
 
     theta: Array
@@ -45,12 +49,15 @@ class Well:
 
 
 def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 801) -> Well:
-    """V(θ), its critical points with their verdicts, exact and complete, and where a motion of an energy goes.
+    """V(θ), its critical points with their verdicts, exact and complete, and where a motion of an energy
+    goes.
 
     Parameters
     ----------
-    scene, values, energy      as in draw_effective_potential
-    n : int                    angles, beside those about what is special
+    scene, values, energy
+        as in draw_effective_potential
+    n : int
+        angles, beside those about what is special
 
     Examples
     --------
@@ -63,7 +70,8 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     require(scene, System, "the scene")
     names_of(scene)                                    # in U(k3), given: or refused
     numbers = numbers_of(scene, values, ("p_phi", "p_psi"))
-    potential = effective_potential(scene.body, scene.potential).xreplace(dict(numbers))  # type: ignore[arg-type]
+    potential = effective_potential(scene.body,
+                                    scene.potential).xreplace(dict(numbers))  # type: ignore[arg-type]
     level = {"pi3_0": evaluate(P - scene.body.gyrostatic_momentum[2], numbers), "C1": numbers[V]}
     scenes = {s.name: x for s, x in numbers.items() if s not in (P, V)}
     motion = reduce(scene)
@@ -73,7 +81,8 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     found = []
     for branch in branches:
         if branch.k3 is not None:
-            pole = branch.k3**2 == 1                   # there (p_φ − p_ψ cos θ)²/sin² θ is 0/0, with the limit 0
+            # there (p_φ − p_ψ cos θ)²/sin² θ is 0/0, with the limit 0
+            pole = branch.k3**2 == 1
             at = motion.axial + motion.system.potential.expression if pole else motion.effective_potential()  # type: ignore[union-attr]
             height = in_floats(at.xreplace({**numbers, K3: branch.k3}), np, {})
             found.append((float(np.arccos(float(branch.k3))), float(height), branch))
@@ -82,7 +91,8 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
         g = motion.square().xreplace(dict(numbers)).xreplace({ENERGY: exact_number(energy, "energy")})
         turning = real_roots(g, K3, S.NegativeOne, S.One) or []
         ends = [S.NegativeOne, *in_order([*turning, *infinite]), S.One]
-        reach = [(a, b) for a, b in zip(ends, ends[1:]) if sign_of_constant(g.xreplace({K3: between(a, b)})) == 1]
+        reach = [(a, b) for a, b in zip(ends, ends[1:])
+                 if sign_of_constant(g.xreplace({K3: between(a, b)})) == 1]
     beside = [float(np.arccos(float(k3))) for k3 in (*turning, *infinite)] + [theta for theta, _, _ in found]
     theta = _angles(n, [0.0, np.pi, *beside])
     height = np.array(np.broadcast_to(in_floats(potential, np, {THETA: theta}), theta.shape), dtype=float)
@@ -97,24 +107,31 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
 def _angles(n: int, special: Sequence[float]) -> Array:
     """Evenly spaced angles inside (0, π), and others ever closer to the special ones."""
     offsets = np.pi / (n + 1) * 0.5 ** np.arange(10)
-    places = [np.linspace(0, np.pi, n + 2)[1:-1], *(at + side * offsets for at in special for side in (1, -1)), np.array(special)]
+    places = [np.linspace(0, np.pi, n + 2)[1:-1],
+              *(at + side * offsets for at in special for side in (1, -1)), np.array(special)]
     theta = np.unique(np.concatenate(places))
     return theta[(theta > 0) & (theta < np.pi)]
 
 
-def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: Any = None, ax: Any = None, **kwargs: Any) -> Any:
+def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: Any = None, ax: Any = None,
+                             **kwargs: Any) -> Any:
     """Draw V(θ) of a body of revolution on a level of its momenta: ½ I1 θ̇² + V = energy.
 
-    Filled, open and half-filled circles are the regular precessions, E1 and E2 on the level: stable, unstable, undecided. At an energy,
-    a line where θ can be, between the turning points.
+    Filled, open and half-filled circles are the regular precessions, E1 and E2 on the level: stable,
+    unstable, undecided. At an energy, a line where θ can be, between the turning points.
 
     Parameters
     ----------
-    scene : System                            body of revolution in a U rational in k3
-    values : mapping of name to number        for its parameters, p_phi = C1 and p_psi = π3 + l [M L²/T]
-    energy : number or None                   [M L²/T²]
-    ax : matplotlib Axes                      a new one where it is left out
-    kwargs                                    of the curve: of Axes.plot
+    scene : System
+        body of revolution in a U rational in k3
+    values : mapping of name to number
+        for its parameters, p_phi = C1 and p_psi = π3 + l [M L²/T]
+    energy : number or None
+        [M L²/T²]
+    ax : matplotlib Axes
+        a new one where it is left out
+    kwargs
+        of the curve: of Axes.plot
 
     Returns
     -------
@@ -122,12 +139,15 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
 
     Raises
     ------
-    ScopeError             the body is not of revolution, U is unspecified, or not rational in k3
-    ValuesError            numbers are missing, unknown or not admissible; no motion has the energy
-    MissingExtraError      pip install "gyrostat[plot]"
+    ScopeError
+        the body is not of revolution, U is unspecified, or not rational in k3
+    ValuesError
+        numbers are missing, unknown or not admissible; no motion has the energy
+    MissingExtraError
+        pip install "gyrostat[plot]"
 
-    Source
-    ------
+    References
+    ----------
     Goldstein, Classical Mechanics, §5.7.
 
     Examples
@@ -141,12 +161,14 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     """
     found = well(scene, values, energy)
     if energy is not None and not found.reach and not found.turning:
-        raise ValuesError(f"energy = {energy}: no motion has it on this level of p_phi and p_psi, V is nowhere so low; give at least "
+        raise ValuesError(f"energy = {energy}: no motion has it on this level of p_phi and p_psi, V is "
+                          "nowhere so low; give at least "
                           f"{np.nanmin(found.height):.6g}")
     ax = axes_of(ax)
     style = {"color": DARK, "linewidth": 1.6, **kwargs}
     ax.plot(found.theta, found.height, **style)
-    heights = [height for _, height, _ in found.equilibria] + ([float(exact_number(energy, "energy"))] if energy is not None else [])
+    heights = [height for _, height, _ in found.equilibria] + ([float(exact_number(energy, "energy"))]
+                                                               if energy is not None else [])
     finite = found.height[np.isfinite(found.height)]
     infinite = len(finite) < len(found.height)
     low = float(min([np.quantile(finite, 0.1) if infinite else finite.min(), *heights]))
@@ -159,7 +181,8 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
         points = [(x, y) for x, y, branch in found.equilibria if branch.decision.verdict is verdict]
         if points:
             ax.plot(*np.array(points).T, zorder=4, clip_on=False, **marker(verdict))
-            decisions = [branch.decision for *_, branch in found.equilibria if branch.decision.verdict is verdict]
+            decisions = [branch.decision for *_, branch in found.equilibria
+                         if branch.decision.verdict is verdict]
             handles.append(named(marker(verdict), meaning(verdict, decisions)))
     ax.set_xticks(np.pi / 4 * np.arange(5), ["$0$", r"$\pi/4$", r"$\pi/2$", r"$3\pi/4$", r"$\pi$"])
     ax.set_xlabel(label("theta"))
@@ -176,7 +199,9 @@ def _energy(ax: Any, found: Well, energy: float) -> dict[str, Any]:
         b, a = (float(np.arccos(float(k3))) for k3 in (low, high))
         ax.plot([a, b], [energy, energy], zorder=2, solid_capstyle="butt", **style)
         inside = (found.theta >= a) & (found.theta <= b)
-        ax.fill_between(found.theta[inside], np.minimum(found.height[inside], energy), energy, color="#e9edf2", zorder=0, linewidth=0)
+        ax.fill_between(found.theta[inside], np.minimum(found.height[inside], energy), energy,
+                        color="#e9edf2", zorder=0, linewidth=0)
     turns = [float(np.arccos(float(k3))) for k3 in found.turning]
-    ax.plot(turns, [energy] * len(turns), marker="|", markersize=11, markeredgewidth=2.2, linestyle="none", color=BLUE, zorder=3)
+    ax.plot(turns, [energy] * len(turns), marker="|", markersize=11, markeredgewidth=2.2, linestyle="none",
+            color=BLUE, zorder=3)
     return style

@@ -12,21 +12,26 @@ from .looks import DARK, GREY, axes_of, label, legend, named
 SHAPES = {"Hamiltonian Hopf": "x", "zero eigenvalue": "+", "real pairs meet": "1"}
 
 
-def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str, samples: Sequence[float], ax: Any = None,
+def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str, samples: Sequence[float],
+                     ax: Any = None,
                      **kwargs: Any) -> Any:
     """Draw the eigenvalues of the linearised field in the complex plane, along a parameter.
 
-    The colour is the parameter, arrows point the way the samples go. Where eigenvalues collide there is a mark, with the name of what
-    happens and the value; "changes" says that spectral stability does.
+    The colour is the parameter, arrows point the way the samples go. Where eigenvalues collide there is a
+    mark, with the name of what happens and the value; "changes" says that spectral stability does.
 
     Parameters
     ----------
     eq : Equilibrium
-    values : mapping of name to number         for every other name in the spectrum
+    values : mapping of name to number
+        for every other name in the spectrum
     parameter : str
-    samples : sequence of float                of the parameter, from one end to the other
-    ax : matplotlib Axes                       a new one where it is left out
-    kwargs                                     of the curves: of matplotlib.collections.LineCollection
+    samples : sequence of float
+        of the parameter, from one end to the other
+    ax : matplotlib Axes
+        a new one where it is left out
+    kwargs
+        of the curves: of matplotlib.collections.LineCollection
 
     Returns
     -------
@@ -34,11 +39,13 @@ def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
 
     Raises
     ------
-    ValuesError            names are missing or unknown
-    MissingExtraError      pip install "gyrostat[plot]"
+    ValuesError
+        names are missing or unknown
+    MissingExtraError
+        pip install "gyrostat[plot]"
 
-    Source
-    ------
+    References
+    ----------
     Marsden & Ratiu, Introduction to Mechanics and Symmetry, §15.10 (the sleeping top).
 
     Examples
@@ -57,7 +64,8 @@ def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
     points = np.stack([found.eigenvalues.real, found.eigenvalues.imag], axis=-1).transpose(1, 0, 2)
     segments = np.concatenate([np.stack([curve[:-1], curve[1:]], axis=1) for curve in points])
     along = np.tile((found.parameter[:-1] + found.parameter[1:]) / 2, len(points))
-    lines = LineCollection(list(segments), array=along, **{"cmap": "cividis", "linewidths": 2.4, "capstyle": "round", **kwargs})
+    lines = LineCollection(list(segments), array=along,
+                           **{"cmap": "cividis", "linewidths": 2.4, "capstyle": "round", **kwargs})
     ax.axhline(0, color=GREY, linewidth=0.6, zorder=0)
     ax.axvline(0, color=GREY, linewidth=0.6, zorder=0)
     ax.add_collection(lines)
@@ -67,12 +75,15 @@ def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
         _arrows(ax, curve, lines.to_rgba(found.parameter))
     handles = []
     for kind, changes in dict.fromkeys((collision.kind, collision.changes) for collision in found.collisions):
-        these = [collision for collision in found.collisions if (collision.kind, collision.changes) == (kind, changes)]
-        style = {"color": DARK, "marker": SHAPES[kind], "markersize": 10, "markeredgewidth": 1.8, "linestyle": "none"}
+        these = [collision for collision in found.collisions
+                 if (collision.kind, collision.changes) == (kind, changes)]
+        style = {"color": DARK, "marker": SHAPES[kind], "markersize": 10, "markeredgewidth": 1.8,
+                 "linestyle": "none"}
         at = np.concatenate([collision.eigenvalues for collision in these])
         ax.plot(at.real, at.imag, zorder=4, **style)
         where = ", ".join(f"{collision.value:.4g}" for collision in these)
-        handles.append(named(style, f"{'changes: ' if changes else ''}{kind} at {label(parameter)} = {where}"))
+        handles.append(named(style,
+                             f"{'changes: ' if changes else ''}{kind} at {label(parameter)} = {where}"))
     if handles:
         legend(ax, handles, 1)
     ax.set_xlabel(rf"$\mathrm{{Re}}\,{label('lamda')[1:-1]}$")
@@ -86,5 +97,6 @@ def _arrows(ax: Any, curve: Array, colors: Array) -> None:
     length = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(curve, axis=0), axis=1))])
     for part in (1 / 4, 3 / 4):
         n = int(np.clip(np.searchsorted(length, part * length[-1]), 1, len(curve) - 1))
-        ax.annotate("", curve[n], curve[n - 1], arrowprops={"arrowstyle": "-|>", "color": colors[n], "mutation_scale": 16,
+        ax.annotate("", curve[n], curve[n - 1],
+                    arrowprops={"arrowstyle": "-|>", "color": colors[n], "mutation_scale": 16,
                                                             "shrinkA": 0, "shrinkB": 0})

@@ -1,4 +1,7 @@
-"""The energy of a free gyrostat on the momentum sphere |M| = const: its critical points, and its level curves."""
+"""The energy of a free gyrostat on the momentum sphere abs(M) = const.
+
+Its critical points, and its level curves.
+"""
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,8 +19,10 @@ from ..stability.report import Verdict, analyze
 from ..trajectories import motion
 
 MU = symbol("mu")
-TIMES, STEP, STEPS = 128, 0.03, 40                         # of a turn at first; the longest chord; of halving, and of Newton's method
-SHIFT = 1e-12                                              # of the range of energies: how far below a saddle its curve is followed
+# of a turn at first; the longest chord; of halving, and of Newton's method
+TIMES, STEP, STEPS = 128, 0.03, 40
+# of the range of energies: how far below a saddle its curve is followed
+SHIFT = 1e-12
 
 
 @dataclass(frozen=True)
@@ -26,10 +31,13 @@ class RestPoint:
 
     Parameters
     ----------
-    momentum : tuple of Expr, shape (3,)      M, exact [M L²/T]
-    energy : Expr                             [M L²/T²]
+    momentum : tuple of Expr, shape (3,)
+        M, exact [M L²/T]
+    energy : Expr
+        [M L²/T²]
     verdict : Verdict
-    circle : int or None                      the axis about which the point may be turned: a circle of equilibria
+    circle : int or None
+        the axis about which the point may be turned: a circle of equilibria
     """
 
     momentum: tuple[Expr, ...]
@@ -39,20 +47,22 @@ class RestPoint:
 
 
 def rest_points(body: Gyrostat, radius: Expr) -> list[RestPoint]:
-    """Every equilibrium of a free gyrostat on |M| = radius, at numbers; complete, by energy.
+    """Every equilibrium of a free gyrostat on abs(M) = radius, at numbers; complete, by energy.
 
-    M (1 − μ I) = l: μ is a root of Σ l²/(1 − μ I)² = |M|², or 1/I of an axis without a rotor. The energy is an extremum, hence the point
-    stable, or a saddle, hence it is not, as Σ Mᵢ² (1/Iⱼ − μ) (1/Iₖ − μ) is positive or negative. Where it is 0, Report.verdict
-    decides the rotations about principal axes.
+    M (1 − μ I) = l: μ is a root of Σ l²/(1 − μ I)² = abs(M)², or 1/I of an axis without a rotor. The energy is
+    an extremum, hence the point stable, or a saddle, hence it is not, as Σ Mᵢ² (1/Iⱼ − μ) (1/Iₖ − μ) is
+    positive or negative. Where it is 0, Report.verdict decides the rotations about principal axes.
 
     Parameters
     ----------
     body : Gyrostat
-    radius : Expr       positive
+    radius : Expr
+        positive
 
     Raises
     ------
-    ScopeError          all moments are equal and l = 0: every point is an equilibrium
+    ScopeError
+        all moments are equal and l = 0: every point is an equilibrium
 
     Examples
     --------
@@ -64,7 +74,8 @@ def rest_points(body: Gyrostat, radius: Expr) -> list[RestPoint]:
     """
     inertia, rotor = body.inertia, body.gyrostatic_momentum
     if len(set(inertia)) == 1 and not any(rotor):
-        raise ScopeError(f"inertia = {inertia} and l = 0: every point of the sphere is an equilibrium; give different moments, or a rotor")
+        raise ScopeError(f"inertia = {inertia} and l = 0: every point of the sphere is an equilibrium; "
+                         "give different moments, or a rotor")
     secular = Add(*(l**2 / (1 - MU * moment) ** 2 for l, moment in zip(rotor, inertia))) - radius**2
     found = [_point(body, mu, [l / (1 - mu * moment) if l else S.Zero for l, moment in zip(rotor, inertia)])
              for mu in real_roots(secular, MU) or ()]
@@ -85,19 +96,26 @@ def rest_points(body: Gyrostat, radius: Expr) -> list[RestPoint]:
 def _point(body: Gyrostat, mu: Expr, M: Sequence[Expr], circle: int | None = None) -> RestPoint:
     rates = [(m - l) / moment for m, l, moment in zip(M, body.gyrostatic_momentum, body.inertia)]
     energy = Add(*(Rational(1, 2) * moment * rate**2 for moment, rate in zip(body.inertia, rates)))
-    if circle is not None:                             # those beside the circle turn about its axis: they drift
+    # those beside the circle turn about its axis: they drift
+    if circle is not None:
         return RestPoint(tuple(M), energy, Verdict.UNSTABLE, circle)
     curvature = [1 / moment - mu for moment in body.inertia]
-    sign = proved_sign(Add(*(Mul(M[n] ** 2, *(c for k, c in enumerate(curvature) if k != n)) for n in range(3))))
-    return RestPoint(tuple(M), energy, {1: Verdict.STABLE, -1: Verdict.UNSTABLE}.get(sign) or _degenerate(body, rates))
+    sign = proved_sign(Add(*(Mul(M[n] ** 2, *(c for k, c in enumerate(curvature) if k != n))
+                             for n in range(3))))
+    return RestPoint(tuple(M), energy, {1: Verdict.STABLE, -1: Verdict.UNSTABLE}.get(sign)
+                     or _degenerate(body, rates))
 
 
 def _degenerate(body: Gyrostat, rates: Sequence[Expr]) -> Verdict:
-    """Where the second variation is only semidefinite: the verdict on a rotation about a principal axis that carries l."""
+    """Where the second variation is only semidefinite.
+
+    The verdict on a rotation about a principal axis that carries l.
+    """
     axes = [n for n in range(3) if rates[n] or body.gyrostatic_momentum[n]]
     if len(axes) != 1:
         return Verdict.UNDECIDED
-    return analyze(principal_rotation(assemble(body), axes[0] + 1)).verdict({f"omega{axes[0] + 1}_0": rates[axes[0]]}).verdict
+    return analyze(principal_rotation(assemble(body),
+                                      axes[0] + 1)).verdict({f"omega{axes[0] + 1}_0": rates[axes[0]]}).verdict
 
 
 def floats(numbers: Sequence[Expr]) -> Array:
@@ -106,23 +124,32 @@ def floats(numbers: Sequence[Expr]) -> Array:
 
 
 def energies_between(points: Sequence[RestPoint], count: int) -> Array:
-    """Energies for level curves: count in each band between the critical ones, closer together near a saddle."""
-    levels = sorted({float(p.energy): p.verdict is Verdict.UNSTABLE and p.circle is None for p in points}.items())
+    """Energies for level curves.
+
+    Count in each band between the critical ones, closer together near a saddle.
+    """
+    levels = sorted({float(p.energy): p.verdict is Verdict.UNSTABLE and p.circle is None
+                     for p in points}.items())
     part = np.arange(1, count + 1) / (count + 1)
-    ease = {(False, False): (1 - np.cos(np.pi * part)) / 2, (False, True): part**2, (True, False): 1 - (1 - part) ** 2,
+    ease = {(False, False): (1 - np.cos(np.pi * part)) / 2, (False, True): part**2,
+            (True, False): 1 - (1 - part) ** 2,
             (True, True): part}
-    return np.concatenate([low + (high - low) * ease[saddle, above] for (low, saddle), (high, above) in zip(levels, levels[1:])])
+    return np.concatenate([low + (high - low) * ease[saddle, above] for (low, saddle),
+                           (high, above) in zip(levels, levels[1:])])
 
 
 def level_curve(body: Gyrostat, points: Sequence[RestPoint], radius: float, energy: float) -> Array:
-    """The curve of an energy on the momentum sphere, shape (n, 3), NaN between its pieces, each of which ends where it begins.
+    """The curve of an energy on the momentum sphere, shape (n, 3), NaN between its pieces, each of which ends
+    where it begins.
 
-    Every piece has an extremum of the energy on either side: those on the great circles between the extrema are all. Each is followed by
-    the motion of the gyrostat over a turn, so that none is jumped to from another. The curve through a saddle is the limit of those below.
+    Every piece has an extremum of the energy on either side: those on the great circles between the extrema
+    are all. Each is followed by the motion of the gyrostat over a turn, so that none is jumped to from
+    another. The curve through a saddle is the limit of those below.
 
     Parameters
     ----------
-    body : Gyrostat           with its numbers
+    body : Gyrostat
+        with its numbers
     points : of rest_points
     radius, energy : float
 
@@ -140,16 +167,19 @@ def level_curve(body: Gyrostat, points: Sequence[RestPoint], radius: float, ener
                  for point, value in zip(points, values))
     around = [floats(p.momentum) for p in points if p.circle is None and p.verdict is not Verdict.UNSTABLE]
     left = [(normal, seed) for other in around[1:]
-            for normal, seeds in [_on_arc(around[0], other, inertia, rotor, energy - near if passes else energy)] for seed in seeds]
+            for normal, seeds in [_on_arc(around[0], other, inertia, rotor,
+                                          energy - near if passes else energy)] for seed in seeds]
     pieces: list[Array] = []
     while left:
         curve = _turn(scene, left[0][1], rotor, radius)
-        left = [(normal, seed) for normal, seed in left[1:] if not _meets(curve, normal, seed, [x for n, x in left if n is normal])]
+        left = [(normal, seed) for normal, seed in left[1:]
+                if not _meets(curve, normal, seed, [x for n, x in left if n is normal])]
         pieces += [_onto_level(curve, inertia, rotor, energy) if passes else curve, np.full((1, 3), np.nan)]
     return np.concatenate(pieces[:-1]) if pieces else np.empty((0, 3))
 
 
-def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array, energy: float) -> tuple[Array, list[Array]]:
+def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array,
+            energy: float) -> tuple[Array, list[Array]]:
     """The normal of a great circle from one point to another, and the points of the energy between them."""
     aside = np.cross(start, end)
     if np.linalg.norm(aside) < 1e-9 * (start @ start):     # they are opposite: any circle
@@ -164,9 +194,11 @@ def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array, energy: floa
     def excess(s: Array) -> Array:
         return ((point(s) - rotor) ** 2 / inertia).sum(axis=-1) / 2 - energy
 
-    first = -start @ (rotor / inertia) + 1j * (ahead @ (rotor / inertia))          # h = Re(first e^{is} + second e^{2is}) + const
+    # h = Re(first e^{is} + second e^{2is}) + const
+    first = -start @ (rotor / inertia) + 1j * (ahead @ (rotor / inertia))
     second = (start @ (start / inertia) - ahead @ (ahead / inertia)) / 4 - 0.5j * (start @ (ahead / inertia))
-    turns = np.angle(np.roots(np.array([2 * second, first, 0, -np.conj(first), -2 * np.conj(second)]))) % (2 * np.pi)
+    turns = np.angle(np.roots(np.array([2 * second, first, 0, -np.conj(first),
+                                        -2 * np.conj(second)]))) % (2 * np.pi)
     cuts = np.unique(np.concatenate([[0.0], turns[turns < length], [length]]))
     low, high = cuts[:-1], cuts[1:]
     signs = np.sign(excess(low))
@@ -179,7 +211,8 @@ def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array, energy: floa
 
 
 def _turn(scene: System, seed: Array, rotor: Array, radius: float) -> Array:
-    """A turn of M from a point on, closed, at times so close that no chord is longer than STEP of the radius."""
+    """A turn of M from a point on, closed, at times so close that no chord is longer than STEP of the radius.
+    """
     moved = motion(scene, tuple(seed - rotor))
     if not moved.period:
         return seed[None]
@@ -196,12 +229,16 @@ def _turn(scene: System, seed: Array, rotor: Array, radius: float) -> Array:
 
 
 def _meets(curve: Array, normal: Array, seed: Array, seeds: Sequence[Array]) -> bool:
-    """Whether a closed curve passes through a point of an arc: it crosses the plane there, and nearer to it than to the other points."""
+    """Whether a closed curve passes through a point of an arc.
+
+    It crosses the plane there, and nearer to it than to the other points.
+    """
     height = curve @ normal
     at = np.flatnonzero(height[:-1] * height[1:] <= 0)
     if not len(at):
         return False
-    part = np.divide(height[at], height[at] - height[at + 1], out=np.zeros(len(at)), where=height[at] != height[at + 1])[:, None]
+    part = np.divide(height[at], height[at] - height[at + 1], out=np.zeros(len(at)),
+                     where=height[at] != height[at + 1])[:, None]
     crossings = curve[at] + part * (curve[at + 1] - curve[at])
     off = np.linalg.norm(crossings - seed, axis=1).min()
     apart = min((np.linalg.norm(seed - other) for other in seeds if other is not seed), default=np.inf)
@@ -209,7 +246,10 @@ def _meets(curve: Array, normal: Array, seed: Array, seeds: Sequence[Array]) -> 
 
 
 def _onto_level(M: Array, inertia: Array, rotor: Array, energy: float) -> Array:
-    """Points next to a level moved along the gradient on the sphere; where the gradient vanishes there is no step."""
+    """Points next to a level moved along the gradient on the sphere.
+
+    Where the gradient vanishes there is no step.
+    """
     radius = np.linalg.norm(M[0])
     for _ in range(STEPS):
         rates = (M - rotor) / inertia

@@ -1,4 +1,7 @@
-"""The energy-momentum diagram of a body of revolution in U(k3): critical values of (C1, h) at a fixed axial momentum."""
+"""The energy-momentum diagram of a body of revolution in U(k3).
+
+Critical values of (C1, h) at a fixed axial momentum.
+"""
 from collections.abc import Mapping
 from typing import Any
 
@@ -15,18 +18,20 @@ from .looks import DARK, axes_of, label, legend, line, marker, named
 from .numbers import numbers_of
 
 CELLS = 400                                                # of each axis, for the regions
-BANDS = ("#ffffff", "#eceff3", "#d3dae3", "#b9c4d1")       # k3 has no place, one band, two bands, three or more
+# k3 has no place, one band, two bands, three or more
+BANDS = ("#ffffff", "#eceff3", "#d3dae3", "#b9c4d1")
 
 
 def energy_momentum(scene: System, values: Mapping[str, Any]) -> EnergyMomentum:
     """Every critical value of (C1, h) at a fixed p_psi = π3 + l.
 
-    On regular precessions I1 k3 W² − p_ψ W + U' = 0 has a slow and a fast root W at each tilt; C1 and h follow. The curves are in doubles,
-    cut where stability changes; the verdict of each part is exact.
+    On regular precessions I1 k3 W² − p_ψ W + U' = 0 has a slow and a fast root W at each tilt; C1 and h
+    follow. The curves are in doubles, cut where stability changes; the verdict of each part is exact.
 
     Parameters
     ----------
-    scene, values      as in draw_energy_momentum
+    scene, values
+        as in draw_energy_momentum
 
     Examples
     --------
@@ -49,20 +54,29 @@ def bands(found: EnergyMomentum, momentum: Array, energy: Array) -> Array:
     return below[..., 0].astype(int) + (below[..., 1:] & ~below[..., :-1]).sum(axis=-1)
 
 
-def draw_energy_momentum(scene: System, values: Mapping[str, Any], window: tuple[float, float, float, float] | None = None, ax: Any = None,
+def draw_energy_momentum(scene: System, values: Mapping[str, Any],
+                         window: tuple[float, float, float, float] | None = None, ax: Any = None,
                          **kwargs: Any) -> Any:
-    """Draw the energy-momentum diagram of a body of revolution in U(k3): h against C1 at a fixed p_psi = π3 + l.
+    """Draw the energy-momentum diagram of a body of revolution in U(k3).
 
-    The curves are the regular precessions, the points E1 and E2: solid or filled where stable, dashed or open where unstable, dotted or
-    half filled where undecided. Grey is where motion is possible; the darker, the more bands of k3 there are at the same C1 and h.
+    H against C1 at a fixed p_psi = π3 + l.
+
+    The curves are the regular precessions, the points E1 and E2: solid or filled where stable, dashed or open
+    where unstable, dotted or half filled where undecided. Grey is where motion is possible; the darker, the
+    more bands of k3 there are at the same C1 and h.
 
     Parameters
     ----------
-    scene : System                                body of revolution in a U rational in k3
-    values : mapping of name to number            for its parameters, and p_psi [M L²/T]
-    window : (C1, C1, h, h) or None               lower and upper ends of the axes; None: around what is critical
-    ax : matplotlib Axes                          a new one where it is left out
-    kwargs                                        of the curves: of Axes.plot
+    scene : System
+        body of revolution in a U rational in k3
+    values : mapping of name to number
+        for its parameters, and p_psi [M L²/T]
+    window : (C1, C1, h, h) or None
+        lower and upper ends of the axes; None: around what is critical
+    ax : matplotlib Axes
+        a new one where it is left out
+    kwargs
+        of the curves: of Axes.plot
 
     Returns
     -------
@@ -70,13 +84,17 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any], window: tuple
 
     Raises
     ------
-    ScopeError             the body is not of revolution, U is unspecified, or not rational in k3
-    ValuesError            numbers are missing, unknown or not admissible
-    MissingExtraError      pip install "gyrostat[plot]"
+    ScopeError
+        the body is not of revolution, U is unspecified, or not rational in k3
+    ValuesError
+        numbers are missing, unknown or not admissible
+    MissingExtraError
+        pip install "gyrostat[plot]"
 
-    Source
-    ------
-    Smale, Inventiones Mathematicae 10 (1970) 305-331; Cushman & Bates, Global Aspects of Classical Integrable Systems (1997), chapter V.
+    References
+    ----------
+    Smale, Inventiones Mathematicae 10 (1970) 305-331; Cushman & Bates, Global Aspects of Classical Integrable
+    Systems (1997), chapter V.
 
     Examples
     --------
@@ -113,23 +131,32 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any], window: tuple
     ax.set_ylabel(label("h"))
     seen = {x.verdict for x in found.curves} | {branch.decision.verdict for *_, branch in found.poles}
     modulo = " (curves: modulo the spin)" if any(x.verdict is Verdict.STABLE for x in found.curves) else ""
-    verdicts = [named({**marker(x), **line(x), **kwargs}, x.name.lower() + (modulo if x is Verdict.STABLE else ""))
+    verdicts = [named({**marker(x), **line(x), **kwargs},
+                      x.name.lower() + (modulo if x is Verdict.STABLE else ""))
                 for x in Verdict if x in seen]
     legend(ax, [*verdicts, *handles, *_areas(int(count.max()))], 2)
     return ax
 
 
 def _name(branch: Branch) -> str:
-    """E1 or E2; below the critical spin it is a focus-focus point of (C1, h): its eigenvalues are a complex quadruple."""
+    """E1 or E2; below the critical spin it is a focus-focus point of (C1, h).
+
+    Its eigenvalues are a complex quadruple.
+    """
     decision = branch.decision
-    return f"{branch.label} (focus)" if decision.verdict is Verdict.UNSTABLE and decision.notion == "spectral" else branch.label
+    return (
+        f"{branch.label} (focus)"
+        if decision.verdict is Verdict.UNSTABLE and decision.notion == "spectral"
+        else branch.label
+    )
 
 
 def _areas(most: int) -> list[Any]:
     """What stands in the legend for the regions."""
     from matplotlib.patches import Patch
     names = ("one band of $k_3$", "two bands", "three bands or more")
-    return [Patch(facecolor=color, edgecolor="none", label=name) for color, name in list(zip(BANDS[1:], names))[:most]]
+    return [Patch(facecolor=color, edgecolor="none", label=name)
+            for color, name in list(zip(BANDS[1:], names))[:most]]
 
 
 def _window(found: EnergyMomentum) -> tuple[float, float, float, float]:
@@ -137,9 +164,11 @@ def _window(found: EnergyMomentum) -> tuple[float, float, float, float]:
     if not found.curves and not found.poles:
         return -1.0, 1.0, -1.0, 1.0
     tilted = [curve for curve in found.curves if np.ptp(curve.k3)]
-    evenly = [np.abs(np.interp(np.linspace(curve.k3[0], curve.k3[-1], CELLS), curve.k3, curve.momentum)) for curve in tilted]
+    evenly = [np.abs(np.interp(np.linspace(curve.k3[0], curve.k3[-1], CELLS), curve.k3, curve.momentum))
+              for curve in tilted]
     marked = [*(abs(v) for v, _, _ in found.poles), *(abs(v) for v, _ in found.cusps)]
     width = 1.5 * max([float(np.median(np.concatenate(evenly))) if evenly else 0.0, *marked]) or 1.0
-    near = np.concatenate([[h for _, h, _ in found.poles], *(curve.energy[np.abs(curve.momentum) < width] for curve in found.curves)])
+    near = np.concatenate([[h for _, h, _ in found.poles],
+                           *(curve.energy[np.abs(curve.momentum) < width] for curve in found.curves)])
     low, high = float(near.min()), float(near.max())
     return -width, width, low - 0.08 * (high - low), high + 0.15 * (high - low)

@@ -30,7 +30,10 @@ def stage(ax: Any, radius: float, names: Sequence[str]) -> Array:
 
 
 def axis_through(ax: Any, axis: Array, radius: float, eye: Array, name: str) -> None:
-    """An axis through the sphere, drawn from where it comes into sight; not where it points to the eye, or away from it."""
+    """An axis through the sphere, drawn from where it comes into sight.
+
+    Not where it points to the eye, or away from it.
+    """
     seen = axis - axis @ eye * eye
     length = float(np.linalg.norm(seen))
     if length < (0.05 if axis @ eye >= 0 else 0.35):
@@ -39,7 +42,8 @@ def axis_through(ax: Any, axis: Array, radius: float, eye: Array, name: str) -> 
     end = max(1.32 * radius, start + 0.3 * radius)
     arrow(ax, axis, end, eye, start, linewidth=0.9, zorder=4 if axis @ eye >= 0 else 0)
     halo = optional("matplotlib.patheffects", "plot").withStroke(linewidth=3, foreground=BACKGROUND)
-    ax.text(*(end * axis + 0.12 * radius / length * seen), name, ha="center", va="center", zorder=5, path_effects=[halo])
+    ax.text(*(end * axis + 0.12 * radius / length * seen), name, ha="center", va="center", zorder=5,
+            path_effects=[halo])
 
 
 def arrow(ax: Any, along: Array, end: float, eye: Array, start: float = 0.0, **style: Any) -> None:
@@ -47,8 +51,10 @@ def arrow(ax: Any, along: Array, end: float, eye: Array, start: float = 0.0, **s
     aside = np.cross(along, eye)
     if not aside.any():
         return
-    shaft, = ax.plot(*np.outer(along, (start, 0.97 * end)), color=DARK, solid_capstyle="butt", clip_on=False, **style)
-    head = end * (np.array([along, 0.92 * along, 0.92 * along]) + 0.022 * np.outer((0, 1, -1), aside / np.linalg.norm(aside)))
+    shaft, = ax.plot(*np.outer(along, (start, 0.97 * end)), color=DARK, solid_capstyle="butt", clip_on=False,
+                     **style)
+    head = end * (np.array([along, 0.92 * along, 0.92 * along]) + 0.022
+                  * np.outer((0, 1, -1), aside / np.linalg.norm(aside)))
     tip = polygons(ax, [head], facecolor=DARK, edgecolor="none", zorder=style["zorder"], clip_on=False)
     for part in (shaft, tip):                          # their extent is known only once they are drawn
         part.set_in_layout(False)
@@ -56,13 +62,15 @@ def arrow(ax: Any, along: Array, end: float, eye: Array, start: float = 0.0, **s
 
 def polygons(ax: Any, faces: Sequence[Array], **style: Any) -> Any:
     """Filled polygons in space, each of shape (n, 3), sorted by depth: a Poly3DCollection."""
-    return ax.add_collection3d(optional("mpl_toolkits.mplot3d.art3d", "plot").Poly3DCollection(faces, **style), autolim=False)
+    return ax.add_collection3d(optional("mpl_toolkits.mplot3d.art3d",
+                                        "plot").Poly3DCollection(faces, **style), autolim=False)
 
 
 def towards(ax: Any) -> Array:
     """The unit vector from the origin to the eye."""
     elevation, azimuth = np.radians([ax.elev, ax.azim])
-    return np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
+    return np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth),
+                     np.sin(elevation)])
 
 
 def circle(axis: Array, radius: float, height: float = 0.0, n: int = 241) -> Array:
@@ -84,7 +92,8 @@ def parted(curve: Array, eye: Array) -> tuple[Array, Array]:
 
     Parameters
     ----------
-    curve : array, shape (n, 3)      NaN between its pieces
+    curve : array, shape (n, 3)
+        NaN between its pieces
     eye : array, shape (3,)
 
     Examples

@@ -12,41 +12,51 @@ from .solids import Face, solid
 
 
 def view_motion(motion: Motion, times: Any) -> Any:
-    """The body at the given times as a figure of Plotly, with a slider and the path of one of its axes on the unit sphere.
+    """The body at the given times as a figure of Plotly, with a slider and the path of one of its axes on the
+    unit sphere.
 
     Drag to turn it. The body is that of animate_top. It needs the extra interactive.
 
     Parameters
     ----------
-    motion : Motion               of gyrostat.trajectories.motion
-    times : array, shape (n,)     one frame for each; a hundred, say [T]
+    motion : Motion
+        of gyrostat.trajectories.motion
+    times : array, shape (n,)
+        one frame for each; a hundred, say [T]
 
     Returns
     -------
-    plotly.graph_objects.Figure      shown by a notebook; .write_html("motion.html") makes a page of it
+    plotly.graph_objects.Figure
+        shown by a notebook; .write_html("motion.html") makes a page of it
 
     Raises
     ------
-    ArgumentError          this is no motion
-    ValuesError            the times are so far apart that the path between them is lost
-    MissingExtraError      pip install "gyrostat[interactive]"
+    ArgumentError
+        this is no motion
+    ValuesError
+        the times are so far apart that the path between them is lost
+    MissingExtraError
+        pip install "gyrostat[interactive]"
     """
     go = optional("plotly.graph_objects", "interactive")
     turns, path, fine = turning(motion, times)
     faces = solid(motion.scene)
-    frames = [go.Frame(name=f"{t:.4g}", data=[_body(go, faces, R), _path(go, path[:fine * n + 1])], traces=[1, 2])
+    frames = [go.Frame(name=f"{t:.4g}", data=[_body(go, faces, R), _path(go, path[:fine * n + 1])],
+                       traces=[1, 2])
               for n, (t, R) in enumerate(zip(times, turns))]
     figure = go.Figure(data=[_sphere(go), *frames[0].data], frames=frames)
     still: dict[str, Any] = {"visible": False, "range": [-1.1, 1.1]}
     at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": True}, "transition": {"duration": 0}}
     running = {"fromcurrent": True, "frame": {"duration": 40, "redraw": True}, "transition": {"duration": 0}}
     figure.update_layout(
-        scene={"xaxis": still, "yaxis": still, "zaxis": still, "aspectmode": "cube"}, showlegend=False, margin=dict.fromkeys("lrtb", 0),
+        scene={"xaxis": still, "yaxis": still, "zaxis": still, "aspectmode": "cube"}, showlegend=False,
+        margin=dict.fromkeys("lrtb", 0),
         updatemenus=[{"type": "buttons", "y": 0, "x": 0, "buttons": [
             {"label": "play", "method": "animate", "args": [None, running]},
             {"label": "stop", "method": "animate", "args": [[None], at_once]}]}],
         sliders=[{"x": 0.12, "len": 0.85, "currentvalue": {"prefix": "t = "}, "steps": [
-            {"label": frame.name, "method": "animate", "args": [[frame.name], at_once]} for frame in frames]}])
+            {"label": frame.name, "method": "animate", "args": [[frame.name], at_once]}
+            for frame in frames]}])
     return figure
 
 
@@ -57,11 +67,13 @@ def _body(go: Any, faces: list[Face], R: Array) -> Any:
     triangles = np.array([(first, first + n, first + n + 1)
                           for first, (polygon, _) in zip(firsts, faces) for n in range(1, len(polygon) - 1)])
     colors = [color for polygon, color in faces for _ in range(len(polygon) - 2)]
-    return go.Mesh3d(**dict(zip("xyz", corners.T)), **dict(zip("ijk", triangles.T)), facecolor=colors, flatshading=True, hoverinfo="skip")
+    return go.Mesh3d(**dict(zip("xyz", corners.T)), **dict(zip("ijk", triangles.T)), facecolor=colors,
+                     flatshading=True, hoverinfo="skip")
 
 
 def _path(go: Any, path: Array) -> Any:
-    return go.Scatter3d(**dict(zip("xyz", path.T)), mode="lines", line={"color": BLUE, "width": 5}, hoverinfo="skip")
+    return go.Scatter3d(**dict(zip("xyz", path.T)), mode="lines", line={"color": BLUE, "width": 5},
+                        hoverinfo="skip")
 
 
 def _sphere(go: Any) -> Any:

@@ -9,7 +9,8 @@ from ..errors import ArgumentError, optional
 from ..notation import typeset
 from ..stability.report import Decision, Verdict
 
-LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""), "no_equilibrium": ("#ffffff", "....")}
+LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""),
+         "no_equilibrium": ("#ffffff", "....")}
 INK = {"undecided": "#8a6d2f", "no_equilibrium": "#a0a0a0"}            # of the hatches
 DARK, BLUE, GREY = "#1f2933", "#1d5b96", "#8592a0"
 LINES = {"stable": (BLUE, "-"), "unstable": (DARK, (0, (4, 2))), "undecided": (INK["undecided"], ":")}
@@ -27,7 +28,8 @@ def marker(verdict: Verdict) -> dict[str, Any]:
     """Stable: a filled circle; unstable: an open one; undecided: half filled."""
     look = MARKERS[verdict.name.lower()]
     return {"marker": "o", "linestyle": "none", "markersize": 6.5, "markeredgewidth": 1.4, **look,
-            **({"markerfacecolor": "white", "fillstyle": "full", "markeredgecolor": look["color"]} if look["fillstyle"] == "none" else {})}
+            **({"markerfacecolor": "white", "fillstyle": "full", "markeredgecolor": look["color"]}
+               if look["fillstyle"] == "none" else {})}
 
 
 def meaning(verdict: Verdict, decisions: Sequence[Decision]) -> str:
@@ -43,15 +45,18 @@ def axes_of(ax: Any, three: bool = False) -> Any:
 
     Raises
     ------
-    MissingExtraError      pip install "gyrostat[plot]"
-    ArgumentError          the axes are flat, and the picture is not
+    MissingExtraError
+        pip install "gyrostat[plot]"
+    ArgumentError
+        the axes are flat, and the picture is not
     """
     optional("matplotlib", "plot")
     if ax is None:
         import matplotlib.pyplot as plt
         _, ax = plt.subplots(subplot_kw={"projection": "3d", "elev": 22, "azim": 40} if three else {})
     if three and ax.name != "3d":
-        raise ArgumentError(f"the axes are {ax.name}, the picture is a view of space: make them with projection=\"3d\"")
+        raise ArgumentError(f"the axes are {ax.name}, the picture is a view of space: make them with "
+                            "projection=\"3d\"")
     return ax
 
 
@@ -62,8 +67,13 @@ def label(name: str) -> str:
 
 def legend(ax: Any, handles: Sequence[Any], columns: int | None = None) -> None:
     """A row, or columns, where no data are: above flat axes, below a view of space."""
-    where = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.03)} if ax.name == "3d" else {"loc": "lower left", "bbox_to_anchor": (0, 1)}
-    ax.legend(handles=handles, ncols=columns or len(handles), fontsize="small", frameon=False, borderaxespad=0.2, columnspacing=1.2,
+    where = (
+        {"loc": "upper center", "bbox_to_anchor": (0.5, 0.03)}
+        if ax.name == "3d"
+        else {"loc": "lower left", "bbox_to_anchor": (0, 1)}
+    )
+    ax.legend(handles=handles, ncols=columns or len(handles), fontsize="small", frameon=False,
+              borderaxespad=0.2, columnspacing=1.2,
               handlelength=1.6, **where)
 
 

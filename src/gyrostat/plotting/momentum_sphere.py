@@ -18,22 +18,30 @@ from .numbers import body_at, numbers_of
 BAND = 5                                                   # polhodes between two critical energies
 
 
-def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any, energies: Sequence[float] | None = None, ax: Any = None,
+def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any,
+                         energies: Sequence[float] | None = None, ax: Any = None,
                          **kwargs: Any) -> Any:
-    """Draw the sphere |M| = const of a free body or gyrostat, M = π + l, seen as ax.view_init says.
+    """Draw the sphere abs(M) = const of a free body or gyrostat, M = π + l, seen as ax.view_init says.
 
-    A polhode is the curve on which the energy is constant: M moves along it in the body. Those through saddles, the separatrices, are
-    heavy; what is behind is faded. Filled: stable; open: unstable; half filled: undecided. A solid circle of a body of revolution: every
-    point an equilibrium, stable modulo the spin.
+    A polhode is the curve on which the energy is constant: M moves along it in the body. Those through
+    saddles, the separatrices, are heavy; what is behind is faded. Filled: stable; open: unstable; half
+    filled: undecided. A solid circle of a body of revolution: every point an equilibrium, stable modulo the
+    spin.
 
     Parameters
     ----------
-    scene : System                            without a potential
-    values : mapping of name to number        for its parameters
-    momentum : number                         |M| [M L²/T]
-    energies : sequence of float or None      of the polhodes [M L²/T²]; None: a few between each two critical ones
-    ax : axes of mplot3d                      new ones where they are left out
-    kwargs                                    of the polhodes: of Axes3D.plot
+    scene : System
+        without a potential
+    values : mapping of name to number
+        for its parameters
+    momentum : number
+        abs(M) [M L²/T]
+    energies : sequence of float or None
+        of the polhodes [M L²/T²]; None: a few between each two critical ones
+    ax : axes of mplot3d
+        new ones where they are left out
+    kwargs
+        of the polhodes: of Axes3D.plot
 
     Returns
     -------
@@ -41,13 +49,17 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
 
     Raises
     ------
-    ScopeError             the scene has a field, or every point of the sphere is an equilibrium
-    ValuesError            numbers are missing, unknown or not admissible
-    ArgumentError          the axes are flat
-    MissingExtraError      pip install "gyrostat[plot]"
+    ScopeError
+        the scene has a field, or every point of the sphere is an equilibrium
+    ValuesError
+        numbers are missing, unknown or not admissible
+    ArgumentError
+        the axes are flat
+    MissingExtraError
+        pip install "gyrostat[plot]"
 
-    Source
-    ------
+    References
+    ----------
     Landau & Lifshitz, Mechanics, §37; Hughes, Spacecraft Attitude Dynamics (1986), chapters 4 and 6.
 
     Examples
@@ -60,7 +72,8 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
     """
     require(scene, System, "the scene")
     if scene.potential is not None:
-        raise ScopeError(f"M keeps its length only in a free body, the scene has the potential {scene.potential.expression}: "
+        raise ScopeError("M keeps its length only in a free body, the scene has the potential "
+                         f"{scene.potential.expression}: "
                          "assemble the body alone")
     body, radius = body_at(scene, numbers_of(scene, values)), exact_number(momentum, "momentum")
     if sign_of_constant(radius) != 1:
@@ -69,7 +82,8 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
     least, most = (f(float(p.energy) for p in points) for f in (min, max))
     slack = 1e-12 * most                                   # an energy of a rest point may be rounded
     if off := [energy for energy in energies or () if not least - slack <= float(energy) <= most + slack]:
-        raise ValuesError(f"energies = {off[0]}: there is no curve of it on |M| = {momentum}; give energies between {least:.6g} "
+        raise ValuesError(f"energies = {off[0]}: there is no curve of it on |M| = {momentum}; give "
+                          f"energies between {least:.6g} "
                           f"and {most:.6g}")
     ax = axes_of(ax, three=True)
     eye = stage(ax, size, [label(f"M{i}") for i in (1, 2, 3)])
@@ -86,7 +100,8 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
         if point.circle is not None:
             axis, at = np.eye(3)[point.circle], floats(point.momentum)
             height = float(at @ axis)
-            curve_on(ax, circle(axis, float(np.sqrt(size**2 - height**2)), height), eye, **line(Verdict.STABLE))
+            curve_on(ax, circle(axis, float(np.sqrt(size**2 - height**2)), height), eye,
+                     **line(Verdict.STABLE))
             handles.append(named(line(Verdict.STABLE), "equilibria, stable modulo the spin"))
     for verdict in Verdict:
         places = [floats(p.momentum) for p in points if p.verdict is verdict and p.circle is None]

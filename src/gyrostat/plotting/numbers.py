@@ -13,7 +13,10 @@ from ..stability.values import names_in
 
 
 def numbers_of(scene: System, values: Mapping[str, Any], also: tuple[str, ...] = ()) -> Point:
-    """The values as exact numbers: one for every parameter of the scene, and for the names asked for besides."""
+    """The values as exact numbers.
+
+    One for every parameter of the scene, and for the names asked for besides.
+    """
     field = scene.potential.parameters if scene.potential else ()
     needed = {*names_in([*scene.body.inertia, *scene.body.gyrostatic_momentum, *field]), *also}
     numbers = exact_point(scene, values, needed)

@@ -15,16 +15,21 @@ WIDEST = 0.5                                               # of a chord of the u
 def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
     """Draw the path of the axis of the body in space, on the unit sphere, seen as ax.view_init says.
 
-    The axis is e3, unless the scene was recognised as of revolution about another. Upwards is the vertical, for a free body the direction
-    of M. Between two limits of its height the axis nods: its path is a wave, has loops, or has cusps, as the rate φ̇ keeps its sign,
-    changes it, or vanishes at a limit. What is behind is faded.
+    The axis is e3, unless the scene was recognised as of revolution about another. Upwards is the vertical,
+    for a free body the direction of M. Between two limits of its height the axis nods: its path is a wave,
+    has loops, or has cusps, as the rate φ̇ keeps its sign, changes it, or vanishes at a limit. What is behind
+    is faded.
 
     Parameters
     ----------
-    motion : Motion               of gyrostat.trajectories.motion
-    times : array, shape (n,)     increasing, close enough for a smooth curve [T]
-    ax : axes of mplot3d          new ones where they are left out
-    kwargs                        of the path: of Axes3D.plot
+    motion : Motion
+        of gyrostat.trajectories.motion
+    times : array, shape (n,)
+        increasing, close enough for a smooth curve [T]
+    ax : axes of mplot3d
+        new ones where they are left out
+    kwargs
+        of the path: of Axes3D.plot
 
     Returns
     -------
@@ -32,12 +37,15 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
 
     Raises
     ------
-    ArgumentError          this is no motion, or the axes are flat
-    ValuesError            the times are so far apart that the path between them is lost
-    MissingExtraError      pip install "gyrostat[plot]"
+    ArgumentError
+        this is no motion, or the axes are flat
+    ValuesError
+        the times are so far apart that the path between them is lost
+    MissingExtraError
+        pip install "gyrostat[plot]"
 
-    Source
-    ------
+    References
+    ----------
     Goldstein, Classical Mechanics, §5.7, fig. 5.9.
 
     Examples
@@ -58,13 +66,15 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
     limit = {"color": DARK, "linewidth": 0.9, "linestyle": (0, (6, 2))}
     curve_on(ax, circle(np.array([0.0, 0.0, 1.0]), 1.0), eye, color=GREY, linewidth=0.6)
     length = float(np.linalg.norm([float(x) for x in motion.state[3:]])) or 1.0
-    limits = [height / length for height in motion.limits or () if abs(height) < length]               # of the axis on the unit sphere
+    # of the axis on the unit sphere
+    limits = [height / length for height in motion.limits or () if abs(height) < length]
     for height in limits:
         curve_on(ax, circle(np.array([0.0, 0.0, 1.0]), float(np.sqrt(1 - height**2)), height), eye, **limit)
     curve_on(ax, path, eye, **style)
     dots_on(ax, path[:1], eye, color=style["color"], marker="o", linestyle="none", markersize=5)
     named_height = label("k3") if motion.axis[2] == 1 else "its height"
-    legend(ax, [named(style, "axis of the body"), *([named(limit, f"limits of {named_height}")] if limits else [])])
+    legend(ax, [named(style, "axis of the body"),
+                *([named(limit, f"limits of {named_height}")] if limits else [])])
     return ax
 
 
@@ -79,12 +89,15 @@ def close_enough(path: Array) -> Array:
 
     Raises
     ------
-    ValuesError      two points in a row are further apart than WIDEST
+    ValuesError
+        two points in a row are further apart than WIDEST
     """
     if (worst := widest(path)) > WIDEST:
         angle = float(np.degrees(2 * np.arcsin(min(worst / 2, 1))))
-        raise ValuesError(f"between two of the times the axis moves by up to {angle:.3g}°, and its path would be lost between them: give "
-                          f"about {int(np.ceil(len(path) * worst / WIDEST * 2))} times, or an earlier last one")
+        raise ValuesError(f"between two of the times the axis moves by up to {angle:.3g}°, and its path "
+                          "would be lost between them: give "
+                          f"about {int(np.ceil(len(path) * worst / WIDEST * 2))} times, or an earlier last "
+                          "one")
     return path
 
 

@@ -17,8 +17,8 @@ Face = tuple[Array, str]
 def solid(scene: System) -> list[Face]:
     """Faces in body axes, each a polygon of shape (n, 3) and its colour, inside the unit sphere.
 
-    A body of revolution in a field is a top on its tip, anything else the box of constant density that has its moments of inertia; where
-    no rigid body has them, three bars along the axes.
+    A body of revolution in a field is a top on its tip, anything else the box of constant density that has
+    its moments of inertia; where no rigid body has them, three bars along the axes.
     """
     if scene.potential is not None and scene.body.is_of_revolution():
         return _top()
@@ -40,11 +40,15 @@ def _top() -> list[Face]:
 
 
 def _box(body: Gyrostat) -> list[Face]:
-    """Edges with b² + c² proportional to I1, and so on; a plate has none across, and is drawn with a thin one. One face stands out."""
+    """Edges with b² + c² proportional to I1, and so on.
+
+    A plate has none across, and is drawn with a thin one. One face stands out.
+    """
     inertia = floats(body.inertia)
     edges = np.sqrt(np.maximum(inertia.sum() / 2 - inertia, 0.004 * inertia.sum()))
     edges = 0.9 * edges / np.linalg.norm(edges)
-    return [(corners * edges, ACCENT if (axis, side) == (2, 1) else (LIGHT, MIDDLE, DEEP)[axis]) for axis, side, corners in _sides()]
+    return [(corners * edges, ACCENT if (axis, side) == (2, 1) else (LIGHT, MIDDLE, DEEP)[axis])
+            for axis, side, corners in _sides()]
 
 
 def _bars() -> list[Face]:
@@ -53,7 +57,8 @@ def _bars() -> list[Face]:
     for axis, color in enumerate((LIGHT, MIDDLE, DEEP)):
         edges = np.full(3, 0.06)
         edges[axis] = 0.9
-        faces += [(corners * edges, ACCENT if (n, side) == (axis, 1) else color) for n, side, corners in _sides()]
+        faces += [(corners * edges, ACCENT if (n, side) == (axis, 1) else color)
+                  for n, side, corners in _sides()]
     return faces
 
 

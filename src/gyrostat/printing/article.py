@@ -1,11 +1,25 @@
-"""Reports as LaTeX articles and fragments: sentences, numbered equations that fit the line, references; tables of conditions."""
+"""Reports as LaTeX articles and fragments: sentences, numbered equations that fit the line, references.
+
+Tables of conditions.
+"""
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 from sympy import MatrixBase
 
 from ..stability.report import Decision, Report
-from .blocks import Block, Display, Heading, Sentence, Word, decision_blocks, existence, ladder, rung_display, undecided
+from .blocks import (
+    Block,
+    Display,
+    Heading,
+    Sentence,
+    Word,
+    decision_blocks,
+    existence,
+    ladder,
+    rung_display,
+    undecided,
+)
 from .document import report_blocks, scene_blocks
 from .latex import RELATIONS, display, formula, tex
 from .linebreaks import broken, width
@@ -20,14 +34,16 @@ LINE, NARROW = 440.0, 315.0                                # points: a line of a
 
 def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (), fragment: bool = False,
              after: Sequence[Block] = ()) -> str:
-    """An article with the scene of the first report, every report, the decisions that go with them, and what comes after.
+    """An article with the scene of the first report, every report, the decisions that go with them, and what
+    comes after.
 
     A fragment has no preamble, fits a column of 12 cm, and names its references in comments.
     """
     given = list(reports)
     blocks = scene_blocks(given[0].equilibrium.system)
     for report, decision in zip(given, list(decisions) or [None] * len(given)):
-        blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision else [])
+        blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision
+                                           else [])
     blocks += after
     return article("Stability of the relative equilibria of a gyrostat", blocks, fragment)
 
@@ -37,24 +53,39 @@ def article(title: str, blocks: Sequence[Block], fragment: bool = False) -> str:
     body = "\n".join(_block(block, NARROW if fragment else LINE) for block in blocks)
     works = cited([block.template for block in blocks if isinstance(block, Sentence)])
     if fragment:
-        return "\n".join(["% needs amsmath" + ("; it cites" if works else ""), *(f"% {_words(work)}" for work in works), body, ""])
+        return "\n".join(["% needs amsmath" + ("; it cites" if works else ""),
+                          *(f"% {_words(work)}" for work in works), body, ""])
     listed = "\n".join(rf"\item {_words(work)}" for work in works)
     references = "\\section*{References}\n\\begin{itemize}\n" + listed + "\n\\end{itemize}\n" if works else ""
     return preamble(title) + body + "\n" + references + "\\end{document}\n"
 
 
 def conditions_table(reports: Iterable[Report], fragment: bool = False, after: Sequence[Block] = ()) -> str:
-    """Where each equilibrium exists, its necessary and its sufficient condition, as a table; below it what comes after."""
+    """Where each equilibrium exists, its necessary and its sufficient condition, as a table.
+
+    Below it what comes after.
+    """
     rows = []
     for report in reports:
         eq = report.equilibrium
         exists = [("exists where", display(existence(d, eq.at))) for d in eq.existence() if d.free_symbols]
-        lines = [*exists, ("necessary (spectral)", formula(report.necessary)), ("sufficient (formal)", formula(report.sufficient)),
+        lines = [*exists, ("necessary (spectral)", formula(report.necessary)),
+                 ("sufficient (formal)", formula(report.sufficient)),
                  *_between(report)]
-        rows += [rf"{eq.label if n == 0 else ''} & {name} & ${_inline(line)}$ \\" for n, (name, line) in enumerate(lines)] + [r"\hline"]
+        rows += [
+            rf"{eq.label if n == 0 else ''} & {name} & ${_inline(line)}$ \\"
+            for n, (name, line) in enumerate(lines)
+        ] + [r"\hline"]
     column = r">{\raggedright\arraybackslash}p"
-    table = "\n".join((rf"\begin{{tabular}}{{@{{}}{column}{{0.13\linewidth}}{column}{{0.2\linewidth}}{column}{{0.56\linewidth}}@{{}}}}",
-                       r"\hline", *rows, r"\end{tabular}", ""))
+    table = "\n".join(
+        (
+            rf"\begin{{tabular}}{{@{{}}{column}{{0.13\linewidth}}{column}{{0.2\linewidth}}{column}{{0.56\linewidth}}@{{}}}}",
+            r"\hline",
+            *rows,
+            r"\end{tabular}",
+            "",
+        )
+    )
     if "between the two" in table:
         table += _BETWEEN
     table += "".join(_block(block, NARROW) + "\n" for block in after)
@@ -73,24 +104,34 @@ def _between(report: Report) -> list[tuple[str, str]]:
 
 def preamble(title: str, packages: Iterable[str] = ()) -> str:
     """An article up to its title."""
-    return "\n".join((r"\documentclass{article}", r"\usepackage[utf8]{inputenc}", *(rf"\usepackage{{{p}}}" for p in ("amsmath", *packages)),
-                      r"\setlength{\textwidth}{17cm}", r"\setlength{\oddsidemargin}{-0.5cm}", r"\setlength{\parindent}{0pt}",
+    return "\n".join((r"\documentclass{article}", r"\usepackage[utf8]{inputenc}",
+                      *(rf"\usepackage{{{p}}}" for p in ("amsmath", *packages)),
+                      r"\setlength{\textwidth}{17cm}", r"\setlength{\oddsidemargin}{-0.5cm}",
+                      r"\setlength{\parindent}{0pt}",
                       r"\setlength{\emergencystretch}{3em}", r"\allowdisplaybreaks",
-                      rf"\title{{{title}}}", r"\author{}", r"\date{}", r"\begin{document}", r"\maketitle", ""))
+                      rf"\title{{{title}}}", r"\author{}", r"\date{}", r"\begin{document}", r"\maketitle",
+                      ""))
 
 
 def _block(block: Block, limit: float) -> str:
     if isinstance(block, Heading):
         return rf"\{'sub' * (block.level - 1)}section*{{{_words(block.title)}}}"
     if isinstance(block, Sentence):
-        return _words(block.template).format(*(f"${_inline(tex(part, block.at))}$" for part in block.parts)) + r"\par"
+        return (
+            _words(block.template).format(*(f"${_inline(tex(part, block.at))}$" for part in block.parts))
+            + r"\par"
+        )
     lines = _equations(block, limit)
     listed = rf"The entries of ${tex(block.name, block.at)}$ that are not 0:\par" if len(lines) > 1 else ""
-    return "\n".join([*filter(None, [listed]), *(rf"\begin{{equation}} {line} \end{{equation}}" for line in lines)])
+    return "\n".join([*filter(None, [listed]),
+                      *(rf"\begin{{equation}} {line} \end{{equation}}" for line in lines)])
 
 
 def _equations(block: Display, limit: float) -> list[str]:
-    """The display, broken where it is too wide; a matrix that stays too wide by its entries that are not 0."""
+    """The display, broken where it is too wide.
+
+    A matrix that stays too wide by its entries that are not 0.
+    """
     whole = display(block)
     if width(whole) <= limit:
         return [whole]
@@ -99,7 +140,8 @@ def _equations(block: Display, limit: float) -> list[str]:
         return [r"\begin{aligned}[b] & " + r" \\ & \quad ".join(broken(whole, limit)) + r" \end{aligned}"]
     if not isinstance(block.value, MatrixBase):
         first, *rest = broken(f"{relation} {tex(block.value, block.at)}", limit - width(name))
-        return [rf"\begin{{aligned}}[b] {name} & {first} \\ " + r" \\ ".join(rf"& \quad {line}" for line in rest) + r" \end{aligned}"]
+        return [rf"\begin{{aligned}}[b] {name} & {first} \\ "
+                + r" \\ ".join(rf"& \quad {line}" for line in rest) + r" \end{aligned}"]
     if width(whole) <= 1.2 * limit:
         return [rf"\text{{\footnotesize$\displaystyle {whole}$}}"]
     return [line for i, row in enumerate(block.value.tolist(), 1) for j, entry in enumerate(row, 1) if entry
@@ -113,7 +155,12 @@ def _inline(formula: str) -> str:
 
 def _words(text: str) -> str:
     """Prose in LaTeX, in ASCII; an expression in it stands as it is typed."""
-    text = text.replace("\\", r"\char92 ").replace("^", r"\char94 ").replace("~", r"\char126 ").replace("…", r"\ldots ")
+    text = (
+        text.replace("\\", r"\char92 ")
+        .replace("^", r"\char94 ")
+        .replace("~", r"\char126 ")
+        .replace("…", r"\ldots ")
+    )
     for sign in "_%#$":
         text = text.replace(sign, rf"\{sign}")
     for sign in ("<", ">", *RELATIONS):
@@ -127,15 +174,17 @@ def to_latex(obj: Any) -> str:
     Parameters
     ----------
     obj : Expr, matrix, Condition, Criterion, Linearization, SecondVariation, LiePoisson, System, Equilibrium, Gyrostat,
-          Potential, Decision or Report, or a sequence of Report for one document
+        Potential, Decision or Report, or a sequence of Report for one document
 
     Returns
     -------
-    str      without dollar signs; the document is of class article and uses amsmath
+    str
+        without dollar signs; the document is of class article and uses amsmath
 
     Raises
     ------
-    TypeError       for anything else
+    TypeError
+        for anything else
 
     Examples
     --------

@@ -1,4 +1,7 @@
-"""Headings, sentences and displayed formulas; criteria, the ladder between them, the drift and decisions as such."""
+"""Headings, sentences and displayed formulas.
+
+Criteria, the ladder between them, the drift and decisions as such.
+"""
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any
@@ -54,11 +57,14 @@ class Display:
 
 
 Block = Heading | Sentence | Display
-DOT = {f"{x}{i}": Word(f"{g}̇{'₀₁₂₃'[i]}", rf"\dot{{{t}}}_{i}") for x, g, t in (("pi", "π", r"\pi"), ("k", "k", "k")) for i in (1, 2, 3)}
+DOT = {f"{x}{i}": Word(f"{g}̇{'₀₁₂₃'[i]}", rf"\dot{{{t}}}_{i}")
+       for x, g, t in (("pi", "π", r"\pi"), ("k", "k", "k")) for i in (1, 2, 3)}
 VECTOR_FORM = {False: Word("π̇ = M × ω", r"\dot{\pi} = M\times\omega"), True: Word(
-    "π̇ = M × ω + k × ∇U,  k̇ = k × ω", r"\dot{\pi} = M\times\omega + k\times\nabla U,\quad \dot{k} = k\times\omega")}
+    "π̇ = M × ω + k × ∇U,  k̇ = k × ω",
+    r"\dot{\pi} = M\times\omega + k\times\nabla U,\quad \dot{k} = k\times\omega")}
 DISTANCE, SIGMA = symbol("x"), Word("σ", r"\sigma")
-FEW, SEVERAL = 3, 6                                        # rungs shown of a ladder without an end, of one with an end
+# rungs shown of a ladder without an end, of one with an end
+FEW, SEVERAL = 3, 6
 _TITLES = {Verdict.STABLE: "Lyapunov stable", Verdict.UNSTABLE: "unstable", Verdict.UNDECIDED: "undecided"}
 
 
@@ -68,7 +74,7 @@ def prose(text: str) -> Sentence:
 
 
 def existence(domain: Expr, at: Any) -> Display:
-    """Where a family exists: |x| < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
+    """Where a family exists: abs(x) < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
     if isinstance(domain, Pow) and domain.exp == 2:
         base = readable(domain.base)
         return Display(-base if base.could_extract_minus_sign() else base, S.Zero, at, "≠")
@@ -82,7 +88,8 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any) -> list[Block]:
     """Each alternative as its comparisons."""
     modulo = (", modulo the flow of " + ", ".join(["{}"] * len(criterion.modulo))) if criterion.modulo else ""
     if criterion.alternatives == ():
-        return [Sentence(f"{title}: " + ("never." if criterion.notion == "spectral" else "no information, the form is not definite."))]
+        return [Sentence(f"{title}: " + ("never." if criterion.notion == "spectral"
+                                         else "no information, the form is not definite."))]
     if () in criterion.alternatives:
         return [Sentence(f"{title}{modulo}: always.", criterion.modulo)]
     blocks: list[Block] = []
@@ -93,7 +100,8 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any) -> list[Block]:
         for c in alternative:
             for e in c.degenerate:
                 blocks.append(Display(readable(e), S.Zero, at, "≠") if c.strict and not telling else
-                              Sentence("and {} ≠ 0" if c.strict else "(also where {} = 0)", (readable(e),), at))
+                              Sentence("and {} ≠ 0" if c.strict else "(also where {} = 0)", (readable(e),),
+                                       at))
     for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
         name, by = Word(proof.source, proof.source.replace("²", "^2").replace("−", "-")), readable(proof.by)
         blocks.append(Sentence("Here {} is, up to a positive factor, {} + {} ({}): it adds nothing.",
@@ -115,27 +123,49 @@ def comparison(condition: Condition) -> Display:
 
 
 def boundary_blocks(report: Report) -> list[Block]:
-    """What decides where the necessary condition holds and the sufficient one does not: the ladder, if there is one."""
+    """What decides where the necessary condition holds and the sufficient one does not.
+
+    The ladder, if there is one.
+    """
     if not undecided(report):
         return []
-    between, boundary, eq = "Where the necessary condition holds and the sufficient one does not, ", report.boundary, report.equilibrium
+    between, boundary, eq = (
+        "Where the necessary condition holds and the sufficient one does not, ",
+        report.boundary,
+        report.equilibrium,
+    )
     if boundary is None and sphere_of(eq):
         return [Sentence(between + "the energy on the momentum sphere decides to fourth order, at numbers.")]
     if boundary is None:
         return [Sentence(between + "nothing is claimed.")]
     if report.recognised:
-        between, eq = f"The scene is {report.recognised.sentence}; with that axis for the third: w{between[1:]}", boundary.equilibrium
+        between, eq = (
+            f"The scene is {report.recognised.sentence}; with that axis for the third: w{between[1:]}",
+            boundary.equilibrium,
+        )
     rungs, more = ladder(boundary)
-    levels = {ENERGY: symbol("h"), V: symbol("C1"), P: eq.system.space.coordinates[2] + eq.system.body.gyrostatic_momentum[2]}
+    levels = {ENERGY: symbol("h"), V: symbol("C1"),
+              P: eq.system.space.coordinates[2] + eq.system.body.gyrostatic_momentum[2]}
     levels |= {name: value for name, value in eq.relations if not value.free_symbols and name != K3}
     motion = Word("I₁² k̇₃² = g", r"I_1^2 \dot{k}_3^2 = g")
-    series, inward = Word("g = c₃ x³ + c₄ x⁴ + …", r"g = c_3 x^3 + c_4 x^4 + \dots"), Word("x ≥ 0", r"x \geq 0")
-    place, parts = ("{} = {}, {}", (K3, eq.at * (1 - DISTANCE), inward)) if boundary.pole else ("{} the deviation of {}", (DISTANCE, K3))
-    decides = "the first coefficient that is not 0 decides. Up to positive factors:" if rungs else "all coefficients are 0: unstable."
-    return [Sentence(f"{between}the motion of {{}} by itself decides, on the level of the equilibrium: {{}} with", (K3, motion)),
+    series, inward = Word("g = c₃ x³ + c₄ x⁴ + …",
+                          r"g = c_3 x^3 + c_4 x^4 + \dots"), Word("x ≥ 0", r"x \geq 0")
+    place, parts = (
+        ("{} = {}, {}", (K3, eq.at * (1 - DISTANCE), inward))
+        if boundary.pole
+        else ("{} the deviation of {}", (DISTANCE, K3))
+    )
+    decides = (
+        "the first coefficient that is not 0 decides. Up to positive factors:"
+        if rungs
+        else "all coefficients are 0: unstable."
+    )
+    return [Sentence(f"{between}the motion of {{}} by itself decides, on the level of the equilibrium: "
+                     f"{{}} with", (K3, motion)),
             Display(Word("g", "g"), reduce(eq.system).square().xreplace(levels)),
             Sentence(f"There {{}}, with {place}; {decides}", (series, *parts)),
-            *map(rung_display, rungs), *(_outcome(boundary, rungs, more, report.sufficient.modulo) if rungs else [])]
+            *map(rung_display, rungs), *(_outcome(boundary, rungs, more, report.sufficient.modulo) if rungs
+                                         else [])]
 
 
 def undecided(report: Report) -> bool:
@@ -144,11 +174,14 @@ def undecided(report: Report) -> bool:
 
 
 def ladder(boundary: Boundary) -> tuple[list[Rung], bool]:
-    """The rungs to show, without those that vanish with the ones before, and whether there may be more to decide after them."""
+    """The rungs to show, without those that vanish with the ones before, and whether there may be more to
+    decide after them.
+    """
     rungs: list[Rung] = []
     for rung in islice(boundary.rungs(), FEW if boundary.last is None else SEVERAL):
         margin = rung.condition.margin
-        if margin == 0 or any(margin in (r.condition.margin, -r.condition.margin) and not r.condition.degenerate for r in rungs):
+        if margin == 0 or any(margin in (r.condition.margin, -r.condition.margin)
+                              and not r.condition.degenerate for r in rungs):
             continue
         rungs.append(rung)
         if margin.is_number and not rung.condition.degenerate:
@@ -166,9 +199,15 @@ def rung_display(rung: Rung) -> Display:
 def _outcome(boundary: Boundary, rungs: list[Rung], more: bool, modulo: tuple[Expr, ...]) -> list[Block]:
     """What each sign means, and what comes after the rungs shown."""
     flow = f" modulo the flow of {', '.join(['{}'] * len(modulo))}" if modulo else ""
-    signs = ["Positive: Lyapunov stable (supercritical); negative: unstable (subcritical)"] if boundary.pole else [
-        *["Of an odd power, not 0: unstable"] * any(r.escapes for r in rungs),
-        *[f"of an even power, positive: Lyapunov stable{flow}; negative: unstable"] * any(not r.escapes for r in rungs)]
+    signs = (
+        ["Positive: Lyapunov stable (supercritical); negative: unstable (subcritical)"]
+        if boundary.pole
+        else [
+            *["Of an odd power, not 0: unstable"] * any(r.escapes for r in rungs),
+            *[f"of an even power, positive: Lyapunov stable{flow}; negative: unstable"]
+            * any(not r.escapes for r in rungs),
+        ]
+    )
     parts: tuple[Any, ...] = () if boundary.pole or all(r.escapes for r in rungs) else modulo
     end = boundary.last or HIGHEST
     further = more and (boundary.last is None or end > 2 + SEVERAL)
@@ -187,15 +226,25 @@ def drift_blocks(report: Report) -> list[Block]:
     if report.boundary is None or report.boundary.pole:
         return []
     drift = report.drift
-    spin, exception = Word("ω k + σ e₃", r"\omega k + \sigma e_3"), Word("I₁ = I₃, l = 0, ω ≠ 0", r"I_1 = I_3,\ l = 0,\ \omega \neq 0")
-    turning = Sentence("The point itself is not Lyapunov stable: near it are relative equilibria {} that turn about the axis of the body "
-                       "and leave it, at a rate {}" + (" with" if drift.omega else " that is free."), (spin, SIGMA))
-    growing = Sentence("Where {} and {} are not 0, the linearised flow grows besides, by a Jordan block of the eigenvalue 0:",
+    spin, exception = Word("ω k + σ e₃",
+                           r"\omega k + \sigma e_3"), Word("I₁ = I₃, l = 0, ω ≠ 0",
+                                                           r"I_1 = I_3,\ l = 0,\ \omega \neq 0")
+    turning = Sentence("The point itself is not Lyapunov stable: near it are relative equilibria {} that "
+                       "turn about the axis of the body "
+                       "and leave it, at a rate {}" + (" with" if drift.omega else " that is free."),
+                       (spin, SIGMA))
+    growing = Sentence("Where {} and {} are not 0, the linearised flow grows besides, by a Jordan block of "
+                       "the eigenvalue 0:",
                        (symbol("p"), symbol("D")))
     *rates, defect = drift_displays(drift)
-    axes = [Sentence(f"The scene is {report.recognised.sentence}; with that axis for the third:")] if report.recognised else []
+    axes = (
+        [Sentence(f"The scene is {report.recognised.sentence}; with that axis for the third:")]
+        if report.recognised
+        else []
+    )
     return [*axes, turning, *rates, growing, defect,
-            *([Sentence("The only exception: {} and a constant {}.", (exception, Word("U", "U")))] if drift.omega else [])]
+            *([Sentence("The only exception: {} and a constant {}.", (exception, Word("U", "U")))]
+              if drift.omega else [])]
 
 
 def drift_displays(drift: Drift) -> list[Block]:
@@ -203,15 +252,22 @@ def drift_displays(drift: Drift) -> list[Block]:
     at = drift.equilibrium.at
     names = ("k₃", "k_3"), ("ω", r"\omega")
     rates = zip(names, drift.rates) if drift.omega else ()
-    return [*(Display(Word(f"∂σ/∂{t}", rf"\partial\sigma/\partial {x}"), readable(rate), at) for (t, x), rate in rates),
+    return [*(Display(Word(f"∂σ/∂{t}", rf"\partial\sigma/\partial {x}"), readable(rate), at) for (t, x),
+              rate in rates),
             Display(symbol("D"), readable(drift.defect), at)]
 
 
 def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Block]:
     """The verdict at the numbers given."""
     title = _TITLES[decision.verdict]
-    modulo = (" modulo the flow of " + ", ".join(["{}"] * len(decision.modulo))) if decision.modulo and decision.notion else ""
-    values = [Display(readable(margin), Word(shown(value), shown(value)), at) for margin, value in decision.margins
+    modulo = (
+        (" modulo the flow of " + ", ".join(["{}"] * len(decision.modulo)))
+        if decision.modulo and decision.notion
+        else ""
+    )
+    values = [Display(readable(margin), Word(shown(value), shown(value)), at)
+              for margin, value in decision.margins
               if margin.free_symbols]
     notes: list[Block] = [Sentence(f"Note: {decision.note}.")] if decision.note else []
-    return [Sentence(f"{of}: {title}{modulo}; {decision.verdict.value}.", decision.modulo if modulo else ()), *values, *notes]
+    return [Sentence(f"{of}: {title}{modulo}; {decision.verdict.value}.", decision.modulo if modulo else ()),
+            *values, *notes]

@@ -1,4 +1,7 @@
-"""Scenes, reports and decisions as data for JSON: expressions are strings in the grammar of the command line."""
+"""Scenes, reports and decisions as data for JSON.
+
+Expressions are strings in the grammar of the command line.
+"""
 import json
 import math
 from functools import lru_cache
@@ -16,9 +19,12 @@ from .blocks import ladder, undecided
 def scene_data(scene: System) -> dict[str, Any]:
     """Coordinates, bracket, integrals and field."""
     return {
-        "coordinates": strings(scene.space.coordinates), "tensor": [strings(row) for row in scene.space.tensor.tolist()],
-        "casimirs": strings(scene.space.casimirs), "hamiltonian": str(scene.hamiltonian), "integrals": strings(scene.integrals),
-        "vector_field": strings(scene.vector_field() if scene.potential and scene.potential.given else scene.jet_field)}
+        "coordinates": strings(scene.space.coordinates),
+        "tensor": [strings(row) for row in scene.space.tensor.tolist()],
+        "casimirs": strings(scene.space.casimirs), "hamiltonian": str(scene.hamiltonian),
+        "integrals": strings(scene.integrals),
+        "vector_field": strings(scene.vector_field() if scene.potential and scene.potential.given
+                                else scene.jet_field)}
 
 
 def report_data(report: Report) -> dict[str, Any]:
@@ -36,13 +42,17 @@ def report_data(report: Report) -> dict[str, Any]:
 def conditions_data(report: Report) -> dict[str, Any]:
     """Where an equilibrium exists, and what decides there."""
     eq = report.equilibrium
-    return {"label": eq.label, "positive": strings(eq.existence()), "eliminated": eq.eliminated, "parameters": list(report.parameters),
+    return {"label": eq.label, "positive": strings(eq.existence()), "eliminated": eq.eliminated,
+            "parameters": list(report.parameters),
             "necessary": criterion_data(report.necessary), "sufficient": criterion_data(report.sufficient),
             "boundary": boundary_data(report)}
 
 
 def boundary_data(report: Report) -> dict[str, Any] | None:
-    """The ladder between the two criteria as it is shown; None where they leave nothing open, or nothing decides it."""
+    """The ladder between the two criteria as it is shown.
+
+    None where they leave nothing open, or nothing decides it.
+    """
     if not undecided(report) or report.boundary is None:
         return None
     (rungs, _), last = ladder(report.boundary), report.boundary.last
@@ -58,18 +68,22 @@ def drift_data(drift: Drift) -> dict[str, Any]:
 def criterion_data(criterion: Criterion) -> dict[str, Any]:
     """Any of the alternatives, all of the conditions of one."""
     return {"notion": criterion.notion, "modulo": strings(criterion.modulo),
-            "any_of": [{"all_of": [condition_data(c) for c in alternative]} for alternative in criterion.alternatives]}
+            "any_of": [{"all_of": [condition_data(c) for c in alternative]}
+                       for alternative in criterion.alternatives]}
 
 
 def condition_data(c: Condition) -> dict[str, Any]:
     """margin > 0, or ≥ 0 where it is not strict."""
-    return {"margin": str(c.margin), "strict": c.strict, "source": c.source, "zero_where": strings(c.degenerate), "at": str(c.at)}
+    return {"margin": str(c.margin), "strict": c.strict, "source": c.source,
+            "zero_where": strings(c.degenerate), "at": str(c.at)}
 
 
 def decision_data(decision: Decision) -> dict[str, Any]:
     """A verdict with its reason."""
-    return {"verdict": decision.verdict.name, "notion": decision.notion, "modulo": strings(decision.modulo), "reason": decision.reason,
-            "margins": {_text(margin): str(value) for margin, value in decision.margins}, "note": decision.note}
+    return {"verdict": decision.verdict.name, "notion": decision.notion, "modulo": strings(decision.modulo),
+            "reason": decision.reason,
+            "margins": {_text(margin): str(value) for margin, value in decision.margins},
+            "note": decision.note}
 
 
 @lru_cache(maxsize=4096)

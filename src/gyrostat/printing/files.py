@@ -13,10 +13,12 @@ from ..errors import optional
 
 @contextmanager
 def written(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """A path to write to, moved into the place of the one given when the block ends well, removed when it does not.
+    """A path to write to, moved into the place of the one given when the block ends well, removed when it
+    does not.
 
-    Until then what is there stays there: after an error, an interruption or on a full disk it is the old file. A link stays a link,
-    and the permissions stay. What is no file, /dev/null or a pipe, is written to as it is.
+    Until then what is there stays there: after an error, an interruption or on a full disk it is the old
+    file. A link stays a link, and the permissions stay. What is no file, /dev/null or a pipe, is written to
+    as it is.
 
     Parameters
     ----------
@@ -24,7 +26,8 @@ def written(path: str | os.PathLike[str]) -> Iterator[Path]:
 
     Raises
     ------
-    OSError        the file, or its folder, cannot be written
+    OSError
+        the file, or its folder, cannot be written
 
     Examples
     --------
@@ -51,7 +54,10 @@ def written(path: str | os.PathLike[str]) -> Iterator[Path]:
 
 
 def replaceable(place: Path) -> bool:
-    """Whether another file can be moved to the place: nothing or a file is there; OSError where it is one that is not to be written."""
+    """Whether another file can be moved to the place: nothing or a file is there.
+
+    OSError where it is one that is not to be written.
+    """
     if not place.exists():
         return True
     if place.is_dir():
@@ -83,14 +89,18 @@ def save_netcdf(dataset: Any, path: str | os.PathLike[str], **kwargs: Any) -> No
 
     Parameters
     ----------
-    dataset : xarray.Dataset      of gyrostat.charts.chart, or Motion.to_xarray
+    dataset : xarray.Dataset
+        of gyrostat.charts.chart, or Motion.to_xarray
     path : str or PathLike
-    kwargs                        of Dataset.to_netcdf, encoding for example
+    kwargs
+        of Dataset.to_netcdf, encoding for example
 
     Raises
     ------
-    OSError                       the file cannot be written
-    MissingExtraError             pip install "gyrostat[charts]"
+    OSError
+        the file cannot be written
+    MissingExtraError
+        pip install "gyrostat[charts]"
     """
     optional("netCDF4", "charts")
     with written(path) as new:

@@ -1,4 +1,6 @@
-"""to_latex(obj): conditions, matrices, polynomials, every public object, and whole reports, in the notation of the sources."""
+"""to_latex(obj): conditions, matrices, polynomials, every public object, and whole reports, in the notation
+of the sources.
+"""
 import re
 from collections.abc import Iterable
 from typing import Any
@@ -28,7 +30,10 @@ RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto"}
 
 
 class Printer(LatexPrinter):
-    """Symbols from the notation, terms and factors in its order; derivatives of U take their argument from at."""
+    """Symbols from the notation, terms and factors in its order.
+
+    Derivatives of U take their argument from at.
+    """
 
     def __init__(self, at: Any = None):
         super().__init__()
@@ -41,7 +46,8 @@ class Printer(LatexPrinter):
         pieces: list[str] = []
         for term in ordered_terms(expr):
             part = self._print(term)
-            pieces.append(part if not pieces else f" - {part[1:].lstrip()}" if part.startswith("-") else f" + {part}")
+            pieces.append(part if not pieces else f" - {part[1:].lstrip()}" if part.startswith("-")
+                          else f" + {part}")
         return "".join(pieces)
 
     def _print_Mul(self, expr: Mul) -> str:
@@ -68,7 +74,9 @@ class Printer(LatexPrinter):
         if exponent < 0:
             return rf"\frac{{1}}{{{self._print(Pow(base, -exponent))}}}"
         inner = self._print(base)
-        return (rf"\left({inner}\right)" if base.is_Add or "^" in inner or "'" in inner else inner) + f"^{{{exponent}}}"
+        return (
+            rf"\left({inner}\right)" if base.is_Add or "^" in inner or "'" in inner else inner
+        ) + f"^{{{exponent}}}"
 
     def _print_AppliedUndef(self, expr: Any) -> str:
         return f"{expr.func}({', '.join(map(self._print, expr.args))})"
@@ -119,13 +127,16 @@ def formula(obj: Any) -> str:
     if isinstance(obj, Potential):
         return "U = " + tex(obj.expression)
     if isinstance(obj, Decision):
-        return rf"\text{{{obj.verdict.name.lower()}{f' ({obj.notion})' if obj.notion else ''}}}" + _modulo(obj.modulo if obj.notion else ())
+        return rf"\text{{{obj.verdict.name.lower()}{f' ({obj.notion})' if obj.notion else ''}}}" + _modulo(
+            obj.modulo if obj.notion else ()
+        )
     if isinstance(obj, Report):
         return _aligned(((Word("necessary", r"\text{necessary: }"), obj.necessary),
                          (Word("sufficient", r"\text{sufficient: }"), obj.sufficient)))
     if isinstance(obj, RESULTS):
         return r"\begin{aligned} & " + r" \\ & ".join(map(_line, result_blocks(obj))) + r" \end{aligned}"
-    raise TypeError(f"to_latex takes expressions, matrices and the library's own objects, not {type(obj).__name__}")
+    raise TypeError("to_latex takes expressions, matrices and the library's own objects, not "
+                    f"{type(obj).__name__}")
 
 
 def _line(block: Block) -> str:
@@ -133,9 +144,11 @@ def _line(block: Block) -> str:
     if not isinstance(block, Sentence):
         return display(block) if isinstance(block, Display) else rf"\text{{{block.title}}}"
     parts, line = iter(block.parts), ""
-    for words, mark in zip(*[iter([*re.split(r"(\{\}| [<>=≥≤≠] )", block.template), ""])] * 2):      # a place for a formula, or a relation
+    # a place for a formula, or a relation
+    for words, mark in zip(*[iter([*re.split(r"(\{\}| [<>=≥≤≠] )", block.template), ""])] * 2):
         formula = tex(next(parts), block.at) if mark == "{}" else RELATIONS.get(mark.strip(), mark.strip())
-        line += (rf"\text{{{words}}}" if words else "") + (formula if mark == "{}" else f" {formula} " if mark else "")
+        line += (rf"\text{{{words}}}" if words else "") + (formula if mark == "{}" else f" {formula} "
+                                                           if mark else "")
     return line
 
 
@@ -145,9 +158,12 @@ def _modulo(integrals: tuple[Expr, ...]) -> str:
 
 def _aligned(rows: Iterable[tuple[Word, Any]]) -> str:
     def right(value: Any) -> str:
-        return rf"\left({', '.join(map(_entered, value))}\right)" if isinstance(value, tuple) else formula(value)
+        return (
+            rf"\left({', '.join(map(_entered, value))}\right)" if isinstance(value, tuple) else formula(value)
+        )
 
-    lines = [f"{name.latex} & {'' if isinstance(value, Criterion) else '= '}{right(value)}" for name, value in rows]
+    lines = [f"{name.latex} & {'' if isinstance(value, Criterion) else '= '}{right(value)}"
+             for name, value in rows]
     return r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}"
 
 
@@ -160,9 +176,16 @@ def _condition(condition: Condition) -> str:
     shown = comparison(condition)
     found = display(shown)
     for factor in condition.degenerate:
-        found += (r" \;\land\; " if condition.strict else r" \;\lor\; ") + tex(readable(factor), condition.at) + (
-            r" \neq 0" if condition.strict else " = 0")
-    return found.partition(r" \;\land\; ")[2] if condition.strict and condition.degenerate and trivial(condition) else found
+        found += (
+            (r" \;\land\; " if condition.strict else r" \;\lor\; ")
+            + tex(readable(factor), condition.at)
+            + (r" \neq 0" if condition.strict else " = 0")
+        )
+    return (
+        found.partition(r" \;\land\; ")[2]
+        if condition.strict and condition.degenerate and trivial(condition)
+        else found
+    )
 
 
 def display(block: Display) -> str:

@@ -2,10 +2,13 @@
 import re
 
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[{}^_&]|\s+|.", re.DOTALL)
-_WIDE = {"\\left": 0.0, "\\right": 0.0, "\\bigl": 1.5, "\\bigr": 1.5, "\\quad": 10.0, "\\;": 2.8, "\\,": 1.7, "\\displaystyle": 0.0,
-         "\\land": 11.0, "\\lor": 11.0, "\\geq": 13.0, "\\leq": 13.0, "\\neq": 13.0, "\\times": 12.0, "\\pm": 12.0, "\\prime": 3.0,
+_WIDE = {"\\left": 0.0, "\\right": 0.0, "\\bigl": 1.5, "\\bigr": 1.5, "\\quad": 10.0, "\\;": 2.8, "\\,": 1.7,
+         "\\displaystyle": 0.0,
+         "\\land": 11.0, "\\lor": 11.0, "\\geq": 13.0, "\\leq": 13.0, "\\neq": 13.0, "\\times": 12.0,
+         "\\pm": 12.0, "\\prime": 3.0,
          "\\cdot": 7.0, "\\text": 0.0, "\\dot": 0.0, "\\partial": 6.0, "\\nabla": 9.0}
-_PLAIN = {"+": 12.2, "-": 12.2, "=": 13.4, "<": 13.4, ">": 13.4, "(": 4.5, ")": 4.5, ",": 4.5, "'": 3.2, "|": 3.0}
+_PLAIN = {"+": 12.2, "-": 12.2, "=": 13.4, "<": 13.4, ">": 13.4, "(": 4.5, ")": 4.5, ",": 4.5, "'": 3.2,
+          "|": 3.0}
 
 
 def width(tex: str) -> float:
@@ -69,13 +72,21 @@ def _matrix(tokens: list[str], place: int, total: float) -> tuple[float, int]:
 
 
 def broken(tex: str, limit: float) -> list[str]:
-    """The formula in lines of at most the limit, broken before a + or − outside fractions and roots; parentheses may be opened."""
+    """The formula in lines of at most the limit, broken before a + or − outside fractions and roots.
+
+    Parentheses may be opened.
+    """
     if width(tex) <= limit:
         return [tex]
     pieces, depth, current = list[str](), 0, ""
     for token in _TOKEN.findall(tex.replace(r"\left(", r"\bigl(").replace(r"\right)", r"\bigr)")):
         depth += {"{": 1, "}": -1}.get(token, 0)
-        if token in "+-" and not depth and current.strip() and not current.rstrip().endswith(("(", ",", "=", ">", "<", r"\geq", r"\leq")):
+        if (
+            token in "+-"
+            and not depth
+            and current.strip()
+            and not current.rstrip().endswith(("(", ",", "=", ">", "<", r"\geq", r"\leq"))
+        ):
             pieces.append(current)
             current = ""
         current += token

@@ -8,7 +8,9 @@ from ..stability.conditions import Condition
 
 
 def inequality(condition: Condition) -> tuple[Expr, Expr]:
-    """Left and right side of the condition: what is negative stands on the right, at E1 and E2 all but the square.
+    """Left and right side of the condition.
+
+    What is negative stands on the right, at E1 and E2 all but the square.
 
     Examples
     --------
@@ -34,17 +36,22 @@ def ordered_terms(expression: Add) -> list[Expr]:
 
 
 def ordered_factors(product: Expr) -> list[Expr]:
-    """The factors of a product as they are written: numbers, moments, symbols as in the notation, sums from short to long."""
+    """The factors of a product as they are written.
+
+    Numbers, moments, symbols as in the notation, sums from short to long.
+    """
     def key(factor: Expr) -> tuple[Any, ...]:
         base = factor.base if isinstance(factor, Pow) else factor
         inertia = all(s.is_positive for s in factor.free_symbols)
         size = len(base.free_symbols) if base.is_Add else not inertia
-        return not factor.is_number, base.is_Add, not (base.is_Add or base.is_Symbol), size, term_order(factor)
+        return not factor.is_number, base.is_Add, not (base.is_Add
+                                                       or base.is_Symbol), size, term_order(factor)
 
     factors = [f for f in Mul.make_args(product) if f != 1]
     roots = [f for f in factors if isinstance(f, Pow) and f.exp == S.Half]
     if len(roots) > 1:                                     # √a √b reads better as √(a b)
-        factors = [f for f in factors if f not in roots] + [Pow(Mul(*(r.base for r in roots)), S.Half, evaluate=False)]
+        factors = [f for f in factors if f not in roots] + [Pow(Mul(*(r.base for r in roots)), S.Half,
+                                                                evaluate=False)]
     return sorted(factors, key=key)
 
 

@@ -2,13 +2,17 @@
 
 REFERENCES = {
     "Lyapunov 1892": "A. M. Lyapunov, The General Problem of the Stability of Motion (1892)",
-    "Marsden, Ratiu & Weinstein 1984": "J. E. Marsden, T. Ratiu & A. Weinstein, Semidirect products and reduction in mechanics, "
+    "Marsden, Ratiu & Weinstein 1984": "J. E. Marsden, T. Ratiu & A. Weinstein, Semidirect products and "
+                                       "reduction in mechanics, "
                                        "Trans. Amer. Math. Soc. 281 (1984) 147-177",
-    "Holm, Marsden, Ratiu & Weinstein 1985": "D. D. Holm, J. E. Marsden, T. Ratiu & A. Weinstein, Nonlinear stability of fluid and plasma "
+    "Holm, Marsden, Ratiu & Weinstein 1985": "D. D. Holm, J. E. Marsden, T. Ratiu & A. Weinstein, "
+                                             "Nonlinear stability of fluid and plasma "
                                              "equilibria, Phys. Rep. 123 (1985) 1-116",
     "Hughes 1986": "P. C. Hughes, Spacecraft Attitude Dynamics (1986)",
-    "Ortega & Ratiu 1999": "J.-P. Ortega & T. S. Ratiu, Stability of Hamiltonian relative equilibria, Nonlinearity 12 (1999) 693-720",
-    "Vera & Viguera 2003": "J. A. Vera & A. Viguera, Soluciones de equilibrio en un problema generalizado del de Lagrange-Poisson, "
+    "Ortega & Ratiu 1999": "J.-P. Ortega & T. S. Ratiu, Stability of Hamiltonian relative equilibria, "
+                           "Nonlinearity 12 (1999) 693-720",
+    "Vera & Viguera 2003": "J. A. Vera & A. Viguera, Soluciones de equilibrio en un problema generalizado "
+                           "del de Lagrange-Poisson, "
                            "Monografías de la Real Academia de Ciencias de Zaragoza 22 (2003) 141-150",
 }
 

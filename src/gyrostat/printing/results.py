@@ -1,4 +1,7 @@
-"""What is found beyond a report, as sentences and displays: sets of a parameter, branches, bifurcations, the reduced motion."""
+"""What is found beyond a report, as sentences and displays.
+
+Sets of a parameter, branches, bifurcations, the reduced motion.
+"""
 from functools import singledispatch
 from typing import Any
 
@@ -15,7 +18,8 @@ from ..stability.linearization import rational_root
 from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Part, Solution
 from .blocks import Block, Display, Sentence, Word, drift_displays, existence, ladder, rung_display
 
-LONG = 8                                                   # operations under a root, more of which are given a name
+# operations under a root, more of which are given a name
+LONG = 8
 _RELATION = {"<": "<", ">": ">", "=": "=", "!=": "≠"}
 
 
@@ -27,19 +31,25 @@ def result_blocks(obj: Any) -> list[Block]:
 
 @result_blocks.register
 def _solution(solution: Solution) -> list[Block]:
-    premises = [p for p in solution.parts if p.meaning == "exists" and symbol(solution.name) not in p.margin.free_symbols]
-    blocks: list[Block] = [Sentence("Where it exists:"), *(existence(p.margin, p.at) for p in premises)] if premises else []
+    premises = [p for p in solution.parts if p.meaning == "exists"
+                and symbol(solution.name) not in p.margin.free_symbols]
+    blocks: list[Block] = (
+        [Sentence("Where it exists:"), *(existence(p.margin, p.at) for p in premises)] if premises else []
+    )
     for meaning, title in _TITLES.items():
         parts = [p for p in solution.parts if p.meaning == meaning and p not in premises]
         if len(parts) > 1:
-            blocks.append(Sentence(f"{title} where all of these hold:" if meaning != "necessary" else f"{title} all of these hold:"))
-        blocks += [block for n, p in enumerate(parts, 1) for block in _part(p, solution.name, title if len(parts) == 1 else f"({n})")]
+            blocks.append(Sentence(f"{title} where all of these hold:" if meaning != "necessary"
+                                   else f"{title} all of these hold:"))
+        blocks += [block for n, p in enumerate(parts, 1)
+                   for block in _part(p, solution.name, title if len(parts) == 1 else f"({n})")]
     if any(p.meaning == "sufficient" for p in solution.parts):
         blocks.append(Sentence("Where it is neither proved stable nor proved unstable, nothing is claimed."))
     return blocks
 
 
-_TITLES = {"exists": "It exists", "stable": "Stable", "sufficient": "Proved stable", "necessary": "Unstable unless",
+_TITLES = {"exists": "It exists", "stable": "Stable", "sufficient": "Proved stable",
+           "necessary": "Unstable unless",
            "undecided": "Nothing is proved for"}
 
 
@@ -49,11 +59,13 @@ def _part(part: Part, name: str, title: str) -> list[Block]:
     blocks: list[Block] = []
     names: dict[Expr, Expr] = {}
     for case in part.cases:
-        when = "for " * bool(case.when) + " and ".join(f"{{}} {_RELATION[relation]} 0" for _, relation in case.when)
+        when = "for " * bool(case.when) + " and ".join(f"{{}} {_RELATION[relation]} 0"
+                                                       for _, relation in case.when)
         template, parts = _set(case.intervals, x)
         shown = [_abbreviated(p, names) for p in (*(readable(e) for e, _ in case.when), *parts)]
         blocks.append(Sentence(f"{title}{f' {when}' if when else ''}: {template}.", tuple(shown), part.at))
-    return blocks + ([Sentence("There:"), *(Display(name, _tidy(e), part.at) for e, name in names.items())] if names else [])
+    return blocks + ([Sentence("There:"), *(Display(name, _tidy(e), part.at) for e, name in names.items())]
+                     if names else [])
 
 
 def _abbreviated(value: Any, names: dict[Expr, Expr]) -> Any:
@@ -72,13 +84,19 @@ def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[str, tuple[Any, ...]
     if not intervals:
         return "no {}", (x,)
     lowest = S.Zero if x.is_positive else -oo
-    ends = [(end, rungs) for i in intervals for end, rungs in ((i.low, i.low_if), (i.high, i.high_if)) if end not in (lowest, oo)]
+    ends = [(end, rungs) for i in intervals for end, rungs in ((i.low, i.low_if), (i.high, i.high_if))
+            if end not in (lowest, oo)]
     shared = ends[0][1] if ends and all(rungs == ends[0][1] for _, rungs in ends) else None
     if not ends:
         return "every {}", (x,)
     first, second = intervals[0], intervals[-1]
     parts: tuple[Any, ...]
-    touching = len(intervals) == 2 and first.high == second.low and shared is not None and not any(i.tilt for i in intervals)
+    touching = (
+        len(intervals) == 2
+        and first.high == second.low
+        and shared is not None
+        and not any(i.tilt for i in intervals)
+    )
     if touching and shared == INCLUDED:
         return "every {}", (x,)
     if touching:
@@ -159,13 +177,15 @@ def _branch(branch: Branch) -> list[Block]:
 
 @result_blocks.register
 def _bifurcation(b: Bifurcation) -> list[Block]:
-    return [Sentence(f"{b.kind} ({KINDS[b.kind]}):"), *(Display(readable(e), S.Zero, b.at) for e in b.equations)]
+    return [Sentence(f"{b.kind} ({KINDS[b.kind]}):"),
+            *(Display(readable(e), S.Zero, b.at) for e in b.equations)]
 
 
 @result_blocks.register
 def _point(point: BifurcationPoint) -> list[Block]:
     places = (symbol(point.name), point.value), (symbol("k3"), point.k3)
-    return [Sentence(f"{point.kind} at {{}} = {{}}, {{}} = {{}}", tuple(part for name, x in places for part in (name, number(x))))]
+    return [Sentence(f"{point.kind} at {{}} = {{}}, {{}} = {{}}",
+                     tuple(part for name, x in places for part in (name, number(x))))]
 
 
 @result_blocks.register

@@ -42,7 +42,8 @@ class _Unicode(StrPrinter):
             return f"√{inner}" if base.is_Symbol or base.is_Integer and base >= 0 else f"√({inner})"
         inner = self._print(base)
         inner = inner if base.is_Symbol and not inner.endswith(tuple("⁰)")) else f"({inner})"
-        return inner + (str(exponent).translate(SUPERSCRIPTS) if exponent.is_Integer else f"^({self._print(exponent)})")
+        return inner + (str(exponent).translate(SUPERSCRIPTS) if exponent.is_Integer
+                        else f"^({self._print(exponent)})")
 
     def _print_Mul(self, expr: Mul) -> str:
         if expr.could_extract_minus_sign():
@@ -94,7 +95,9 @@ def unicode(expression: Expr, at: Any = None) -> str:
 
 
 def plain(obj: Any) -> str:
-    """What print shows of a public object: a report as its document, a matrix in rows, everything else in a line or two.
+    """What print shows of a public object.
+
+    A report as its document, a matrix in rows, everything else in a line or two.
 
     Examples
     --------
@@ -113,7 +116,12 @@ def plain(obj: Any) -> str:
     if isinstance(obj, LiePoisson):
         return "\n".join(matrix_lines(obj.tensor.tolist()))
     if isinstance(obj, (Linearization, SecondVariation)):
-        return "\n".join(matrix_lines(entries(obj.equilibrium.insert_field(obj.matrix)).tolist(), obj.equilibrium.at)) or "()"
+        return (
+            "\n".join(
+                matrix_lines(entries(obj.equilibrium.insert_field(obj.matrix)).tolist(), obj.equilibrium.at)
+            )
+            or "()"
+        )
     if isinstance(obj, Gyrostat):
         return f"gyrostat with inertia ({_entered(obj.inertia)}) and gyrostatic momentum ({_entered(obj.gyrostatic_momentum)})"
     if isinstance(obj, Potential):
@@ -121,22 +129,28 @@ def plain(obj: Any) -> str:
     if isinstance(obj, Decision):
         modulo = f" modulo the flow of {_row(obj.modulo)}" if obj.modulo and obj.notion else ""
         notion = f", {obj.notion}{modulo}" if obj.notion else ""
-        values = ", ".join(f"{margin} = {shown(value)}" for margin, value in obj.margins if margin.free_symbols)
-        return f"{obj.verdict.name}{notion}: {values}{': ' if values else ''}{obj.reason}" + (f" (note: {obj.note})" if obj.note else "")
+        values = ", ".join(f"{margin} = {shown(value)}"
+                           for margin, value in obj.margins if margin.free_symbols)
+        return f"{obj.verdict.name}{notion}: {values}{': ' if values else ''}{obj.reason}" + (
+            f" (note: {obj.note})" if obj.note else ""
+        )
     if isinstance(obj, Condition):
         sides = comparison(obj)
         joint, relation = ("and", "≠") if obj.strict else ("or", "=")
         factors = [f" {joint} {unicode(readable(e), obj.at)} {relation} 0" for e in obj.degenerate]
         if obj.strict and factors and trivial(obj):
             return "".join(factors).removeprefix(" and ")
-        return f"{unicode(sides.name, obj.at)} {sides.relation} {unicode(sides.value, obj.at)}" + "".join(factors)
+        return f"{unicode(sides.name, obj.at)} {sides.relation} {unicode(sides.value, obj.at)}" + "".join(
+            factors
+        )
     return _criterion(obj)
 
 
 def _criterion(criterion: Criterion) -> str:
     if not criterion.alternatives:
         return "never" if criterion.notion == "spectral" else "no information"
-    text = " or ".join(" and ".join(map(plain, alternative)) or "always" for alternative in criterion.alternatives)
+    text = " or ".join(" and ".join(map(plain, alternative)) or "always"
+                       for alternative in criterion.alternatives)
     return text + (f", modulo the flow of {_row(criterion.modulo)}" if criterion.modulo else "")
 
 
@@ -154,7 +168,9 @@ def text(blocks: Iterable[Block], width: int = 100) -> str:
     lines: list[str] = []
     for block in blocks:
         if isinstance(block, Heading):
-            lines += ["", block.title, "═" * len(block.title)] if block.level == 1 else ["", f"  {block.title}"]
+            lines += (
+                ["", block.title, "═" * len(block.title)] if block.level == 1 else ["", f"  {block.title}"]
+            )
         elif isinstance(block, Sentence):
             lines += wrap(block.template.format(*(_inline(part, block.at) for part in block.parts)), width,
                           initial_indent="  ", subsequent_indent="  ", break_long_words=False)
@@ -179,7 +195,8 @@ def _displayed(block: Display, width: int) -> list[str]:
     if max(map(len, lines)) <= width:
         return lines
     return [line for i, row in enumerate(rows, 1) for j, entry in enumerate(row, 1) if entry
-            for line in _broken(f"{name}{f'{i}{j}'.translate(SUBSCRIPTS)} = {unicode(entry, block.at)}", width)]
+            for line in _broken(f"{name}{f'{i}{j}'.translate(SUBSCRIPTS)} = {unicode(entry, block.at)}",
+                                width)]
 
 
 def _broken(line: str, width: int) -> list[str]:
@@ -199,4 +216,5 @@ def matrix_lines(rows: Sequence[Sequence[Expr]], at: Any = None) -> list[str]:
     widths = [max(len(row[j]) for row in cells) for j in range(len(cells[0]))]
     last = len(cells) - 1
     ends = ["()"] if last == 0 else ["⎛⎞", *["⎜⎟"] * (last - 1), "⎝⎠"]
-    return [f"{e[0]} {'   '.join(c.center(w) for c, w in zip(row, widths))} {e[1]}" for e, row in zip(ends, cells)]
+    return [f"{e[0]} {'   '.join(c.center(w) for c, w in zip(row, widths))} {e[1]}"
+            for e, row in zip(ends, cells)]

@@ -9,7 +9,8 @@ from .sources import _HERE, SOURCES, Source, _at, load
 from .statements import Doubt, Outcome, Reading, Statement
 
 _CHECKS: Mapping[str, Callable[[Reading], Outcome | Doubt]] = {
-    "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium, "solution": formulas.solution,
+    "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium,
+    "solution": formulas.solution,
     "number": formulas.rounded, "condition": claims.condition, "statement": claims.statement}
 _STATUS = {True: "confirmed", False: "misprint", None: "unchecked"}
 
@@ -21,9 +22,11 @@ class Finding:
     Parameters
     ----------
     statement : Statement
-    status : str                             confirmed, misprint or unchecked: computed, never stored
+    status : str
+        confirmed, misprint or unchecked: computed, never stored
     expected : str
-    outcome : Outcome                        printed, derived, difference and counterexample
+    outcome : Outcome
+        printed, derived, difference and counterexample
     """
 
     statement: Statement
@@ -34,17 +37,23 @@ class Finding:
 
 def source_of(finding: Finding) -> Source:
     """The source of a finding."""
-    own = finding.statement.source in SOURCES and finding.statement.file == str(_HERE / f"{finding.statement.source}.toml")
+    own = finding.statement.source in SOURCES and finding.statement.file == str(
+        _HERE / f"{finding.statement.source}.toml"
+    )
     return load(finding.statement.source if own else finding.statement.file)
 
 
-def check(sources: Iterable[str | Path] = SOURCES, progress: Callable[[str, int, int], None] | None = None) -> list[Finding]:
-    """Check every statement of the sources against what the library derives from the bracket and the Hamiltonian.
+def check(sources: Iterable[str | Path] = SOURCES,
+          progress: Callable[[str, int, int], None] | None = None) -> list[Finding]:
+    """Check every statement of the sources against what the library derives from the bracket and the
+    Hamiltonian.
 
     Parameters
     ----------
-    sources : iterable of str or Path     as in load; all by default
-    progress : function or None           called with the source, the number of statements done, and their total
+    sources : iterable of str or Path
+        as in load; all by default
+    progress : function or None
+        called with the source, the number of statements done, and their total
 
     Returns
     -------
@@ -52,7 +61,8 @@ def check(sources: Iterable[str | Path] = SOURCES, progress: Callable[[str, int,
 
     Raises
     ------
-    PublishedError                        a formula cannot be read; the message names file and key
+    PublishedError
+        a formula cannot be read; the message names file and key
 
     Examples
     --------
@@ -72,7 +82,8 @@ def check(sources: Iterable[str | Path] = SOURCES, progress: Callable[[str, int,
 def _finding(source: Source, statement: Statement) -> Finding:
     with _at(Path(statement.file), statement.key):
         outcome = outcome_of(statement)
-        return Finding(statement, _STATUS[outcome.agrees], source.expected.get(statement.key, "confirmed"), outcome)
+        return Finding(statement, _STATUS[outcome.agrees], source.expected.get(statement.key, "confirmed"),
+                       outcome)
 
 
 def outcome_of(statement: Statement) -> Outcome:
@@ -80,8 +91,9 @@ def outcome_of(statement: Statement) -> Outcome:
 
     Raises
     ------
-    GyrostatError       it cannot be read, a difference was found that is not confirmed independently, or what it is corrected to is
-                        not what is derived
+    GyrostatError
+        it cannot be read, a difference was found that is not confirmed independently, or what it is corrected
+        to is not what is derived
     """
     outcome = _checked(statement)
     if outcome.agrees is not False or statement.corrected is None:

@@ -20,7 +20,8 @@ def condition(r: Reading) -> Outcome | Doubt:
         raise PublishedError("a condition is one text: join its comparisons with and")
     derived = r.claim.derived(quantity)
     never = s.printed == "never"                           # a method that proves nothing
-    margins = [] if never else [(r.finish(margin), strict) for margin, strict in comparisons(s.printed, r.own)]
+    margins = [] if never else [(r.finish(margin), strict)
+                                for margin, strict in comparisons(s.printed, r.own)]
     if quantity == "existence":                            # what is divided by is not zero
         bottoms = {f**2 for margin, _ in margins for f in [margin.as_numer_denom()[1]] if f.free_symbols}
         margins += [(f, True) for f in bottoms]
@@ -31,8 +32,14 @@ def condition(r: Reading) -> Outcome | Doubt:
     same = agree(claim, printed, derived, r.claim.domain(claim))
     if same and not both:
         return Outcome(True, printed, derived)
-    alike = same or "stability" in claim and agree(claim, printed, derived, r.claim.domain(claim), strictness=False)
-    if alike and not same and claim.startswith("sufficient for stability") and _stable_at_equality(r, derived):
+    alike = same or "stability" in claim and agree(claim, printed, derived, r.claim.domain(claim),
+                                                   strictness=False)
+    if (
+        alike
+        and not same
+        and claim.startswith("sufficient for stability")
+        and _stable_at_equality(r, derived)
+    ):
         return Outcome(True, printed, derived)
     return Doubt(suspects(r, printed, derived, alike), printed, AT_EQUALITY if same else derived)
 
@@ -44,7 +51,8 @@ def _stable_at_equality(r: Reading, derived: Criterion) -> bool:
     margin = derived.alternatives[0][0].margin
     for s in sorted(margin.free_symbols, key=str):
         slope = margin.diff(s)
-        if not slope.has(s) and s not in K and slope.is_nonzero:      # the whole boundary, also where a difference of masses is 0
+        # the whole boundary, also where a difference of masses is 0
+        if not slope.has(s) and s not in K and slope.is_nonzero:
             on = {s: (s - margin / slope).expand()}
             given = tuple(e.xreplace(on) for e in r.claim.given) + ((on[s],) if s.is_positive else ())
             return Claim(r.scene, given, {**r.at, **on}).verdict() == "stable"
@@ -58,7 +66,8 @@ def statement(r: Reading) -> Outcome | Doubt:
         return Outcome(None, s.printed)
     if s.quantity == "stability":
         if s.printed not in ("stable", "orbitally stable", "unstable"):
-            raise PublishedError(f"printed = {brief(s.printed)}: a verdict is stable, orbitally stable (modulo the spin), or unstable")
+            raise PublishedError(f"printed = {brief(s.printed)}: a verdict is stable, orbitally stable "
+                                 "(modulo the spin), or unstable")
         verdict = r.claim.verdict()
         if verdict == s.printed or s.printed == "orbitally stable" and verdict.startswith("stable"):
             return Outcome(True, s.printed, verdict)
@@ -66,8 +75,10 @@ def statement(r: Reading) -> Outcome | Doubt:
         return Doubt(islice(r.points({s for c in criteria for s in free_symbols(c)}), 40), s.printed, verdict)
     if s.quantity == "second variation, Casimirs alone":
         if s.printed != "semidefinite" or r.scene.potential is None:
-            raise PublishedError(f"printed = {brief(s.printed)}: in a field, the form is called semidefinite or it is not a statement")
+            raise PublishedError(f"printed = {brief(s.printed)}: in a field, the form is called "
+                                 "semidefinite or it is not a statement")
         if r.scene.equilibrium is None:
             raise PublishedError("the second variation needs a scene with an equilibrium")
         return Doubt(islice(r.points([symbol("d2U")]), 40), s.printed, "indefinite")
-    raise PublishedError(f"quantity = {s.quantity!r}: a statement is about stability, second variation, Casimirs alone, or is left empty")
+    raise PublishedError(f"quantity = {s.quantity!r}: a statement is about stability, second variation, "
+                         "Casimirs alone, or is left empty")

@@ -21,7 +21,8 @@ from .scenes import Scene
 K3 = symbol("k3")
 Margins = Sequence[tuple[Expr, bool]]
 CLAIMS = ("necessary for stability", "sufficient for stability", "sufficient for stability, Casimirs alone",
-          "necessary and sufficient for stability", "sufficient for instability", "sufficient for stability on the boundary",
+          "necessary and sufficient for stability", "sufficient for instability",
+          "sufficient for stability on the boundary",
           "sufficient for instability on the boundary", "existence", "sufficient for periodic motion")
 
 
@@ -32,8 +33,10 @@ class Claim:
     Parameters
     ----------
     scene : Scene
-    given : tuple of Expr          positive where the claim is made
-    at : mapping                   values inserted
+    given : tuple of Expr
+        positive where the claim is made
+    at : mapping
+        values inserted
     """
 
     scene: Scene
@@ -54,14 +57,17 @@ class Claim:
 
     def domain(self, claim: str = "") -> tuple[Expr, ...]:
         """Positive where the claim is made and, unless that is the claim, the equilibrium exists."""
-        positive = self.equilibrium.existence() if self.scene.equilibrium and claim != "existence" else self.given
+        positive = (
+            self.equilibrium.existence() if self.scene.equilibrium and claim != "existence" else self.given
+        )
         return tuple(e.xreplace(self.at) for e in positive)
 
     def derived(self, claim: str) -> Criterion:
         """What the library derives for a claim, with the values inserted."""
         found = self._derived(claim)
         return replace(found, alternatives=tuple(tuple(replace(
-            c, margin=c.margin.xreplace(self.at), degenerate=tuple(e.xreplace(self.at) for e in c.degenerate)) for c in alternative)
+            c, margin=c.margin.xreplace(self.at),
+            degenerate=tuple(e.xreplace(self.at) for e in c.degenerate)) for c in alternative)
             for alternative in found.alternatives))
 
     def _derived(self, claim: str) -> Criterion:
@@ -69,7 +75,8 @@ class Claim:
 
         Raises
         ------
-        PublishedError       the claim is none of those that can be checked
+        PublishedError
+            the claim is none of those that can be checked
         """
         if claim == "necessary for stability":
             return self.report.necessary
@@ -79,19 +86,25 @@ class Claim:
             return self.report.casimirs_only
         if claim == "sufficient for instability":
             return Criterion("instability", tuple((replace(c, margin=-c.margin, strict=True),)
-                                                  for (a,) in [self.report.necessary.alternatives] for c in a))
-        if claim in ("sufficient for stability on the boundary", "sufficient for instability on the boundary"):
+                                                  for (a,) in [self.report.necessary.alternatives]
+                                                  for c in a))
+        if claim in ("sufficient for stability on the boundary",
+                     "sufficient for instability on the boundary"):
             return self._first_rung(1 if claim == "sufficient for stability on the boundary" else -1)
         if claim == "existence":
-            return criterion(claim, [(e, True) for e in self.scene.equilibrium.existence()] if self.scene.equilibrium else [])
+            return criterion(claim, [(e, True) for e in self.scene.equilibrium.existence()]
+                             if self.scene.equilibrium else [])
         if claim == "sufficient for periodic motion":
             return self._periodic()
         raise PublishedError(f"quantity = {claim!r}: a condition is {', '.join(CLAIMS)}")
 
     def _periodic(self) -> Criterion:
-        """|M|² = L2 between its limits on the energy surface E, and not on the separatrix, where the period is infinite."""
+        """abs(M)² = L2 between its limits on the energy surface E, and not on the separatrix, where the
+        period is infinite.
+        """
         if self.scene.potential is not None or any(self.scene.body.gyrostatic_momentum):
-            raise PublishedError("periodic motion is decided for a free rigid body: leave out potential and gyrostatic_momentum")
+            raise PublishedError("periodic motion is decided for a free rigid body: leave out potential "
+                                 "and gyrostatic_momentum")
         E, L2 = symbol("E"), symbol("L2")
         low, middle, high = (L2 - 2 * E * moment for moment in self.scene.body.inertia)
         return criterion("periodic", [(low, True), (-high, True), (middle**2, True)])
@@ -102,13 +115,16 @@ class Claim:
             raise PublishedError("a boundary is decided for a body of revolution in U(k3)")
         rung = self.report.boundary.rung(3)
         if rung.escapes:
-            raise PublishedError("at a tilt the first coefficient beyond the boundary decides against stability whatever its sign")
+            raise PublishedError("at a tilt the first coefficient beyond the boundary decides against "
+                                 "stability whatever its sign")
         return criterion("boundary", [(sign * rung.condition.margin, True)], self.equilibrium.at)
 
     def verdict(self) -> str:
         """stable, stable modulo a flow, unstable or undecided, where it is the same on the whole domain."""
-        sufficient, necessary = (normal(self.derived(f"{kind} for stability"), self.domain()) for kind in ("sufficient", "necessary"))
-        stable = "stable" + (f", modulo the flow of {', '.join(map(str, m))}" if (m := self.report.sufficient.modulo) else "")
+        sufficient, necessary = (normal(self.derived(f"{kind} for stability"), self.domain())
+                                 for kind in ("sufficient", "necessary"))
+        stable = "stable" + (f", modulo the flow of {', '.join(map(str, m))}"
+                             if (m := self.report.sufficient.modulo) else "")
         if () in sufficient:
             return stable
         if not necessary:
@@ -117,7 +133,10 @@ class Claim:
         return "undecided" if sign is None else stable if sign > 0 else "unstable"
 
     def _on_boundary(self) -> int | None:
-        """The sign of the first coefficient that is not 0, where it is the same on the whole domain; −1 where all vanish."""
+        """The sign of the first coefficient that is not 0, where it is the same on the whole domain.
+
+        −1 where all vanish.
+        """
         if self.report.boundary is None:
             return None
         for rung in islice(self.report.boundary.rungs(), 12):
@@ -131,14 +150,18 @@ class Claim:
 
 def criterion(notion: str, margins: Margins, at: Expr = K3) -> Criterion:
     """Comparisons as a criterion, not yet in normal form."""
-    return Criterion(notion, (tuple(Condition(margin, strict, notion, (), at) for margin, strict in margins),))
+    return Criterion(notion, (tuple(Condition(margin, strict, notion, (), at) for margin, strict in margins),
+                     ))
 
 
 Normal = frozenset[tuple[Expr, bool, frozenset[Expr]]]
 
 
 def normal(given: Criterion, domain: Iterable[Expr]) -> set[Normal | tuple[()]]:
-    """The alternatives of a criterion, each as its independent conditions in normal form; () is always true."""
+    """The alternatives of a criterion, each as its independent conditions in normal form.
+
+    () is always true.
+    """
     domain = list(domain)
     conditions = [c for alternative in given.alternatives for c in alternative]
     ring = Ring([e for c in conditions for e in (c.margin, *c.degenerate)] + domain)
@@ -147,7 +170,8 @@ def normal(given: Criterion, domain: Iterable[Expr]) -> set[Normal | tuple[()]]:
     for alternative in given.alternatives:
         items = reduced([_item(c, ring, signs) for c in alternative], signs)
         if items is not None:
-            found.add(frozenset((ring.expression(i.margin), i.strict, frozenset(map(ring.expression, i.degenerate)))
+            found.add(frozenset((ring.expression(i.margin), i.strict,
+                                 frozenset(map(ring.expression, i.degenerate)))
                                 for i in items) or ())
     return {()} if () in found else found
 
@@ -160,7 +184,8 @@ def _item(condition: Condition, ring: Ring, signs: Signs) -> Item:
     return Item(margin, even, condition.strict, condition.source)
 
 
-def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[Expr], strictness: bool = True) -> bool:
+def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[Expr],
+          strictness: bool = True) -> bool:
     """Whether a printed condition is the derived one, or is it but for > and ≥.
 
     A sufficient condition for instability may leave out where an even factor vanishes.
@@ -169,7 +194,8 @@ def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[E
     even = claim != "sufficient for instability"
 
     def bare(side: Criterion) -> set[frozenset[tuple[Any, ...]]]:
-        return {frozenset((margin, strict and strictness, degenerate if even and strictness else ()) for margin, strict, degenerate in a
+        return {frozenset((margin, strict and strictness, degenerate if even and strictness else ())
+                          for margin, strict, degenerate in a
                           if strictness or margin.free_symbols) for a in normal(side, domain)}
 
     return bare(derived) == bare(printed)
@@ -177,7 +203,8 @@ def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[E
 
 def free_symbols(given: Criterion) -> set[Symbol]:
     """All symbols of a criterion."""
-    return {s for a in given.alternatives for c in a for e in (c.margin, *c.degenerate) for s in e.free_symbols}
+    return {s for a in given.alternatives for c in a for e in (c.margin, *c.degenerate)
+            for s in e.free_symbols}
 
 
 def holds(given: Criterion, values: dict[Symbol, Expr]) -> bool:
@@ -189,6 +216,7 @@ def _holds(condition: Condition, values: dict[Symbol, Expr]) -> bool:
     value = condition.margin.xreplace(values)
     if any(e.xreplace(values) == 0 for e in condition.degenerate):
         value = S.Zero
-    if not value.is_finite or not value.is_real:           # where it divides by zero or is not real it says nothing
+    # where it divides by zero or is not real it says nothing
+    if not value.is_finite or not value.is_real:
         return False
     return sign_of_constant(value) in ((1,) if condition.strict else (0, 1))

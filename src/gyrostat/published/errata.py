@@ -18,7 +18,8 @@ from .typesetting import formula_of
 def _latex(printed: Any, at: Any) -> str:
     """A printed text, or texts, in LaTeX: a formula, comparisons, or words."""
     if isinstance(printed, list):
-        entries = "$, $".join(_latex(entry, at) for entry in printed)      # so that lines may end at the commas
+        # so that lines may end at the commas
+        entries = "$, $".join(_latex(entry, at) for entry in printed)
         return rf"\bigl({entries}\bigr)"
     try:
         return formula_of(printed, at)
@@ -37,17 +38,26 @@ def _about(f: Finding, at: Any) -> str:
 def latex(findings: Iterable[Finding], fragment: bool = False) -> str:
     """A table of errata: where, what is printed, what is derived, a counterexample."""
     body = []
-    for _, group in groupby((f for f in findings if f.status == "misprint"), key=lambda f: f.statement.source):
+    for _, group in groupby((f for f in findings if f.status == "misprint"),
+                            key=lambda f: f.statement.source):
         found = list(group)
         source = source_of(found[0])
         title = rf"\rule{{0pt}}{{3ex}}\textbf{{{_tex(source.name)}}}: {_tex(source.title)}"
         body += [rf"\multicolumn{{3}}{{@{{}}p{{0.96\textwidth}}@{{}}}}{{{title}}}\\[1ex]"]
         body += [_erratum(f) for f in found]
-    table = "\n".join((
-        r"\begingroup\small\setlength{\LTleft}{0pt}\setlength{\LTright}{0pt}\setlength{\emergencystretch}{3em}", r"\begin{longtable}{@{}"
-        r">{\raggedright\arraybackslash}p{0.19\textwidth}>{\raggedright\arraybackslash}p{0.42\textwidth}"
-        r">{\raggedright\arraybackslash}p{0.31\textwidth}@{}}", r"\textbf{Where} & \textbf{Printed, and derived} & "
-        r"\textbf{Counterexample}\\ \hline \endhead", *body, r"\end{longtable}\endgroup", ""))
+    table = "\n".join(
+        (
+            r"\begingroup\small\setlength{\LTleft}{0pt}\setlength{\LTright}{0pt}\setlength{\emergencystretch}{3em}",
+            r"\begin{longtable}{@{}"
+            r">{\raggedright\arraybackslash}p{0.19\textwidth}>{\raggedright\arraybackslash}p{0.42\textwidth}"
+            r">{\raggedright\arraybackslash}p{0.31\textwidth}@{}}",
+            r"\textbf{Where} & \textbf{Printed, and derived} & "
+            r"\textbf{Counterexample}\\ \hline \endhead",
+            *body,
+            r"\end{longtable}\endgroup",
+            "",
+        )
+    )
     if fragment:
         return "% needs amsmath, array and longtable\n" + table
     return preamble("Errata", ("longtable", "array")) + table + "\\end{document}\n"
@@ -57,15 +67,22 @@ def _erratum(f: Finding) -> str:
     at, lines = place(f), [rf"about {_about(f, place(f))}"]
     for entry, printed, right in rows(f):
         label, whole = f"{entry}: " if entry else "", printed == f.statement.printed
-        lines += [rf"{'' if whole else label}\textbf{{printed}} ${_latex(printed, at)}$"] if not whole or len(lines) == 1 else []
+        lines += (
+            [rf"{'' if whole else label}\textbf{{printed}} ${_latex(printed, at)}$"]
+            if not whole or len(lines) == 1
+            else []
+        )
         lines.append(rf"{label}\textbf{{right}} {_right(right, at, f)}")
     if f.statement.note:
         lines.append(rf"\emph{{{_tex(f.statement.note)}}}")
     example = ""
     if c := f.outcome.counterexample or f.outcome.not_sharp:
-        values = ", ".join(f"${Printer().doprint(symbol(n)) if n.isidentifier() else n} = {formula(v)}$" for n, v in c.values)
+        values = ", ".join(f"${Printer().doprint(symbol(n)) if n.isidentifier() else n} = {formula(v)}$"
+                           for n, v in c.values)
         example = f"{NOT_SHARP} " if f.outcome.not_sharp else ""
-        example += f"{values}: printed {_value(c.printed)}, derived {_value(c.derived)}; {_tex(c.confirmation)}"
+        example += (
+            f"{values}: printed {_value(c.printed)}, derived {_value(c.derived)}; {_tex(c.confirmation)}"
+        )
     shown = r" \newline ".join(lines)
     return rf"{_tex(f.statement.where)} \newline \textsf{{{_tex(f.statement.key)}}} & {shown} & {example} \\[2ex]"
 
@@ -80,9 +97,18 @@ def _value(value: Any) -> str:
     return f"${formula(value)}$" if isinstance(value, Expr) and value.is_Rational else _tex(number(value))
 
 
-_UNICODE = dict(zip("−′″²³⁴⁻¹⁰₀₁₂₃≥≤≠×·Σ√±πωΩφψθλνσδτεαμκΦ∇∂§ẑê", (f"${x}$" for x in (
-    r"-|\prime|\prime\prime|^2|^3|^4|^-|^1|^0|_0|_1|_2|_3|\geq|\leq|\neq|\times|\cdot|\Sigma|\surd|\pm|\pi|\omega|\Omega|\varphi|\psi|"
-    r"\theta|\lambda|\nu|\sigma|\delta|\tau|\varepsilon|\alpha|\mu|\kappa|\Phi|\nabla|\partial|\text{\S}|\hat z|\hat e").split("|"))))
+_UNICODE = dict(
+    zip(
+        "−′″²³⁴⁻¹⁰₀₁₂₃≥≤≠×·Σ√±πωΩφψθλνσδτεαμκΦ∇∂§ẑê",
+        (
+            f"${x}$"
+            for x in (
+                r"-|\prime|\prime\prime|^2|^3|^4|^-|^1|^0|_0|_1|_2|_3|\geq|\leq|\neq|\times|\cdot|\Sigma|\surd|\pm|\pi|\omega|\Omega|\varphi|\psi|"
+                r"\theta|\lambda|\nu|\sigma|\delta|\tau|\varepsilon|\alpha|\mu|\kappa|\Phi|\nabla|\partial|\text{\S}|\hat z|\hat e"
+            ).split("|")
+        ),
+    )
+)
 _SPECIAL = {"$": r"\$", "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}",
             "_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "^": r"\^{}", "<": "$<$", ">": "$>$", "|": "$|$"}
 
@@ -93,5 +119,6 @@ _LATIN = "áéíóúñüÁÉÍÓÚÑÜçàèìòùâêîôûäëïöøåßæ¿¡
 def _tex(words: str) -> str:
     """Words in LaTeX: special characters, and the Unicode of formulas in prose."""
     dotted = words.replace("ψ̇", "\0").replace("φ̇", "\1")
-    shown = "".join(_UNICODE.get(c, _SPECIAL.get(c, c if c.isascii() or c in _LATIN else "?")) for c in dotted)
+    shown = "".join(_UNICODE.get(c, _SPECIAL.get(c, c if c.isascii() or c in _LATIN else "?"))
+                    for c in dotted)
     return shown.replace("\0", r"$\dot\psi$").replace("\1", r"$\dot\varphi$").replace("$$", "")

@@ -1,4 +1,7 @@
-"""What may be shown against a printed claim: numbers at which it fails as it is read. Nothing else makes a Counterexample."""
+"""What may be shown against a printed claim.
+
+Numbers at which it fails as it is read. Nothing else makes a Counterexample.
+"""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
@@ -22,7 +25,9 @@ NEITHER = "it differs from what is derived, and at no point that was tried is th
 
 @dataclass(frozen=True)
 class Seen:
-    """What a claim says at a point, what is true there, why, and whether the claim fails there or only leaves the point out."""
+    """What a claim says at a point, what is true there, why, and whether the claim fails there or only leaves
+    the point out.
+    """
 
     printed: Any
     derived: Any
@@ -35,14 +40,17 @@ def decided(r: Reading, doubt: Doubt) -> Outcome:
 
     Raises
     ------
-    PublishedError       the library and Newton and Euler's equations disagree at a point
+    PublishedError
+        the library and Newton and Euler's equations disagree at a point
     """
-    look = {"condition": _condition, "statement": _words, "number": _rounded, "equilibrium": _at_rest}.get(r.statement.kind, _formula)
+    look = {"condition": _condition, "statement": _words, "number": _rounded,
+            "equilibrium": _at_rest}.get(r.statement.kind, _formula)
     weaker = None
     for values in islice(doubt.points, MOST):
         try:
             seen = look(r, values, doubt) if is_of_the_scene(r, values) else None
-        except ExpressionError:                            # not defined there, as the root of a negative number
+        # not defined there, as the root of a negative number
+        except ExpressionError:
             seen = None
         if seen is None:
             continue
@@ -61,29 +69,42 @@ def named(values: Values) -> tuple[tuple[str, Expr], ...]:
 
 
 def is_of_the_scene(r: Reading, values: Values) -> bool:
-    """Whether numbers are a point of the scene at which the claim is made: of a body, on the family, where what is given holds."""
+    """Whether numbers are a point of the scene at which the claim is made.
+
+    Of a body, on the family, where what is given holds.
+    """
     scene, claims_existence = r.scene, r.statement.quantity == "existence"
-    drawn = {s for moment in scene.body.inertia for s in moment.free_symbols} - r.at.keys()      # others are the source's own
-    if any(not v.is_number or v.is_real is False or not v.is_finite for v in values.values()) or drawn and not is_a_body(scene, values):
+    # others are the source's own
+    drawn = {s for moment in scene.body.inertia for s in moment.free_symbols} - r.at.keys()
+    if (
+        any(not v.is_number or v.is_real is False or not v.is_finite for v in values.values())
+        or drawn
+        and not is_a_body(scene, values)
+    ):
         return False
     positive = [*(s for s in values if s.is_positive), *scene.body.inertia]
     if scene.equilibrium and not claims_existence:
         positive += scene.equilibrium.existence()
-    if any(sign_of_constant(e.xreplace(dict(values))) != 1 for e in positive if e.xreplace(dict(values)).is_number):
+    if any(sign_of_constant(e.xreplace(dict(values))) != 1
+           for e in positive if e.xreplace(dict(values)).is_number):
         return False
-    if scene.equilibrium and not claims_existence and not ((model := _model(r, values)) and model.has_a_unit_k()):
+    if scene.equilibrium and not claims_existence and not ((model := _model(r, values))
+                                                           and model.has_a_unit_k()):
         return False
-    if any(v.is_number and sign_of_constant(v - values[s]) != 0 for s, v in on_family(scene, dict(values)).items() if s in values):
+    if any(v.is_number and sign_of_constant(v - values[s]) != 0
+           for s, v in on_family(scene, dict(values)).items() if s in values):
         return False
     try:
         names = r.without_let(values)
     except GyrostatError:                                  # no equilibrium there
         return False
-    if any(text and holds_as_printed(text, names)[0] is not True for text in (scene.table.get("given"), r.statement.given)):
+    if any(text and holds_as_printed(text, names)[0] is not True
+           for text in (scene.table.get("given"), r.statement.given)):
         return False
     stale = [s for s, v in values.items() if s.name in names and isinstance(names[s.name], Expr)
              and names[s.name].is_number and abs((names[s.name] - v).evalf(30)) > 1e-25 * (1 + abs(v))]
-    return not stale and all(abs((values[s] - v.subs(dict(values))).evalf(30)) < 1e-25 for s, v in r.at.items() if s in values)
+    return not stale and all(abs((values[s] - v.subs(dict(values))).evalf(30)) < 1e-25
+                             for s, v in r.at.items() if s in values)
 
 
 def _condition(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
@@ -91,13 +112,18 @@ def _condition(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     claim, model = str(r.statement.quantity), _model(r, values)
     if model is None:
         return None
-    says, equal = (False, False) if r.statement.printed == "never" else holds_as_printed(r.statement.printed, r.independent(values))
+    says, equal = (
+        (False, False)
+        if r.statement.printed == "never"
+        else holds_as_printed(r.statement.printed, r.independent(values))
+    )
     truth, why = _truth(r, claim, model, values)
     if None in (says, truth) or says == truth:
         return None
     either = claim in ("existence", "necessary and sufficient for stability")
     note = ", though two of the sides printed are equal" if equal else ""
-    return Seen("holds" if says else "fails", _word(claim, bool(truth)), why + note, either or says == claim.startswith("sufficient"))
+    return Seen("holds" if says else "fails", _word(claim, bool(truth)), why + note,
+                either or says == claim.startswith("sufficient"))
 
 
 def _word(claim: str, truth: bool) -> str:
@@ -124,8 +150,11 @@ def _truth(r: Reading, claim: str, model: independent.Model, values: Values) -> 
         return _periodic(r, values)
     if claim.endswith("Casimirs alone"):
         definite = model.is_definite()
-        return definite, "the squares of D²(h + ν·C) on the tangent space of the orbit, counted exactly, are " + (
-            "of one sign" if definite else "not of one sign")
+        return (
+            definite,
+            "the squares of D²(h + ν·C) on the tangent space of the orbit, counted exactly, are "
+            + ("of one sign" if definite else "not of one sign"),
+        )
     if claim.endswith("on the boundary") and not model.is_on_boundary():
         return None, ""
     sign, why = model.stability()
@@ -144,12 +173,14 @@ def _exists(r: Reading, model: independent.Model) -> tuple[bool | None, str]:
 
 
 def _periodic(r: Reading, values: Values) -> tuple[bool | None, str]:
-    moments, E, L2 = [m.subs(dict(values)) for m in r.scene.body.inertia], values[symbol("E")], values[symbol("L2")]
+    moments, E, L2 = [m.subs(dict(values))
+                      for m in r.scene.body.inertia], values[symbol("E")], values[symbol("L2")]
     if moments != [1, 2, 3] or L2 != 1 or 4 * E != 1:
         return None, ""
     if (worst := independent.separatrix_residual()) > 1e-20:
         raise PublishedError(f"the separatrix does not satisfy Euler's equations: residual {worst}")
-    return False, ("on the separatrix M2 = tanh(√((1/I1 − 1/I2)(1/I2 − 1/I3)) t) satisfies Euler's equations (residual below 1e-20) and "
+    return False, ("on the separatrix M2 = tanh(√((1/I1 − 1/I2)(1/I2 − 1/I3)) t) satisfies Euler's "
+                   "equations (residual below 1e-20) and "
                    "grows for ever")
 
 
@@ -171,24 +202,32 @@ def _words(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
 
 
 def _formula(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
-    """Both sides at the point: as the library has them, and again from Newton and Euler's equations, or three turns."""
+    """Both sides at the point.
+
+    As the library has them, and again from Newton and Euler's equations, or three turns.
+    """
     if r.statement.kind == "solution":
         return _solution(r, values, doubt)
     sides = tuple(e.subs(dict(values)) for e in doubt.sides)
     quantity = number(_entry(r.independently(r.statement.quantity, values), doubt.place), r.scene, values)
     if sides[0].evalf(20).is_real is False:
-        return _compared(r, values, sides, (sides[0], quantity), doubt.place)      # the grammar refuses to read what is not real
+        # the grammar refuses to read what is not real
+        return _compared(r, values, sides, (sides[0], quantity), doubt.place)
     printed = number(_entry(r.independently(r.statement.printed, values), doubt.place), r.scene, values)
     return _compared(r, values, sides, (printed, quantity), doubt.place)
 
 
 def _solution(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
-    """The slope that is printed, against the rate along the motion; or a start that no choice of the constants reaches."""
+    """The slope that is printed, against the rate along the motion.
+
+    Or a start that no choice of the constants reaches.
+    """
     quantity = list(map(str, r.statement.quantity))
     if doubt.place is None:
         for name, f, side in zip(quantity, doubt.printed.subs(symbol("t"), 0), doubt.sides):
             if f.is_number and sign_of_constant(side.subs(dict(values)) - f) in (1, -1):
-                return Seen(f, side.subs(dict(values)), f"{name} may start there; the printed functions start it at {f} for every choice "
+                return Seen(f, side.subs(dict(values)),
+                            f"{name} may start there; the printed functions start it at {f} for every choice "
                             f"of {', '.join(r.statement.constants)}", True)
         return None
     for f in (f.subs(dict(values)) for f in doubt.printed):
@@ -204,20 +243,31 @@ def _entry(value: Any, place: Any) -> Any:
     return value[place] if isinstance(value, MatrixBase) else value
 
 
-def _compared(r: Reading, values: Values, library: Sequence[Expr], again: Sequence[Any], place: Any) -> Seen | None:
+def _compared(r: Reading, values: Values, library: Sequence[Expr], again: Sequence[Any],
+              place: Any) -> Seen | None:
     """Both sides from both routes: these must agree, and the sides must not."""
     (p, d), (x, y) = library, again
     for one, other in ((d, y), (p, x)):
-        if not isinstance(other, Expr) or other.free_symbols or not abs((other - one).evalf(25)) <= 1e-18 * max(1, abs(one.evalf(25))):
-            raise PublishedError(f"computed independently it is {other} at {dict(values)}, by the library {one}")
+        if (
+            not isinstance(other, Expr)
+            or other.free_symbols
+            or not abs((other - one).evalf(25)) <= 1e-18 * max(1, abs(one.evalf(25)))
+        ):
+            raise PublishedError(f"computed independently it is {other} at {dict(values)}, by the library "
+                                 f"{one}")
     sides = x.evalf(30), y.evalf(30)
     if sides[1].is_real is not True or abs(sides[0] - sides[1]) <= 1e-20:
         return None
     by = "three turns of the body" if "angles" in r.scene.table else "Newton and Euler's equations"
-    columns = len(r.statement.printed[0]) if isinstance(r.statement.printed, list) and isinstance(r.statement.printed[0], list) else 1
+    columns = (
+        len(r.statement.printed[0])
+        if isinstance(r.statement.printed, list) and isinstance(r.statement.printed[0], list)
+        else 1
+    )
     which = f"entry {', '.join(str(i + 1) for i in place[:2 if columns > 1 else 1])}: " if place else ""
     if sides[0].is_real is not True:
-        return Seen("not real", d, f"{which}the printed value there is {p.evalf(8)}, by {by} it is {_short(y)}", True)
+        return Seen("not real", d,
+                    f"{which}the printed value there is {p.evalf(8)}, by {by} it is {_short(y)}", True)
     return Seen(p, d, f"{which}by {by} at these numbers {_short(y)}", True)
 
 
@@ -233,7 +283,8 @@ def _rounded(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
         raise PublishedError(f"computed independently it is {value}, by the library {doubt.derived}")
     if abs((value - printed).evalf(30)) <= half:
         return None
-    return Seen(printed, doubt.derived, f"by Newton and Euler's equations at these numbers {_short(value)}", True)
+    return Seen(printed, doubt.derived, f"by Newton and Euler's equations at these numbers {_short(value)}",
+                True)
 
 
 def _at_rest(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
@@ -242,7 +293,8 @@ def _at_rest(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     at = dict(zip(model.coordinates, r.independently(r.statement.printed, values)))
     name, rate = model.coordinates[doubt.place[0]], model.field.subs(at)[doubt.place[0]]
     if sign_of_constant(rate - doubt.sides[0].subs(dict(values))) != 0:
-        raise PublishedError(f"Newton and Euler's equations give the rate {rate}, the library {doubt.sides[0].subs(dict(values))}")
+        raise PublishedError(f"Newton and Euler's equations give the rate {rate}, the library "
+                             f"{doubt.sides[0].subs(dict(values))}")
     if sign_of_constant(rate) in (0, None):
         return None
     why = f"by Newton and Euler's equations the rate of {name} there is {rate}, not 0"

@@ -26,8 +26,12 @@ def identity(r: Reading) -> Outcome | Doubt:
     return Doubt(_where_they_differ(r, p, d), printed, derived, difference, (p, d), place)
 
 
-def _where_they_differ(r: Reading, p: Expr, d: Expr, functions: Sequence[Expr] = ()) -> Iterator[Mapping[Symbol, Expr]]:
-    """Points at which both sides are defined and different; first, if a printed function is never real, those at which it is not."""
+def _where_they_differ(r: Reading, p: Expr, d: Expr,
+                       functions: Sequence[Expr] = ()) -> Iterator[Mapping[Symbol, Expr]]:
+    """Points at which both sides are defined and different.
+
+    First, if a printed function is never real, those at which it is not.
+    """
     drawn = r.points([p, d])
     tried = list(islice(drawn, 12)) if any(f.atoms(Pow) for f in functions or (p,)) else []
     for f in (f for f in functions or (p,) if f.atoms(Pow)):
@@ -39,8 +43,10 @@ def _where_they_differ(r: Reading, p: Expr, d: Expr, functions: Sequence[Expr] =
 def _entries(printed: Any, derived: Any) -> tuple[list[tuple[Expr, Expr]], list[Any]]:
     if isinstance(printed, MatrixBase) != isinstance(derived, MatrixBase) or (
             isinstance(printed, MatrixBase) and printed.shape != derived.shape):
-        shapes = [f"{x.rows}×{x.cols} matrix" if isinstance(x, MatrixBase) else "number" for x in (printed, derived)]
-        raise PublishedError(f"printed is a {shapes[0]}, the quantity a {shapes[1]}: give as many entries as it has")
+        shapes = [f"{x.rows}×{x.cols} matrix" if isinstance(x, MatrixBase) else "number"
+                  for x in (printed, derived)]
+        raise PublishedError(f"printed is a {shapes[0]}, the quantity a {shapes[1]}: give as many entries "
+                             "as it has")
     if not isinstance(printed, MatrixBase):
         return [(printed, derived)], [None]
     places = [(i, j) for i in range(printed.rows) for j in range(printed.cols)]
@@ -69,23 +75,33 @@ def equilibrium(r: Reading) -> Outcome | Doubt:
 
 
 def solution(r: Reading) -> Outcome | Doubt:
-    """The printed functions of t satisfy the equations of motion; a general solution has as many constants as equations."""
+    """The printed functions of t satisfy the equations of motion.
+
+    A general solution has as many constants as equations.
+    """
     s, scene = r.statement, r.scene
     names = list(map(str, s.quantity))
-    if names not in ([f"{x}{i}" for i in (1, 2, 3)] for x in ("omega", "pi")) or scene.potential or scene.equilibrium or (
-            "angles" in scene.table):
-        raise PublishedError("a solution is one of a free body, its quantity the list omega1, omega2, omega3 or pi1, pi2, pi3")
+    if (
+        names not in ([f"{x}{i}" for i in (1, 2, 3)] for x in ("omega", "pi"))
+        or scene.potential
+        or scene.equilibrium
+        or ("angles" in scene.table)
+    ):
+        raise PublishedError("a solution is one of a free body, its quantity the list omega1, omega2, "
+                             "omega3 or pi1, pi2, pi3")
     t, printed = symbol("t"), read(s.printed, r.own)
     if not isinstance(printed, MatrixBase) or len(printed) != 3:
         raise PublishedError("a solution is printed as a list of three functions of t")
-    place = {symbol(f"pi{n[-1]}"): f * (scene.body.inertia[int(n[-1]) - 1] if n.startswith("omega") else 1) for n, f in zip(names, printed)}
+    place = {symbol(f"pi{n[-1]}"): f * (scene.body.inertia[int(n[-1]) - 1] if n.startswith("omega") else 1)
+             for n, f in zip(names, printed)}
     slopes = [f.diff(t) for f in printed]
     rates = [read(f"dt({n})", r.names).xreplace(place) for n in names]
     wrong = [i for i, (a, b) in enumerate(zip(slopes, rates)) if not is_zero(a - b)]
     if wrong:
         i = wrong[0]
         sides, difference = (slopes[i], rates[i]), tuple(((j, 0), slopes[j] - rates[j]) for j in wrong)
-        return Doubt(_where_they_differ(r, *sides, printed), printed, ImmutableMatrix(rates), difference, sides, (i, 0), place)
+        return Doubt(_where_they_differ(r, *sides, printed), printed, ImmutableMatrix(rates), difference,
+                     sides, (i, 0), place)
     missing = len(names) - _rank(printed, [symbol(c) for c in s.constants]) if s.constants else 0
     if not missing:
         return Outcome(True, printed, printed)
@@ -107,9 +123,11 @@ def rounded(r: Reading) -> Outcome | Doubt:
     s = r.statement
     derived, (printed, half) = r.finish(read(s.quantity, r.own)), decimal(str(s.printed))
     if isinstance(derived, MatrixBase):
-        raise PublishedError("the quantity of a number is one number, this is a vector or matrix: use entry(…, i, j)")
+        raise PublishedError("the quantity of a number is one number, this is a vector or matrix: use "
+                             "entry(…, i, j)")
     if derived.free_symbols:
-        raise PublishedError(f"the quantity still contains {', '.join(sorted(map(str, derived.free_symbols)))}: give numbers under at")
+        raise PublishedError("the quantity still contains "
+                             f"{', '.join(sorted(map(str, derived.free_symbols)))}: give numbers under at")
     excess = abs(derived.evalf(50) - printed)
     if excess <= half:
         return Outcome(True, s.printed, derived)

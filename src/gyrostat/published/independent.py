@@ -1,4 +1,6 @@
-"""What confirms a counterexample: Newton and Euler's equations at rational numbers, by cross products and matrices.
+"""What confirms a counterexample.
+
+Newton and Euler's equations at rational numbers, by cross products and matrices.
 
 Nothing here uses the bracket, the linearisation or the criteria of the library, nor any published formula.
 """
@@ -28,20 +30,26 @@ class Model:
         self.label = scene.table.get("equilibrium")
         self.spins = scene.body.is_of_revolution() and scene.potential is not None and scene.potential.axial
         self.coordinates = [*PI, *K] if scene.potential else [*PI]
-        self.k3 = {"E1": Integer(1), "E2": Integer(-1)}.get(str(self.label), self.values.get(K[2], Integer(0)))
+        self.k3 = {"E1": Integer(1), "E2": Integer(-1)}.get(str(self.label),
+                                                            self.values.get(K[2], Integer(0)))
         self.U = self._potential(scene) if scene.potential else Integer(0)
         self.point = self._point() if self.label else [x.subs(self.values) for x in self.coordinates]
-        if self.label and any(abs(x.evalf(30)) > 1e-20 for x in self.field.subs(dict(zip(self.coordinates, self.point)))):
-            raise PublishedError(f"{self.label} is no equilibrium of Newton and Euler's equations at {self.values}")
+        if self.label and any(abs(x.evalf(30)) > 1e-20
+                              for x in self.field.subs(dict(zip(self.coordinates, self.point)))):
+            raise PublishedError(f"{self.label} is no equilibrium of Newton and Euler's equations at "
+                                 f"{self.values}")
 
     def _potential(self, scene: Scene) -> Expr:
         """U as a polynomial with the derivatives given, or the expression at its numbers."""
         potential = scene.potential
         assert potential is not None
         if potential.given:
-            return potential.expression.subs({s: v for s, v in self.values.items() if s not in potential.variables})
+            return potential.expression.subs({s: v
+                                              for s, v in self.values.items()
+                                              if s not in potential.variables})
         if not potential.axial:
-            linear = sum((self.values.get(symbol(f"dU_{i}"), Integer(0)) * K[i - 1] for i in (1, 2, 3)), Integer(0))
+            linear = sum((self.values.get(symbol(f"dU_{i}"), Integer(0)) * K[i - 1] for i in (1, 2, 3)),
+                         Integer(0))
             return linear - linear.subs(self.values) + self.values.get(symbol("U"), 0)
         slope = self.values.get(symbol("dU"))
         if self.label == "E3":                             # what balances the torques at the point
@@ -53,13 +61,15 @@ class Model:
 
     def _point(self) -> list[Expr]:
         if self.label in ("E1", "E2"):
-            spin = self.values.get(symbol("pi3_0"), self.inertia[2] * self.values.get(symbol("omega3_0"), Integer(0)))
+            spin = self.values.get(symbol("pi3_0"),
+                                   self.inertia[2] * self.values.get(symbol("omega3_0"), Integer(0)))
             return [Integer(0), Integer(0), spin, Integer(0), Integer(0), self.k3]
         if self.label == "E3":
             k = [self.values.get(K[0], sqrt(1 - self.k3**2)), self.values.get(K[1], Integer(0)), self.k3]
             return [*(moment * self.values[symbol("omega")] * x for moment, x in zip(self.inertia, k)), *k]
         axis = int(str(self.label)[-1])
-        return [self.inertia[axis - 1] * self.values[symbol(f"omega{i}_0")] if i == axis else Integer(0) for i in (1, 2, 3)]
+        return [self.inertia[axis - 1] * self.values[symbol(f"omega{i}_0")] if i == axis else Integer(0)
+                for i in (1, 2, 3)]
 
     def has_a_unit_k(self) -> bool:
         """Whether k is a unit vector at the point; on so(3)* there is none."""
@@ -86,18 +96,25 @@ class Model:
         """Largest real part of an eigenvalue, to 50 digits."""
         with mpmath.workdps(2 * DIGITS):
             J = self.jacobian
-            values, _ = mpmath.eig(mpmath.matrix([[mpmath.mpf(Float(x.evalf(2 * DIGITS))._mpf_) for x in J.row(i)] for i in range(J.rows)]))
+            values, _ = mpmath.eig(mpmath.matrix([[mpmath.mpf(Float(x.evalf(2 * DIGITS))._mpf_)
+                                                   for x in J.row(i)] for i in range(J.rows)]))
             return max(mpmath.re(v) for v in values)
 
     @cached_property
     def polynomial(self) -> Expr:
-        """Characteristic polynomial on the orbit: each Casimir gives a factor λ of that of the whole field."""
+        """Characteristic polynomial on the orbit.
+
+        Each Casimir gives a factor λ of that of the whole field.
+        """
         lamda = symbol("lamda")
         casimirs = 2 if len(self.coordinates) == 6 else 1
         return Poly(self.jacobian.charpoly().all_coeffs()[:-casimirs], lamda).as_expr()
 
     def grows(self) -> bool:
-        """Whether an eigenvalue is proved to have a positive real part: λ⁴ + pλ² + q, or λ² + q, on the orbit."""
+        """Whether an eigenvalue is proved to have a positive real part.
+
+        Λ⁴ + pλ² + q, or λ² + q, on the orbit.
+        """
         *_, p, _, q = [Integer(0)] * 3 + Poly(self.polynomial, symbol("lamda")).all_coeffs()
         if len(self.coordinates) == 3:
             return sign_of_constant(q) == -1
@@ -106,27 +123,47 @@ class Model:
     def stability(self) -> tuple[int, str]:
         """1 proved Lyapunov stable, modulo the spin at a tilt; -1 proved unstable; 0 neither; and why."""
         if self.grows():
-            return -1, f"an eigenvalue of the differenced field has the real part {mpmath.nstr(self.growth(), 15)}: unstable"
+            return (
+                -1,
+                "an eigenvalue of the differenced field has the real part "
+                f"{mpmath.nstr(self.growth(), 15)}: unstable",
+            )
         level = self.level_set()
         if level == -1:
-            return -1, "motions with the same energy and momenta, or with momenta as near as one likes, leave it: unstable"
+            return (
+                -1,
+                "motions with the same energy and momenta, or with momenta as near as one likes, leave it: "
+                "unstable",
+            )
         if level == 0:
             return 0, ""
         if not self.spins:
-            return 1, "the energy, on the level set of the Casimirs, has a strict extremum there: Lyapunov stable"
+            return (
+                1,
+                "the energy, on the level set of the Casimirs, has a strict extremum there: Lyapunov stable",
+            )
         if self.label in ("E1", "E2"):
             return 1, "the level set of all integrals there is the point alone: Lyapunov stable"
-        return 1, "the level set of all integrals there is the orbit of the point under the spin: Lyapunov stable, modulo the spin"
+        return (
+            1,
+            "the level set of all integrals there is the orbit of the point under the spin: Lyapunov "
+            "stable, modulo the spin",
+        )
 
     def is_on_boundary(self) -> bool:
-        """Whether the second variation of a body of revolution does not decide: the square of k̇3 is 0 to the second order in k3."""
+        """Whether the second variation of a body of revolution does not decide.
+
+        The square of k̇3 is 0 to the second order in k3.
+        """
         return self.spins and self._leading()[0] != 2
 
     def level_set(self) -> int:
-        """1 if the level set of all integrals near the point is only its orbit under the spin, -1 if motions leave along it, else 0.
+        """1 if the level set of all integrals near the point is only its orbit under the spin, -1 if motions
+        leave along it, else 0.
 
-        1 proves Lyapunov stability, -1 instability, both modulo the spin. On so(3)* the energy has a strict extremum on the sphere, or
-        none. Otherwise, but for a body of revolution, a definite second variation isolates the point.
+        1 proves Lyapunov stability, -1 instability, both modulo the spin. On so(3)* the energy has a strict
+        extremum on the sphere, or none. Otherwise, but for a body of revolution, a definite second variation
+        isolates the point.
         """
         if len(self.coordinates) == 3:
             return self._on_sphere()
@@ -134,7 +171,8 @@ class Model:
             return int(self.is_definite() is True)
         power, slope = self._leading()
         pole = self.label in ("E1", "E2")
-        if power == 0:                                     # with a little more energy, or less momentum, k3 moves away
+        # with a little more energy, or less momentum, k3 moves away
+        if power == 0:
             return -1
         return 0 if slope == 0 else -1 if slope > 0 or not pole and power % 2 else 1
 
@@ -150,9 +188,12 @@ class Model:
         return sign_of_constant(excess[0] * excess[1]) or 0
 
     def _leading(self) -> tuple[int, int]:
-        """Of a body of revolution I1² k̇3² = g(k3), where g has a multiple root at the equilibrium: power and sign of its first term.
+        """Of a body of revolution I1² k̇3² = g(k3), where g has a multiple root at the equilibrium.
 
-        (0, 0): g is 0 throughout; sign 0: not proved, or beyond the sixth power. A pole is approached from inside.
+        Power and sign of its first term.
+
+        (0, 0): g is 0 throughout; sign 0: not proved, or beyond the sixth power. A pole is approached from
+        inside.
         """
         at = dict(zip(self.coordinates, self.point))
         z, x, M = symbol("z"), symbol("x"), PI + self.rotor
@@ -169,7 +210,10 @@ class Model:
         return 7, 0
 
     def is_definite(self) -> bool | None:
-        """Whether D²(h + ν·C) is definite on the tangent space of the orbit; None where the numbers are not rational."""
+        """Whether D²(h + ν·C) is definite on the tangent space of the orbit.
+
+        None where the numbers are not rational.
+        """
         try:
             plus, zero, minus = self.inertia_of_second_variation()
         except (PolynomialError, NotImplementedError):
@@ -184,7 +228,7 @@ class Model:
 
     @cached_property
     def multipliers(self) -> tuple[Expr, Expr]:
-        """ν with ∇h + ν1 ∇(M·k) + ν2 ∇|k|² = 0 at the point."""
+        """ν with ∇h + ν1 ∇(M·k) + ν2 ∇abs(k)² = 0 at the point."""
         _, _, gradients = self._gradients()
         a, b = symbol("a"), symbol("b")
         ((nu1, nu2),) = linsolve(list(gradients.row(0) + a * gradients.row(1) + b * gradients.row(2)), [a, b])
@@ -194,7 +238,8 @@ class Model:
         """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC1 ∩ ker dC2."""
         h, C, gradients = self._gradients()
         nu1, nu2 = self.multipliers
-        form = hessian(h + nu1 * C[0] + nu2 * C[1], self.coordinates).subs(dict(zip(self.coordinates, self.point)))
+        form = hessian(h + nu1 * C[0] + nu2 * C[1],
+                       self.coordinates).subs(dict(zip(self.coordinates, self.point)))
         kernel = Matrix.hstack(*gradients[1:, :].nullspace())
         roots = Poly((kernel.T * form * kernel).charpoly().all_coeffs(), symbol("lamda"))
         zero = min(monomial[0] for monomial in roots.monoms())
@@ -203,7 +248,10 @@ class Model:
 
 
 def separatrix_residual() -> mpmath.mpf:
-    """For I = (1, 2, 3), |M|² = 1 = 2 E I2: how far (a sech, tanh, c sech)(μt) is from Euler's equations at three times."""
+    """For I = (1, 2, 3), abs(M)² = 1 = 2 E I2.
+
+    How far (a sech, tanh, c sech)(μt) is from Euler's equations at three times.
+    """
     mp = mpmath
     with mp.workdps(DIGITS):
         low, high, whole = mp.mpf(1) / 2, mp.mpf(1) / 6, mp.mpf(2) / 3
@@ -216,5 +264,6 @@ def separatrix_residual() -> mpmath.mpf:
         for t in (mp.mpf("0.3"), mp.mpf(1), mp.mpf(-2)):
             x = M(t)
             rates = [-x[1] * x[2] * high, x[2] * x[0] * whole, -x[0] * x[1] * low]
-            worst = max(worst, *(abs(mp.diff(lambda s, i=i: M(s)[i], t) - rate) for i, rate in enumerate(rates)))
+            worst = max(worst, *(abs(mp.diff(lambda s, i=i: M(s)[i], t) - rate)
+                                 for i, rate in enumerate(rates)))
         return worst

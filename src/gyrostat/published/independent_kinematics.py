@@ -22,20 +22,29 @@ def turning(scene: Scene, values: Values) -> dict[str, Any]:
         R[i, i], R[i, j], R[j, i], R[j, j] = cos(angle), -sin(angle), sin(angle), cos(angle)
         return R
 
-    first, second, third = (turn(axis, given[x]) for axis, x in zip(scene.table["angles"], ("phi", "theta", "psi")))
+    first, second, third = (turn(axis, given[x])
+                            for axis, x in zip(scene.table["angles"], ("phi", "theta", "psi")))
     k, line = (first * second * third).row(2).T, third.T * unit["xyz".index(scene.table["angles"][1])]
     rates = [given.get(f"{x}_dot", zero) for x in ("phi", "theta", "psi")]
     free = scene.table.get("vertical")
-    if free:                                               # the rates of the momentum along z, ω = φ̇ k + θ̇ line + ψ̇ e3
+    # the rates of the momentum along z, ω = φ̇ k + θ̇ line + ψ̇ e3
+    if free:
         momentum = given[free] * k
-        rates = list(Matrix.hstack(k, line, unit[2]).solve(Matrix([p / moment for p, moment in zip(momentum, inertia)])))
+        rates = list(Matrix.hstack(k, line,
+                                   unit[2]).solve(Matrix([p / moment
+                                                          for p, moment in zip(momentum, inertia)])))
     bends = [zero if free else given.get(f"{x}_ddot", zero) for x in ("phi", "theta", "psi")]
-    angles = [given[x] + rate * t + bend * t**2 / 2 for x, rate, bend in zip(("phi", "theta", "psi"), rates, bends)]
+    angles = [given[x] + rate * t + bend * t**2 / 2
+              for x, rate, bend in zip(("phi", "theta", "psi"), rates, bends)]
     R = Matrix.eye(3)
     for axis, angle in zip(scene.table["angles"], angles):
         R = R * turn(axis, angle)
     W, k = R.T * R.diff(t), R.row(2).T
-    omega = Matrix([given[free] * x / moment for x, moment in zip(k, inertia)]) if free else Matrix([W[2, 1], W[0, 2], W[1, 0]])
+    omega = (
+        Matrix([given[free] * x / moment for x, moment in zip(k, inertia)])
+        if free
+        else Matrix([W[2, 1], W[0, 2], W[1, 0]])
+    )
     pi = Matrix([moment * rate for moment, rate in zip(inertia, omega)])
     A = Matrix([given.get(f"A{i}", zero) + given.get(f"A{i}_dot", zero) * t for i in (1, 2, 3)])
     J = Matrix(3, 3, lambda i, j: given.get(f"J{min(i, j) + 1}{max(i, j) + 1}", zero))
@@ -45,8 +54,10 @@ def turning(scene: Scene, values: Values) -> dict[str, Any]:
         now, turning_now, here, rate = (x.subs(t, 0) for x in (R, R.diff(t), momentum, momentum.diff(t)))
         return now.T * (turning_now * here + now * rate)
 
-    named: dict[str, Any] = {**given, "R": R, "vector_k": k, "vector_omega": omega, "vector_pi": pi, "vector_A": A, "tensor": J,
-                             "vector_z": unit[2], "axis_1": unit[0], "axis_2": unit[1], "axis_3": unit[2], "axis_vertical": k,
+    named: dict[str, Any] = {**given, "R": R, "vector_k": k, "vector_omega": omega, "vector_pi": pi,
+                             "vector_A": A, "tensor": J,
+                             "vector_z": unit[2], "axis_1": unit[0], "axis_2": unit[1], "axis_3": unit[2],
+                             "axis_vertical": k,
                              "axis_nodes": line, "torque": Later(lambda: torque(pi)),
                              "tensor_torque": Later(lambda: torque(J * omega)), "T": pi.dot(omega) / 2}
     named |= {f"vector_{x}": Matrix([given.get(f"{x}{i}", zero) for i in (1, 2, 3)]) for x in "mr"}
@@ -55,5 +66,7 @@ def turning(scene: Scene, values: Values) -> dict[str, Any]:
         named |= {f"{name}{i}": v[i - 1] for i in (1, 2, 3)}
     named |= dict(zip(("phi", "theta", "psi"), angles))
     named |= {f"{x}_dot": angle.diff(t) for x, angle in zip(("phi", "theta", "psi"), angles)}
-    named["lagrangian"] = named["T"] - (scene.potential.expression.subs(dict(values)).subs(symbol("k3"), k[2]) if scene.potential else 0)
+    named["lagrangian"] = named["T"] - (
+        scene.potential.expression.subs(dict(values)).subs(symbol("k3"), k[2]) if scene.potential else 0
+    )
     return named | {"dt": lambda f: f.diff(t)}

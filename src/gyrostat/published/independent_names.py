@@ -1,4 +1,7 @@
-"""The names of a formula at numbers, from Newton and Euler's equations and from three turns: what confirms a counterexample."""
+"""The names of a formula at numbers, from Newton and Euler's equations and from three turns.
+
+What confirms a counterexample.
+"""
 from collections.abc import Callable
 from typing import Any
 
@@ -14,13 +17,18 @@ from .scenes import Scene
 
 
 def names(scene: Scene, values: Values) -> Names:
-    """The names of a scene at numbers; functions of the motion differentiate along the field of Newton and Euler."""
-    return Names(_functions() | (turning(scene, values) if "angles" in scene.table else _moving(Model(scene, values))), {})
+    """The names of a scene at numbers.
+
+    Functions of the motion differentiate along the field of Newton and Euler.
+    """
+    return Names(_functions() | (turning(scene, values) if "angles" in scene.table
+                                 else _moving(Model(scene, values))), {})
 
 
 def _functions() -> dict[str, Callable[..., Any]]:
     """Vector algebra as everywhere; elliptic functions and the polhode from their differential equations."""
-    return {**FUNCTIONS, "inverse": lambda a: a.adjugate() / a.det(), "polhode_period": lambda *x: _period(x[:3], x[3:]),
+    return {**FUNCTIONS, "inverse": lambda a: a.adjugate() / a.det(),
+            "polhode_period": lambda *x: _period(x[:3], x[3:]),
             **{name: (lambda u, m, i=i: _jacobi(u, m)[i]) for i, name in enumerate(("sn", "cn", "dn"))}}
 
 
@@ -31,23 +39,30 @@ def _moving(model: Model) -> dict[str, Any]:
     named |= {str(s): s for s in x}
     M = PI + model.rotor
     named |= {f"omega{i}": model.omega[i - 1] for i in (1, 2, 3)}
-    named |= {"vector_pi": PI, "vector_k": K, "vector_l": model.rotor, "vector_M": M, "vector_omega": model.omega, "h": h, "U": model.U,
-              "T": h - model.U, "C": M.dot(M), "C1": M.dot(K), "C2": K.dot(K), "field": field, "state": Matrix(x)}
+    named |= {"vector_pi": PI, "vector_k": K, "vector_l": model.rotor, "vector_M": M,
+              "vector_omega": model.omega, "h": h, "U": model.U,
+              "T": h - model.U, "C": M.dot(M), "C1": M.dot(K), "C2": K.dot(K), "field": field,
+              "state": Matrix(x)}
     if len(x) == 6:
         slope = model.U.diff(K[2])
         named |= {"dU": slope, "d2U": slope.diff(K[2]), "d3U": slope.diff(K[2], 2)}
         named |= {f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}
     if model.label:
         place = dict(zip(x, model.point))
-        named = {name: Later(lambda v=v: v.subs(place)) if isinstance(v, (Expr, MatrixBase)) else v    # type: ignore[misc]
-                 for name, v in named.items()}
+        for name, value in named.items():
+            if isinstance(value, (Expr, MatrixBase)):
+                named[name] = Later(lambda value=value: value.subs(place))  # type: ignore[misc]
         lamda = symbol("lamda")
         four = [0, 1, 3, 4] if len(x) == 6 else [i for i in range(3) if i + 1 != int(str(model.label)[-1])]
-        named |= {"jacobian": Later(lambda: model.jacobian), "linearization": Later(lambda: model.jacobian.extract(four, four)),
-                  "identity": diag(*[1] * len(four)), "polynomial": Later(lambda: model.polynomial.subs(model.values)),
-                  "lamda": model.values.get(lamda, lamda), "q": Later(lambda: model.polynomial.coeff(lamda, 0))}
+        named |= {"jacobian": Later(lambda: model.jacobian),
+                  "linearization": Later(lambda: model.jacobian.extract(four, four)),
+                  "identity": diag(*[1] * len(four)),
+                  "polynomial": Later(lambda: model.polynomial.subs(model.values)),
+                  "lamda": model.values.get(lamda, lamda),
+                  "q": Later(lambda: model.polynomial.coeff(lamda, 0))}
         if len(x) == 6 and all(e.is_Rational for e in model.point):
-            named |= {f"nu{n + 1}": Later(lambda n=n: model.multipliers[n]) for n in (0, 1)}    # type: ignore[misc]
+            named |= {f"nu{n + 1}": Later(lambda n=n: model.multipliers[n])  # type: ignore[misc]
+                      for n in (0, 1)}
         return named | ({"p": Later(lambda: model.polynomial.coeff(lamda, 2))} if len(x) == 6 else {})
 
     def along(direction: Matrix) -> Callable[[Any], Any]:
@@ -62,19 +77,25 @@ def _moving(model: Model) -> dict[str, Any]:
 
     named["B"] = Later(lambda: Matrix([[bracket(a, b) for b in x] for a in x]))
     delta = Matrix([model.values.get(symbol(f"delta_{s}"), Integer(0)) for s in x])
-    named |= {"delta_pi": Matrix(delta[:3]), "delta_k": Matrix(delta[3:]), "dt": along(field), "variation": along(delta),
+    named |= {"delta_pi": Matrix(delta[:3]), "delta_k": Matrix(delta[3:]), "dt": along(field),
+              "variation": along(delta),
               "bracket": bracket, "gradient_pi": lambda f: Matrix([f.diff(s) for s in PI]),
               "gradient_k": lambda f: Matrix([f.diff(s) for s in K])}
-    named |= {f: sum((model.values.get(symbol(f"{f}{i}"), Integer(0)) * s for i, s in enumerate(x, 1)), Integer(0)) for f in "FG"}
+    named |= {f: sum((model.values.get(symbol(f"{f}{i}"), Integer(0)) * s for i, s in enumerate(x, 1)),
+                     Integer(0)) for f in "FG"}
     return named
 
 
 def _period(inertia: tuple[Expr, ...], momentum: tuple[Expr, ...]) -> Expr:
-    """4 ∫ dM2/|Ṁ2| over a quarter of the polhode, the other two components from the two conserved quantities."""
+    """4 ∫ dM2/abs(Ṁ2) over a quarter of the polhode, the other two components from the two conserved
+    quantities.
+    """
     with mpmath.workdps(DIGITS):
-        pairs = sorted((mpmath.mpf(Float(i, DIGITS)._mpf_), mpmath.mpf(Float(m, DIGITS)._mpf_)) for i, m in zip(inertia, momentum))
+        pairs = sorted((mpmath.mpf(Float(i, DIGITS)._mpf_), mpmath.mpf(Float(m, DIGITS)._mpf_))
+                       for i, m in zip(inertia, momentum))
         (I1, M1), (I2, M2), (I3, M3) = pairs
-        if M3**2 * (1 - I2 / I3) < M1**2 * (I2 / I1 - 1):                  # about axis 1: the same with 1 and 3 exchanged
+        # about axis 1: the same with 1 and 3 exchanged
+        if M3**2 * (1 - I2 / I3) < M1**2 * (I2 / I1 - 1):
             (I1, M1), (I3, M3) = (I3, M3), (I1, M1)
         top = M2**2 + M1**2 * I2 * (I3 - I1) / (I1 * (I3 - I2))            # M2² where M1 = 0
         third = M3**2 + M2**2 * (1 - I1 / I2) / (1 - I1 / I3)              # M3² where M2 = 0
@@ -95,7 +116,8 @@ def _jacobi(u: Expr, m: Expr) -> list[Expr]:
         for _ in range(48):
             c = [[x] for x in y]
             for n in range(45):
-                product = [sum(c[i][j] * c[k][n - j] for j in range(n + 1)) for i, k in ((1, 2), (0, 2), (0, 1))]
+                product = [sum(c[i][j] * c[k][n - j] for j in range(n + 1))
+                           for i, k in ((1, 2), (0, 2), (0, 1))]
                 for series, sign, p in zip(c, (1, -1, -m), product):
                     series.append(sign * p / (n + 1))
             y = [mpmath.polyval(series[::-1], step) for series in c]
@@ -103,7 +125,14 @@ def _jacobi(u: Expr, m: Expr) -> list[Expr]:
 
 
 def number(value: Expr, scene: Scene, values: Values) -> Any:
-    """A value of these names at the instant of the counterexample: exact where it is rational, else to 30 digits."""
-    place = {Symbol("t"): Integer(0)} if "angles" in scene.table else {s: v for s, v in values.items() if s in {*PI, *K}}
+    """A value of these names at the instant of the counterexample.
+
+    Exact where it is rational, else to 30 digits.
+    """
+    place = (
+        {Symbol("t"): Integer(0)}
+        if "angles" in scene.table
+        else {s: v for s, v in values.items() if s in {*PI, *K}}
+    )
     at = value.subs(place)
     return at if isinstance(at, Rational) or at.free_symbols else at.evalf(30)

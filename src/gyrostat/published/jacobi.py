@@ -1,4 +1,7 @@
-"""Jacobi's elliptic functions of formulas: sn, cn, dn of (u, m), m = κ², with their derivatives along u and their values."""
+"""Jacobi's elliptic functions of formulas.
+
+Sn, cn, dn of (u, m), m = κ², with their derivatives along u and their values.
+"""
 from functools import lru_cache
 from typing import Any
 
@@ -35,7 +38,8 @@ class _Jacobi(Function):
         u, m = self.args
         if argindex != 1:
             raise NotImplementedError(f"d{self.letters}/dm is not needed by any formula")
-        return {"sn": cn(u, m) * dn(u, m), "cn": -sn(u, m) * dn(u, m), "dn": -m * sn(u, m) * cn(u, m)}[self.letters]
+        return {"sn": cn(u, m) * dn(u, m), "cn": -sn(u, m) * dn(u, m),
+                "dn": -m * sn(u, m) * cn(u, m)}[self.letters]
 
 
 class sn(_Jacobi):

@@ -5,7 +5,16 @@ from typing import Any
 
 from sympy import ImmutableMatrix
 
-from ..mechanics.attitude import ANGLES, RATES, angle_rates, angular_velocity, direction, lagrangian, nodes, rotation
+from ..mechanics.attitude import (
+    ANGLES,
+    RATES,
+    angle_rates,
+    angular_velocity,
+    direction,
+    lagrangian,
+    nodes,
+    rotation,
+)
 from ..notation import symbol
 from .scenes import Scene
 
@@ -24,7 +33,12 @@ def turning(scene: Scene) -> dict[str, Any]:
     second = tuple(map(symbol, ("phi_ddot", "theta_ddot", "psi_ddot")))
     A, A_dot = (_vector("A", suffix) for suffix in ("", "_dot"))
     tensor = ImmutableMatrix(3, 3, lambda i, j: symbol(f"J{min(i, j) + 1}{max(i, j) + 1}"))
-    R, k, omega, rates = rotation(convention), direction(convention), angular_velocity(convention), dict(zip(RATES, RATES))
+    R, k, omega, rates = (
+        rotation(convention),
+        direction(convention),
+        angular_velocity(convention),
+        dict(zip(RATES, RATES)),
+    )
     if free:                                               # free motion, the momentum along z
         omega = ImmutableMatrix([symbol(free) * x / moment for x, moment in zip(k, body.inertia)])
         rates = dict(zip(RATES, angle_rates(omega, convention)))
@@ -40,14 +54,17 @@ def turning(scene: Scene) -> dict[str, Any]:
 
     unit = [ImmutableMatrix([int(i == j) for j in range(3)]) for i in range(3)]
     found: dict[str, Any] = {
-        "R": R, "vector_k": k, "vector_omega": omega, "vector_pi": pi, "vector_A": A, "vector_m": _vector("m"), "vector_r": _vector("r"),
-        "tensor": tensor, "vector_z": unit[2], "axis_1": unit[0], "axis_2": unit[1], "axis_3": unit[2], "axis_vertical": k,
+        "R": R, "vector_k": k, "vector_omega": omega, "vector_pi": pi, "vector_A": A,
+        "vector_m": _vector("m"), "vector_r": _vector("r"),
+        "tensor": tensor, "vector_z": unit[2], "axis_1": unit[0], "axis_2": unit[1], "axis_3": unit[2],
+        "axis_vertical": k,
         "axis_nodes": nodes(convention).col(1), "dt": dt, "delta": symbol("delta"), "torque": Later(torque),
         "tensor_torque": Later(lambda: R.T * dt(R * tensor * omega)),
         "T": Later(lambda: sum(moment * rate**2 for moment, rate in zip(body.inertia, omega)) / 2),
         "lagrangian": Later(lambda: lagrangian(body, potential, convention))}
     found |= {f"tau{i}": Later(lambda i=i: torque()[i - 1]) for i in (1, 2, 3)}    # type: ignore[misc]
-    found |= {f"{name}{i}": x for name, v in (("k", k), ("omega", omega), ("pi", pi)) for i, x in enumerate(v, 1)}
+    found |= {f"{name}{i}": x for name, v in (("k", k), ("omega", omega), ("pi", pi))
+              for i, x in enumerate(v, 1)}
     found |= {str(angle): angle for angle in ANGLES} | {str(rate): value for rate, value in rates.items()}
     return found | ({free: symbol(free)} if free else {})
 

@@ -1,4 +1,7 @@
-"""The formulas of published files: the whitelist grammar with vectors, functions of the motion and comparisons."""
+"""The formulas of published files.
+
+The whitelist grammar with vectors, functions of the motion and comparisons.
+"""
 import re
 from collections import ChainMap
 from collections.abc import Mapping, Sequence
@@ -22,7 +25,8 @@ class Formula(Parser):
     """Names come from a scene; a function may be one of its functions and take several arguments."""
 
     TOKEN = re.compile(Parser.TOKEN.pattern.replace("-+*/()", "-+*/(),"), re.ASCII)
-    TERMS = 10_000                                         # of an entry: a tensor in Euler angles has some thousands
+    # of an entry: a tensor in Euler angles has some thousands
+    TERMS = 10_000
     HINT = "allowed are names, numbers, + - * / ** , and parentheses; matrices are lists of texts"
 
     def __init__(self, text: str, names: Mapping[str, Any]):
@@ -41,27 +45,41 @@ class Formula(Parser):
         return self.bounded(value, _cost(value), 0, None)
 
     def total(self, values: Sequence[Any]) -> Any:
-        return reduce(add, values) if any(isinstance(value, MatrixBase) for value in values) else super().total(values)
+        return (
+            reduce(add, values)
+            if any(isinstance(value, MatrixBase) for value in values)
+            else super().total(values)
+        )
 
     def power(self, base: Part, exponent: Rational) -> Part:
         if isinstance(base.value, MatrixBase) and exponent not in (2, 3):
-            self.fail(f"a vector or matrix is raised to the power {exponent}", "matrices have the powers 2 and 3, and inverse(…)")
-        if abs(exponent) > 12 and isinstance(base.value, Expr) and not (base.value.is_Symbol or base.value.is_number):
-            self.fail(f"an expression is raised to the power {exponent}", "those of names and numbers go up to 100, others to 12")
+            self.fail(f"a vector or matrix is raised to the power {exponent}",
+                      "matrices have the powers 2 and 3, and inverse(…)")
+        if (
+            abs(exponent) > 12
+            and isinstance(base.value, Expr)
+            and not (base.value.is_Symbol or base.value.is_number)
+        ):
+            self.fail(f"an expression is raised to the power {exponent}",
+                      "those of names and numbers go up to 100, others to 12")
         return super().power(base, exponent)
 
     def call(self, token: str) -> Part:
         function = self.names.get(token)
         if token in FUNCTIONS or function is None or isinstance(function, (Expr, MatrixBase, Part)):
             if token not in FUNCTIONS:
-                offered = [n for n, v in self.names.items() if callable(v) and not isinstance(v, (Expr, MatrixBase, Part))]
-                self.fail(f"{token} is not a function of this scene", self.guess(token, sorted({*offered, *FUNCTIONS})))
+                offered = [n for n, v in self.names.items() if callable(v)
+                           and not isinstance(v, (Expr, MatrixBase, Part))]
+                self.fail(f"{token} is not a function of this scene",
+                          self.guess(token, sorted({*offered, *FUNCTIONS})))
             (inner, *others) = self.arguments()
             if others or isinstance(inner.value, MatrixBase):
                 self.fail(f"{token} takes one number", "check its argument")
             return self.apply(token, inner)
         arguments = self.arguments()
-        if token in ("sn", "cn", "dn", "polhode_period") and any(isinstance(part.value, MatrixBase) for part in arguments):
+        if token in ("sn", "cn", "dn", "polhode_period") and any(
+            isinstance(part.value, MatrixBase) for part in arguments
+        ):
             self.fail(f"{token} takes numbers", "check its arguments")
         value = function(*(part.value for part in arguments))
         nesting = max(part.nesting for part in arguments) + (token in ("sn", "cn", "dn"))
@@ -100,11 +118,13 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
     Parameters
     ----------
     printed : str or (nested) list of str
-    names : mapping                    what each name of the scene stands for: Expr, matrix or function
+    names : mapping
+        what each name of the scene stands for: Expr, matrix or function
 
     Raises
     ------
-    ExpressionError                    outside the grammar, an unknown name, or shapes that do not fit
+    ExpressionError
+        outside the grammar, an unknown name, or shapes that do not fit
 
     Examples
     --------
@@ -114,10 +134,13 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
     """
     if isinstance(printed, list):
         if max(len(printed), *(len(row) for row in printed if isinstance(row, list)), 0) > SIDE:
-            raise ExpressionError(f"cannot read a list of {len(printed)} rows: vectors and matrices have up to {SIDE} rows and columns")
-        rows = [[read(entry, names) for entry in row] if isinstance(row, list) else [read(row, names)] for row in printed]
+            raise ExpressionError(f"cannot read a list of {len(printed)} rows: vectors and matrices have "
+                                  f"up to {SIDE} rows and columns")
+        rows = [[read(entry, names) for entry in row] if isinstance(row, list) else [read(row, names)]
+                for row in printed]
         if not rows or any(len(row) != len(rows[0]) for row in rows):
-            raise ExpressionError(f"cannot read a list of {len(rows)} rows of lengths {[len(r) for r in rows]}: rows have one length")
+            raise ExpressionError(f"cannot read a list of {len(rows)} rows of lengths "
+                                  f"{[len(r) for r in rows]}: rows have one length")
         return ImmutableMatrix(rows)
     return part_of(printed, names).value
 
@@ -125,13 +148,16 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
 def part_of(printed: Any, names: Mapping[str, Any]) -> Part:
     """What one text stands for, with its bounds: so an abbreviation costs as much as what it is short for."""
     if not isinstance(printed, str):
-        raise ExpressionError(f"cannot read {brief(printed)}, a {type(printed).__name__}: formulas are texts, write \"...\"")
+        raise ExpressionError(f"cannot read {brief(printed)}, a {type(printed).__name__}: formulas are "
+                              "texts, write \"...\"")
     try:
         return Formula(printed, names).whole()
     except GyrostatError:
         raise
-    except (ArithmeticError, AttributeError, IndexError, MatrixError, NotImplementedError, RecursionError, TypeError, ValueError) as error:
-        raise ExpressionError(f"cannot read {brief(printed)}: vectors, matrices and numbers do not fit together there"
+    except (ArithmeticError, AttributeError, IndexError, MatrixError, NotImplementedError, RecursionError,
+            TypeError, ValueError) as error:
+        raise ExpressionError(f"cannot read {brief(printed)}: vectors, matrices and numbers do not fit "
+                              "together there"
                               f"{f' ({brief(str(error))})' if str(error) else ''}") from None
 
 
@@ -157,7 +183,8 @@ def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool
 
 
 def holds_as_printed(printed: str, names: Mapping[str, Any]) -> tuple[bool | None, bool]:
-    """Whether the comparisons of a text hold where its names are numbers, each as it is read, and whether two of its sides are equal.
+    """Whether the comparisons of a text hold where its names are numbers, each as it is read, and whether two
+    of its sides are equal.
 
     None where a side is not a real number, or a sign is not proved.
 
@@ -175,9 +202,14 @@ def holds_as_printed(printed: str, names: Mapping[str, Any]) -> tuple[bool | Non
         return None, False
     for sides, signs in chains:
         for left, right, relation in zip(sides, sides[1:], signs):
-            known = sign_of_constant((right - left).expand()) if all(_is_real(side) for side in (left, right)) else None
+            known = (
+                sign_of_constant((right - left).expand())
+                if all(_is_real(side) for side in (left, right))
+                else None
+            )
             equal = equal or known == 0
-            answers.append(None if known is None else known == (1 if relation[0] == "<" else -1) or (known == 0 and relation[1:] == "="))
+            answers.append(None if known is None else known == (1 if relation[0] == "<" else -1)
+                           or (known == 0 and relation[1:] == "="))
     return (None if None in answers else False not in answers), equal
 
 
@@ -193,10 +225,13 @@ def _chains(printed: str, names: Mapping[str, Any]) -> list[tuple[list[Expr], li
     for part in re.split(r"\band\b", printed):
         pieces = _COMPARISON.split(part)
         if len(pieces) < 3:
-            raise ExpressionError(f"cannot read {brief(part.strip())} as a condition: write left > right, with >, >=, < or <=")
-        sides = [read(piece, ChainMap({"abs": Abs}, names)) for piece in pieces[::2]]  # type: ignore[arg-type]
+            raise ExpressionError(f"cannot read {brief(part.strip())} as a condition: write left > right, "
+                                  "with >, >=, < or <=")
+        known = ChainMap({"abs": Abs}, names)  # type: ignore[arg-type]
+        sides = [read(piece, known) for piece in pieces[::2]]
         if any(isinstance(side, MatrixBase) for side in sides):
-            raise ExpressionError(f"cannot read {brief(part.strip())} as a condition: a vector or matrix is compared")
+            raise ExpressionError(f"cannot read {brief(part.strip())} as a condition: a vector or matrix "
+                                  "is compared")
         signs = pieces[1::2]
         if len({sign[0] for sign in signs}) > 1:
             raise ExpressionError(f"cannot read the chain {brief(part.strip())}: all its signs point one way")
@@ -222,7 +257,8 @@ def decimal(printed: str) -> tuple[Expr, Expr]:
     """
     match = re.fullmatch(r"[-+]?\d*\.?(\d*)", printed)
     if match is None or len(printed) > 400 or not any(c.isdigit() for c in printed):
-        raise ValuesError(f"{brief(printed)} is not a decimal number: write it with the digits that are printed")
+        raise ValuesError(f"{brief(printed)} is not a decimal number: write it with the digits that are "
+                          "printed")
     return Rational(printed), Rational(1, 2 * 10 ** len(match[1]))
 
 

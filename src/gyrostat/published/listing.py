@@ -18,9 +18,12 @@ _MARK = {"confirmed": "✓", "misprint": "✗", "unchecked": "–"}
 
 
 def rows(finding: Finding) -> list[tuple[str, Any, Any]]:
-    """(entry, printed, right) for each entry in which they differ; one row where it is corrected, or has no entries.
+    """(entry, printed, right) for each entry in which they differ.
 
-    printed is the text, or texts, of the source; right is such a text too where the statement is corrected, else a value.
+    One row where it is corrected, or has no entries.
+
+    printed is the text, or texts, of the source; right is such a text too where the statement is corrected,
+    else a value.
     """
     s, outcome = finding.statement, finding.outcome
     if outcome.corrected is not None:
@@ -29,8 +32,15 @@ def rows(finding: Finding) -> list[tuple[str, Any, Any]]:
         return [("", s.printed, _shown(outcome.derived))]
     found = []
     for i, j in (place for place, _ in outcome.difference):
-        text = s.printed if isinstance(s.printed, str) else s.printed[i][j] if isinstance(s.printed[i], list) else s.printed[i]
-        found.append((f"entry {i + 1}" + (f", {j + 1}" if outcome.derived.cols > 1 else ""), text, _shown(outcome.derived[i, j])))
+        text = (
+            s.printed
+            if isinstance(s.printed, str)
+            else s.printed[i][j]
+            if isinstance(s.printed[i], list)
+            else s.printed[i]
+        )
+        found.append((f"entry {i + 1}" + (f", {j + 1}" if outcome.derived.cols > 1 else ""), text,
+                      _shown(outcome.derived[i, j])))
     return found
 
 
@@ -67,7 +77,8 @@ def text(findings: Iterable[Finding], width: int = 110) -> str:
         size = max(len(f.statement.key) for f in found)
         for f in found:
             unexpected = "" if f.status == f.expected else f"   ← expected: {f.expected}"
-            lines.append(f"  {_MARK[f.status]} {f.status:<10} {f.statement.key:<{size}}  {f.statement.where}{unexpected}")
+            lines.append(f"  {_MARK[f.status]} {f.status:<10} {f.statement.key:<{size}}  "
+                         f"{f.statement.where}{unexpected}")
             lines += [] if f.status == "confirmed" else _details(f, width)
         lines.append("")
     return "\n".join(lines)
@@ -75,7 +86,9 @@ def text(findings: Iterable[Finding], width: int = 110) -> str:
 
 def _counts(found: list[Finding]) -> str:
     counts = [(sum(f.status == status for f in found), status) for status in _MARK]
-    return f"{len(found)} statement{'s' if len(found) > 1 else ''}: " + ", ".join(f"{n} {status}" for n, status in counts if n)
+    return f"{len(found)} statement{'s' if len(found) > 1 else ''}: " + ", ".join(
+        f"{n} {status}" for n, status in counts if n
+    )
 
 
 def _details(f: Finding, width: int) -> list[str]:
@@ -85,21 +98,31 @@ def _details(f: Finding, width: int) -> list[str]:
         for entry, printed, right in rows(f):
             where = f"{entry}: " if entry else ""
             whole = printed == f.statement.printed
-            pairs += [("printed", ("" if whole else where) + as_text(printed))] if not whole or len(pairs) == 1 else []
+            pairs += (
+                [("printed", ("" if whole else where) + as_text(printed))]
+                if not whole or len(pairs) == 1
+                else []
+            )
             pairs.append(("right", where + _one_line(right, place(f))))
         pairs += [("differ by", difference)] if (difference := _differences(f)) else []
         if c := f.outcome.counterexample or f.outcome.not_sharp:
             pairs += [("not sharp", NOT_SHARP)] if f.outcome.not_sharp else []
             pairs.append(("at", ", ".join(f"{name} = {value}" for name, value in c.values)))
-            pairs.append(("there", f"printed {number(c.printed)}, derived {number(c.derived)}; {c.confirmation}"))
+            pairs.append(("there",
+                          f"printed {number(c.printed)}, derived {number(c.derived)}; {c.confirmation}"))
     else:
         pairs.append(("claim", as_text(f.statement.printed)))
-        pairs += [("derived", _one_line(_shown(f.outcome.derived), place(f)))] if f.outcome.remark and f.outcome.derived is not None else []
+        pairs += (
+            [("derived", _one_line(_shown(f.outcome.derived), place(f)))]
+            if f.outcome.remark and f.outcome.derived is not None
+            else []
+        )
         pairs += [("because", f.outcome.remark)] if f.outcome.remark else []
     pairs += [("note", f.statement.note)] if f.statement.note else []
     lines = []
     for label, value in pairs:
-        lines += wrap(f"{label + ':':<10} {value}", width, initial_indent=" " * 15, subsequent_indent=" " * 26, break_long_words=False)
+        lines += wrap(f"{label + ':':<10} {value}", width, initial_indent=" " * 15,
+                      subsequent_indent=" " * 26, break_long_words=False)
     return lines
 
 
@@ -119,11 +142,15 @@ def number(value: Any) -> str:
 
 def to_json(findings: Iterable[Finding]) -> list[dict[str, Any]]:
     """One object for each statement, as docs/published.md describes."""
-    return [{"source": f.statement.source, "key": f.statement.key, "where": f.statement.where, "quantity": f.statement.quantity,
+    return [{"source": f.statement.source, "key": f.statement.key, "where": f.statement.where,
+             "quantity": f.statement.quantity,
              "kind": f.statement.kind, "printed": f.statement.printed,
-             "derived": _plain(f.outcome.derived, f.status) if f.outcome.corrected is None else f.outcome.corrected,
-             "status": f.status, "expected": f.expected, "difference": _difference(f), "counterexample": _example(f.outcome.counterexample),
-             "not_sharp": _example(f.outcome.not_sharp), "remark": f.outcome.remark, "note": f.statement.note} for f in findings]
+             "derived": _plain(f.outcome.derived, f.status) if f.outcome.corrected is None
+             else f.outcome.corrected,
+             "status": f.status, "expected": f.expected, "difference": _difference(f),
+             "counterexample": _example(f.outcome.counterexample),
+             "not_sharp": _example(f.outcome.not_sharp), "remark": f.outcome.remark,
+             "note": f.statement.note} for f in findings]
 
 
 def _plain(value: Any, status: str) -> Any:
@@ -139,9 +166,11 @@ def _plain(value: Any, status: str) -> Any:
 def _difference(f: Finding) -> Any:
     if f.status != "misprint" or not f.outcome.difference:
         return None
-    return [{"entry": entry and [i + 1 for i in entry], "printed_minus_derived": str(value)} for entry, value in f.outcome.difference]
+    return [{"entry": entry and [i + 1 for i in entry], "printed_minus_derived": str(value)}
+            for entry, value in f.outcome.difference]
 
 
 def _example(c: Counterexample | None) -> Any:
-    return c and {"values": {name: str(value) for name, value in c.values}, "printed": number(c.printed), "derived": number(c.derived),
+    return c and {"values": {name: str(value) for name, value in c.values}, "printed": number(c.printed),
+                  "derived": number(c.derived),
                   "confirmation": c.confirmation}

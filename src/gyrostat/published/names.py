@@ -1,4 +1,6 @@
-"""Everything that a formula may name, as the library derives it from the bracket, the Hamiltonian and the kinematics."""
+"""Everything that a formula may name, as the library derives it from the bracket, the Hamiltonian and the
+kinematics.
+"""
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -18,7 +20,10 @@ from .scenes import Scene
 
 
 class Names(Mapping[str, Any]):
-    """Names of a scene; what is Later is derived when it is first asked for; the values of `at` are inserted."""
+    """Names of a scene; what is Later is derived when it is first asked for.
+
+    The values of `at` are inserted.
+    """
 
     def __init__(self, meanings: Mapping[str, Any], at: Mapping[Symbol, Expr]):
         self._meanings, self._at, self._known = meanings, at, dict[str, Any]()
@@ -27,7 +32,9 @@ class Names(Mapping[str, Any]):
         if name not in self._known:
             value = self._meanings[name]
             value = value.derive() if isinstance(value, Later) else value
-            self._known[name] = value.xreplace(self._at) if self._at and isinstance(value, (Expr, MatrixBase)) else value
+            self._known[name] = (
+                value.xreplace(self._at) if self._at and isinstance(value, (Expr, MatrixBase)) else value
+            )
         return self._known[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -39,7 +46,8 @@ class Names(Mapping[str, Any]):
 
 def names(scene: Scene, at: Mapping[Symbol, Expr]) -> Names:
     """What each name of a scene stands for, with the values of `at` inserted."""
-    return Names({**FUNCTIONS, **_symbols(scene), **(turning(scene) if "angles" in scene.table else _phase_space(scene))}, at)
+    return Names({**FUNCTIONS, **_symbols(scene),
+                  **(turning(scene) if "angles" in scene.table else _phase_space(scene))}, at)
 
 
 def is_zero(expression: Expr) -> bool:
@@ -50,13 +58,15 @@ def is_zero(expression: Expr) -> bool:
 
 def _entry(matrix: MatrixBase, i: Expr, j: Expr) -> Expr:
     if i not in range(1, matrix.rows + 1) or j not in range(1, matrix.cols + 1):
-        raise ExpressionError(f"a {matrix.rows}×{matrix.cols} matrix has no entry {i}, {j}: rows and columns count from 1")
+        raise ExpressionError(f"a {matrix.rows}×{matrix.cols} matrix has no entry {i}, {j}: rows and "
+                              "columns count from 1")
     return matrix[int(i) - 1, int(j) - 1]
 
 
 FUNCTIONS: Mapping[str, Any] = {
     "cross": lambda a, b: a.cross(b), "dot": lambda a, b: (a.T * b)[0, 0], "transpose": lambda a: a.T,
-    "inverse": lambda a: a.adjugate() / reduced(a.det()), "rank": lambda a: Integer(a.rank(iszerofunc=is_zero)),
+    "inverse": lambda a: a.adjugate() / reduced(a.det()),
+    "rank": lambda a: Integer(a.rank(iszerofunc=is_zero)),
     "diff": lambda f, x: f.diff(x), "entry": _entry, "sn": sn, "cn": cn, "dn": dn,
     "polhode_period": lambda *x: polhode_period(x[:3], x[3:], 30)}
 
@@ -65,7 +75,8 @@ def _symbols(scene: Scene) -> dict[str, Any]:
     """Parameters: those of body and field, and those the file declares."""
     found = {s for e in (*scene.body.inertia, *scene.body.gyrostatic_momentum) for s in e.free_symbols}
     found |= set(scene.potential.parameters) if scene.potential else set()
-    return {name: symbol(name) for name in {s.name for s in found} | set(scene.table.get("parameters", ())) | {"t"}}
+    return {name: symbol(name) for name in {s.name for s in found} | set(scene.table.get("parameters", ()))
+            | {"t"}}
 
 
 def _phase_space(scene: Scene) -> dict[str, Any]:
@@ -83,7 +94,8 @@ def _phase_space(scene: Scene) -> dict[str, Any]:
             total = sum((slope * rate for slope, rate in zip(gradient(f), direction)), Integer(0))
             for d in f.free_symbols:
                 if jet(d.name) and system.potential:
-                    total += f.diff(d) * sum(x * y for x, y in zip(system.potential.following(d), direction[3:6]))
+                    total += f.diff(d) * sum(x * y
+                                             for x, y in zip(system.potential.following(d), direction[3:6]))
             return total
         return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)
 
@@ -92,29 +104,40 @@ def _phase_space(scene: Scene) -> dict[str, Any]:
     kinetic = body.kinetic_energy(coordinates[:3])
     found: dict[str, Any] = {str(x): x for x in coordinates}
     found |= {f"omega{i}": rate for i, rate in enumerate(omega, 1)}
-    found |= {"vector_pi": pi, "vector_l": rotor, "vector_M": pi + rotor, "vector_omega": omega, "B": system.space.tensor,
-              "h": kinetic + (U if potential else 0), "T": kinetic, "field": system.jet_field, "state": ImmutableMatrix(coordinates)}
+    found |= {"vector_pi": pi, "vector_l": rotor, "vector_M": pi + rotor, "vector_omega": omega,
+              "B": system.space.tensor,
+              "h": kinetic + (U if potential else 0), "T": kinetic, "field": system.jet_field,
+              "state": ImmutableMatrix(coordinates)}
     found |= dict(zip(("C1", "C2") if potential else ("C",), system.space.casimirs))
-    found |= {f: sum(symbol(f"{f}{i}") * x for i, x in enumerate(coordinates, 1)) for f in "FG"}     # any functions, to first order
+    # any functions, to first order
+    found |= {f: sum(symbol(f"{f}{i}") * x for i, x in enumerate(coordinates, 1)) for f in "FG"}
     if potential:
         found |= {"U": U, "vector_k": ImmutableMatrix(coordinates[3:])}
-        found |= {d: symbol(d) for d in ([jet_name(n) for n in (1, 2, 3)] if potential.axial else [jet_name(1, a) for a in "123"])}
+        found |= {d: symbol(d) for d in ([jet_name(n) for n in (1, 2, 3)] if potential.axial
+                                         else [jet_name(1, a) for a in "123"])}
     if scene.equilibrium is not None:
         place = dict(zip(coordinates, scene.point))
-        return {name: value.xreplace(place) for name, value in found.items()} | _at_equilibrium(scene.equilibrium, place)
+        return {name: value.xreplace(place)
+                for name, value in found.items()} | _at_equilibrium(scene.equilibrium, place)
     delta = ImmutableMatrix([symbol(f"delta_{x}") for x in coordinates])
     return found | {
-        "delta_pi": ImmutableMatrix(delta[:3]), "delta_k": ImmutableMatrix(delta[3:]), "dt": along(system.jet_field),
+        "delta_pi": ImmutableMatrix(delta[:3]), "delta_k": ImmutableMatrix(delta[3:]),
+        "dt": along(system.jet_field),
         "variation": along(delta), "bracket": lambda f, g: along(system.space.tensor * gradient(g))(f),
-        "gradient_pi": lambda f: ImmutableMatrix(gradient(f)[:3]), "gradient_k": lambda f: ImmutableMatrix(gradient(f)[3:])}
+        "gradient_pi": lambda f: ImmutableMatrix(gradient(f)[:3]),
+        "gradient_k": lambda f: ImmutableMatrix(gradient(f)[3:])}
 
 
 def _at_equilibrium(eq: Equilibrium, place: Mapping[Symbol, Expr]) -> dict[str, Any]:
-    found: dict[str, Any] = {s.name: s for e in (*eq.point, *eq.existence()) for s in e.free_symbols} | {"lamda": symbol("lamda")}
-    found |= {"jacobian": Later(lambda: eq.system.jet_jacobian.xreplace(place)), "linearization": Later(lambda: linearize(eq).matrix),
-              "polynomial": Later(lambda: linearize(eq).characteristic_polynomial()), "q": Later(lambda: linearize(eq).coefficients[-1]),
+    found: dict[str, Any] = {s.name: s for e in (*eq.point, *eq.existence())
+                             for s in e.free_symbols} | {"lamda": symbol("lamda")}
+    found |= {"jacobian": Later(lambda: eq.system.jet_jacobian.xreplace(place)),
+              "linearization": Later(lambda: linearize(eq).matrix),
+              "polynomial": Later(lambda: linearize(eq).characteristic_polynomial()),
+              "q": Later(lambda: linearize(eq).coefficients[-1]),
               "identity": Later(lambda: eye(linearize(eq).matrix.rows))}
     if eq.system.potential:
-        nu = {f"nu{n + 1}": Later(lambda n=n: multipliers(eq, eq.system.space.casimirs)[n]) for n in (0, 1)}  # type: ignore[misc]
+        nu = {f"nu{n + 1}": Later(lambda n=n: multipliers(eq, eq.system.space.casimirs)[n])  # type: ignore[misc]
+              for n in (0, 1)}
         found |= {"p": Later(lambda: linearize(eq).coefficients[0]), **nu}
     return found

@@ -1,4 +1,7 @@
-"""Where a printed condition may be seen to fail: drawn points, thin wedges between its boundary and the derived one, equality."""
+"""Where a printed condition may be seen to fail.
+
+Drawn points, thin wedges between its boundary and the derived one, equality.
+"""
 from collections.abc import Iterable, Iterator
 from functools import partial
 from itertools import islice
@@ -16,18 +19,29 @@ from .statements import Reading
 
 Values = dict[Symbol, Expr]
 LINES, ON_BOUNDARY = 6, 150                                # base points of lines; points at equality
-DRAWN, LEFT_OUT = 100, 4                                   # points that are drawn, once that many are found that are only left out
+# points that are drawn, once that many are found that are only left out
+DRAWN, LEFT_OUT = 100, 4
 
 
 def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) -> Iterator[Values]:
-    """Points that may refute a condition, then some that it may only leave out; alike: the two differ at equality at most."""
+    """Points that may refute a condition, then some that it may only leave out.
+
+    Alike: the two differ at equality at most.
+    """
     claim = str(r.statement.quantity)
     if claim == "sufficient for periodic motion":
-        yield {symbol(name): Integer(n) / d for name, n, d in (("I1", 1, 1), ("I2", 2, 1), ("I3", 3, 1), ("E", 1, 4), ("L2", 1, 1))}
+        yield {symbol(name): Integer(n) / d for name, n, d in (("I1", 1, 1), ("I2", 2, 1), ("I3", 3, 1),
+                                                               ("E", 1, 4), ("L2", 1, 1))}
         return
-    wanted = None if claim in ("existence", "necessary and sufficient for stability") else claim.startswith("sufficient")
+    wanted = (
+        None
+        if claim in ("existence", "necessary and sufficient for stability")
+        else claim.startswith("sufficient")
+    )
     symbols, later = free_symbols(printed) | free_symbols(derived), list[Values]()
-    drawn: Iterable[Values] = () if alike else _anywhere(r, symbols) if claim == "existence" else r.points(symbols)
+    drawn: Iterable[Values] = (
+        () if alike else _anywhere(r, symbols) if claim == "existence" else r.points(symbols)
+    )
     enough = (values for n, values in enumerate(drawn) if n < DRAWN or len(later) < LEFT_OUT)
     for values in map(partial(_settled, r), _in_turn(enough, _between(r, printed, derived))):
         if (said := holds(printed, values)) == holds(derived, values):
@@ -36,8 +50,12 @@ def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) ->
             yield values
         elif len(later) < LEFT_OUT:
             later.append(values)
-    never = not printed.alternatives                       # it holds nowhere
-    if not (never and wanted) and "stability" in claim and not claim.endswith(("Casimirs alone", "on the boundary")):
+    never = not printed.alternatives  # it holds nowhere
+    if (
+        not (never and wanted)
+        and "stability" in claim
+        and not claim.endswith(("Casimirs alone", "on the boundary"))
+    ):
         at_equality = (_settled(r, values) for values in islice(_on_boundary(r, derived), ON_BOUNDARY))
         yield from (values for values in at_equality if wanted in (None, holds(printed, values)))
     yield from later
@@ -56,16 +74,18 @@ def _in_turn(*sources: Iterator[Values]) -> Iterator[Values]:
 
 def _settled(r: Reading, values: Values) -> Values:
     """With what `at` and the family make of the others."""
-    return on_family(r.scene, values | {name: value.xreplace(values) for name, value in r.at.items() if name in values})
+    return on_family(r.scene, values | {name: value.xreplace(values)
+                                        for name, value in r.at.items() if name in values})
 
 
 def _admissible(r: Reading, values: Values) -> bool:
     """Whether what is given and what is positive is so."""
-    return all(sign_of_constant(e.subs(values)) == 1 for e in (*r.given, *(x for x in values if x.is_positive)))
+    return all(sign_of_constant(e.subs(values)) == 1
+               for e in (*r.given, *(x for x in values if x.is_positive)))
 
 
 def _anywhere(r: Reading, symbols: set[Symbol]) -> Iterator[Values]:
-    """Points with special values too: existence may fail where a parameter is 0, or where |k| is not 1."""
+    """Points with special values too: existence may fail where a parameter is 0, or where abs(k) is not 1."""
     for values in r.points(symbols):
         for s in sorted(symbols, key=str):
             yield values | {s: Integer(2 if s in K else s.is_positive or 0)}
@@ -73,7 +93,9 @@ def _anywhere(r: Reading, symbols: set[Symbol]) -> Iterator[Values]:
 
 
 def _between(r: Reading, printed: Criterion, derived: Criterion) -> Iterator[Values]:
-    """On lines along one name, a point in each cell that the boundaries of both conditions cut, however thin, and at rational ends."""
+    """On lines along one name, a point in each cell that the boundaries of both conditions cut, however thin,
+    and at rational ends.
+    """
     margins = [c.margin for criterion in (printed, derived) for a in criterion.alternatives for c in a]
     for values in islice(r.points(margins), LINES):
         for s in sorted({x for m in margins for x in m.free_symbols} - {*K, *r.at}, key=str):
@@ -94,11 +116,15 @@ def _cells(margins: list[Expr], s: Symbol) -> Iterator[Expr]:
 
 
 def _on_boundary(r: Reading, derived: Criterion) -> Iterator[Values]:
-    """Points where a margin is 0, found along a name in which it is affine; the curvature of an unspecified U is drawn too."""
+    """Points where a margin is 0, found along a name in which it is affine.
+
+    The curvature of an unspecified U is drawn too.
+    """
     for alternative in derived.alternatives:
         for condition in alternative:
             yield from _at_rest(r, condition.margin)
-            for values in r.points([condition.margin, *([symbol("d2U")] if condition.margin.has(symbol("dU")) else [])]):
+            for values in r.points([condition.margin,
+                                    *([symbol("d2U")] if condition.margin.has(symbol("dU")) else [])]):
                 for s in sorted(condition.margin.free_symbols, key=str):
                     slope = condition.margin.diff(s)
                     if slope.subs(values) and not slope.has(s) and s not in K:
@@ -125,14 +151,19 @@ def _at_rest(r: Reading, margin: Expr) -> Iterator[Values]:
 
 
 def _next(r: Reading, on: Values) -> Iterator[Values]:
-    """At E1 and E2 of an unspecified U, a third derivative of either sign: it decides where the first two do not."""
+    """At E1 and E2 of an unspecified U, a third derivative of either sign.
+
+    It decides where the first two do not.
+    """
     d2U, d3U = symbol("d2U"), symbol("d3U")
     if d2U in on and r.scene.equilibrium and r.scene.equilibrium.label in ("E1", "E2"):
         yield from (on | {d3U: s * (2 * abs(on[d2U]) + 1)} for s in (1, -1))
 
 
 def _double(r: Reading, margin: Expr, s: Symbol, on: Values) -> Iterator[Values]:
-    """Points of the boundary where the necessary condition is at equality too, if it is a square along the boundary."""
+    """Points of the boundary where the necessary condition is at equality too, if it is a square along the
+    boundary.
+    """
     if s != symbol("dU"):
         return
     solved = s - margin / margin.diff(s)

@@ -17,10 +17,12 @@ SOURCES = ("VV2003", "N2025", "EA", "AR", "literature")
 _HERE = resources.files(__package__)                     # a folder, or part of an archive
 MOST = 40                                              # abbreviations, values or constants of a formula
 _REQUIRED = ("key", "where", "quantity", "printed", "kind")
-_OPTIONAL: Mapping[str, Any] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str, "constants": list,
+_OPTIONAL: Mapping[str, Any] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str,
+                                "constants": list,
                                        "corrected": (str, list)}
 
-_COMPUTING = (ArithmeticError, AttributeError, LookupError, NotImplementedError, RecursionError, TypeError, ValueError)
+_COMPUTING = (ArithmeticError, AttributeError, LookupError, NotImplementedError, RecursionError, TypeError,
+              ValueError)
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,8 @@ class Source:
     ----------
     name, title : str
     statements : tuple of Statement
-    expected : mapping of key to status      "misprint" or "unchecked"; everything else is expected to be confirmed
+    expected : mapping of key to status
+        "misprint" or "unchecked"; everything else is expected to be confirmed
     """
 
     name: str
@@ -45,11 +48,13 @@ def load(source: str | Path) -> Source:
 
     Parameters
     ----------
-    source : str or Path      VV2003, N2025, EA, AR, literature; or a path ending in .toml
+    source : str or Path
+        VV2003, N2025, EA, AR, literature; or a path ending in .toml
 
     Raises
     ------
-    PublishedError            there is no such source, or the file does not follow the format; the message names file and key
+    PublishedError
+        there is no such source, or the file does not follow the format; the message names file and key
 
     Examples
     --------
@@ -61,7 +66,8 @@ def load(source: str | Path) -> Source:
         return _own(str(source))
     path = Path(source)
     if path.suffix != ".toml":
-        raise PublishedError(f"{source} is not a source: give {', '.join(SOURCES)}, or the path of a .toml file")
+        raise PublishedError(f"{source} is not a source: give {', '.join(SOURCES)}, or the path of a .toml "
+                             "file")
     return _read(path, None)
 
 
@@ -74,15 +80,24 @@ def _own(name: str) -> Source:
 def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Source:
     data = toml_of(path)
     header = data.get("source")
-    if not isinstance(header, dict) or not all(isinstance(header.get(field), str) for field in ("name", "title")):
-        raise PublishedError(f"{path}: has no [source] table with name and title: see the README for an example")
+    if not isinstance(header, dict) or not all(isinstance(header.get(field), str)
+                                               for field in ("name", "title")):
+        raise PublishedError(f"{path}: has no [source] table with name and title: see the README for an "
+                             "example")
     if unknown := set(data) - {"source", "scene", "formula", "expected"}:
-        raise PublishedError(f"{path}: has the unknown tables {', '.join(sorted(unknown))}: a file has source, scene, formula, expected")
+        raise PublishedError(f"{path}: has the unknown tables {', '.join(sorted(unknown))}: a file has "
+                             "source, scene, formula, expected")
     tables, listed, status = data.get("scene", {}), data.get("formula", []), data.get("expected", {})
     if not isinstance(tables, dict) or not all(isinstance(table, dict) for table in tables.values()):
-        raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: see the README for an example")
-    if not isinstance(listed, list) or not all(isinstance(entry, dict) for entry in listed) or not isinstance(status, dict):
-        raise PublishedError(f"{path}: formulas are [[formula]] tables, and what is expected one [expected] table: see the README")
+        raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: see the README for an "
+                             "example")
+    if (
+        not isinstance(listed, list)
+        or not all(isinstance(entry, dict) for entry in listed)
+        or not isinstance(status, dict)
+    ):
+        raise PublishedError(f"{path}: formulas are [[formula]] tables, and what is expected one "
+                             "[expected] table: see the README")
     scenes = {"": Scene()}
     for name, table in tables.items():
         with _at(path, f"scene.{name}"):
@@ -90,14 +105,17 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
     statements = [_statement(path, header, scenes, entry) for entry in listed]
     keys = [s.key for s in statements]
     if twice := {key for key, times in Counter(keys).items() if times > 1}:
-        raise PublishedError(f"{path}: the keys {', '.join(sorted(twice))} occur twice: give each formula its own")
+        raise PublishedError(f"{path}: the keys {', '.join(sorted(twice))} occur twice: give each formula "
+                             "its own")
     table = status if expected is None else expected
     if not set(table) <= {"misprint", "unchecked"} or not all(
             isinstance(keys, list) and all(isinstance(key, str) for key in keys) for keys in table.values()):
-        raise PublishedError(f"{path}: expected has lists of keys under misprint and unchecked, and nothing else")
+        raise PublishedError(f"{path}: expected has lists of keys under misprint and unchecked, and "
+                             "nothing else")
     status = {key: name for name in ("misprint", "unchecked") for key in table.get(name, ())}
     if unknown := set(status) - set(keys):
-        raise PublishedError(f"{path}: a status is expected of {', '.join(sorted(unknown))}, but there is no such key")
+        raise PublishedError(f"{path}: a status is expected of {', '.join(sorted(unknown))}, but there is "
+                             "no such key")
     return Source(header["name"], header["title"], tuple(statements), status)
 
 
@@ -123,21 +141,25 @@ def _texts(value: Any) -> bool:
     if isinstance(value, dict):
         return all(isinstance(text, str) for text in value.values())
     if isinstance(value, list):
-        return all(isinstance(x, str) or isinstance(x, list) and all(isinstance(y, str) for y in x) for x in value)
+        return all(isinstance(x, str) or isinstance(x, list) and all(isinstance(y, str) for y in x)
+                   for x in value)
     return isinstance(value, str)
 
 
-def _statement(path: Path | Traversable, header: Mapping[str, Any], scenes: Mapping[str, Scene], entry: Mapping[str, Any]) -> Statement:
+def _statement(path: Path | Traversable, header: Mapping[str, Any], scenes: Mapping[str, Scene],
+               entry: Mapping[str, Any]) -> Statement:
     key = entry.get("key", "a formula without a key")
     with _at(path, key):
         if missing := [field for field in _REQUIRED if field not in entry]:
             raise PublishedError(f"lacks {', '.join(missing)}: a formula has {', '.join(_REQUIRED)}")
         for field, value in entry.items():
             if field not in _REQUIRED and field not in _OPTIONAL:
-                raise PublishedError(f"has the unknown entry {field}: there are {', '.join((*_REQUIRED, *_OPTIONAL))}")
+                raise PublishedError(f"has the unknown entry {field}: there are "
+                                     f"{', '.join((*_REQUIRED, *_OPTIONAL))}")
             wanted = _OPTIONAL.get(field, (str, list) if field in ("quantity", "printed") else str)
             if not isinstance(value, wanted) or not _texts(value):
-                raise PublishedError(f"{field} = {brief(value)} is a {type(value).__name__}: write it as in the README's example")
+                raise PublishedError(f"{field} = {brief(value)} is a {type(value).__name__}: write it as "
+                                     "in the README's example")
         if not key.isprintable():
             raise PublishedError("key has more than one line: write a name")
         if entry["kind"] not in KINDS:
@@ -148,6 +170,7 @@ def _statement(path: Path | Traversable, header: Mapping[str, Any], scenes: Mapp
         if many := [field for field in ("let", "at", "constants") if len(entry.get(field, ())) > MOST]:
             raise PublishedError(f"{many[0]} has more than {MOST} entries: split the formula")
         if not isinstance(name, str) or name not in scenes:
-            raise PublishedError(f"scene = {brief(name)} is not in the file: its scenes are {', '.join(filter(None, scenes))}")
+            raise PublishedError(f"scene = {brief(name)} is not in the file: its scenes are "
+                                 f"{', '.join(filter(None, scenes))}")
         fields = {**entry, "scene": scenes[name], "constants": tuple(entry.get("constants", ()))}
         return Statement(source=header["name"], file=str(path), **fields)

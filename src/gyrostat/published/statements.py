@@ -1,4 +1,7 @@
-"""Statement, Outcome, Counterexample, Doubt: a published formula, what its check found, and the numbers that show a misprint."""
+"""Statement, Outcome, Counterexample, Doubt.
+
+A published formula, what its check found, and the numbers that show a misprint.
+"""
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -27,19 +30,29 @@ class Statement:
     Parameters
     ----------
     source, key : str
-    where : str                      section and equation number or position
-    quantity : str or list           what the formula is about, as an expression in the names of the scene, or a claim
-    printed : str or (nested) list   the right-hand side, the condition, the verdict
-    kind : str                       identity, family (an identity on the family of an equilibrium), equilibrium,
-                                     solution (of the equations of motion), condition, number, statement
+    where : str
+        section and equation number or position
+    quantity : str or list
+        what the formula is about, as an expression in the names of the scene, or a claim
+    printed : str or (nested) list
+        the right-hand side, the condition, the verdict
+    kind : str
+        identity, family (an identity on the family of an equilibrium), equilibrium, solution (of the
+        equations of motion), condition, number, statement
     note : str
     scene : Scene
-    let : mapping                    the source's own abbreviations, as printed
-    at : mapping                     values inserted on both sides
-    given : str                      comparisons under which the claim is made
-    constants : tuple of str         those of a solution that is called general
-    corrected : as printed, or None  what a misprint should read; checked as if it were printed
-    file : str                       where it was read
+    let : mapping
+        the source's own abbreviations, as printed
+    at : mapping
+        values inserted on both sides
+    given : str
+        comparisons under which the claim is made
+    constants : tuple of str
+        those of a solution that is called general
+    corrected : as printed, or None
+        what a misprint should read; checked as if it were printed
+    file : str
+        where it was read
     """
 
     source: str
@@ -60,7 +73,10 @@ class Statement:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """Numbers at which a claim fails: what it says there, what is true, and what confirms that without either formula."""
+    """Numbers at which a claim fails.
+
+    What it says there, what is true, and what confirms that without either formula.
+    """
 
     values: tuple[tuple[str, Expr], ...]
     printed: Any
@@ -76,10 +92,13 @@ class Outcome:
     ----------
     agrees : bool or None
     printed, derived, difference : Any
-    counterexample : Counterexample or None      the claim fails there
-    not_sharp : Counterexample or None           it does not fail there, and leaves the point out: no counterexample
+    counterexample : Counterexample or None
+        the claim fails there
+    not_sharp : Counterexample or None
+        it does not fail there, and leaves the point out: no counterexample
     corrected : as printed, or None
-    remark : str                                 what is known where there are no such numbers
+    remark : str
+        what is known where there are no such numbers
     """
 
     agrees: bool | None
@@ -98,11 +117,15 @@ class Doubt:
 
     Parameters
     ----------
-    points : iterable of mapping       numbers by symbol, drawn when they are asked for
+    points : iterable of mapping
+        numbers by symbol, drawn when they are asked for
     printed, derived, difference : Any
-    sides : tuple of Expr              of a formula, both sides of the entry that differs, as the library reads them
-    place : tuple of int or None       that entry
-    moving : mapping                   of a solution, what its functions put in place of the coordinates
+    sides : tuple of Expr
+        of a formula, both sides of the entry that differs, as the library reads them
+    place : tuple of int or None
+        that entry
+    moving : mapping
+        of a solution, what its functions put in place of the coordinates
     """
 
     points: Iterable[Mapping[Symbol, Expr]]
@@ -123,7 +146,8 @@ class Reading:
         self.at: dict[Symbol, Expr] = {}
         for name, text in statement.at.items():
             if name not in bare or not isinstance(bare[name], Symbol) and self.scene.equilibrium is None:
-                raise PublishedError(f"at gives {name}, which is no parameter of the scene: its names are {', '.join(sorted(bare))}")
+                raise PublishedError(f"at gives {name}, which is no parameter of the scene: its names are "
+                                     f"{', '.join(sorted(bare))}")
             value = self.at[symbol(name)] = read(text, bare)
             if symbol(name).is_positive and value.is_positive is False:
                 raise PublishedError(f"at gives {name} = {value}: moments of inertia are positive")
@@ -146,18 +170,23 @@ class Reading:
 
     def points(self, expressions: Iterable[Expr]) -> Iterator[dict[Symbol, Expr]]:
         """Rational points of the scene; an existence claim is asked outside the domain too."""
-        return points(self.scene, [*expressions, *self.mentioned], self.given, self.at, self.statement.quantity != "existence")
+        return points(self.scene, [*expressions, *self.mentioned], self.given, self.at,
+                      self.statement.quantity != "existence")
 
     @cached_property
     def mentioned(self) -> set[Symbol]:
-        """Every symbol behind the names in the texts, also those that cancel; not those that an abbreviation hides."""
+        """Every symbol behind the names in the texts, also those that cancel.
+
+        Not those that an abbreviation hides.
+        """
         s = self.statement
         found = set(_NAME.findall(str([s.given, self.scene.table.get("given", ""), s.at])))
         own = list(s.let)
         for n, text in enumerate([*s.let.values(), str([s.printed, s.quantity])]):
             found |= set(_NAME.findall(text)) - set(own[:n])
         values = [self.names[name] for name in found if name in self.names]
-        return {x for value in values if isinstance(value, (Expr, MatrixBase)) for x in self.finish(value).free_symbols}
+        return {x for value in values if isinstance(value, (Expr, MatrixBase))
+                for x in self.finish(value).free_symbols}
 
     def independently(self, text: Any, values: Mapping[Symbol, Expr]) -> Any:
         """A quantity from Newton and Euler's equations at numbers."""

@@ -13,14 +13,20 @@ from ..notation import typeset
 from .language import Formula
 
 _NAMES = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l": r"\boldsymbol{l}",
-          "vector_omega": r"\boldsymbol{\omega}", "vector_M": r"\mathbf{M}", "vector_A": r"\mathbf{A}", "vector_r": r"\mathbf{r}",
+          "vector_omega": r"\boldsymbol{\omega}", "vector_M": r"\mathbf{M}", "vector_A": r"\mathbf{A}",
+          "vector_r": r"\mathbf{r}",
           "vector_m": r"\mathbf{m}", "vector_z": r"\hat{\mathbf{z}}", "delta_pi": r"\delta\boldsymbol{\pi}",
-          "delta_k": r"\delta\mathbf{k}", "axis_1": r"\hat{\mathbf{e}}_1", "axis_2": r"\hat{\mathbf{e}}_2", "axis_3": r"\hat{\mathbf{e}}_3",
-          "axis_vertical": r"\hat{\mathbf{z}}", "axis_nodes": r"\hat{\mathbf{e}}_2'", "tensor": r"\mathbf{I}", "delta": "dt",
-          "jacobian": "J", "linearization": "A", "tensor_torque": r"\boldsymbol{\tau}", "torque": r"\boldsymbol{\tau}",
+          "delta_k": r"\delta\mathbf{k}", "axis_1": r"\hat{\mathbf{e}}_1", "axis_2": r"\hat{\mathbf{e}}_2",
+          "axis_3": r"\hat{\mathbf{e}}_3",
+          "axis_vertical": r"\hat{\mathbf{z}}", "axis_nodes": r"\hat{\mathbf{e}}_2'",
+          "tensor": r"\mathbf{I}", "delta": "dt",
+          "jacobian": "J", "linearization": "A", "tensor_torque": r"\boldsymbol{\tau}",
+          "torque": r"\boldsymbol{\tau}",
           "polynomial": r"\chi"}
-_FUNCTIONS = {"cross": r"{} \times {}", "dot": r"{} \cdot {}", "dt": r"\tfrac{{d}}{{dt}} {}", "entry": r"{}_{{{}{}}}",
-              "transpose": r"{}^{{T}}", "inverse": r"{}^{{-1}}", "variation": r"\delta {}", "gradient_pi": r"\nabla_{{\pi}} {}",
+_FUNCTIONS = {"cross": r"{} \times {}", "dot": r"{} \cdot {}", "dt": r"\tfrac{{d}}{{dt}} {}",
+              "entry": r"{}_{{{}{}}}",
+              "transpose": r"{}^{{T}}", "inverse": r"{}^{{-1}}", "variation": r"\delta {}",
+              "gradient_pi": r"\nabla_{{\pi}} {}",
               "gradient_k": r"\nabla_{{k}} {}", "bracket": r"\{{ {}, {} \}}", "abs": r"\left|{}\right|"}
 
 
@@ -37,12 +43,14 @@ class _Tex:
         return rf"\left({self.text}\right)" if self.sum else self.text
 
     def __add__(self, other: "_Tex") -> "_Tex":
-        return _Tex(f"{self.text} - {other.text[1:].lstrip()}" if other.text.startswith("-") else f"{self.text} + {other.text}", True)
+        return _Tex(f"{self.text} - {other.text[1:].lstrip()}" if other.text.startswith("-")
+                    else f"{self.text} + {other.text}", True)
 
     def __mul__(self, other: "_Tex") -> "_Tex":
         if self.negated:
             return -(self.negated * other)
-        return _Tex(rf"\frac{{{self.text}}}{{{other.under}}}" if other.under else f"{self.closed()} {other.closed()}")
+        return _Tex(rf"\frac{{{self.text}}}{{{other.under}}}" if other.under
+                    else f"{self.closed()} {other.closed()}")
 
     def __neg__(self) -> "_Tex":
         return _Tex(f"- {self.closed()}", True, negated=self)
@@ -83,7 +91,8 @@ class _Typesetter(Formula):
         arguments = [part.value for part in self.arguments()]
         if template := _FUNCTIONS.get(token):
             plain = token in ("abs", "bracket", "entry")
-            return Part(_Tex(template.format(*(a.text if plain else a.closed() for a in arguments)), token in ("cross", "dot")))
+            return Part(_Tex(template.format(*(a.text if plain else a.closed() for a in arguments)),
+                             token in ("cross", "dot")))
         inner = ", ".join(a.text for a in arguments)
         if token == "sqrt":
             return Part(_Tex(rf"\sqrt{{{inner}}}"))
@@ -96,7 +105,8 @@ def formula_of(printed: str, at: Any = None) -> str:
 
     Raises
     ------
-    ExpressionError      the text is neither, as a verdict in words
+    ExpressionError
+        the text is neither, as a verdict in words
 
     Examples
     --------

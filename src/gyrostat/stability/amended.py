@@ -1,4 +1,7 @@
-"""The amended potential on the sphere of directions, expanded beyond the second variation: minima of higher degree, and maxima at rest."""
+"""The amended potential on the sphere of directions, expanded beyond the second variation.
+
+Minima of higher degree, and maxima at rest.
+"""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,21 +26,26 @@ X, Y, SIZE = Dummy("x", real=True), Dummy("y", real=True), Dummy("size", real=Tr
 
 @dataclass(frozen=True)
 class Amended:
-    """U_c(k) = U(k) + (c − l·k)²/(2 k·Ik) near an equilibrium at given numbers, c the value of C1 = M·k there.
+    """U_c(k) = U(k) + (c − l·k)²/(2 k·Ik) near an equilibrium at given numbers, c the value of C1 = M·k
+    there.
 
-    On the orbit h is U_c plus a positive square in π, so h has a strict minimum where U_c has one on |k| = 1: Lyapunov stable
-    (Lagrange, Dirichlet). Where U_c has none, only a motion at rest with l = 0 is decided: there the system is a natural one, and an
-    expansion that begins with a form which takes negative values makes it unstable (Chetaev; Kozlov).
+    On the orbit h is U_c plus a positive square in π, so h has a strict minimum where U_c has one on abs(k) = 1:
+    Lyapunov stable (Lagrange, Dirichlet). Where U_c has none, only a motion at rest with l = 0 is decided:
+    there the system is a natural one, and an expansion that begins with a form which takes negative values
+    makes it unstable (Chetaev; Kozlov).
 
     Parameters
     ----------
-    equilibrium : Equilibrium                  on e(3)*, k ≠ 0
-    numbers : mapping of Symbol to Expr        exact
+    equilibrium : Equilibrium
+        on e(3)*, k ≠ 0
+    numbers : mapping of Symbol to Expr
+        exact
 
-    Source
-    ------
-    Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59, for U_c; Chetaev, The Stability of Motion (1961), §17; Kozlov,
-    J. Appl. Math. Mech. 50 (1986) 719-725, for a form that takes negative values without being definite.
+    References
+    ----------
+    Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59, for U_c; Chetaev, The Stability of
+    Motion (1961), §17; Kozlov, J. Appl. Math. Mech. 50 (1986) 719-725, for a form that takes negative values
+    without being definite.
     """
 
     equilibrium: Equilibrium
@@ -45,14 +53,21 @@ class Amended:
 
     @cached_property
     def natural(self) -> bool:
-        """Whether π = 0 and l = 0: the reduced motion is that of a natural system, without gyroscopic forces."""
+        """Whether π = 0 and l = 0.
+
+        The reduced motion is that of a natural system, without gyroscopic forces.
+        """
         return all(sign_of_constant(x) == 0 for x in (*self._momentum, *self._rotor))
 
     def forms(self, degree: int) -> list[Form]:
-        """U_c − U_c(k0) in homogeneous parts of degree 0 to the degree given, k = ((4 − |ξ|²) k0 + 4 ξ)/(4 + |ξ|²), ξ ⟂ k0."""
+        """U_c − U_c(k0) in homogeneous parts of degree 0 to the degree given, k = ((4 − abs(ξ)²) k0 + 4 ξ)/(4
+        + abs(ξ)²), ξ ⟂ k0.
+        """
         k0, rotor, moments = self._direction, self._rotor, self._moments
-        ahead = next(n for n in (2, 1, 0) if sign_of_constant(k0[n]))                 # two products eᵢ × k0, independent
-        across = [cross(tuple(S.One if n == m else S.Zero for n in range(3)), k0) for m in range(3) if m != ahead]
+        # two products eᵢ × k0, independent
+        ahead = next(n for n in (2, 1, 0) if sign_of_constant(k0[n]))
+        across = [cross(tuple(S.One if n == m else S.Zero for n in range(3)), k0)
+                  for m in range(3) if m != ahead]
         tangent = [SIZE * (X * a + Y * b) for a, b in zip(*across)]
         square = sum(x**2 for x in tangent)
         step = [(4 * x - 2 * square * k) / (4 + square) for x, k in zip(tangent, k0)]
@@ -61,28 +76,38 @@ class Amended:
         total = [p + r for p, r in zip(self._momentum, rotor)]
         level = sum(m * k for m, k in zip(total, k0))
         place = [k + d for k, d in zip(k0, step)]
-        value += (level - sum(r * k for r, k in zip(rotor, place))) ** 2 / (2 * sum(m * k**2 for m, k in zip(moments, place)))
+        value += (level - sum(r * k for r, k in zip(rotor, place))) ** 2 / (
+            2 * sum(m * k**2 for m, k in zip(moments, place))
+        )
         ring = Ring([value, SIZE, X, Y])
         top, bottom = ring.fraction(value)
         index = ring.generators.index(SIZE)
-        tops, bottoms = ([ring.reduce(part) for part in by_degree(f, index, max(int(f.degrees()[index]), degree))] for f in (top, bottom))
+        tops, bottoms = ([ring.reduce(part)
+                          for part in by_degree(f, index, max(int(f.degrees()[index]), degree))]
+                         for f in (top, bottom))
         parts: list[Any] = []                               # f_n = parts[n]/bottoms[0]^(n + 1)
         for n in range(degree + 1):
             part = tops[n] * bottoms[0] ** n
             for m in range(n):
                 part -= parts[m] * bottoms[n - m] * bottoms[0] ** (n - m - 1)
             parts.append(ring.reduce(part))
-        return [{}, *(_form(ring.quotient(part, bottoms[0] ** (n + 1))) for n, part in enumerate(parts) if n > 0)]
+        return [{}, *(_form(ring.quotient(part, bottoms[0] ** (n + 1)))
+                      for n, part in enumerate(parts) if n > 0)]
 
     def decide(self) -> tuple[bool | None, str]:
-        """Whether the equilibrium is stable where the second variation is degenerate, None if that is not elementary; and why."""
+        """Whether the equilibrium is stable where the second variation is degenerate, None if that is not
+        elementary; and why.
+        """
         for degree in (4, 8, HIGHEST):
             if wanted := {s.name for e in self._slopes(degree).values() for s in e.free_symbols}:
                 return None, f"the second variation is degenerate, give {', '.join(sorted(wanted))} to decide"
             try:
                 stable, why = self._expanded(degree)
             except ScopeError as error:
-                return None, f"the second variation is degenerate, and further terms are not compared: {error}"
+                return (
+                    None,
+                    f"the second variation is degenerate, and further terms are not compared: {error}",
+                )
             if why:
                 return stable, why
         return None, f"up to degree {HIGHEST} the amended potential does not change along a direction"
@@ -98,21 +123,40 @@ class Amended:
             return self._by(values, f"of degree {first}")
         for n, coefficient in enumerate(valley(forms), 3):
             if (sign := proved_sign(coefficient)) != 0:
-                return self._by({-1, 1} if n % 2 else {sign}, f"of degree {n} where the second variation vanishes")
+                return self._by({-1, 1} if n % 2 else {sign},
+                                f"of degree {n} where the second variation vanishes")
         return None, ""
 
     def _by(self, values: set[int], which: str) -> tuple[bool | None, str]:
         """What follows from the signs that the leading form takes."""
         if values == {1}:
-            return True, f"the amended potential has a strict minimum, its leading form, {which}, is positive (Lagrange-Dirichlet)"
+            return (
+                True,
+                f"the amended potential has a strict minimum, its leading form, {which}, is positive "
+                "(Lagrange-Dirichlet)",
+            )
         if -1 not in values:
-            return None, f"the leading form of the amended potential, {which}, is positive or 0: whether it has a minimum is not elementary"
+            return (
+                None,
+                f"the leading form of the amended potential, {which}, is positive or 0: whether it has a "
+                "minimum is not elementary",
+            )
         if self.natural:
-            return False, f"at rest with l = 0 the leading form of the potential, {which}, takes negative values (Chetaev)"
-        return None, f"the leading form of the amended potential, {which}, takes negative values: gyroscopic forces may hold the motion"
+            return (
+                False,
+                f"at rest with l = 0 the leading form of the potential, {which}, takes negative values "
+                "(Chetaev)",
+            )
+        return (
+            None,
+            f"the leading form of the amended potential, {which}, takes negative values: gyroscopic forces "
+            "may hold the motion",
+        )
 
     def _slopes(self, degree: int) -> dict[tuple[int, ...], Expr]:
-        """The derivatives of U at the point that are not 0, up to the degree, by how often each of k1, k2, k3 is differentiated."""
+        """The derivatives of U at the point that are not 0, up to the degree, by how often each of k1, k2, k3
+        is differentiated.
+        """
         potential = self.equilibrium.system.potential
         found: dict[tuple[int, ...], Expr] = {}
         if potential is None:
@@ -125,7 +169,9 @@ class Amended:
                 for axis in axes:
                     if not any(orders[axis + 1:]):     # each product of derivatives in one order
                         following = tuple(n + (m == axis) for m, n in enumerate(orders))
-                        above[following] = value.diff(DIRECTIONS[axis]) if potential.given else self._jet(following)
+                        above[following] = (
+                            value.diff(DIRECTIONS[axis]) if potential.given else self._jet(following)
+                        )
             derivatives = above
             found |= {orders: slope for orders, value in above.items() if (slope := self._value(value)) != 0}
         return found

@@ -1,4 +1,7 @@
-"""Where relative equilibria of a body of revolution meet: E3 leaves E1 or E2, tilts meet. Equations, and numbers."""
+"""Where relative equilibria of a body of revolution meet.
+
+E3 leaves E1 or E2, tilts meet. Equations, and numbers.
+"""
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
@@ -21,9 +24,12 @@ from .values import unknown
 KINDS = {
     "E3 leaves E1": "at a fixed rotor and rate about the vertical; E1 is stable on both sides",
     "E3 leaves E2": "at a fixed rotor and rate about the vertical; E2 is stable on both sides",
-    "fold at fixed rate": "two E3 meet at a fixed rotor and rate about the vertical; stability does not change there",
-    "precessions leave E1": "the boundary of E1, on the levels of E1; Report.boundary decides whether they are stable",
-    "precessions leave E2": "the boundary of E2, on the levels of E2; Report.boundary decides whether they are stable",
+    "fold at fixed rate": "two E3 meet at a fixed rotor and rate about the vertical; stability does not "
+                          "change there",
+    "precessions leave E1": "the boundary of E1, on the levels of E1; Report.boundary decides whether they "
+                            "are stable",
+    "precessions leave E2": "the boundary of E2, on the levels of E2; Report.boundary decides whether they "
+                            "are stable",
     "fold on a level": "two precessions meet on a level of both momenta; one is stable, the other is not",
 }
 MEETINGS = {
@@ -41,9 +47,12 @@ class Bifurcation(Shown, Stored):
 
     Parameters
     ----------
-    kind : str                   a key of KINDS, which says what happens there
-    equations : tuple of Expr    vanish there; omega is the rate about the vertical, p_psi is π3 + l
-    at : Expr                    the k3 at which derivatives of U are taken
+    kind : str
+        a key of KINDS, which says what happens there
+    equations : tuple of Expr
+        vanish there; omega is the rate about the vertical, p_psi is π3 + l
+    at : Expr
+        the k3 at which derivatives of U are taken
     """
 
     kind: str
@@ -55,7 +64,8 @@ class Bifurcation(Shown, Stored):
 class BifurcationPoint(Shown, Stored):
     """The value of the free name at which a bifurcation takes place, and the k3 where.
 
-    Its kind is a key of KINDS; where branches meet between the poles "at fixed rate" or "on a level", it starts with a key of MEETINGS.
+    Its kind is a key of KINDS; where branches meet between the poles "at fixed rate" or "on a level", it
+    starts with a key of MEETINGS.
     """
 
     kind: str
@@ -67,8 +77,8 @@ class BifurcationPoint(Shown, Stored):
 def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     """The bifurcations of the relative equilibria of a body of revolution in U(k3), as equations.
 
-    Source
-    ------
+    References
+    ----------
     Lewis, Ratiu, Simo & Marsden, Nonlinearity 5 (1992) 1-48, for the heavy top; else derived.
 
     Examples
@@ -85,7 +95,8 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     relation, motion = relation_at_rate(scene), reduce(scene)
     slope = relation.diff(K3) + symbol("d2U")
     found: list[tuple[str, tuple[Expr, ...], Expr]] = [
-        ("E3 leaves E1", (relation.xreplace({K3: S.One}),), S.One), ("E3 leaves E2", (relation.xreplace({K3: -S.One}),), -S.One),
+        ("E3 leaves E1", (relation.xreplace({K3: S.One}),), S.One),
+        ("E3 leaves E2", (relation.xreplace({K3: -S.One}),), -S.One),
         ("fold at fixed rate", (relation, slope), K3)]
     for make in (upright, hanging):
         with suppress(EquilibriumError):                   # U is infinite at the pole
@@ -100,19 +111,25 @@ def bifurcation_points(scene: System, values: Mapping[str, Any], name: str) -> l
 
     Parameters
     ----------
-    scene : System                         a body of revolution in a U rational in k3
-    values : mapping of name to number     everything but the name: moments, l, the parameters of U, and omega (fixed rate), pi3_0
-                                           (the levels C1 = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level)
-    name : str                             what is left free; a moment is positive
+    scene : System
+        a body of revolution in a U rational in k3
+    values : mapping of name to number
+        everything but the name: moments, l, the parameters of U, and omega (fixed rate), pi3_0 (the levels C1
+        = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level)
+    name : str
+        what is left free; a moment is positive
 
     Returns
     -------
-    list of BifurcationPoint               by value
+    list of BifurcationPoint
+        by value
 
     Raises
     ------
-    ValuesError       names are missing or unknown, or a number is not admissible
-    ScopeError        the body is not of revolution, U is unspecified, or not rational in k3
+    ValuesError
+        names are missing or unknown, or a number is not admissible
+    ScopeError
+        the body is not of revolution, U is unspecified, or not rational in k3
 
     Examples
     --------
@@ -131,11 +148,15 @@ def bifurcation_points(scene: System, values: Mapping[str, Any], name: str) -> l
     kinds = {frozenset({OMEGA}): AT_RATE, frozenset({symbol("pi3_0")}): "precessions leave",
              frozenset({symbol("pi3_0"), symbol("C1")}): ON_LEVEL}.get(frozenset(given))
     if kinds is None or free in numbers:
-        raise ValuesError(f"given were {', '.join(map(str, values))}, free is {name}: of omega, or pi3_0, or pi3_0 and C1, give each or "
+        raise ValuesError(f"given were {', '.join(map(str, values))}, free is {name}: of omega, or pi3_0, "
+                          "or pi3_0 and C1, give each or "
                           "leave it free, and give a number for every other name")
-    found = [point for point in (_at_poles if kinds == "precessions leave" else _meetings)(scene, numbers, free, kinds)
+    found = [point for point in (_at_poles if kinds == "precessions leave"
+                                 else _meetings)(scene, numbers, free, kinds)
              if positive(scene, numbers, free, point.value)]
-    order = {value: n for n, value in enumerate(in_order(list(dict.fromkeys(point.value for point in found))))}
+    order = {
+        value: n for n, value in enumerate(in_order(list(dict.fromkeys(point.value for point in found))))
+    }
     return sorted(found, key=lambda point: order[point.value])
 
 
@@ -149,8 +170,10 @@ def _at_poles(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterat
     for b in bifurcations(scene):
         if b.kind.startswith(kinds):
             placed = insert(scene, b.equations[0], b.at, numbers, {free}, b.kind)
-            if not placed.has(S.ComplexInfinity, S.NaN):                   # U is infinite at the pole: there is no E1 or E2
-                yield from (BifurcationPoint(b.kind, free.name, value, b.at) for value in real_roots(placed, free) or ())
+            # U is infinite at the pole: there is no E1 or E2
+            if not placed.has(S.ComplexInfinity, S.NaN):
+                yield from (BifurcationPoint(b.kind, free.name, value, b.at)
+                            for value in real_roots(placed, free) or ())
 
 
 def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterator[BifurcationPoint]:
@@ -171,7 +194,9 @@ def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterat
 
 
 def kind_of(place: Place, kinds: str) -> str:
-    """The name of what happens at a place of the curve of E3, or of the precessions of a level, by the branches that come to it."""
+    """The name of what happens at a place of the curve of E3, or of the precessions of a level, by the
+    branches that come to it.
+    """
     few, many = sorted((len(place.left), len(place.right)))
     if place.x**2 == 1:
         return f"E3 leaves E{1 if place.x == 1 else 2}" if many else ""
@@ -186,7 +211,8 @@ def defined(curve: PlaneCurve, t: Expr, x: Expr) -> bool:
     return all(curve.sign(pole, t, x) != 0 for pole in curve.poles)
 
 
-def insert(scene: System, expression: Expr, at: Expr, numbers: Point, allowed: set[Symbol], what: str) -> Expr:
+def insert(scene: System, expression: Expr, at: Expr, numbers: Point, allowed: set[Symbol],
+           what: str) -> Expr:
     """With the derivatives of U at a k3, and numbers for all names but those allowed."""
     assert scene.potential is not None
     jets = {d: scene.potential.value(d).xreplace({K3: at}) for d in expression.free_symbols if jet(d.name)}

@@ -1,4 +1,7 @@
-"""What decides on the boundary between the two criteria: the first coefficient of the reduced motion that does not vanish."""
+"""What decides on the boundary between the two criteria.
+
+The first coefficient of the reduced motion that does not vanish.
+"""
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,7 +17,8 @@ from ..mechanics.reduction import expansion, reducible
 from ..notation import Shown, Stored, jet, symbol
 from .conditions import Condition, sign_at
 
-HIGHEST = 24                                           # power of x up to which the ladder of a transcendental U goes
+# power of x up to which the ladder of a transcendental U goes
+HIGHEST = 24
 
 
 @dataclass(frozen=True)
@@ -24,8 +28,10 @@ class Rung:
     Parameters
     ----------
     power : int
-    condition : Condition      margin > 0: the coefficient is negative
-    escapes : bool             the power is odd and k3 may move both ways: unstable whatever the sign
+    condition : Condition
+        margin > 0: the coefficient is negative
+    escapes : bool
+        the power is odd and k3 may move both ways: unstable whatever the sign
     """
 
     power: int
@@ -35,20 +41,22 @@ class Rung:
 
 @dataclass(frozen=True, repr=False)
 class Boundary(Shown, Stored):
-    """The ladder of cases where the necessary condition holds with equality, for a body of revolution in U(k3).
+    """The ladder of cases where the necessary condition holds with equality, for a body of revolution in
+    U(k3).
 
-    On the level of the equilibrium I1² k̇3² = g = c₃ x³ + c₄ x⁴ + …, with k3 = ±(1 − x), x ≥ 0, at E1 and E2 and k3 + x at a tilt.
-    The first coefficient that is not 0 decides: where g < 0 beside the point, k3 is held (Lyapunov stable, modulo the spin at a
-    tilt), where g > 0 on a side, a motion leaves along it. If all vanish, g = 0 and every k3 nearby is a motion: unstable.
+    On the level of the equilibrium I1² k̇3² = g = c₃ x³ + c₄ x⁴ + …, with k3 = ±(1 − x), x ≥ 0, at E1 and E2
+    and k3 + x at a tilt. The first coefficient that is not 0 decides: where g < 0 beside the point, k3 is
+    held (Lyapunov stable, modulo the spin at a tilt), where g > 0 on a side, a motion leaves along it. If all
+    vanish, g = 0 and every k3 nearby is a motion: unstable.
 
     Parameters
     ----------
     equilibrium : Equilibrium
 
-    Source
-    ------
-    Derived; of the first rung at E1, Lerman, arXiv:dg-ga/9608010; the sleeping top, Cushman & Bates, Global Aspects of Classical
-    Integrable Systems, chapter V.
+    References
+    ----------
+    Derived; of the first rung at E1, Lerman, arXiv:dg-ga/9608010; the sleeping top, Cushman & Bates, Global
+    Aspects of Classical Integrable Systems, chapter V.
     """
 
     equilibrium: Equilibrium
@@ -60,7 +68,10 @@ class Boundary(Shown, Stored):
 
     @cached_property
     def last(self) -> int | None:
-        """The power above which nothing new comes, of a rational U; None if U is unspecified or transcendental."""
+        """The power above which nothing new comes, of a rational U.
+
+        None if U is unspecified or transcendental.
+        """
         potential = self.equilibrium.system.potential
         if not potential or not potential.given:
             return None
@@ -89,9 +100,12 @@ class Boundary(Shown, Stored):
             power += 1
 
     def decisive(self) -> Iterator[Rung]:
-        """The ladder with the coefficient of x² below it, which is 0 where the criteria are those of g; they may leave more open.
+        """The ladder with the coefficient of x² below it, which is 0 where the criteria are those of g.
 
-        So where π is fixed, whatever the axis, or numbers stand in the scene whose relations the criteria do not see.
+        They may leave more open.
+
+        So where π is fixed, whatever the axis, or numbers stand in the scene whose relations the criteria do
+        not see.
         """
         yield self.rung(2)
         yield from self.rungs()
@@ -107,7 +121,8 @@ class Boundary(Shown, Stored):
                 value = eq.insert(coefficient)
                 ring = Ring([value, *eq.existence()])
                 margin, even = Signs(ring, eq.existence()).split(*ring.fraction(-value))
-                known[n] = Rung(n, Condition(ring.expression(margin), True, f"coefficient of x^{n}", tuple(map(ring.expression, even)),
+                known[n] = Rung(n, Condition(ring.expression(margin), True, f"coefficient of x^{n}",
+                                             tuple(map(ring.expression, even)),
                                              eq.at), not self.pole and n % 2 == 1)
         return known[power]
 
@@ -122,14 +137,20 @@ class Boundary(Shown, Stored):
 
         Parameters
         ----------
-        numbers : mapping of Symbol to Expr     exact
-        margins : dict                          the margins used are entered
+        numbers : mapping of Symbol to Expr
+            exact
+        margins : dict
+            the margins used are entered
         """
         for rung in self.decisive():
             condition = rung.condition
             if wanted := condition.symbols - numbers.keys():
                 missing = ", ".join(sorted(s.name for s in wanted))
-                what = f"give {missing} to decide" if all(jet(s.name) for s in wanted) else f"{missing} would decide"
+                what = (
+                    f"give {missing} to decide"
+                    if all(jet(s.name) for s in wanted)
+                    else f"{missing} would decide"
+                )
                 return None, f"on the boundary, {what}"
             here = sign_at(condition, numbers, margins)
             if here is None:

@@ -22,16 +22,25 @@ class Branch(Shown, Stored):
 
     Parameters
     ----------
-    label : str              "E1", "E2", "E3" (sigma = 0), or "precession": a periodic orbit of the Lie-Poisson field, E3 of the body
-                             whose rotor carries l + I3 sigma
-    k3 : Expr or None        None: every k3 between −1 and 1
-    omega : Expr or None     rate about the vertical [1/T]; None: every rate
-    sigma : Expr or None     rate about the axis of the body on top of it [1/T]; None where it varies along a continuum
-    pi3 : Expr or None       axial momentum of the locked body [M L²/T]
-    decision : Decision      E3 and precessions: modulo the spin
-    itself : Decision or None     of an E3, what holds for the point itself
-    along : Expr             what k3 is in the coordinates of the scene; sigma, pi3 are along that axis as well
-    point : tuple of Expr or None     in the coordinates of a scene that was recognised; None of any other, and of a continuum
+    label : str
+        "E1", "E2", "E3" (sigma = 0), or "precession": a periodic orbit of the Lie-Poisson field, E3 of the
+        body whose rotor carries l + I3 sigma
+    k3 : Expr or None
+        None: every k3 between −1 and 1
+    omega : Expr or None
+        rate about the vertical [1/T]; None: every rate
+    sigma : Expr or None
+        rate about the axis of the body on top of it [1/T]; None where it varies along a continuum
+    pi3 : Expr or None
+        axial momentum of the locked body [M L²/T]
+    decision : Decision
+        E3 and precessions: modulo the spin
+    itself : Decision or None
+        of an E3, what holds for the point itself
+    along : Expr
+        what k3 is in the coordinates of the scene; sigma, pi3 are along that axis as well
+    point : tuple of Expr or None
+        in the coordinates of a scene that was recognised; None of any other, and of a continuum
     """
 
     label: str
@@ -46,13 +55,17 @@ class Branch(Shown, Stored):
 
 
 def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, dict[str, Any]] | None:
-    """What a scene is at its numbers, and what is asked of it in the names of the standard scene; None if it is not of revolution.
+    """What a scene is at its numbers, and what is asked of it in the names of the standard scene.
 
-    About axis 1 the names are k1 and pi1_0, about an oblique axis c they are kc = k·c and pic_0 = π·c; omega and C1 are the same in all.
+    None if it is not of revolution.
+
+    About axis 1 the names are k1 and pi1_0, about an oblique axis c they are kc = k·c and pic_0 = π·c; omega
+    and C1 are the same in all.
 
     Raises
     ------
-    ValuesError       a name is unknown, or one of the scene is missing
+    ValuesError
+        a name is unknown, or one of the scene is missing
     """
     names = sorted(s.name for s in names_of_scene(scene))
     numbers = {symbol(name): exact_number(value, name) for name, value in values.items() if name in names}
@@ -65,13 +78,17 @@ def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, 
         raise ValuesError(unknown(foreign[0], sorted({*names, *own}), "the scene"))
     ways = {"omega"}, {f"pi{axis}_0", "C1"}, {f"k{axis}"}, {f"k{axis}", f"pi{axis}_0"}
     if values.keys() - set(names) not in ways:
-        raise ValuesError("give the rate about the vertical, the level or the tilt, each in the axes of the scene: "
+        raise ValuesError("give the rate about the vertical, the level or the tilt, each in the axes of "
+                          "the scene: "
                           + ", or ".join(" and ".join(sorted(way)) for way in ways))
     return found, {own[name]: value for name, value in values.items() if name not in names}
 
 
 def in_axes_of(found: Recognition, branch: Branch) -> Branch:
-    """A branch of the standard scene in the axes of the scene that was recognised; its margins, in the names of the standard one, go."""
+    """A branch of the standard scene in the axes of the scene that was recognised.
+
+    Its margins, in the names of the standard one, go.
+    """
     point = None
     if branch.k3 is not None and branch.omega is not None and branch.pi3 is not None:
         k1 = S.Zero if branch.k3**2 == 1 else sqrt(1 - branch.k3**2)
@@ -84,5 +101,6 @@ def in_axes_of(found: Recognition, branch: Branch) -> Branch:
 
 
 def _decision(found: Recognition, decision: Decision) -> Decision:
-    return replace(decision, modulo=decision.modulo and (found.modulo,), reason=f"{found.sentence}: {found.worded(decision.reason)}",
+    return replace(decision, modulo=decision.modulo and (found.modulo,),
+                   reason=f"{found.sentence}: {found.worded(decision.reason)}",
                    margins=())

@@ -31,31 +31,36 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
 
     Numbers for the moments, l and the parameters of U, and one of
 
-    - omega: E1, E2 and every E3 of that rate about the vertical, U' = ω l − ω² k3 (I1 − I3);
-    - pi3_0, C1: what lies on that level of π3 and of C1 = (π + l)·k: E1 and E2 where C1 = ±(π3 + l), and every regular precession;
-    - k3: every E3 of that tilt, (I1 − I3) k3 ω² − l ω + U' = 0;
-    - k3, pi3_0: every regular precession of that tilt, I1 k3 ω² − (π3 + l) ω + U' = 0.
+    - omega: E1, E2 and every E3 of that rate about the vertical, U' = ω l − ω² k3 (I1 − I3); - pi3_0, C1:
+    what lies on that level of π3 and of C1 = (π + l)·k: E1 and E2 where C1 = ±(π3 + l), and every regular
+    precession; - k3: every E3 of that tilt, (I1 − I3) k3 ω² − l ω + U' = 0; - k3, pi3_0: every regular
+    precession of that tilt, I1 k3 ω² − (π3 + l) ω + U' = 0.
 
-    A body of revolution about another axis is recognised: of axis 1 it is k1 and pi1_0 in place of k3 and pi3_0, of an oblique axis c
+    A body of revolution about another axis is recognised: of axis 1 it is k1 and pi1_0 in place of k3 and
+        pi3_0, of an oblique axis c
     kc = k·c and pic_0 = π·c.
 
     Parameters
     ----------
-    scene : System                        a body of revolution, U rational in the component of k along its axis
-    values : mapping of name to number    rational or algebraic, as in Report.verdict
+    scene : System
+        a body of revolution, U rational in the component of k along its axis
+    values : mapping of name to number
+        rational or algebraic, as in Report.verdict
 
     Returns
     -------
-    list of Branch                        in the order of k3 from E1 down to E2, then of omega; complete. A pole where U is infinite
-                                          is left out
+    list of Branch
+        in the order of k3 from E1 down to E2, then of omega; complete. A pole where U is infinite is left out
 
     Raises
     ------
-    ValuesError       names are missing, unknown or too many, or a number is not admissible
-    ScopeError        the body is not of revolution, U is unspecified, or not rational in k3
+    ValuesError
+        names are missing, unknown or too many, or a number is not admissible
+    ScopeError
+        the body is not of revolution, U is unspecified, or not rational in k3
 
-    Source
-    ------
+    References
+    ----------
     Goldstein, Classical Mechanics, §5.7 (the heavy top); else derived.
 
     Examples
@@ -68,7 +73,12 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
     precession sqrt(6) + 3 STABLE
     """
     require(scene, System, "the scene")
-    if not reducible(scene) and scene.potential and scene.potential.given and (turned := asked_about(scene, values)):
+    if (
+        not reducible(scene)
+        and scene.potential
+        and scene.potential.given
+        and (turned := asked_about(scene, values))
+    ):
         found, own = turned
         return [in_axes_of(found, branch) for branch in relative_equilibria(found.standard, own)]
     asked, numbers = _asked_for(scene, values)
@@ -89,12 +99,16 @@ def pole_at(scene: System, values: Mapping[str, Any], s: int) -> Branch | None:
 
 
 def critical_tilt(scene: System, values: Mapping[str, Any], k3: Expr) -> Verdict:
-    """The verdict of an E3 at a fixed rate whose margin is known to vanish: what the first higher derivative of g says.
+    """The verdict of an E3 at a fixed rate whose margin is known to vanish.
+
+    What the first higher derivative of g says.
 
     Parameters
     ----------
-    scene, values      as in relative_equilibria, with omega
-    k3 : Expr          exact, an E3 at these numbers
+    scene, values
+        as in relative_equilibria, with omega
+    k3 : Expr
+        exact, an E3 at these numbers
     """
     here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
     report = _report(here.potential, "E3 at rest" if sign_of_constant(numbers[OMEGA]) == 0 else "E3")
@@ -104,19 +118,28 @@ def critical_tilt(scene: System, values: Mapping[str, Any], k3: Expr) -> Verdict
 
 
 def names_of(scene: System) -> set[str]:
-    """Names of the moments, of l and of the parameters of U, of a scene whose relative equilibria can be found."""
+    """Names of the moments, of l and of the parameters of U, of a scene whose relative equilibria can be
+    found.
+    """
     if not reducible(scene) or not scene.potential or not scene.potential.given:
-        raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene has inertia "
-                         f"{scene.body.inertia}, U = {scene.potential and scene.potential.expression}: use upright, hanging, inclined "
+        raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene "
+                         "has inertia "
+                         f"{scene.body.inertia}, U = {scene.potential and scene.potential.expression}: use "
+                         "upright, hanging, inclined "
                          "or equilibrium")
-    needed = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2], scene.potential.expression) for s in e.free_symbols}
+    needed = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2], scene.potential.expression)
+              for s in e.free_symbols}
     if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY}):
-        raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: rename it")
+        raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: "
+                         "rename it")
     return {s.name for s in needed - {K3}}
 
 
 def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:
-    """The values as exact numbers: no unknown names, and moments that are positive as far as they are given."""
+    """The values as exact numbers.
+
+    No unknown names, and moments that are positive as far as they are given.
+    """
     for name in values:
         if name not in known:
             raise ValuesError(unknown(name, sorted(known), "the scene"))
@@ -125,7 +148,8 @@ def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Po
         scene.potential.check_size(numbers)
     for moment in scene.body.inertia[1:]:
         if moment.free_symbols <= numbers.keys() and proved_sign(value := evaluate(moment, numbers)) != 1:
-            raise ValuesError(f"{moment} = {value}, but a moment of inertia must be positive: give a positive number")
+            raise ValuesError(f"{moment} = {value}, but a moment of inertia must be positive: give a "
+                              "positive number")
     return numbers
 
 
@@ -134,12 +158,15 @@ def _asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...
     numbers = exact_point(scene, values, needed | extra)
     asked = next((names for names in _ASKED if set(names) == values.keys() & extra), None)
     if asked is None:
-        raise ValuesError(f"given were {', '.join(sorted(values.keys() & extra)) or 'no names of the motion'}: give "
-                          + ", or ".join(" and ".join(names) for names in _ASKED))
+        raise ValuesError(
+            f"given were {', '.join(sorted(values.keys() & extra)) or 'no names of the motion'}: give "
+            + ", or ".join(" and ".join(names) for names in _ASKED)
+        )
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
     if K3 in numbers and proved_sign(1 - numbers[K3] ** 2) != 1:
-        raise ValuesError(f"k3 = {numbers[K3]} is not the tilt of a precession: give −1 < k3 < 1; E1 and E2 are found with omega")
+        raise ValuesError(f"k3 = {numbers[K3]} is not the tilt of a precession: give −1 < k3 < 1; E1 and "
+                          "E2 are found with omega")
     return asked, numbers
 
 
@@ -147,7 +174,8 @@ def _asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...
 def _report(potential: Potential, label: str) -> Report:
     """E1, E2, E3 or the tilt at rest of the symbolic body in a field."""
     scene = assemble(symmetric_gyrostat(), potential)
-    if label == "E3 at rest":                              # no name eliminated: that would ask its coefficient not to vanish
+    # no name eliminated: that would ask its coefficient not to vanish
+    if label == "E3 at rest":
         point = (0, 0, 0, sqrt(1 - K3**2), 0, K3)
         return analyze(equilibrium(scene, point, relations=((DU, 0),), domain=(1 - K3**2,), label=label))
     return analyze(inclined(scene, "l") if label == "E3" else (upright if label == "E1" else hanging)(scene))
@@ -164,14 +192,21 @@ class SceneAtNumbers:
         parameters = {s: numbers[s] for s in scene.potential.parameters}
         own = {s: x for s, x in parameters.items() if s in _BODY and (s == symbol("l") or body.get(s) != x)}
         potential = scene.potential
-        self.potential = replace(potential, expression=potential.expression.xreplace(own)) if own else potential
+        self.potential = (
+            replace(potential, expression=potential.expression.xreplace(own)) if own else potential
+        )
         self.known = body | {s: x for s, x in parameters.items() if s not in own}
         self.motion = reduce(assemble(symmetric_gyrostat(), self.potential))
         self.slope = self.motion.precession().xreplace({DU: self.potential.value(DU)})
 
     def at_rate(self, omega: Expr) -> list[Branch]:
-        tilts = self._solved(self.slope.xreplace({P: symbol("I3") * OMEGA * K3 + symbol("l")}), {OMEGA: omega}, K3)
-        found = [self.tilted(k3, omega, S.Zero) for k3 in reversed(tilts)] if tilts is not None else [self.continuum(omega, omega, S.Zero)]
+        tilts = self._solved(self.slope.xreplace({P: symbol("I3") * OMEGA * K3 + symbol("l")}),
+                             {OMEGA: omega}, K3)
+        found = (
+            [self.tilted(k3, omega, S.Zero) for k3 in reversed(tilts)]
+            if tilts is not None
+            else [self.continuum(omega, omega, S.Zero)]
+        )
         return [*self.pole(1, self.I3 * omega), *found, *self.pole(-1, -self.I3 * omega)]
 
     def on_level(self, pi3: Expr, c1: Expr) -> list[Branch]:
@@ -185,11 +220,14 @@ class SceneAtNumbers:
 
     def at_tilt(self, k3: Expr, pi3: Expr | None = None) -> list[Branch]:
         if not self._defined(k3):
-            raise ValuesError(f"U = {self.potential.expression} is not defined at k3 = {k3}: choose another tilt")
+            raise ValuesError(f"U = {self.potential.expression} is not defined at k3 = {k3}: choose "
+                              "another tilt")
         total = symbol("I3") * OMEGA * K3 + symbol("l") if pi3 is None else P
-        rates = self._solved(self.slope.xreplace({P: total}), {K3: k3} if pi3 is None else {K3: k3, P: pi3 + self.l}, OMEGA)
+        rates = self._solved(self.slope.xreplace({P: total}),
+                             {K3: k3} if pi3 is None else {K3: k3, P: pi3 + self.l}, OMEGA)
         if rates is None:                                  # l = 0 = k3 (I1 − I3) and U' = 0, or their like
-            raise ValuesError(f"at k3 = {k3} every rate about the vertical is that of a precession: give omega too, to Report.verdict")
+            raise ValuesError(f"at k3 = {k3} every rate about the vertical is that of a precession: give "
+                              "omega too, to Report.verdict")
         sigma = [S.Zero if pi3 is None else pi3 / self.I3 - omega * k3 for omega in rates]
         return [self.tilted(k3, omega, spin) for omega, spin in zip(rates, sigma)]
 
@@ -221,13 +259,17 @@ class SceneAtNumbers:
     def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
         """The numbers that a report takes, but for the name that its family expresses by the others."""
         everything = {**{s.name: x for s, x in self.known.items()}, **given}
-        return {n: x for n, x in everything.items() if n in report.parameters and n != report.equilibrium.eliminated}
+        return {n: x for n, x in everything.items() if n in report.parameters
+                and n != report.equilibrium.eliminated}
 
     def _defined(self, k3: Expr) -> bool:
         value = evaluate(self.potential.expression, {**self.known, K3: k3})
         return ball(value, 64).is_finite() or sign_of_constant(value) is not None
 
     def _solved(self, relation: Expr, given: dict[Symbol, Expr], x: Symbol) -> list[Expr] | None:
-        """Where a relation vanishes; all numbers are inserted at once, so that none is inserted into another."""
+        """Where a relation vanishes.
+
+        All numbers are inserted at once, so that none is inserted into another.
+        """
         relation = relation.xreplace({**self.known, **given})
         return real_roots(relation, x, S.NegativeOne, S.One) if x == K3 else real_roots(relation, x)

@@ -1,4 +1,7 @@
-"""Cases of the other parameters while a condition is solved for one: what is known in each, and which ends belong to the set."""
+"""Cases of the other parameters while a condition is solved for one.
+
+What is known in each, and which ends belong to the set.
+"""
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -76,14 +79,19 @@ class Context:
             ring = Ring([*solved, *self.domain])
             known = Signs(ring, self.domain)
             value, slope = (ring.fraction(e) for e in solved)
-            if known.nonzero(slope[0]) and (not s.is_positive or known.of(value[0]) == 1 == known.of(value[1])):
+            if known.nonzero(slope[0]) and (not s.is_positive
+                                            or known.of(value[0]) == 1 == known.of(value[1])):
                 domain = tuple(e.xreplace({s: solved[0]}) for e in self.domain)
                 inserted = (*self.inserted, (s, solved[0]))
-                return replace(self, when=when, domain=tuple(e for e in domain if e.free_symbols), inserted=inserted)
+                return replace(self, when=when, domain=tuple(e for e in domain if e.free_symbols),
+                               inserted=inserted)
         return replace(self, when=when)
 
     def ladder(self, end: Expr) -> Ladder:
-        """When the end belongs to the set: the rungs of the boundary there, as far as their signs are not known."""
+        """When the end belongs to the set.
+
+        The rungs of the boundary there, as far as their signs are not known.
+        """
         if self.boundary is None:
             return EXCLUDED
         rungs: list[Expr] = []
@@ -96,7 +104,8 @@ class Context:
                 rungs.append(S.One * sign)
                 break
             plain = ring.expression(margin)
-            if margin and not any(plain in (r, -r) for r in rungs):        # else it is 0 where the one before is
+            # else it is 0 where the one before is
+            if margin and not any(plain in (r, -r) for r in rungs):
                 rungs.append(Mul(plain, *(ring.expression(e) ** 2 for e in even)))
         while rungs and rungs[-1] == -1:
             rungs.pop()
@@ -111,7 +120,8 @@ class Context:
 
     def beyond(self, low: Expr, high: Expr) -> Case:
         """Outside low ≤ x ≤ high, and the ends where they are decided so."""
-        return self.case(Interval(-oo, low, EXCLUDED, self.ladder(low)), Interval(high, oo, self.ladder(high), EXCLUDED))
+        return self.case(Interval(-oo, low, EXCLUDED, self.ladder(low)),
+                         Interval(high, oo, self.ladder(high), EXCLUDED))
 
     def root(self, expression: Expr) -> Expr:
         """√ of what is positive, with the squares that are known to be positive taken out."""

@@ -1,4 +1,7 @@
-"""Margins, conditions and criteria: the spectral and the formal test as inequalities, reduced to what is independent."""
+"""Margins, conditions and criteria.
+
+The spectral and the formal test as inequalities, reduced to what is independent.
+"""
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
@@ -20,12 +23,18 @@ class Condition(Shown, Stored):
 
     Parameters
     ----------
-    margin : Expr              primitive integer polynomial; positive is good
-    strict : bool              > or ≥
-    source : str               what it came from
-    degenerate : tuple         even factors taken out of the margin: where one vanishes the sign is 0
-    at : Expr                  the k3 at which derivatives of U are taken: 1, -1 or k3
-    implies : tuple            conditions dropped because they follow from this one, each with the identity that proves it
+    margin : Expr
+        primitive integer polynomial; positive is good
+    strict : bool
+        > or ≥
+    source : str
+        what it came from
+    degenerate : tuple
+        even factors taken out of the margin: where one vanishes the sign is 0
+    at : Expr
+        the k3 at which derivatives of U are taken: 1, -1 or k3
+    implies : tuple
+        conditions dropped because they follow from this one, each with the identity that proves it
     """
 
     margin: Expr
@@ -47,9 +56,12 @@ class Criterion(Shown, Stored):
 
     Parameters
     ----------
-    notion : str               "spectral" or "formal"
-    alternatives : tuple       of tuples of Condition; () never holds, ((),) always
-    modulo : tuple of Expr     integrals whose flow is divided out
+    notion : str
+        "spectral" or "formal"
+    alternatives : tuple
+        of tuples of Condition; () never holds, ((),) always
+    modulo : tuple of Expr
+        integrals whose flow is divided out
     """
 
     notion: str
@@ -64,10 +76,11 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
 
     Raises
     ------
-    ScopeError       the polynomial has another degree
+    ScopeError
+        the polynomial has another degree
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera (2003), §5.
 
     Examples
@@ -81,24 +94,28 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     ring = Ring([*values, *eq.domain])
     signs = Signs(ring, eq.domain)
     fractions = [ring.fraction(value) for value in values]
-    items = [Item(*signs.split(*fraction), False, name) for fraction, name in zip(fractions, "q" if len(values) == 1 else "pq")]
+    items = [Item(*signs.split(*fraction), False, name)
+             for fraction, name in zip(fractions, "q" if len(values) == 1 else "pq")]
     if len(values) == 2:
         (p, a), (q, b) = fractions
         factors = items[0].margin, *items[0].degenerate
-        square = ring.one, tuple(e for e in factors if not e.is_constant())        # q = 0: the discriminant is p²
+        # q = 0: the discriminant is p²
+        square = ring.one, tuple(e for e in factors if not e.is_constant())
         discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
         items.append(Item(*discriminant, False, "p² − 4q"))
     return Criterion("spectral", (tuple(_condition(ring, item, eq) for item in items),))
 
 
 def formal_criterion(variation: SecondVariation) -> Criterion:
-    """Sufficient for stability: the second variation is definite, of either sign, for some value of the free multiplier.
+    """Sufficient for stability.
 
-    The leading principal minors decide; a free multiplier enters one margin, quadratically, and is eliminated:
-    a ν² + b ν + c takes a positive value iff a > 0 or b² > 4ac.
+    The second variation is definite, of either sign, for some value of the free multiplier.
 
-    Source
-    ------
+    The leading principal minors decide; a free multiplier enters one margin, quadratically, and is
+    eliminated: a ν² + b ν + c takes a positive value iff a > 0 or b² > 4ac.
+
+    References
+    ----------
     Holm, Marsden, Ratiu & Weinstein (1985); elimination: the maximum of a quadratic.
 
     Examples
@@ -109,24 +126,29 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
     """
     eq = variation.equilibrium
-    others = dict.fromkeys(variation.free[1:], S.Zero)  # one multiplier is eliminated, any value of the others may be chosen
+    # one multiplier is eliminated, any value of the others may be chosen
+    others = dict.fromkeys(variation.free[1:], S.Zero)
     given = [minor.xreplace(others) for minor in variation.minors]
     ring = Ring([*given, *eq.domain])
     signs = Signs(ring, eq.domain)
     minors = [ring.fraction(minor) for minor in given]
     alternatives: list[list[Item]] = []
     for s in (1, -1):
-        items = [Item(*signs.split(s**n * top, bottom), True, f"minor {n}") for n, (top, bottom) in enumerate(minors, 1)]
+        items = [Item(*signs.split(s**n * top, bottom), True, f"minor {n}")
+                 for n, (top, bottom) in enumerate(minors, 1)]
         conjunction = reduced(items, signs)
         if conjunction is not None:
             free = [nu for nu in variation.free if nu in ring.gens]
             alternatives += eliminate(conjunction, free[0], signs) if free else [conjunction]
     merged = merge([a for a in (reduced(a, signs) for a in alternatives) if a is not None], signs)
-    return Criterion("formal", tuple(tuple(_condition(ring, item, eq) for item in a) for a in merged), variation.modulo)
+    return Criterion("formal", tuple(tuple(_condition(ring, item, eq) for item in a) for a in merged),
+                     variation.modulo)
 
 
 def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
-    """The same criterion without the conditions that follow from the others, given U and the relations inserted."""
+    """The same criterion without the conditions that follow from the others, given U and the relations
+    inserted.
+    """
     conditions = [c for alternative in criterion.alternatives for c in alternative]
     for values, domain in ((lambda e: e, eq.domain), (eq.insert, eq.existence())):
         ring = Ring([*(values(e) for c in conditions for e in (c.margin, *c.degenerate)), *domain])
@@ -143,15 +165,22 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
 
 
 def sign_at(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
-    """Sign of the margin at exact numbers, 0 where an even factor vanishes, None where it is not proved; values go into margins."""
+    """Sign of the margin at exact numbers, 0 where an even factor vanishes, None where it is not proved.
+
+    Values go into margins.
+    """
     if 0 in (factors := _factor_signs(condition, numbers)):
         return 0
     return None if None in factors else _margin_sign(condition, numbers, margins)
 
 
 def holds(criterion: Criterion, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> bool | None:
-    """Truth of a criterion at exact numbers, None where it is not proved; the values of its margins are entered."""
-    answers = [_all(_condition_holds(c, numbers, margins) for c in alternative) for alternative in criterion.alternatives]
+    """Truth of a criterion at exact numbers, None where it is not proved.
+
+    The values of its margins are entered.
+    """
+    answers = [_all(_condition_holds(c, numbers, margins) for c in alternative)
+               for alternative in criterion.alternatives]
     return True if True in answers else None if None in answers else False
 
 
@@ -160,7 +189,8 @@ def _all(answers: Iterable[bool | None]) -> bool | None:
     return False if False in given else None if None in given else True
 
 
-def _condition_holds(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> bool | None:
+def _condition_holds(condition: Condition, numbers: Mapping[Symbol, Expr],
+                     margins: dict[Expr, Expr]) -> bool | None:
     sign = _margin_sign(condition, numbers, margins)
     factors = _factor_signs(condition, numbers)
     if 0 in factors:
@@ -172,7 +202,8 @@ def _condition_holds(condition: Condition, numbers: Mapping[Symbol, Expr], margi
     return sign > 0 if condition.strict else sign >= 0
 
 
-def _margin_sign(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
+def _margin_sign(condition: Condition, numbers: Mapping[Symbol, Expr],
+                 margins: dict[Expr, Expr]) -> int | None:
     if condition.margin not in margins:
         margins[condition.margin] = evaluate(condition.margin, numbers)
     if (found := sign_of_constant(margins[condition.margin])) == 0:
@@ -189,11 +220,14 @@ def _inserted(ring: Ring, signs: Signs, condition: Condition, values: Callable[[
     for factor in condition.degenerate:
         odd, more = signs.split(*ring.fraction(values(factor)))
         even += more if odd.is_constant() and odd else (*more, odd)
-    proofs = tuple(Implied(p.source, *map(values, (p.margin, p.square, p.factor, p.by))) for p in condition.implies)
+    proofs = tuple(Implied(p.source, *map(values, (p.margin, p.square, p.factor, p.by)))
+                   for p in condition.implies)
     return Item(margin, even, condition.strict, condition.source, proofs)
 
 
 def _condition(ring: Ring, item: Item, eq: Equilibrium) -> Condition:
-    proofs = tuple(Implied(p.source, *(e if isinstance(e, Expr) else ring.expression(e) for e in (p.margin, p.square, p.factor, p.by)))
+    proofs = tuple(Implied(p.source, *(e if isinstance(e, Expr) else ring.expression(e)
+                                       for e in (p.margin, p.square, p.factor, p.by)))
                    for p in item.implies)
-    return Condition(ring.expression(item.margin), item.strict, item.source, tuple(map(ring.expression, item.degenerate)), eq.at, proofs)
+    return Condition(ring.expression(item.margin), item.strict, item.source,
+                     tuple(map(ring.expression, item.degenerate)), eq.at, proofs)

@@ -1,4 +1,7 @@
-"""E1, E2 and E3 followed along a parameter at a fixed rotor and rate: pieces of one verdict, and marks where something happens."""
+"""E1, E2 and E3 followed along a parameter at a fixed rotor and rate.
+
+Pieces of one verdict, and marks where something happens.
+"""
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -21,34 +24,45 @@ from .critical import Critical, critical_of
 from .pieces import INFINITE, Mark, Piece, Span
 from .report import Verdict
 
-NODES, HALVINGS, LONGEST = 96, 12, 0.05                    # between two stations; of steps in k3 that are longer
+# between two stations; of steps in k3 that are longer
+NODES, HALVINGS, LONGEST = 96, 12, 0.05
 LABELS = {1: "E1", -1: "E2"}
 
 
 @dataclass(frozen=True)
 class Continuation:
-    """Branches over a range of one parameter, and every change of stability, every meeting and every end on them."""
+    """Branches over a range of one parameter, and every change of stability, every meeting and every end on
+    them.
+    """
 
     pieces: list[Piece]
     marks: list[Mark]
 
 
-def continuation(scene: System, values: Mapping[str, Any], parameter: str, ends: tuple[Any, Any]) -> Continuation:
+def continuation(scene: System, values: Mapping[str, Any], parameter: str,
+                 ends: tuple[Any, Any]) -> Continuation:
     """The branches of E1, E2 and E3 over a range of one parameter, complete.
 
-    Between two stations, which are exact, the tilts are simple roots in a fixed order, none ends, and no margin vanishes: the verdicts are
-    those at one fraction between. At a station the branches that come to a point are those that a box about it holds, on either side.
+    Between two stations, which are exact, the tilts are simple roots in a fixed order, none ends, and no
+    margin vanishes: the verdicts are those at one fraction between. At a station the branches that come to a
+    point are those that a box about it holds, on either side.
 
     Parameters
     ----------
-    scene : System                        a body of revolution in a U rational in k3
-    values : mapping of name to number    the moments, l, the parameters of U and omega, without the one that is free
-    parameter, ends                       its name, and the pair of numbers of its range
+    scene : System
+        a body of revolution in a U rational in k3
+    values : mapping of name to number
+        the moments, l, the parameters of U and omega, without the one that is free
+    parameter, ends
+        its name, and the pair of numbers of its range
 
     Raises
     ------
-    ScopeError        the body is not of revolution, U is unspecified, not rational in k3, of too high a degree, or everything is E3
-    ValuesError       numbers are missing, unknown or not admissible, or the range is empty
+    ScopeError
+        the body is not of revolution, U is unspecified, not rational in k3, of too high a degree, or
+        everything is E3
+    ValuesError
+        numbers are missing, unknown or not admissible, or the range is empty
 
     Examples
     --------
@@ -62,7 +76,8 @@ def continuation(scene: System, values: Mapping[str, Any], parameter: str, ends:
     """
     low, high = (exact_number(end, parameter) for end in ends)
     critical = critical_of(scene, values, parameter, low, high)
-    found = stations(critical.curve, critical.points, (*critical.lines, *critical.poles[1], *critical.poles[-1]))
+    found = stations(critical.curve, critical.points,
+                     (*critical.lines, *critical.poles[1], *critical.poles[-1]))
     inner = [station.t for station in found if station.t not in (low, high)]
     spans = [_span(scene, values, parameter, critical.curve, a, b) for a, b in pairwise([low, *inner, high])]
     here = _Followed(scene, values, parameter, critical, {station.t: station for station in found}, spans)
@@ -70,14 +85,17 @@ def continuation(scene: System, values: Mapping[str, Any], parameter: str, ends:
     return Continuation(pieces, [mark for station in found for mark in here.marks(station)])
 
 
-def _span(scene: System, values: Mapping[str, Any], parameter: str, curve: PlaneCurve, a: Expr, b: Expr) -> Span:
+def _span(scene: System, values: Mapping[str, Any], parameter: str, curve: PlaneCurve, a: Expr,
+          b: Expr) -> Span:
     middle = between(a, b)
     found = relative_equilibria(scene, {**values, parameter: middle})
     tilts = tuple(branch.decision.verdict for branch in reversed(found) if branch.label == "E3")
     if len(tilts) != len(curve.roots(middle)):
-        raise ScopeError(f"at {parameter} = {middle} there are {len(tilts)} tilts, and {len(curve.roots(middle))} branches were followed: "
+        raise ScopeError(f"at {parameter} = {middle} there are {len(tilts)} tilts, and "
+                         f"{len(curve.roots(middle))} branches were followed: "
                          "write the numbers as fractions")
-    return Span(a, b, tilts, {s: x.decision.verdict for s, name in LABELS.items() for x in found if x.label == name})
+    return Span(a, b, tilts, {s: x.decision.verdict for s, name in LABELS.items()
+                              for x in found if x.label == name})
 
 
 @dataclass(frozen=True)
@@ -106,7 +124,10 @@ class _Followed:
         return found
 
     def changed(self, s: int, t: Expr) -> bool | None:
-        """Whether the verdict of E1 or E2 changes at a value, or is another there; None where U is infinite."""
+        """Whether the verdict of E1 or E2 changes at a value, or is another there.
+
+        None where U is infinite.
+        """
         verdicts = {span.poles.get(s) for span in self.spans if t in (span.low, span.high)}
         if t in self.critical.poles[s]:
             here = pole_at(self.scene, self.at(t), s)
@@ -116,7 +137,8 @@ class _Followed:
     def tilts(self) -> list[Piece]:
         """E3, each piece from one point where something happens to the next."""
         found: list[Piece] = []
-        going: list[Piece] = []                            # those that pass the station before without a change, from below
+        # those that pass the station before without a change, from below
+        going: list[Piece] = []
         for span in self.spans:
             pieces = [Piece("E3", x, y, verdict) for (x, y), verdict in zip(self.traced(span), span.tilts)]
             passing = self.passing(span, span.low)
@@ -132,7 +154,11 @@ class _Followed:
     def passing(self, span: Span, t: Expr) -> list[int]:
         """Which tilts of a span do not come to a point of the station at one of its ends."""
         station = self.stations.get(t)
-        held = {n for place in station.places for n in (place.right if t is span.low else place.left)} if station else set()
+        held = (
+            {n for place in station.places for n in (place.right if t is span.low else place.left)}
+            if station
+            else set()
+        )
         return [n for n in range(len(span.tilts)) if n not in held]
 
     def traced(self, span: Span) -> list[tuple[Array, Array]]:
@@ -142,20 +168,25 @@ class _Followed:
             return []
         first, last = (fraction_of(ball(t, 128).mid()) for t in (span.low, span.high))
         small = (last - first) / 2**40
-        nodes = [Fraction(x) for x in ((a + b) / 2 - (b - a) / 2 * np.cos(np.pi * np.arange(1, NODES) / NODES)).tolist()]
+        nodes = [Fraction(x) for x in ((a + b) / 2 - (b - a) / 2
+                                       * np.cos(np.pi * np.arange(1, NODES) / NODES)).tolist()]
         nodes = [x for x in nodes if first + small < x < last - small]
         at = {x: [float(root.mid()) for root in self.critical.curve.roots(x, count)] for x in nodes}
         for _ in range(HALVINGS):                          # where a branch is steep
-            steep = [(x, y) for x, y in pairwise(sorted(at)) if np.max(np.abs(np.subtract(at[x], at[y]))) > LONGEST]
-            at |= {x: [float(root.mid()) for root in self.critical.curve.roots(x, count)] for x in ((x + y) / 2 for x, y in steep)}
-        k3 = np.array([self.limits(span, span.low), *(at[x] for x in sorted(at)), self.limits(span, span.high)])
+            steep = [(x, y) for x, y in pairwise(sorted(at))
+                     if np.max(np.abs(np.subtract(at[x], at[y]))) > LONGEST]
+            at |= {x: [float(root.mid()) for root in self.critical.curve.roots(x, count)]
+                   for x in ((x + y) / 2 for x, y in steep)}
+        k3 = np.array([self.limits(span, span.low), *(at[x] for x in sorted(at)),
+                       self.limits(span, span.high)])
         x = np.array([a, *map(float, sorted(at)), b])
         return [(x, k3[:, n]) for n in range(count)]
 
     def limits(self, span: Span, t: Expr) -> list[float]:
         """Where the tilts of a span come to at one of its ends."""
         station, count = self.stations.get(t), len(span.tilts)
-        near = beside(t, (fraction_of(ball(span.high - span.low, 64).mid())) / 2**60)[0 if t is span.high else 1]
+        near = beside(t, (fraction_of(ball(span.high - span.low, 64).mid()))
+                      / 2**60)[0 if t is span.high else 1]
         limits = [float(root.mid()) for root in self.critical.curve.roots(near, count)]
         for place in station.places if station else ():
             for n in place.right if t is span.low else place.left:
@@ -168,14 +199,17 @@ class _Followed:
         for t in self.critical.lines:
             for branch in relative_equilibria(self.scene, self.at(t)):
                 if branch.label == "E3" and branch.k3 is None:
-                    found.append(Piece("E3", np.full(2, float(t)), np.array([-1.0, 1.0]), branch.decision.verdict))
+                    found.append(Piece("E3", np.full(2, float(t)), np.array([-1.0, 1.0]),
+                                       branch.decision.verdict))
         return found
 
     def isolated(self) -> list[Piece]:
         """Tilts at one value, without others beside them."""
-        return [Piece("E3", np.array([float(station.t)]), np.array([float(place.x)]), self.verdict(station, place))
+        return [Piece("E3", np.array([float(station.t)]), np.array([float(place.x)]),
+                      self.verdict(station, place))
                 for station in self.stations.values() for place in station.places
-                if place.x**2 != 1 and not place.left and not place.right and (station.t, place.x) not in self.critical.infinite]
+                if place.x**2 != 1 and not place.left and not place.right
+                and (station.t, place.x) not in self.critical.infinite]
 
     def verdict(self, station: Station, place: Place) -> Verdict:
         """Of E3 at a place."""
@@ -183,7 +217,8 @@ class _Followed:
             return critical_tilt(self.scene, self.at(station.t), place.x)
         if sides := self.sides(station, place):
             return sides[0]
-        alone = [branch for branch in relative_equilibria(self.scene, self.at(station.t)) if branch.k3 is not None]
+        alone = [branch for branch in relative_equilibria(self.scene, self.at(station.t))
+                 if branch.k3 is not None]
         return min(alone, key=lambda branch: abs(float(branch.k3 - place.x))).decision.verdict
 
     def sides(self, station: Station, place: Place) -> list[Verdict]:
@@ -195,10 +230,12 @@ class _Followed:
         """What happens at a station."""
         for s, name in LABELS.items():
             if station.t in self.critical.poles[s] and (changed := self.changed(s, station.t)) is not False:
-                yield Mark(INFINITE if changed is None else f"precessions leave {name}", station.t, S(s), changed is not None)
+                yield Mark(INFINITE if changed is None else f"precessions leave {name}", station.t, S(s),
+                           changed is not None)
         for place in station.places:
             point, several = (station.t, place.x), bool(place.left or place.right)
-            if point in self.critical.infinite or (place.x**2 == 1 and not defined(self.critical.curve, *point)):
+            if point in self.critical.infinite or (place.x**2 == 1
+                                                   and not defined(self.critical.curve, *point)):
                 if several:
                     yield Mark(INFINITE, *point, False)
                 continue

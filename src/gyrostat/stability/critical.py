@@ -1,4 +1,7 @@
-"""At a fixed rotor and rate: the values of a parameter where branches of E1, E2 and E3 meet or end, or their stability may change."""
+"""At a fixed rotor and rate.
+
+The values of a parameter where branches of E1, E2 and E3 meet or end, or their stability may change.
+"""
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -21,7 +24,8 @@ from .branches import exact_point, names_of
 from .report import analyze
 
 POLES = {1: upright, -1: hanging}
-HIGHEST = 24                                           # derivative of g; if all up to it vanish on a branch, g vanishes there
+# derivative of g; if all up to it vanish on a branch, g vanishes there
+HIGHEST = 24
 
 
 @dataclass(frozen=True)
@@ -30,12 +34,18 @@ class Critical:
 
     Parameters
     ----------
-    curve : PlaneCurve       E3 in k3 and the parameter
-    points : tuple           (value, k3) where E3 meets, ends, or its margin vanishes
-    margins : frozenset      those where its margin vanishes
-    infinite : frozenset     those where U is infinite
-    lines : tuple            values at which every tilt is E3
-    poles : dict             for E1 (1) and E2 (−1) the values where its margin vanishes or U is infinite
+    curve : PlaneCurve
+        E3 in k3 and the parameter
+    points : tuple
+        (value, k3) where E3 meets, ends, or its margin vanishes
+    margins : frozenset
+        those where its margin vanishes
+    infinite : frozenset
+        those where U is infinite
+    lines : tuple
+        values at which every tilt is E3
+    poles : dict
+        for E1 (1) and E2 (−1) the values where its margin vanishes or U is infinite
     """
 
     curve: PlaneCurve
@@ -52,23 +62,29 @@ def critical_of(scene: System, values: Mapping[str, Any], parameter: str, low: E
     known = names_of(scene) | {"omega"}
     numbers, free = exact_point(scene, values, known), symbol(parameter)
     if parameter not in known or "omega" not in (parameter, *values):
-        raise ValuesError(f"E3 is followed at a rate about the vertical, given were {', '.join(values)}, free is {parameter}: give omega "
+        raise ValuesError(f"E3 is followed at a rate about the vertical, given were {', '.join(values)}, "
+                          f"free is {parameter}: give omega "
                           f"too, or leave it free; the names are {', '.join(sorted(known))}")
     if free in numbers:
-        raise ValuesError(f"{parameter} is along the axis, and has the value {numbers[free]} too: leave out one of the two")
+        raise ValuesError(f"{parameter} is along the axis, and has the value {numbers[free]} too: leave "
+                          "out one of the two")
     if sign_of_constant(high - low) != 1:
-        raise ValuesError(f"the range of {parameter} is {low} to {high}: give two numbers, the lower one first")
+        raise ValuesError(f"the range of {parameter} is {low} to {high}: give two numbers, the lower one "
+                          "first")
     _admissible(scene, numbers, free, low, high)
     margin, held = _margin(scene, numbers, free)
-    curve = PlaneCurve(insert(scene, relation_at_rate(scene), K3, numbers, {free, K3}, "E3"), K3, free, (margin, held))
+    curve = PlaneCurve(insert(scene, relation_at_rate(scene), K3, numbers, {free, K3}, "E3"), K3, free,
+                       (margin, held))
     within = cache(lambda t: _within(t, low, high))
 
     def kept(points: Iterable[tuple[Expr, Expr]]) -> tuple[tuple[Expr, Expr], ...]:
         return tuple(dict.fromkeys(point for point in points if within(point[0])))
 
     margins = kept(_margins(curve, margin, held))
-    infinite = kept(point for F in curve.components for pole in curve.poles for point in curve.common(F, pole))
-    lines = tuple(t for line in curve.lines for t in real_roots(curve.ring.expression(line), free) or () if within(t))
+    infinite = kept(point for F in curve.components for pole in curve.poles
+                    for point in curve.common(F, pole))
+    lines = tuple(t for line in curve.lines for t in real_roots(curve.ring.expression(line), free) or ()
+                  if within(t))
     poles = {s: tuple(t for t in _at_pole(scene, numbers, free, s) if within(t)) for s in POLES}
     points = tuple(dict.fromkeys((*kept(critical_points(curve)), *margins, *infinite)))
     return Critical(curve, points, frozenset(margins), frozenset(infinite), lines, poles)
@@ -80,19 +96,23 @@ def _within(t: Expr, low: Expr, high: Expr) -> bool:
 
 def _admissible(scene: System, numbers: Point, free: Symbol, low: Expr, high: Expr) -> None:
     """Refuse a range in which a moment of inertia is not positive."""
-    for moment in {m for m in scene.body.inertia[1:] if free in m.free_symbols} | ({free} if free.is_positive else set()):
+    for moment in {m for m in scene.body.inertia[1:]
+                   if free in m.free_symbols} | ({free} if free.is_positive else set()):
         placed = moment.xreplace(numbers)
         if placed.free_symbols - {free}:
             continue                                       # named as missing later
         zeros = real_roots(placed, free) or []
         at_end = evaluate(placed, {free: low})
         if sign_of_constant(at_end) != 1 or any(_within(zero, low, high) for zero in zeros):
-            raise ValuesError(f"{free} goes from {low} to {high}, and {moment} is a moment of inertia: give a range in which it is "
+            raise ValuesError(f"{free} goes from {low} to {high}, and {moment} is a moment of inertia: "
+                              "give a range in which it is "
                               "positive")
 
 
 def _margin(scene: System, numbers: Point, free: Symbol) -> tuple[Expr, Expr]:
-    """−g''/2 at E3 in k3 and the free name, and (1 − k3²) U, whose higher derivatives are those of g but for a factor."""
+    """−g''/2 at E3 in k3 and the free name, and (1 − k3²) U, whose higher derivatives are those of g but for
+    a factor.
+    """
     (level,) = [b for b in bifurcations(scene) if b.kind == "fold on a level"]
     spin = scene.body.inertia[2] * OMEGA * K3 + scene.body.gyrostatic_momentum[2]
     assert scene.potential is not None
@@ -101,7 +121,10 @@ def _margin(scene: System, numbers: Point, free: Symbol) -> tuple[Expr, Expr]:
 
 
 def _margins(curve: PlaneCurve, margin: Expr, held: Expr) -> Iterator[tuple[Expr, Expr]]:
-    """Where g'' vanishes on E3; on a component on which it does everywhere, the first derivative of g that does not."""
+    """Where g'' vanishes on E3.
+
+    On a component on which it does everywhere, the first derivative of g that does not.
+    """
     for component in curve.components:
         expression, n = margin, 2
         while n < HIGHEST and divmod(top := curve.polynomial(expression), component)[1] == 0:

@@ -1,4 +1,7 @@
-"""The line of one parameter at numbers for all others, cut wherever a verdict may change: proved between the cuts and at them."""
+"""The line of one parameter at numbers for all others, cut wherever a verdict may change.
+
+Proved between the cuts and at them.
+"""
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -12,13 +15,17 @@ from .report import Report, Verdict
 from .sets import EXCLUDED, INCLUDED, Interval
 from .sphere import sphere_of
 
-Cell = tuple[Expr, Expr, bool | None]                      # an open interval or a point, and whether it is stable there; None: not proved
+# an open interval or a point, and whether it is stable there; None: not proved
+Cell = tuple[Expr, Expr, bool | None]
 
 
-def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None, also: Sequence[Expr] = ()) -> list[Cell]:
+def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None,
+        also: Sequence[Expr] = ()) -> list[Cell]:
     """Between and at the roots of everything whose sign matters."""
-    conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives for c in a]
-    expressions = [*(e for c in conditions for e in (c.margin, *c.degenerate)), *report.equilibrium.existence(), *also]
+    conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives
+                  for c in a]
+    expressions = [*(e for c in conditions for e in (c.margin, *c.degenerate)),
+                   *report.equilibrium.existence(), *also]
     placed = [e.xreplace(numbers) for e in expressions]
     everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))
     decider = report.boundary or sphere_of(report.equilibrium)

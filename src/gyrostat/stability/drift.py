@@ -1,4 +1,7 @@
-"""A tilted equilibrium as a point: whether relative equilibria near it drift along its orbit under the spin, and how fast."""
+"""A tilted equilibrium as a point.
+
+Whether relative equilibria near it drift along its orbit under the spin, and how fast.
+"""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,15 +26,17 @@ K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")
 class Drift(Shown, Stored):
     """Why a tilted equilibrium is not Lyapunov stable as a point, even where it is modulo the spin.
 
-    Near it are regular precessions ω = W k + σ e3 with σ ≠ 0: they turn about the axis of the body at the constant rate −σ, and
-    leave the point, however close to it they start. The only exception: I1 = I3, l = 0, U constant near k3, ω ≠ 0.
+    Near it are regular precessions ω = W k + σ e3 with σ ≠ 0: they turn about the axis of the body at the
+    constant rate −σ, and leave the point, however close to it they start. The only exception: I1 = I3, l = 0,
+    U constant near k3, ω ≠ 0.
 
     Parameters
     ----------
-    equilibrium : Equilibrium      tilted, of a body of revolution in U(k3)
+    equilibrium : Equilibrium
+        tilted, of a body of revolution in U(k3)
 
-    Source
-    ------
+    References
+    ----------
     Derived.
     """
 
@@ -47,7 +52,9 @@ class Drift(Shown, Stored):
 
     @cached_property
     def rates(self) -> tuple[Expr, Expr]:
-        """(∂σ/∂k3, ∂σ/∂ω) of the precessions near the point, σ = 0 at it [1/T, 1]; where ω = 0 any σ goes with ω = 0.
+        """(∂σ/∂k3, ∂σ/∂ω) of the precessions near the point, σ = 0 at it [1/T, 1].
+
+        Where ω = 0 any σ goes with ω = 0.
 
         Examples
         --------
@@ -56,15 +63,19 @@ class Drift(Shown, Stored):
         (I1*omega**2 - I3*omega**2 + d2U)/(I3*omega)
         """
         scene = self.equilibrium.system
-        relation, moment = reduce(scene).precession(), scene.body.inertia[2]              # affine in P = π3 + l, here I3 ω k3 + l
+        # affine in P = π3 + l, here I3 ω k3 + l
+        relation, moment = reduce(scene).precession(), scene.body.inertia[2]
         along, curved, across, slope = derivatives(relation, (K3, DU, OMEGA, P))
         here = {P: moment * OMEGA * K3 + scene.body.gyrostatic_momentum[2]}
-        rates = (-(along + curved * symbol("d2U")) / (slope * moment) - OMEGA, -across / (slope * moment) - K3)
+        rates = (-(along + curved * symbol("d2U")) / (slope * moment) - OMEGA,
+                 -across / (slope * moment) - K3)
         return self._here(rates[0].xreplace(here)), self._here(rates[1].xreplace(here))
 
     @cached_property
     def defect(self) -> Expr:
-        """D, 0 where the zero eigenvalue of the linearised field is semisimple: common factor of J³ + p J, for p ≠ 0.
+        """D, 0 where the zero eigenvalue of the linearised field is semisimple.
+
+        Common factor of J³ + p J, for p ≠ 0.
 
         Examples
         --------
@@ -76,13 +87,15 @@ class Drift(Shown, Stored):
         matrix = [[eq.insert(entry) for entry in row] for row in self._linearization.matrix.tolist()]
         ring = Ring([*(entry for row in matrix for entry in row), self._p, *eq.existence()])
         (J, below), (p, under) = ring.matrix(matrix), ring.fraction(self._p)
-        cube = multiply(ring, multiply(ring, J, J), J)         # J³ + p J = (under J³ + p below² J)/(under below³)
+        # J³ + p J = (under J³ + p below² J)/(under below³)
+        cube = multiply(ring, multiply(ring, J, J), J)
         common = ring.zero
         for x, y in zip(chain(*cube), chain(*J)):
             common = common.gcd(ring.reduce(under * x + p * below**2 * y))
         common, _ = cancel(common, under * below**3)
         margin, even = Signs(ring, eq.existence()).split(common, ring.one)
-        if sum(c for exponents, c in margin.to_dict().items() if not any(e % 2 for e in exponents)) < 0:     # squares are positive
+        # squares are positive
+        if sum(c for exponents, c in margin.to_dict().items() if not any(e % 2 for e in exponents)) < 0:
             margin = -margin
         return Mul(*map(ring.expression, (margin, *even)))
 
@@ -95,7 +108,10 @@ class Drift(Shown, Stored):
         return self.equilibrium.insert(self._linearization.coefficients[0])
 
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
-        """Whether the point, stable modulo the spin, is Lyapunov stable: True only in the exceptional case; and why."""
+        """Whether the point, stable modulo the spin, is Lyapunov stable.
+
+        True only in the exceptional case; and why.
+        """
         body = self.equilibrium.system.body
         linear = self._linear(numbers, margins)
         turning = "relative equilibria near it turn about the axis of the body"
@@ -105,9 +121,11 @@ class Drift(Shown, Stored):
         if any(sign_of_constant(slope) for slope in slopes):
             along, across = map(shown, slopes)
             return False, f"{turning}, at the rate σ with ∂σ/∂k3 = {along}, ∂σ/∂ω = {across}; {linear}"
-        known = {**numbers, **{name: evaluate(value, numbers) for name, value in self.equilibrium.relations if name not in numbers}}
+        known = {**numbers, **{name: evaluate(value, numbers)
+                               for name, value in self.equilibrium.relations if name not in numbers}}
         special = [body.inertia[0] - body.inertia[2], body.gyrostatic_momentum[2]]
-        signs = [sign_of_constant(evaluate(e, known)) if e.free_symbols <= known.keys() else None for e in special]
+        signs = [sign_of_constant(evaluate(e, known)) if e.free_symbols <= known.keys() else None
+                 for e in special]
         if any(signs):
             return False, f"{turning}, at a rate σ of second order; {linear}"
         constant = None if None in signs else self._constant(known)

@@ -20,11 +20,15 @@ class SecondVariation(Shown, Stored):
     Parameters
     ----------
     equilibrium : Equilibrium
-    basis : ImmutableMatrix, shape (n, m)       columns span the slice
-    matrix : ImmutableMatrix, shape (m, m)      symmetric, in that basis
+    basis : ImmutableMatrix, shape (n, m)
+        columns span the slice
+    matrix : ImmutableMatrix, shape (m, m)
+        symmetric, in that basis
     multipliers : tuple of (F, ν)
-    free : tuple of Symbol                      multipliers that the first variation leaves free
-    modulo : tuple of Expr                      integrals whose flow is divided out
+    free : tuple of Symbol
+        multipliers that the first variation leaves free
+    modulo : tuple of Expr
+        integrals whose flow is divided out
     """
 
     equilibrium: Equilibrium
@@ -36,27 +40,36 @@ class SecondVariation(Shown, Stored):
 
     @cached_property
     def minors(self) -> tuple[Expr, ...]:
-        """Leading principal minors, of order 1 to m; all positive: positive definite, signs −, +, −, …: negative definite."""
+        """Leading principal minors, of order 1 to m.
+
+        All positive: positive definite, signs −, +, −, …: negative definite.
+        """
         ring = Ring(self.matrix)
         rows, bottom = ring.matrix(self.matrix.tolist())
-        return tuple(ring.quotient(determinant(ring, [row[:n] for row in rows[:n]]), bottom**n) for n in range(1, len(rows) + 1))
+        return tuple(ring.quotient(determinant(ring, [row[:n] for row in rows[:n]]), bottom**n)
+                     for n in range(1, len(rows) + 1))
 
 
 def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
-    """ν with ∇h + Σ νⱼ ∇Fⱼ = 0 at the equilibrium; those left free are the symbols nu1, nu2, … of their functions.
+    """ν with ∇h + Σ νⱼ ∇Fⱼ = 0 at the equilibrium.
 
-    The last functions are determined first: where an integral is critical, the multiplier of the first Casimir is free.
+    Those left free are the symbols nu1, nu2, … of their functions.
+
+    The last functions are determined first: where an integral is critical, the multiplier of the first
+    Casimir is free.
     """
     columns = differentials(eq, functions)
     energy = list(eq.at_point(eq.system.energy_gradient))
     ring = Ring([*(entry for column in columns for entry in column), *energy, *eq.domain])
     signs = Signs(ring, eq.domain)
     rows = [ring.matrix([row])[0][0] for row in zip(*columns, energy)]
-    solved = dict(row_reduce(ring, rows, lambda j, entry: (-j, not signs.nonzero(entry), len(entry)), len(functions)))
+    solved = dict(row_reduce(ring, rows, lambda j, entry: (-j, not signs.nonzero(entry), len(entry)),
+                             len(functions)))
     free = [j for j in range(len(functions)) if j not in solved]
     values: dict[int, Expr] = {j: symbol(f"nu{j + 1}") for j in free}
     for j, row in solved.items():
-        values[j] = ring.quotient(-row[-1], row[j]) - sum((ring.quotient(row[f], row[j]) * values[f] for f in free), S.Zero)
+        values[j] = ring.quotient(-row[-1], row[j]) - sum((ring.quotient(row[f], row[j]) * values[f]
+                                                           for f in free), S.Zero)
     return tuple(values[j] for j in range(len(functions)))
 
 
@@ -66,14 +79,15 @@ def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMa
     Parameters
     ----------
     eq : Equilibrium
-    functions : sequence of Expr      Casimirs, then integrals
+    functions : sequence of Expr
+        Casimirs, then integrals
 
     Returns
     -------
     ImmutableMatrix, shape (n, n)
 
-    Source
-    ------
+    References
+    ----------
     Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116.
 
     Examples
@@ -99,8 +113,9 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     Parameters
     ----------
     eq : Equilibrium
-    integrals : bool      whether the integrals of the scene are used beside the Casimirs: one that is critical
-                          on the orbit adds a free multiplier, any other is held fixed and its flow divided out
+    integrals : bool
+        whether the integrals of the scene are used beside the Casimirs: one that is critical on the orbit
+        adds a free multiplier, any other is held fixed and its flow divided out
 
     Returns
     -------
@@ -110,8 +125,8 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     ------
     SingularOrbitError
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera (2003), §4.1.2; with momentum maps Simo, Lewis & Marsden (1991), Ortega & Ratiu (1999).
 
     Examples
@@ -131,7 +146,11 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     ring = Ring([*form, *basis])
     rows, bottom = ring.matrix(form.tolist())
     columns, _ = ring.matrix(basis.tolist())
-    restricted = multiply(ring, [list(column) for column in zip(*columns)], multiply(ring, rows, columns)) if basis.cols else []
+    restricted = (
+        multiply(ring, [list(column) for column in zip(*columns)], multiply(ring, rows, columns))
+        if basis.cols
+        else []
+    )
     matrix = ImmutableMatrix(basis.cols, basis.cols, lambda i, j: ring.quotient(restricted[i][j], bottom))
     free = tuple(value for j, value in enumerate(nu, 1) if value == symbol(f"nu{j}"))
     return SecondVariation(eq, basis, matrix, tuple(zip(functions, nu)), free, symmetries)

@@ -1,4 +1,7 @@
-"""Critical values of (C1, h) of a body of revolution in U(k3) at a fixed axial momentum: E1, E2 and all regular precessions."""
+"""Critical values of (C1, h) of a body of revolution in U(k3) at a fixed axial momentum.
+
+E1, E2 and all regular precessions.
+"""
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -22,7 +25,8 @@ from ..notation import symbol
 from .branches import Branch, relative_equilibria
 from .report import Verdict
 
-NODES, DECADES = 480, 13                                   # between two cuts; towards an end at which C1 is infinite
+# between two cuts; towards an end at which C1 is infinite
+NODES, DECADES = 480, 13
 
 
 @dataclass(frozen=True)
@@ -31,8 +35,10 @@ class CriticalCurve:
 
     Parameters
     ----------
-    k3, omega, momentum, energy : arrays, shape (n,)      tilt, rate about the vertical, C1 and h
-    verdict : Verdict                                     exact, between its ends
+    k3, omega, momentum, energy : arrays, shape (n,)
+        tilt, rate about the vertical, C1 and h
+    verdict : Verdict
+        exact, between its ends
     """
 
     k3: Array
@@ -49,9 +55,12 @@ class EnergyMomentum:
     Parameters
     ----------
     curves : list of CriticalCurve
-    poles : list of (C1, h, Branch)        E1 and E2
-    cusps : list of (C1, h)                where stability changes along the curves: two precessions fold on a level
-    potential : Expr                       V(C1, k3)
+    poles : list of (C1, h, Branch)
+        E1 and E2
+    cusps : list of (C1, h)
+        where stability changes along the curves: two precessions fold on a level
+    potential : Expr
+        V(C1, k3)
     """
 
     curves: list[CriticalCurve]
@@ -62,30 +71,37 @@ class EnergyMomentum:
 
 @dataclass(frozen=True)
 class _Part:
-    """A branch of the rates between two cuts in k3, or at a tilt of every rate between two cuts in the rate."""
+    """A branch of the rates between two cuts in k3, or at a tilt of every rate between two cuts in the rate.
+    """
 
     k3: Array
     omega: Array
     verdict: Verdict
-    ends: tuple[Any, Any]                                  # the cuts, as exact numbers; None: there is none, or C1 is infinite
+    # the cuts, as exact numbers; None: there is none, or C1 is infinite
+    ends: tuple[Any, Any]
     component: int                                         # of the curve of rates
-    side: int = 0                                          # sign of (2aW + b) b, or of 2aW + b if b = 0; the component is a W² + b W + c
+    # sign of (2aW + b) b, or of 2aW + b if b = 0; the component is a W² + b W + c
+    side: int = 0
 
 
 def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
     """Every critical value of (C1, h) at a fixed p_psi = π3 + l.
 
-    The precessions are the curve I1 k3 W² − p_ψ W + U' = 0 in k3 and the rate W. It is cut, exactly, where the two rates of a tilt are one,
-    where one is infinite, where U is, and where stability changes; the verdict between two cuts is that at a fraction.
+    The precessions are the curve I1 k3 W² − p_ψ W + U' = 0 in k3 and the rate W. It is cut, exactly, where
+    the two rates of a tilt are one, where one is infinite, where U is, and where stability changes; the
+    verdict between two cuts is that at a fraction.
 
     Parameters
     ----------
-    scene : System         a body of revolution in a U rational in k3
-    numbers : Point        for all its parameters, and p_psi
+    scene : System
+        a body of revolution in a U rational in k3
+    numbers : Point
+        for all its parameters, and p_psi
 
     Raises
     ------
-    ScopeError             U is not rational in k3, of too high a degree, or constant with p_psi = 0
+    ScopeError
+        U is not rational in k3, of too high a degree, or constant with p_psi = 0
     """
     assert scene.potential is not None
     field = replace(scene.potential, expression=by_factors(scene.potential.expression.xreplace(numbers)))
@@ -93,12 +109,14 @@ def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
     level, height, margin = (e.xreplace(numbers) for e in on_precessions(motion))
     curve = PlaneCurve(motion.precession().xreplace(_jets(motion)).xreplace(numbers), K3, OMEGA, (margin,))
     if curve.lines and sign_of_constant(numbers[P]) == 0:
-        raise ScopeError("U is constant and p_psi = 0: every tilt at rest has the same C1 and h; give p_psi a value")
+        raise ScopeError("U is constant and p_psi = 0: every tilt at rest has the same C1 and h; give "
+                         "p_psi a value")
     here = _Precessions(scene, numbers, curve, curve.polynomial(margin))
     parts = [part for n in range(len(here.components)) for part in here.parts(n)]
     curves, cusps = [], []
     for part in parts:
-        v, h = (np.broadcast_to(in_floats(e, np, {K3: part.k3, OMEGA: part.omega}), part.k3.shape) for e in (level, height))
+        v, h = (np.broadcast_to(in_floats(e, np, {K3: part.k3, OMEGA: part.omega}), part.k3.shape)
+                for e in (level, height))
         curves.append(CriticalCurve(part.k3, part.omega, v, h, part.verdict))
     for omega, k3 in dict.fromkeys(point for points in here.margins for point in points):
         met = {part.verdict for part in parts if here.ends_at(part, omega, k3)}
@@ -110,8 +128,13 @@ def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
 
 def on_precessions(motion: Reduction) -> tuple[Expr, Expr, Expr]:
     """C1, h, and what is positive where they are stable, of regular precessions in k3 and the rate omega."""
-    level = V - motion.twist + motion.system.body.inertia[0] * OMEGA * motion.across           # motion.rate is omega there
-    return level, motion.effective_potential().xreplace({V: level}), motion.restoring().xreplace(_jets(motion))
+    # motion.rate is omega there
+    level = V - motion.twist + motion.system.body.inertia[0] * OMEGA * motion.across
+    return (
+        level,
+        motion.effective_potential().xreplace({V: level}),
+        motion.restoring().xreplace(_jets(motion)),
+    )
 
 
 def _jets(motion: Reduction) -> dict[Any, Expr]:
@@ -131,26 +154,33 @@ class _Precessions:
         self.total, self.numbers = numbers[P], numbers
         self.I1 = evaluate(scene.body.inertia[0], numbers)
         self.components = (*curve.components, *curve.lines)
-        self.margins = [curve.common(part, margin) if divmod(margin, part)[1] != 0 else [] for part in self.components]
+        self.margins = [curve.common(part, margin) if divmod(margin, part)[1] != 0 else []
+                        for part in self.components]
 
     def coefficients(self, n: int) -> list[Expr]:
-        """c, b, a of a component a W² + b W + c, as products: close to a pole of U what is multiplied out has no digits left."""
+        """c, b, a of a component a W² + b W + c, as products.
+
+        Close to a pole of U what is multiplied out has no digits left.
+        """
         component, ring = self.components[n], self.curve.ring
         parts = (*by_degree(component, self.curve.place[1], self.curve.degree(component, 1)), ring.zero)[:3]
         return [by_factors(ring.expression(part)) for part in parts]
 
     def parts(self, n: int) -> list[_Part]:
         """The branches of one component."""
-        if not self.curve.degree(self.components[n], 1):   # at one tilt, k3 = 0, every rate is that of a precession
+        # at one tilt, k3 = 0, every rate is that of a precession
+        if not self.curve.degree(self.components[n], 1):
             return self._at_every_rate(n)
         c, b, a = self.coefficients(n)
         infinite = self._zeros(*map(self.curve.ring.expression, self.curve.poles))
         if not a:
-            return self._branch(n, 0, lambda k3: -_values(c, k3) / _values(b, k3), infinite | self._zeros(b), set())
+            return self._branch(n, 0, lambda k3: -_values(c, k3) / _values(b, k3), infinite | self._zeros(b),
+                                set())
         double, steep = self._zeros(b**2 - 4 * a * c), self._zeros(a)
         known = [float(x) for x in double]
 
-        def half(k3: Array) -> Array:                      # of what the quadratic formula has on top, without cancellation
+        # of what the quadratic formula has on top, without cancellation
+        def half(k3: Array) -> Array:
             square = np.where(np.isin(k3, known), 0.0, np.maximum(_values(b**2 - 4 * a * c, k3), 0.0))
             return -(_values(b, k3) + np.where(_values(b, k3) < 0, -1, 1) * np.sqrt(square)) / 2
 
@@ -163,10 +193,12 @@ class _Precessions:
     def _zeros(self, *expressions: Expr) -> set[Expr]:
         return {root for e in expressions for root in real_roots(e, K3, S.NegativeOne, S.One) or ()}
 
-    def _branch(self, n: int, side: int, rate: Callable[[Array], Array], infinite: set[Expr], double: set[Expr]) -> list[_Part]:
+    def _branch(self, n: int, side: int, rate: Callable[[Array], Array], infinite: set[Expr],
+                double: set[Expr]) -> list[_Part]:
         """One root over −1 < k3 < 1, cut where it ends or its verdict changes."""
         found: list[_Part] = []
-        for a, b in pairwise([S.NegativeOne, *in_order(list(infinite | double | {k3 for _, k3 in self.margins[n]})), S.One]):
+        for a, b in pairwise([S.NegativeOne,
+                              *in_order(list(infinite | double | {k3 for _, k3 in self.margins[n]})), S.One]):
             middle = between(a, b)
             if not self._exists(self.components[n], middle):
                 continue
@@ -175,8 +207,15 @@ class _Precessions:
             ends = (None if a in infinite or a == -1 else a, None if b in infinite or b == 1 else b)
             part = _Part(k3, rate(k3), verdict, ends, n, side)
             last = found[-1] if found else None
-            if last and last.verdict is part.verdict and last.ends[1] is not None and last.ends[1] == a and a not in double:
-                found[-1] = replace(last, k3=np.append(last.k3, k3[1:]), omega=np.append(last.omega, part.omega[1:]),
+            if (
+                last
+                and last.verdict is part.verdict
+                and last.ends[1] is not None
+                and last.ends[1] == a
+                and a not in double
+            ):
+                found[-1] = replace(last, k3=np.append(last.k3, k3[1:]),
+                                    omega=np.append(last.omega, part.omega[1:]),
                                     ends=(last.ends[0], ends[1]))
             else:
                 found.append(part)
@@ -190,11 +229,14 @@ class _Precessions:
             low = b - 1 if a is None and b is not None else S.NegativeOne if a is None else a
             high = a + 1 if b is None and a is not None else S.One if b is None else b
             middle = between(low, high)
-            branches = relative_equilibria(self.scene, {**self.given, "C1": self.I1 * Rational(middle.numerator, middle.denominator)})
+            branches = relative_equilibria(self.scene,
+                                           {**self.given, "C1": self.I1
+                                            * Rational(middle.numerator, middle.denominator)})
             (verdict,) = [x.decision.verdict for x in branches if x.k3 == 0]
             steps = np.concatenate([[0], np.geomspace(1e-4, 10.0**(DECADES / 2), NODES)])
             inner = np.linspace(float(low), float(high), NODES) if a is not None and b is not None else (
-                float(low) + steps if a is not None else float(high) - steps[::-1] if b is not None else np.append(-steps[:0:-1], steps))
+                float(low) + steps if a is not None else float(high) - steps[::-1] if b is not None
+                else np.append(-steps[:0:-1], steps))
             found.append(_Part(np.zeros_like(inner), inner, verdict, (a, b), n))
         return found
 
@@ -228,7 +270,9 @@ class _Precessions:
         for side, name in ((1, "E1"), (-1, "E2")):
             for branch in relative_equilibria(self.scene, {**self.given, "C1": side * self.total}):
                 if branch.label == name:
-                    at = (motion.axial + self.scene.potential.expression).xreplace({K3: S(side), **self.numbers})
+                    at = (motion.axial + self.scene.potential.expression).xreplace(
+                        {K3: S(side), **self.numbers}
+                    )
                     found.append((float(side * self.total), float(in_floats(at, np, {})), branch))
         return found
 
@@ -238,7 +282,10 @@ def _values(expression: Expr, k3: Array) -> Array:
 
 
 def _nodes(a: float, b: float, first: bool, last: bool) -> Array:
-    """From one cut to another, closer together at the ends; an end at which C1 or h is infinite is approached, not reached."""
+    """From one cut to another, closer together at the ends.
+
+    An end at which C1 or h is infinite is approached, not reached.
+    """
     inner = (a + b) / 2 - (b - a) / 2 * np.cos(np.pi * np.arange(1, NODES) / NODES)
     tail = np.geomspace(10.0**-DECADES, inner[0] - a, NODES // 2)
     return np.unique(np.concatenate([a + tail if first else [a], inner, b - tail if last else [b]]))

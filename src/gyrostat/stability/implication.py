@@ -1,4 +1,7 @@
-"""Conjunctions of polynomial inequalities: what always holds, what follows from what, and one multiplier eliminated."""
+"""Conjunctions of polynomial inequalities.
+
+What always holds, what follows from what, and one multiplier eliminated.
+"""
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -13,7 +16,10 @@ from ..algebra.polynomials import Ring, by_degree
 
 @dataclass(frozen=True)
 class Item:
-    """A condition while it is worked on: margin > 0 (strict) or ≥ 0, with sign 0 where an even factor vanishes."""
+    """A condition while it is worked on.
+
+    Margin > 0 (strict) or ≥ 0, with sign 0 where an even factor vanishes.
+    """
 
     margin: fmpq_mpoly
     degenerate: tuple[fmpq_mpoly, ...]
@@ -68,7 +74,8 @@ def _divided(items: list[Item], signs: Signs) -> list[Item]:
                 continue
             quotient, rest = divmod(item.margin, other.margin)
             margin = quotient if not rest else item.margin
-            item = replace(item, margin=margin, degenerate=tuple(e for e in item.degenerate if divmod(other.margin, e)[1]))
+            item = replace(item, margin=margin,
+                           degenerate=tuple(e for e in item.degenerate if divmod(other.margin, e)[1]))
         result[i] = item
     return result
 
@@ -89,22 +96,28 @@ def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
             if parts is None or not y.strict and any(divmod(parts[0], e)[1] for e in y.degenerate):
                 continue
             proof = Implied(x.source, x.margin, *parts, y.margin)
-            plain = replace(y, degenerate=y.degenerate if y.strict else (), implies=(*y.implies, proof, *x.implies))
+            plain = replace(y, degenerate=y.degenerate if y.strict else (),
+                            implies=(*y.implies, proof, *x.implies))
             return [plain if item is y else item for item in items if item is not x]
     return items
 
 
 def _is_square(x: fmpq_mpoly, y: fmpq_mpoly, ring: Ring) -> bool:
-    """Whether x = c y² with a number c > 0, by what the numbers in the coefficients are: factoring takes them for names."""
+    """Whether x = c y² with a number c > 0, by what the numbers in the coefficients are.
+
+    Factoring takes them for names.
+    """
     if all(g.free_symbols for g in ring.generators):
         return False
     names = set().union(*(g.free_symbols for g in ring.generators))
-    ours, squares = ({powers: ring.expression(c).expand() for powers, c in ring.coefficients(p, names).items()}
+    ours, squares = ({powers: ring.expression(c).expand()
+                      for powers, c in ring.coefficients(p, names).items()}
                      for p in (x, ring.reduce(y * y)))
     first = max(squares)
     if first not in ours or sign_of_constant(ours[first] * squares[first]) != 1:
         return False
-    return all(sign_of_constant((ours.get(powers, S.Zero) * squares[first] - ours[first] * squares.get(powers, S.Zero)).expand()) == 0
+    return all(sign_of_constant((ours.get(powers, S.Zero) * squares[first] - ours[first]
+                                 * squares.get(powers, S.Zero)).expand()) == 0
                for powers in {*ours, *squares})
 
 
@@ -126,12 +139,17 @@ def eliminate(items: list[Item], nu: Expr, signs: Signs) -> list[list[Item]]:
     others = [item for item in items if item not in with_nu]
     if not with_nu:
         return [others]
-    if len(with_nu) == 1 and not with_nu[0].degenerate and (n := int(with_nu[0].margin.degrees()[index])) <= 2:
+    if (
+        len(with_nu) == 1
+        and not with_nu[0].degenerate
+        and (n := int(with_nu[0].margin.degrees()[index])) <= 2
+    ):
         c, b, a = (*by_degree(with_nu[0].margin, index, n), *[signs.ring.zero] * (2 - n))
         discriminant = Item(*signs.split(b**2 - 4 * a * c, signs.ring.one), True, with_nu[0].source)
         opens = Item(*signs.split(a, signs.ring.one), True, with_nu[0].source)
         return [[*others, opens], [*others, discriminant]]
-    at_zero = [replace(i, margin=by_degree(i.margin, index, int(i.margin.degrees()[index]))[0]) for i in with_nu]
+    at_zero = [replace(i, margin=by_degree(i.margin, index, int(i.margin.degrees()[index]))[0])
+               for i in with_nu]
     return [[*others, *at_zero]] if not any(i.degenerate for i in with_nu) else []
 
 
@@ -142,14 +160,17 @@ def merge(alternatives: list[list[Item]], signs: Signs) -> list[list[Item]]:
             extra = [item for item in one if item not in other]
             opposite = [item for item in other if item not in one]
             rest = [item for item in one if item in other]
-            if not extra and not opposite or (len(extra) == len(opposite) == 1 and extra[0].margin == -opposite[0].margin
-                                              and not opposite[0].degenerate and _nonzero_with(extra[0], rest, signs)):
+            if not extra and not opposite or (len(extra) == len(opposite) == 1
+                                              and extra[0].margin == -opposite[0].margin
+                                              and not opposite[0].degenerate
+                                              and _nonzero_with(extra[0], rest, signs)):
                 return merge([rest, *(a for a in alternatives if a is not one and a is not other)], signs)
     return alternatives
 
 
 def _nonzero_with(item: Item, rest: list[Item], signs: Signs) -> bool:
     return not item.degenerate and all(
-        signs.nonzero(factor) or any(not divmod(r.margin, factor)[1] for r in rest if r.strict) for factor, _ in item.margin.factor()[1])
+        signs.nonzero(factor) or any(not divmod(r.margin, factor)[1] for r in rest if r.strict)
+        for factor, _ in item.margin.factor()[1])
 
 

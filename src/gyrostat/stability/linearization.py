@@ -18,13 +18,16 @@ LAMBDA = symbol("lamda")
 class Linearization(Shown, Stored):
     """δẋ = J δx on the tangent space T of the coadjoint orbit.
 
-    dU, d2U stand for the derivatives of U at the equilibrium; equilibrium.insert(…) inserts those of a given U.
+    dU, d2U stand for the derivatives of U at the equilibrium; equilibrium.insert(…) inserts those of a given
+    U.
 
     Parameters
     ----------
     equilibrium : Equilibrium
-    basis : ImmutableMatrix, shape (n, d)      columns span T
-    matrix : ImmutableMatrix, shape (d, d)     J on T in that basis [1/T]
+    basis : ImmutableMatrix, shape (n, d)
+        columns span T
+    matrix : ImmutableMatrix, shape (d, d)
+        J on T in that basis [1/T]
     """
 
     equilibrium: Equilibrium
@@ -36,7 +39,8 @@ class Linearization(Shown, Stored):
         """c2, c4, …: det(λ − J) = λᵈ + c2 λᵈ⁻² + …; the odd ones vanish, the field being Hamiltonian."""
         ring = Ring(self.matrix)
         rows, bottom = ring.matrix(self.matrix.tolist())
-        return tuple(ring.quotient(c, bottom**n) for n, c in enumerate(characteristic_coefficients(ring, rows), 1) if n % 2 == 0)
+        return tuple(ring.quotient(c, bottom**n)
+                     for n, c in enumerate(characteristic_coefficients(ring, rows), 1) if n % 2 == 0)
 
     @property
     def frequency_coefficients(self) -> tuple[Expr, ...]:
@@ -44,21 +48,27 @@ class Linearization(Shown, Stored):
 
         Raises
         ------
-        ScopeError       the orbit has another dimension: its polynomial has other coefficients, and other criteria
+        ScopeError
+            the orbit has another dimension: its polynomial has other coefficients, and other criteria
         """
         if len(self.coefficients) not in (1, 2):
-            raise ScopeError(f"the characteristic polynomial has the degree {self.matrix.rows} in lamda, with {len(self.coefficients)} "
-                             "coefficients: criteria and eigenvalues are those of λ² + q and λ⁴ + p λ² + q, on orbits of dimension 2 and "
+            raise ScopeError(f"the characteristic polynomial has the degree {self.matrix.rows} in lamda, "
+                             f"with {len(self.coefficients)} "
+                             "coefficients: criteria and eigenvalues are those of λ² + q and λ⁴ + p λ² + "
+                             "q, on orbits of dimension 2 and "
                              "4; use characteristic_polynomial()")
         return self.coefficients
 
     def characteristic_polynomial(self) -> Expr:
         """λᵈ + c2 λᵈ⁻² + … in the symbol lamda."""
         size = self.matrix.rows
-        return LAMBDA**size + sum((c * LAMBDA ** (size - 2 * n) for n, c in enumerate(self.coefficients, 1)), S.Zero)
+        return LAMBDA**size + sum((c * LAMBDA ** (size - 2 * n) for n, c in enumerate(self.coefficients, 1)),
+                                  S.Zero)
 
     def factors(self) -> tuple[tuple[Expr, int], ...]:
-        """The factors of the characteristic polynomial that contain λ, over the rationals, with multiplicities."""
+        """The factors of the characteristic polynomial that contain λ, over the rationals, with
+        multiplicities.
+        """
         ring = Ring([polynomial := self.characteristic_polynomial()])
         _, factors = ring.fraction(polynomial)[0].factor()
         index = ring.generators.index(LAMBDA)
@@ -67,10 +77,11 @@ class Linearization(Shown, Stored):
     def eigenvalues(self) -> tuple[Expr, ...]:
         """The d roots of the characteristic polynomial, d = 2 or 4, in closed form.
 
-        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2 (frequencies); at E1 and E2 p + 2r is a square too.
+        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2 (frequencies); at E1 and E2 p + 2r is
+            a square too.
 
-        Source
-        ------
+        References
+        ----------
         Vera & Viguera (2003), §4.1.1, whose discriminant (2a + b)² (b² + 4dc) is (p + 2r) (p − 2r).
 
         Examples
@@ -113,10 +124,11 @@ def linearize(eq: Equilibrium) -> Linearization:
 
     Raises
     ------
-    SingularOrbitError       k = 0 on e(3)*, M = 0 on so(3)*
+    SingularOrbitError
+        k = 0 on e(3)*, M = 0 on so(3)*
 
-    Source
-    ------
+    References
+    ----------
     Vera & Viguera (2003), §4.1.1 and §5.
 
     Examples
@@ -136,7 +148,8 @@ def linearize(eq: Equilibrium) -> Linearization:
     columns, _ = ring.matrix(basis.tolist())           # polynomial: the denominator is 1
     product = multiply(ring, rows, columns)
     scale = [columns[i][j] for j, i in enumerate(free)]
-    matrix = ImmutableMatrix([[ring.quotient(entry, bottom * d) for entry in row] for row, d in zip(product, scale)])
+    matrix = ImmutableMatrix([[ring.quotient(entry, bottom * d) for entry in row]
+                              for row, d in zip(product, scale)])
     return Linearization(eq, basis, matrix)
 
 
@@ -167,4 +180,6 @@ def square_root(expression: Expr) -> Expr:
 def rational_root(expression: Expr) -> Expr | None:
     """r with r² the expression, a fraction of polynomials; None where there is none."""
     root = square_root(expression)
-    return None if root.atoms(Pow) and any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root
+    return (
+        None if root.atoms(Pow) and any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root
+    )

@@ -1,4 +1,7 @@
-"""What is unusual about the numbers of a scene or a state, each as a sentence: not an error, and not to be overlooked."""
+"""What is unusual about the numbers of a scene or a state, each as a sentence.
+
+Not an error, and not to be overlooked.
+"""
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
@@ -9,7 +12,8 @@ from ..mechanics.system import System
 from ..notation import symbol
 
 K = tuple(map(symbol, ("k1", "k2", "k3")))
-ROUNDED = Rational(1, 2**51)                               # three components rounded to doubles change |k|² by no more
+# three components rounded to doubles change |k|² by no more
+ROUNDED = Rational(1, 2**51)
 
 
 def scene_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
@@ -43,10 +47,12 @@ def length_note(k: Sequence[Expr]) -> str:
 
 
 def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
-    """A sentence if U is c k·Ik, c > 0, but for a constant where |k| = 1: the potential of a satellite, in a field fixed in space.
+    """A sentence if U is c k·Ik, c > 0, but for a constant where abs(k) = 1.
 
-    Source
-    ------
+    The potential of a satellite, in a field fixed in space.
+
+    References
+    ----------
     Hughes, Spacecraft Attitude Dynamics (1986), 8.1: U = (3/2) n² k·Ik, k towards the centre of the Earth.
     """
     form = None if scene.potential is None or not scene.potential.given else _form(scene.potential.expression)
@@ -65,13 +71,17 @@ def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
         return ""
     if sign_of_constant((a * (I2 - I3) - b * (I1 - I3)).expand()) != 0:
         return ""
-    return ("U is c k·Ik, the potential of the gravity gradient; k is here a direction fixed in space, not the local vertical of an orbit, "
+    return ("U is c k·Ik, the potential of the gravity gradient; k is here a direction fixed in space, not "
+            "the local vertical of an orbit, "
             "which turns: this is not the satellite in its orbit")
 
 
 @lru_cache(maxsize=64)
 def _form(U: Expr) -> tuple[tuple[Expr, ...], Expr, Expr] | None:
-    """U where |k| = 1 as a constant + a k1² + b k2² + others: the coefficients that have to vanish, a and b; None where it is none."""
+    """U where abs(k) = 1 as a constant + a k1² + b k2² + others.
+
+    The coefficients that have to vanish, a and b; None where it is none.
+    """
     if not U.is_polynomial(*K):
         return None
     reduced: dict[tuple[int, ...], Expr] = {}

@@ -1,4 +1,7 @@
-"""Parts of the branches of E1, E2 and E3 along a parameter: pieces of one verdict, marks between them, and what lies between marks."""
+"""Parts of the branches of E1, E2 and E3 along a parameter.
+
+Pieces of one verdict, marks between them, and what lies between marks.
+"""
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,9 +19,12 @@ class Piece:
 
     Parameters
     ----------
-    label : str                             "E1", "E2" or "E3"
-    parameter, k3 : arrays, shape (n,)      n = 1: an isolated point
-    verdict : Verdict                       exact, between its ends; of E3 modulo the spin
+    label : str
+        "E1", "E2" or "E3"
+    parameter, k3 : arrays, shape (n,)
+        n = 1: an isolated point
+    verdict : Verdict
+        exact, between its ends; of E3 modulo the spin
     """
 
     label: str
@@ -37,9 +43,12 @@ class Mark:
 
     Parameters
     ----------
-    kind : str            a kind of BifurcationPoint, or INFINITE
-    value, k3 : Expr      exact
-    changes : bool        whether stability changes there; where U is infinite it may, with no equilibrium between
+    kind : str
+        a kind of BifurcationPoint, or INFINITE
+    value, k3 : Expr
+        exact
+    changes : bool
+        whether stability changes there; where U is infinite it may, with no equilibrium between
     """
 
     kind: str
@@ -50,7 +59,10 @@ class Mark:
 
 @dataclass(frozen=True)
 class Span:
-    """What lies between two neighbouring stations: verdicts of the tilts from below, and of E1 (1) and E2 (−1)."""
+    """What lies between two neighbouring stations.
+
+    Verdicts of the tilts from below, and of E1 (1) and E2 (−1).
+    """
 
     low: Expr
     high: Expr

@@ -40,11 +40,15 @@ class Decision(Shown, Stored):
     Parameters
     ----------
     verdict : Verdict
-    notion : str                          the notion that is proved ("Lyapunov") or violated ("spectral"); "" if undecided
-    modulo : tuple of Expr                integrals whose flow is divided out; for a spin about the axis, (pi3,)
+    notion : str
+        the notion that is proved ("Lyapunov") or violated ("spectral"); "" if undecided
+    modulo : tuple of Expr
+        integrals whose flow is divided out; for a spin about the axis, (pi3,)
     reason : str
-    margins : tuple of (margin, value)    exact values of the margins that were used
-    note : str                            what is unusual about the numbers, if anything
+    margins : tuple of (margin, value)
+        exact values of the margins that were used
+    note : str
+        what is unusual about the numbers, if anything
     """
 
     verdict: Verdict
@@ -63,8 +67,10 @@ class Report(Shown, Stored):
 
     def __post_init__(self) -> None:
         if isinstance(self.equilibrium, System):
-            raise ArgumentError("the equilibrium is a System, a scene: choose one of its equilibria, upright(scene), hanging(scene), "
-                                "inclined(scene), static_tilt(scene), principal_rotation(scene, axis) or equilibrium(scene, point)")
+            raise ArgumentError("the equilibrium is a System, a scene: choose one of its equilibria, "
+                                "upright(scene), hanging(scene), "
+                                "inclined(scene), static_tilt(scene), principal_rotation(scene, axis) or "
+                                "equilibrium(scene, point)")
         require(self.equilibrium, Equilibrium, "the equilibrium")
 
     @cached_property
@@ -85,7 +91,8 @@ class Report(Shown, Stored):
         """
         if self.recognised:
             return replace(_kept(self.recognised.equilibrium).necessary, modulo=self.recognised.modulo)
-        return replace(independent(spectral_criterion(self.linearization), self.equilibrium), modulo=self.second_variation.modulo)
+        return replace(independent(spectral_criterion(self.linearization), self.equilibrium),
+                       modulo=self.second_variation.modulo)
 
     @cached_property
     def sufficient(self) -> Criterion:
@@ -99,11 +106,14 @@ class Report(Shown, Stored):
         """Formal criterion with the Casimirs alone, for comparison."""
         if not self.equilibrium.system.integrals:
             return self.sufficient
-        return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)), self.equilibrium)
+        return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)),
+                           self.equilibrium)
 
     @cached_property
     def boundary(self) -> Boundary | None:
-        """What decides where necessary holds and sufficient does not, for a body of revolution; None for other scenes.
+        """What decides where necessary holds and sufficient does not, for a body of revolution.
+
+        None for other scenes.
 
         About another axis than the third: of the equilibrium in the standard scene, Boundary.equilibrium.
         """
@@ -111,7 +121,9 @@ class Report(Shown, Stored):
 
     @cached_property
     def recognised(self) -> Seen | None:
-        """The equilibrium in the standard axes, where the scene is recognised as a body of revolution that is not entered in them."""
+        """The equilibrium in the standard axes, where the scene is recognised as a body of revolution that is
+        not entered in them.
+        """
         return seen(self.equilibrium)
 
     @cached_property
@@ -122,36 +134,44 @@ class Report(Shown, Stored):
     @cached_property
     def required(self) -> tuple[str, ...]:
         """Names that a verdict needs."""
-        conditions = [c for criterion in (self.necessary, self.sufficient) for a in criterion.alternatives for c in a]
-        expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(self.equilibrium.existence())
+        conditions = [c for criterion in (self.necessary, self.sufficient) for a in criterion.alternatives
+                      for c in a]
+        expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(
+            self.equilibrium.existence()
+        )
         return names_in([*expressions, *self.equilibrium.constraints])
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
         """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
         eq = self.equilibrium
-        scene = [eq.system.hamiltonian, *eq.system.body.inertia, *eq.system.body.gyrostatic_momentum, *eq.point, *eq.existence()]
+        scene = [eq.system.hamiltonian, *eq.system.body.inertia, *eq.system.body.gyrostatic_momentum,
+                 *eq.point, *eq.existence()]
         own = set(names_in([*scene, *(e for pair in eq.relations for e in pair)])) | set(self.required)
         moving = set(map(str, eq.system.space.coordinates)) - set(names_in(eq.point))
-        return tuple(sorted(n for n in own - moving if n in self.required or n == eq.eliminated or not jet(n)))
+        return tuple(sorted(n for n in own - moving if n in self.required or n == eq.eliminated
+                            or not jet(n)))
 
     def verdict(self, values: Mapping[str, Any]) -> Decision:
         """The verdict at a point, exact, equality included.
 
         Parameters
         ----------
-        values : mapping of name to number      int, Fraction, Decimal, SymPy rational or algebraic number, a string
-                                                such as "1/2", "0.1", "sqrt(3)/2"; a float is the dyadic rational it is
+        values : mapping of name to number
+            int, Fraction, Decimal, SymPy rational or algebraic number, a string such as "1/2", "0.1",
+            "sqrt(3)/2"; a float is the dyadic rational it is
 
         Returns
         -------
-        Decision        STABLE (Lyapunov, modulo what it says), UNSTABLE, or UNDECIDED on the boundary and wherever the sign of a
-                        transcendental margin, or that the point is on the family, is not proved
+        Decision
+            STABLE (Lyapunov, modulo what it says), UNSTABLE, or UNDECIDED on the boundary and wherever the
+            sign of a transcendental margin, or that the point is on the family, is not proved
 
         Raises
         ------
-        ValuesError     names are missing or unknown, a number is not finite, a moment is not positive, or the point
-                        is not on the family
+        ValuesError
+            names are missing or unknown, a number is not finite, a moment is not positive, or the point is
+            not on the family
 
         Examples
         --------
@@ -167,13 +187,17 @@ class Report(Shown, Stored):
         else:
             stable, notion, why, modulo = self._decided(numbers, margins)
         verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
-        return Decision(verdict, notion, modulo, why, tuple(margins.items()), scene_note(self.equilibrium.system, numbers))
+        return Decision(verdict, notion, modulo, why, tuple(margins.items()),
+                        scene_note(self.equilibrium.system, numbers))
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
-        """The decision on the point itself, where verdict speaks of it modulo a flow; otherwise the same as verdict.
+        """The decision on the point itself, where verdict speaks of it modulo a flow.
 
-        A tilted equilibrium that is stable modulo the spin is not Lyapunov stable as a point: relative equilibria near it drift along
-        its orbit (Drift). margins has D, which is not 0 where the linearised flow grows too, by a Jordan block.
+        Otherwise the same as verdict.
+
+        A tilted equilibrium that is stable modulo the spin is not Lyapunov stable as a point: relative
+        equilibria near it drift along its orbit (Drift). margins has D, which is not 0 where the linearised
+        flow grows too, by a Jordan block.
 
         Examples
         --------
@@ -192,9 +216,11 @@ class Report(Shown, Stored):
         stable, why = (Drift(known.equilibrium) if known else self.drift).decide(numbers, margins)
         why = known.worded(why) if known else why
         verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
-        return Decision(verdict, "" if stable is None else "Lyapunov", (), why, tuple(margins.items()), decision.note)
+        return Decision(verdict, "" if stable is None else "Lyapunov", (), why, tuple(margins.items()),
+                        decision.note)
 
-    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[bool | None, str, str, tuple[Expr, ...]]:
+    def _decided(self, numbers: Point, margins: dict[Expr,
+                                                     Expr]) -> tuple[bool | None, str, str, tuple[Expr, ...]]:
         """Whether it is stable, the notion, why, and the integrals whose flow is divided out."""
         modulo = self.sufficient.modulo
         sufficient = holds(self.sufficient, numbers, margins)

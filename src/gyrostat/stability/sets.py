@@ -1,4 +1,7 @@
-"""Sets of one parameter: unions of intervals with exact ends, distinguished by cases of the other parameters."""
+"""Sets of one parameter.
+
+Unions of intervals with exact ends, distinguished by cases of the other parameters.
+"""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -23,9 +26,12 @@ class Interval:
 
     Parameters
     ----------
-    low, high : Expr               −oo and oo where there is no end
-    low_if, high_if : tuple        the end belongs to it iff the first of these that is not 0 is positive: () never, (1,) always
-    tilt : (Expr, Expr) or None    k3 at the ends, where the interval is that of a family of E3
+    low, high : Expr
+        −oo and oo where there is no end
+    low_if, high_if : tuple
+        the end belongs to it iff the first of these that is not 0 is positive: () never, (1,) always
+    tilt : (Expr, Expr) or None
+        k3 at the ends, where the interval is that of a family of E3
     """
 
     low: Expr
@@ -41,8 +47,10 @@ class Case:
 
     Parameters
     ----------
-    when : tuple of (Expr, str)      each compared with 0 by ">", "<", "=" or "!="
-    intervals : tuple of Interval    in increasing order; () is empty
+    when : tuple of (Expr, str)
+        each compared with 0 by ">", "<", "=" or "!="
+    intervals : tuple of Interval
+        in increasing order; () is empty
     """
 
     when: tuple[tuple[Expr, str], ...]
@@ -55,11 +63,14 @@ class Part:
 
     Parameters
     ----------
-    meaning : str          "exists"; "stable": there and nowhere else; "sufficient": stable there, elsewhere nothing is said;
-                           "necessary": unstable elsewhere; "undecided": nothing is proved there
-    margin : Expr          what was solved; it is positive inside
+    meaning : str
+        "exists"; "stable": there and nowhere else; "sufficient": stable there, elsewhere nothing is said;
+        "necessary": unstable elsewhere; "undecided": nothing is proved there
+    margin : Expr
+        what was solved; it is positive inside
     cases : tuple of Case
-    at : Expr              the k3 at which derivatives of U are taken
+    at : Expr
+        the k3 at which derivatives of U are taken
     """
 
     meaning: str
@@ -82,17 +93,21 @@ class Solution(Shown, Stored):
     parts: tuple[Part, ...]
 
     def contains(self, values: Mapping[str, Any]) -> bool | None:
-        """Whether the set contains a value, at numbers for all names; exact, None where nothing is proved, or a sign is not.
+        """Whether the set contains a value, at numbers for all names.
+
+        Exact, None where nothing is proved, or a sign is not.
 
         Raises
         ------
-        ValuesError      a name is missing, or a positive one is given another number
+        ValuesError
+            a name is missing, or a positive one is given another number
         """
         if self.name not in values:
             raise ValuesError(f"the solution is a set of {self.name}: give a number for it")
         numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
         if doubtful := [s for s, x in numbers.items() if s.is_positive and not is_positive(s.name, x)]:
-            raise ValuesError(f"whether {doubtful[0]} = {numbers[doubtful[0]]} is positive is not proved: write it with rationals, roots")
+            raise ValuesError(f"whether {doubtful[0]} = {numbers[doubtful[0]]} is positive is not proved: "
+                              "write it with rationals, roots")
         answers = [(part.meaning, _in_part(part, symbol(self.name), numbers)) for part in self.parts]
         if any(answer is False and meaning in ("exists", "necessary") for meaning, answer in answers):
             return False

@@ -1,4 +1,7 @@
-"""A condition solved for one parameter in closed form: linear, quadratic, or quadratic in its square, with the cases of the others."""
+"""A condition solved for one parameter in closed form.
+
+Linear, quadratic, or quadratic in its square, with the cases of the others.
+"""
 from collections.abc import Iterator, Sequence
 
 from sympy import Expr, S, Symbol, oo, sqrt
@@ -13,26 +16,33 @@ from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder, Part
 CLOSED = Closed()
 
 
-def solve_condition(condition: Condition, name: str, boundary: Ends | None = None, domain: Sequence[Expr] = ()) -> Part:
-    """The exact set of one parameter where a strict condition holds, and of its ends those that the boundary criterion calls stable.
+def solve_condition(condition: Condition, name: str, boundary: Ends | None = None,
+                    domain: Sequence[Expr] = ()) -> Part:
+    """The exact set of one parameter where a strict condition holds, and of its ends those that the boundary
+    criterion calls stable.
 
     Parameters
     ----------
     condition : Condition
-    name : str                     it enters the margin by degree at most 2, or quadratically by its square
-    boundary : Boundary, Sphere, CLOSED or None     decides the ends, where the margin vanishes; CLOSED: all belong to it; None: none
-    domain : sequence of Expr      positive, without the name
+    name : str
+        it enters the margin by degree at most 2, or quadratically by its square
+    boundary : Boundary, Sphere, CLOSED or None
+        decides the ends, where the margin vanishes; CLOSED: all belong to it; None: none
+    domain : sequence of Expr
+        positive, without the name
 
     Returns
     -------
-    Part                           with the cases of the other parameters
+    Part
+        with the cases of the other parameters
 
     Raises
     ------
-    ScopeError                     the margin is of another form: give numbers (stabilizing_set)
+    ScopeError
+        the margin is of another form: give numbers (stabilizing_set)
 
-    Source
-    ------
+    References
+    ----------
     The quadratic formula; the ends, Boundary.
 
     Examples
@@ -47,17 +57,20 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
     """
     x = symbol(name)
     if condition.degenerate:
-        raise ScopeError(f"{condition.margin} > 0 fails too where {', '.join(map(str, condition.degenerate))} = 0: give numbers")
+        raise ScopeError(f"{condition.margin} > 0 fails too where "
+                         f"{', '.join(map(str, condition.degenerate))} = 0: give numbers")
     coefficients = _coefficients(condition.margin, x)
     start = Context(x, boundary, tuple(e for e in domain if x not in e.free_symbols))
     if x.is_positive and len(coefficients) > 2:
-        raise ScopeError(f"{condition.margin} is not linear in {name}, which is positive: give numbers for the other names")
+        raise ScopeError(f"{condition.margin} is not linear in {name}, which is positive: give numbers for "
+                         "the other names")
     if len(coefficients) == 5 and coefficients[1] == coefficients[3] == 0:
         cases = _biquadratic(start, *coefficients[::-2])
     elif len(coefficients) <= 3:
         cases = _quadratic(start, *[S.Zero] * (3 - len(coefficients)), *coefficients[::-1])
     else:
-        raise ScopeError(f"{condition.margin} has degree {len(coefficients) - 1} in {name}: give numbers for the other names, then its "
+        raise ScopeError(f"{condition.margin} has degree {len(coefficients) - 1} in {name}: give numbers "
+                         "for the other names, then its "
                          "roots are those of a polynomial")
     return Part("stable", condition.margin, tuple(cases), condition.at)
 
@@ -83,11 +96,19 @@ def _quadratic(context: Context, a: Expr, b: Expr, c: Expr) -> Iterator[Case]:
             ends = k.over(-b, S.Zero, 2 * a)
             if real == 0:
                 at_end = k.ladder(ends)
-                yield k.beyond(ends, ends) if sign > 0 else k.case(*[Interval(ends, ends, at_end, at_end)] if at_end else [])
+                yield (
+                    k.beyond(ends, ends)
+                    if sign > 0
+                    else k.case(*[Interval(ends, ends, at_end, at_end)] if at_end else [])
+                )
                 continue
             root = k.root(b**2 - 4 * a * c)
             low, high = k.over(-b, -sign * root, 2 * a), k.over(-b, sign * root, 2 * a)
-            yield k.beyond(low, high) if sign > 0 else k.case(Interval(low, high, k.ladder(low), k.ladder(high)))
+            yield (
+                k.beyond(low, high)
+                if sign > 0
+                else k.case(Interval(low, high, k.ladder(low), k.ladder(high)))
+            )
 
 
 def _linear(context: Context, b: Expr, c: Expr) -> Iterator[Case]:
@@ -102,7 +123,8 @@ def _linear(context: Context, b: Expr, c: Expr) -> Iterator[Case]:
         positions = known.signs(end) if known.x.is_positive else [(1, known)]
         for position, k in positions:
             if position > 0:
-                yield k.case(Interval(end, oo, k.ladder(end), EXCLUDED) if sign > 0 else Interval(-oo, end, EXCLUDED, k.ladder(end)))
+                yield k.case(Interval(end, oo, k.ladder(end), EXCLUDED) if sign > 0
+                             else Interval(-oo, end, EXCLUDED, k.ladder(end)))
             else:
                 yield k.everywhere() if sign > 0 else k.case()
 
@@ -124,7 +146,8 @@ def _biquadratic(context: Context, a: Expr, b: Expr, c: Expr) -> Iterator[Case]:
     for constant, inner in context.signs(c):
         for slope, k in inner.signs(b):
             if constant < 0 or [sign for sign, _ in k.signs(a)] != [1]:
-                raise ScopeError(f"{a}*x**4 + {b}*x**2 + {c} has a coefficient that may be negative: give numbers for the other names")
+                raise ScopeError(f"{a}*x**4 + {b}*x**2 + {c} has a coefficient that may be negative: give "
+                                 "numbers for the other names")
             if slope >= 0:                                 # no root y > 0
                 yield k.everywhere() if constant else k.beyond(S.Zero, S.Zero)
             elif not constant:
@@ -144,7 +167,8 @@ def _two_squares(context: Context, a: Expr, b: Expr, c: Expr) -> Iterator[Case]:
         root = k.root(b**2 - 4 * a * c) if real else S.Zero
         inner, outer = (sqrt(k.over(-b, s * root, 2 * a)) for s in (-1, 1))
         middle = Interval(-inner, inner, k.ladder(-inner), k.ladder(inner))
-        yield k.case(Interval(-oo, -outer, EXCLUDED, k.ladder(-outer)), middle, Interval(outer, oo, k.ladder(outer), EXCLUDED))
+        yield k.case(Interval(-oo, -outer, EXCLUDED, k.ladder(-outer)), middle,
+                     Interval(outer, oo, k.ladder(outer), EXCLUDED))
 
 
 def _point(end: Expr, ladder: Ladder) -> list[Interval]:

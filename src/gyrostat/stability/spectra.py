@@ -22,7 +22,8 @@ from .conditions import spectral_criterion
 from .linearization import linearize
 from .values import check_names, names_in
 
-FINEST, BITS = Fraction(1, 2**48), 192                     # of the range, where a zero of a transcendental margin is looked for
+# of the range, where a zero of a transcendental margin is looked for
+FINEST, BITS = Fraction(1, 2**48), 192
 
 
 @dataclass(frozen=True)
@@ -32,10 +33,13 @@ class Collision:
     Parameters
     ----------
     value : float
-    kind : str                  "Hamiltonian Hopf": two pairs meet on the imaginary axis and leave it; "zero eigenvalue": a pair meets at 0;
-                                "real pairs meet" beside it
-    changes : bool              whether spectral stability does
-    eigenvalues : array         where they meet, each once
+    kind : str
+        "Hamiltonian Hopf": two pairs meet on the imaginary axis and leave it; "zero eigenvalue": a pair meets
+        at 0; "real pairs meet" beside it
+    changes : bool
+        whether spectral stability does
+    eigenvalues : array
+        where they meet, each once
     """
 
     value: float
@@ -50,8 +54,10 @@ class Spectrum:
 
     Parameters
     ----------
-    parameter : array, shape (n,)                  the samples, and where eigenvalues meet
-    eigenvalues : complex array, shape (n, d)      d = 2 or 4; each column is continuous
+    parameter : array, shape (n,)
+        the samples, and where eigenvalues meet
+    eigenvalues : complex array, shape (n, d)
+        d = 2 or 4; each column is continuous
     collisions : list of Collision
     """
 
@@ -60,22 +66,27 @@ class Spectrum:
     collisions: list[Collision]
 
 
-def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str, samples: Sequence[float]) -> Spectrum:
-    """The roots of λ⁴ + p λ² + q, or λ² + p, at values of one parameter, and where p² − 4q or q, or p where q is 0, changes its sign.
+def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
+             samples: Sequence[float]) -> Spectrum:
+    """The roots of λ⁴ + p λ² + q, or λ² + p, at values of one parameter, and where p² − 4q or q, or p where q
+    is 0, changes its sign.
 
-    Between two collisions λ² = (−p ± √(p² − 4q))/2 are two continuous functions, as p² − 4q keeps its sign; at a collision each column
-    goes on as the one that has its value there.
+    Between two collisions λ² = (−p ± √(p² − 4q))/2 are two continuous functions, as p² − 4q keeps its sign;
+    at a collision each column goes on as the one that has its value there.
 
     Parameters
     ----------
     eq : Equilibrium
-    values : mapping of name to number         for every other name in the spectrum
+    values : mapping of name to number
+        for every other name in the spectrum
     parameter : str
-    samples : sequence of float                of the parameter, from one end to the other
+    samples : sequence of float
+        of the parameter, from one end to the other
 
     Raises
     ------
-    ValuesError            names are missing or unknown, or somewhere between the samples there is no such equilibrium
+    ValuesError
+        names are missing or unknown, or somewhere between the samples there is no such equilibrium
 
     Examples
     --------
@@ -89,20 +100,25 @@ def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str, samples
     linear = linearize(eq)
     coefficients = [eq.insert(c) for c in linear.coefficients]
     conditions = spectral_criterion(linear).alternatives[0]
-    check_names([*values, parameter], names_in([*coefficients, symbol(parameter)]), f"the spectrum of {eq.label}")
+    check_names([*values, parameter], names_in([*coefficients, symbol(parameter)]),
+                f"the spectrum of {eq.label}")
     at, free = np.asarray(samples, dtype=float), symbol(parameter)
     if at.ndim != 1 or len(at) < 2 or not (np.diff(at) * (at[-1] - at[0]) > 0).all():
-        raise ValuesError(f"samples are {samples}: give two values of {parameter} or more, increasing or decreasing")
+        raise ValuesError(f"samples are {samples}: give two values of {parameter} or more, increasing or "
+                          "decreasing")
     numbers = {symbol(name): exact_number(value, name) for name, value in values.items()}
     low, high = (exact_number(float(x), parameter) for x in (at.min(), at.max()))
     placed = [c.xreplace(numbers) for c in coefficients]
     _exists(eq, placed, numbers, free, low, high)
-    margins = {c.source: eq.insert(c.margin).xreplace(numbers) for c in conditions if c.source != "p" or not coefficients[-1]}
-    zeros = {zero: source for source, margin in margins.items() for zero in changes_of_sign(margin, free, low, high)}
+    margins = {c.source: eq.insert(c.margin).xreplace(numbers)
+               for c in conditions if c.source != "p" or not coefficients[-1]}
+    zeros = {zero: source for source, margin in margins.items()
+             for zero in changes_of_sign(margin, free, low, high)}
     touched = {zero for c in conditions if c.source in margins for factor in (c.margin, *c.degenerate)
                for zero in _zeros_inside(eq.insert(factor).xreplace(numbers), free, low, high)}
     cuts = [low, *in_order(list({**zeros, **dict.fromkeys(touched)})), high]
-    stable = [all(sign_of_constant(evaluate(eq.insert(c.margin).xreplace(numbers), {free: _inner(a, b)})) != -1 for c in conditions)
+    stable = [all(sign_of_constant(evaluate(eq.insert(c.margin).xreplace(numbers), {free: _inner(a, b)}))
+                  != -1 for c in conditions)
               for a, b in pairwise(cuts)]
     collisions = [_collision(zeros[zero], zero, placed, free, before != after)
                   for zero, before, after in zip(cuts[1:], stable, stable[1:]) if zero in zeros]
@@ -116,22 +132,27 @@ def _inner(a: Expr, b: Expr) -> Rational:
     return Rational(middle.numerator, middle.denominator)
 
 
-def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symbol, Expr], free: Symbol, low: Expr, high: Expr) -> None:
+def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symbol, Expr], free: Symbol,
+            low: Expr, high: Expr) -> None:
     """Refuse a range in which there is somewhere no such equilibrium."""
     for e in [*eq.existence(), *eq.system.body.inertia, *([free] if free.is_positive else [])]:
         placed = e.xreplace(dict(numbers))
-        if placed.free_symbols == {free} and (sign_of_constant(evaluate(placed, {free: low})) != 1 or sign_of_constant(
+        if placed.free_symbols == {free} and (sign_of_constant(evaluate(placed, {free: low})) != 1
+                                              or sign_of_constant(
                 evaluate(placed, {free: high})) != 1 or changes_of_sign(placed, free, low, high)):
-            raise ValuesError(f"{free} goes from {low} to {high}, and {eq.label} exists only where {e} > 0: give a range inside")
+            raise ValuesError(f"{free} goes from {low} to {high}, and {eq.label} exists only where {e} > "
+                              "0: give a range inside")
     for c in coefficients:
         ring = Ring([c, free])
         bottom = ring.expression(ring.fraction(c)[1])
         if bottom.has(free) and zeros_of(bottom, free, low, high):
-            raise ValuesError(f"the eigenvalues of {eq.label} are infinite between {free} = {low} and {high}, where {bottom} = 0: give a "
+            raise ValuesError(f"the eigenvalues of {eq.label} are infinite between {free} = {low} and "
+                              f"{high}, where {bottom} = 0: give a "
                               "range without that")
 
 
-def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array, cuts: Sequence[Expr]) -> tuple[Array, Array]:
+def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array,
+             cuts: Sequence[Expr]) -> tuple[Array, Array]:
     """The samples with the collisions between them, and the eigenvalues, each column continuous."""
     nodes: list[Array] = []
     rows: list[Array] = []
@@ -140,7 +161,8 @@ def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array, cuts: Sequen
             continue
         here = np.unique([float(a), *at[(at > float(a)) & (at < float(b))], float(b)])
         roots = _roots(coefficients, free, here, _inner(a, b))
-        if rows:                                           # the columns go on as those that have their values at the collision
+        # the columns go on as those that have their values at the collision
+        if rows:
             orders = np.array(list(permutations(range(roots.shape[1]))))
             roots = roots[:, orders[np.abs(roots[0][orders] - rows[-1][-1]).sum(axis=1).argmin()]]
             here, roots = here[1:], roots[1:]
@@ -151,7 +173,8 @@ def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array, cuts: Sequen
 
 def _roots(coefficients: Sequence[Expr], free: Symbol, at: Array, inner: Rational) -> Array:
     """At values between which p² − 4q keeps the sign that it has at an inner one."""
-    p, *rest = (np.broadcast_to(np.asarray(in_floats(c, np, {free: at}), dtype=float), at.shape) for c in coefficients)
+    p, *rest = (np.broadcast_to(np.asarray(in_floats(c, np, {free: at}), dtype=float), at.shape)
+                for c in coefficients)
     if not rest:
         return np.stack([np.sqrt(-p + 0j), -np.sqrt(-p + 0j)], axis=1)
     sign = sign_of_constant(evaluate(coefficients[0] ** 2 - 4 * coefficients[1], {free: inner})) or 0
@@ -163,12 +186,14 @@ def _roots(coefficients: Sequence[Expr], free: Symbol, at: Array, inner: Rationa
     return np.stack([first, -first, second, -second], axis=1)
 
 
-def _collision(source: str, zero: Expr, coefficients: Sequence[Expr], free: Symbol, changes: bool) -> Collision:
+def _collision(source: str, zero: Expr, coefficients: Sequence[Expr], free: Symbol,
+               changes: bool) -> Collision:
     value, p = float(zero), sign_of_constant(evaluate(coefficients[0], {free: zero}))
     if source in ("p", "q") or not p or _one_pair(coefficients):
         return Collision(value, "zero eigenvalue", changes, np.zeros(1, dtype=complex))
     root = np.sqrt(complex(-float(in_floats(coefficients[0], np, {free: np.float64(value)})) / 2))
-    return Collision(value, "Hamiltonian Hopf" if p == 1 else "real pairs meet", changes, np.array([root, -root]))
+    return Collision(value, "Hamiltonian Hopf" if p == 1 else "real pairs meet", changes,
+                     np.array([root, -root]))
 
 
 def _one_pair(coefficients: Sequence[Expr]) -> bool:
@@ -190,17 +215,25 @@ def _zeros_inside(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list
 
 
 def zeros_of(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
-    """The zeros of an expression in one name: exact where it is rational, else within 2⁻⁴⁸ of the range, by enclosures."""
+    """The zeros of an expression in one name.
+
+    Exact where it is rational, else within 2⁻⁴⁸ of the range, by enclosures.
+    """
     try:
         return real_roots(expression, free, low, high) or []
     except ScopeError:
         start, end = (Fraction(int(x.p), int(x.q)) for x in (low, high))
-        return [Rational(x.numerator, x.denominator) for x in _enclosed(expression, expression.diff(free), free, start, end,
+        return [Rational(x.numerator, x.denominator)
+                for x in _enclosed(expression, expression.diff(free), free, start, end,
                                                                        (end - start) * FINEST)]
 
 
-def _enclosed(f: Expr, slope: Expr, free: Symbol, a: Fraction, b: Fraction, finest: Fraction) -> list[Fraction]:
-    """Every zero, by halving: none where the enclosure excludes 0, one or none where that of the slope does."""
+def _enclosed(f: Expr, slope: Expr, free: Symbol, a: Fraction, b: Fraction,
+              finest: Fraction) -> list[Fraction]:
+    """Every zero, by halving.
+
+    None where the enclosure excludes 0, one or none where that of the slope does.
+    """
     found: list[Fraction] = []
     waiting = [(a, b)]
     while waiting:

@@ -1,4 +1,7 @@
-"""Which values of one parameter stabilise an equilibrium: in closed form, or exactly at numbers for all the others."""
+"""Which values of one parameter stabilise an equilibrium.
+
+In closed form, or exactly at numbers for all the others.
+"""
 import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -24,15 +27,18 @@ from .values import unknown
 
 
 def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None = None) -> Solution:
-    """The exact set of one parameter for which an equilibrium exists and is stable, boundary points as the boundary criterion says.
+    """The exact set of one parameter for which an equilibrium exists and is stable, boundary points as the
+    boundary criterion says.
 
-    Where nothing decides between the necessary and the sufficient condition, as for an asymmetric body in a field, the set is given as
-    far as it is proved: parts that are sufficient, parts that are necessary, values that are undecided (Part.meaning).
+    Where nothing decides between the necessary and the sufficient condition, as for an asymmetric body in a
+    field, the set is given as far as it is proved: parts that are sufficient, parts that are necessary,
+    values that are undecided (Part.meaning).
 
-    Without numbers, or with some: in closed form, with the cases of the other names. With a number for every other name: a union of
-    intervals, whose ends are exact numbers. On E3 with the name eliminated (inclined(scene, eliminate=name)) and k3 left free: one
-    interval for each family of tilts on which the name is monotone, k3 at its ends in Interval.tilt; with the eliminated name given
-    too: the points that the relation leaves.
+    Without numbers, or with some: in closed form, with the cases of the other names. With a number for every
+    other name: a union of intervals, whose ends are exact numbers. On E3 with the name eliminated
+    (inclined(scene, eliminate=name)) and k3 left free: one interval for each family of tilts on which the
+    name is monotone, k3 at its ends in Interval.tilt; with the eliminated name given too: the points that the
+    relation leaves.
 
     Parameters
     ----------
@@ -46,8 +52,10 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
 
     Raises
     ------
-    ScopeError       the form is not one that is solved: give numbers for the other names; or U is not rational in k3
-    ValuesError      a name is unknown, or a number is not admissible
+    ScopeError
+        the form is not one that is solved: give numbers for the other names; or U is not rational in k3
+    ValuesError
+        a name is unknown, or a number is not admissible
 
     Examples
     --------
@@ -71,18 +79,26 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     if eq.eliminated and (eq.eliminated == name or symbol(eq.eliminated) in numbers):
         if left:
             needed = ", ".join(n for n in left if n != "k3" or eq.eliminated != name)
-            leave = f", or leave out {eq.eliminated}" if eq.eliminated != name else "; k3 may stay open" * ("k3" in left)
-            raise ScopeError(f"{eq.label} ties {eq.eliminated} to the other names: {name} is not solved for while {', '.join(left)} are "
-                             f"open; give {'a number' if ',' not in needed else 'numbers'} for {needed}{leave}")
+            leave = (
+                f", or leave out {eq.eliminated}"
+                if eq.eliminated != name
+                else "; k3 may stay open" * ("k3" in left)
+            )
+            raise ScopeError(f"{eq.label} ties {eq.eliminated} to the other names: {name} is not solved "
+                             f"for while {', '.join(left)} are "
+                             f"open; give {'a number' if ',' not in needed else 'numbers'} for "
+                             f"{needed}{leave}")
         if (parts := _where_tied(report, name, numbers)) is not None:
             return Solution(name, parts)
     try:
-        return Solution(name, _in_numbers(report, name, numbers) if not left else _in_symbols(report, name, numbers))
+        return Solution(name, _in_numbers(report, name, numbers) if not left
+                        else _in_symbols(report, name, numbers))
     except ScopeError as reason:
         if left:
             raise
         failed = reason
-    try:                                                   # a transcendental number or U is solved in closed form, or not at all
+    # a transcendental number or U is solved in closed form, or not at all
+    try:
         return Solution(name, _in_symbols(report, name, numbers))
     except ScopeError:
         raise failed from None
@@ -91,7 +107,8 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
 def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
     """Numbers for all other names: the line of this one, cut where a verdict may change."""
     if report.boundary is not None and not report.boundary.last:
-        raise ScopeError(f"U is not rational in k3, and {name} is not solved for in closed form: ask for a verdict, or a chart")
+        raise ScopeError(f"U is not rational in k3, and {name} is not solved for in closed form: ask for a "
+                         "verdict, or a chart")
     x, at = symbol(name), report.equilibrium.at
     cells = cut(report, x, numbers, S.Zero if x.is_positive else None, None)
     return _decided(joined(cells), joined(cells, None), at)
@@ -99,12 +116,16 @@ def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
 
 def _decided(stable: tuple[Interval, ...], undecided: tuple[Interval, ...], at: Expr) -> tuple[Part, ...]:
     """What is stable, and besides, if there are any, the values for which nothing is proved."""
-    parts = (Part("stable", S.One, (Case((), stable),), at), Part("undecided", S.One, (Case((), undecided),), at))
+    parts = (Part("stable", S.One, (Case((), stable),), at),
+             Part("undecided", S.One, (Case((), undecided),), at))
     return parts if undecided else parts[:1]
 
 
 def _where_tied(report: Report, name: str, numbers: Point) -> tuple[Part, ...] | None:
-    """The values that the relation of a family leaves, the eliminated name being given or solved for; None where it leaves all."""
+    """The values that the relation of a family leaves, the eliminated name being given or solved for.
+
+    None where it leaves all.
+    """
     eq, x = report.equilibrium, symbol(name)
     relation = dict(eq.relations)[symbol(str(eq.eliminated))]
     if eq.eliminated == name:
@@ -116,7 +137,8 @@ def _where_tied(report: Report, name: str, numbers: Point) -> tuple[Part, ...] |
             return None
         values = found
     stable = [(value, stable_at(report, x, value, numbers)) for value in values if value.is_finite]
-    proved, open_ = (tuple(Interval(v, v, INCLUDED, INCLUDED) for v, known in stable if known is wanted) for wanted in (True, None))
+    proved, open_ = (tuple(Interval(v, v, INCLUDED, INCLUDED) for v, known in stable if known is wanted)
+                     for wanted in (True, None))
     return _decided(proved, open_, eq.at)
 
 
@@ -126,18 +148,22 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
         report = inserted(report, {s.name: number for s, number in numbers.items()})
     eq = report.equilibrium
     tilted = eq.eliminated == "k3" and "omega" in report.parameters and analyze(inclined(eq.system))
-    sufficient = tilted.sufficient if tilted and () in tilted.sufficient.alternatives else report.sufficient     # always, in terms of k3
+    # always, in terms of k3
+    sufficient = tilted.sufficient if tilted and () in tilted.sufficient.alternatives else report.sufficient
     ends = report.boundary or sphere_of(eq)
     if len(sufficient.alternatives) > 1 or ends and not sufficient.alternatives:
-        raise ScopeError(f"{eq.label} has {len(sufficient.alternatives)} alternatives for stability: give numbers for the other names")
+        raise ScopeError(f"{eq.label} has {len(sufficient.alternatives)} alternatives for stability: give "
+                         "numbers for the other names")
     x, existence = symbol(name), eq.existence()
     fixed = [e for e in existence if x not in e.free_symbols and e.free_symbols]
     parts = [Part("exists", e, (Case(((e, ">"),), (Interval(-oo, oo),)),), eq.at) for e in fixed]
-    parts += [replace(solve_condition(_plain(e, eq), name, None, fixed), meaning="exists") for e in existence if x in e.free_symbols]
+    parts += [replace(solve_condition(_plain(e, eq), name, None, fixed), meaning="exists")
+              for e in existence if x in e.free_symbols]
     if not sufficient.alternatives:
         parts.append(Part("sufficient", -S.One, (Case((), ()),), eq.at))
     elif not sufficient.alternatives[0]:
-        parts.append(Part("stable", S.One, (Case((), (Interval(S.Zero if x.is_positive else -oo, oo),)),), eq.at))
+        parts.append(Part("stable", S.One, (Case((), (Interval(S.Zero if x.is_positive else -oo, oo),)),),
+                          eq.at))
     else:
         solved = (solve_condition(c, name, ends, fixed) for c in sufficient.alternatives[0])
         parts += [replace(part, meaning="stable" if ends else "sufficient") for part in solved]
@@ -158,11 +184,13 @@ def _necessary(report: Report, name: str, fixed: Sequence[Expr]) -> Iterator[Par
 def _where_existing(part: Part, x: Symbol, existence: Sequence[Expr]) -> Part:
     """Without the ends at which the equilibrium does not exist."""
     def outside(end: Expr) -> bool:
-        return any(is_identically_zero(e.xreplace({x: end})) for e in existence if x in e.free_symbols and end.is_finite)
+        return any(is_identically_zero(e.xreplace({x: end}))
+                   for e in existence if x in e.free_symbols and end.is_finite)
 
     cases = []
     for case in part.cases:
-        ends = (replace(i, low_if=EXCLUDED if outside(i.low) else i.low_if, high_if=EXCLUDED if outside(i.high) else i.high_if)
+        ends = (replace(i, low_if=EXCLUDED if outside(i.low) else i.low_if,
+                        high_if=EXCLUDED if outside(i.high) else i.high_if)
                 for i in case.intervals)
         cases.append(replace(case, intervals=tuple(i for i in ends if i.low != i.high or i.low_if)))
     return replace(part, cases=tuple(cases))
@@ -174,7 +202,8 @@ def inserted(report: Report, numbers: Mapping[str, Expr]) -> Report:
     if jets := [name for name in numbers if jet(name)]:
         raise ValuesError(f"{jets[0]} is a derivative of U: give U itself, or ask for a verdict")
     if eq.eliminated in numbers:
-        raise ValuesError(f"{eq.label} expresses {eq.eliminated} by the other names, {dict(eq.relations)[symbol(eq.eliminated)]}: "
+        raise ValuesError(f"{eq.label} expresses {eq.eliminated} by the other names, "
+                          f"{dict(eq.relations)[symbol(eq.eliminated)]}: "
                           f"leave out {eq.eliminated}")
     pairs = tuple((symbol(name), number) for name, number in numbers.items() if name in report.parameters)
     return analyze(_existing(replace(eq, relations=(*eq.relations, *pairs))))
@@ -184,7 +213,8 @@ def _existing(eq: Equilibrium) -> Equilibrium:
     for domain, value in zip(eq.domain, eq.existence()):
         if not value.free_symbols and (known := sign(value, {})) != 1:
             unknown = ", not proved to be positive" if known is None else ""
-            raise ValuesError(f"{eq.label} exists only where {domain} > 0, here it is {shown(value)}{unknown}: choose other numbers")
+            raise ValuesError(f"{eq.label} exists only where {domain} > 0, here it is "
+                              f"{shown(value)}{unknown}: choose other numbers")
     return eq
 
 
@@ -201,11 +231,14 @@ def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
     turning = value.diff(k3)
     cells = cut(report, k3, numbers, S.NegativeOne, S.One, [turning] if turning.free_symbols else [])
     if is_identically_zero(turning):
-        raise ScopeError(f"{name} is the same for every tilt: {value}; ask at that value for all equilibria (relative_equilibria)")
+        raise ScopeError(f"{name} is the same for every tilt: {value}; ask at that value for all "
+                         "equilibria (relative_equilibria)")
     if any(stable is None for *_, stable in cells):
-        raise ScopeError(f"at some tilts nothing is proved, and {name} is not solved for along them: give a number for k3")
+        raise ScopeError(f"at some tilts nothing is proved, and {name} is not solved for along them: give "
+                         "a number for k3")
     intervals = []
-    for run in joined_apart(cells, [low for low, high, _ in cells if low == high and _vanishes(turning, k3, low)]):
+    for run in joined_apart(cells, [low for low, high, _ in cells if low == high
+                                    and _vanishes(turning, k3, low)]):
         grows = sign(turning, {k3: between(run.low, run.high)}) == 1 if run.low != run.high else True
         ends = [(_limit(value, k3, k, side if grows else -side), included, k)
                 for k, included, side in ((run.low, run.low_if, -1), (run.high, run.high_if, 1))]

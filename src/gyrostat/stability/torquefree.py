@@ -1,4 +1,7 @@
-"""A body with a direction k on which no torque acts, because U is constant on |k| = 1: its momentum decides."""
+"""A body with a direction k on which no torque acts, because U is constant on abs(k) = 1.
+
+Its momentum decides.
+"""
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
@@ -16,20 +19,25 @@ A, B = Dummy("a", real=True), Dummy("b", real=True)
 
 @dataclass(frozen=True)
 class TorqueFree:
-    """An equilibrium on e(3)* in a field that exerts no torque: M moves by itself on so(3)*, and M and k are both fixed in space.
+    """An equilibrium on e(3)* in a field that exerts no torque.
 
-    Where M ≠ 0 lies along k, k stays beside it: stable as the free gyrostat is. At rest with k not along M, a gyrostat that turns
-    ever so slowly about M carries k away.
+    M moves by itself on so(3)*, and M and k are both fixed in space.
+
+    Where M ≠ 0 lies along k, k stays beside it: stable as the free gyrostat is. At rest with k not along M, a
+    gyrostat that turns ever so slowly about M carries k away.
 
     Parameters
     ----------
-    body : Gyrostat                      with its numbers
-    momentum : tuple of Expr, shape (3,)     π
-    direction : tuple of Expr, shape (3,)    k
+    body : Gyrostat
+        with its numbers
+    momentum : tuple of Expr, shape (3,)
+        π
+    direction : tuple of Expr, shape (3,)
+        k
 
-    Source
-    ------
-    Derived: M·k, |M|² and |k|² are conserved.
+    References
+    ----------
+    Derived: M·k, abs(M)² and abs(k)² are conserved.
     """
 
     body: Gyrostat
@@ -37,7 +45,10 @@ class TorqueFree:
     direction: tuple[Expr, ...]
 
     def decide(self, free: Callable[[Equilibrium], tuple[bool | None, str]]) -> tuple[bool | None, str]:
-        """Whether it is stable, None if that is not elementary or not proved; and why; free decides on so(3)*."""
+        """Whether it is stable, None if that is not elementary or not proved; and why.
+
+        Free decides on so(3)*.
+        """
         total = [p + l for p, l in zip(self.momentum, self.body.gyrostatic_momentum)]
         rests = _all_zero(self.momentum)
         if _all_zero(total):
@@ -47,17 +58,22 @@ class TorqueFree:
         if rests and not _all_zero(cross(total, self.direction)):
             if not any(sign_of_constant(x) for x in cross(total, self.direction)):
                 return None, "no torque acts, and whether k is along M is not proved"
-            return False, "no torque acts and k is not along M = l: a gyrostat that turns slowly about M carries k away"
+            return (
+                False,
+                "no torque acts and k is not along M = l: a gyrostat that turns slowly about M carries k "
+                "away",
+            )
         stable, why = free(equilibrium(assemble(self.body), self.momentum))
         return stable, f"no torque acts, k is along M, and M is that of a free gyrostat: {why}"
 
 
 def torque_free(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> TorqueFree | None:
-    """The equilibrium without its field, None where U is not proved to be constant on |k| = 1."""
+    """The equilibrium without its field, None where U is not proved to be constant on abs(k) = 1."""
     potential = eq.system.potential
     if potential is None or not potential.given:
         return None
-    below = 1 + A**2 + B**2                            # k = (2a, 2b, 1 − a² − b²)/(1 + a² + b²) is every direction but one
+    # k = (2a, 2b, 1 − a² − b²)/(1 + a² + b²) is every direction but one
+    below = 1 + A**2 + B**2
     k = eq.system.space.coordinates[3:]
     sphere = dict(zip(k, (2 * A / below, 2 * B / below, (1 - A**2 - B**2) / below)))
     placed = eq.insert(potential.expression.xreplace(sphere)).xreplace(dict(numbers))
@@ -65,7 +81,8 @@ def torque_free(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> TorqueFree |
     if any(ring.reduce(ring.fraction(e)[0]) for e in (slope, other)):
         return None
     values = [[evaluate(eq.insert(x), numbers) for x in part]
-              for part in (eq.system.body.inertia, eq.system.body.gyrostatic_momentum, eq.point[:3], eq.point[3:])]
+              for part in (eq.system.body.inertia, eq.system.body.gyrostatic_momentum, eq.point[:3],
+                           eq.point[3:])]
     return TorqueFree(Gyrostat(values[0], values[1]), tuple(values[2]), tuple(values[3]))
 
 

@@ -14,13 +14,15 @@ from ..notation import NOTATION, jet, symbol
 K3 = symbol("k3")
 
 
-def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[str], known: Sequence[str]) -> Point:
+def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[str],
+                 known: Sequence[str]) -> Point:
     """The values as exact numbers, every one of them checked.
 
     Raises
     ------
-    ValuesError     a name is missing or unknown, a number is not exact and finite, or the point is proved not to be on the family;
-                    where that is not proved, the doubt of the point says so
+    ValuesError
+        a name is missing or unknown, a number is not exact and finite, or the point is proved not to be on
+        the family; where that is not proved, the doubt of the point says so
     """
     given = {str(name): value for name, value in values.items()}
     free_jet = eq.system.potential is not None and not eq.system.potential.given
@@ -32,7 +34,8 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
     numbers = Point({symbol(name): exact_number(value, name) for name, value in given.items()})
     for name, number in numbers.items():
         if not isinstance(number, Rational) and not ball(number, 64).is_finite():
-            raise ValuesError(f"{name} = {number} cannot be enclosed: write it with rationals, roots, pi, exp, log and the like")
+            raise ValuesError(f"{name} = {number} cannot be enclosed: write it with rationals, roots, pi, "
+                              "exp, log and the like")
         if name.is_positive and not is_positive(name.name, number):
             numbers.doubt = f"whether {name} = {shown(number)} is positive is not proved"
     if eq.system.potential is not None:
@@ -42,10 +45,14 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
 
 
 def is_positive(name: str, number: Expr) -> bool:
-    """Whether a number, for a name that is positive, is proved to be; ValuesError if it is proved not to be."""
+    """Whether a number, for a name that is positive, is proved to be.
+
+    ValuesError if it is proved not to be.
+    """
     sign = sign_of_constant(number)
     if sign in (0, -1):
-        raise ValuesError(f"{name} = {shown(number) if sign else 0}, but {_described(name)} must be positive: give a positive number")
+        raise ValuesError(f"{name} = {shown(number) if sign else 0}, but {_described(name)} must be "
+                          "positive: give a positive number")
     return sign == 1
 
 
@@ -58,13 +65,17 @@ def check_names(given: Iterable[str], names: Sequence[str], where: str) -> None:
         raise ValuesError(f"{where} needs {', '.join(missing)}: give a number or an array for each")
 
 
-def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str], parameters: Sequence[str], how: str) -> None:
-    """Raise ValuesError unless the names are what a verdict on a family needs, without the name that the others express."""
+def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str], parameters: Sequence[str],
+                 how: str) -> None:
+    """Raise ValuesError unless the names are what a verdict on a family needs, without the name that the
+    others express.
+    """
     free_jet = eq.system.potential is not None and not eq.system.potential.given
     known = [name for name in parameters if name != eq.eliminated or name in required]
     for name in given:
         if name == eq.eliminated and name not in known:
-            raise ValuesError(f"{name} follows from the other names on {eq.label}, {name} = {dict(eq.relations)[symbol(name)]}: omit it")
+            raise ValuesError(f"{name} follows from the other names on {eq.label}, {name} = "
+                              f"{dict(eq.relations)[symbol(name)]}: omit it")
         if name not in known and not (free_jet and jet(name)):
             raise ValuesError(unknown(name, known, eq.label))
     if missing := [name for name in required if name not in given]:
@@ -74,9 +85,17 @@ def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str],
 def unknown(name: str, known: Sequence[str], where: str) -> str:
     """What to say of a name that is not a parameter."""
     other = {"pi3_0": "omega3_0", "omega3_0": "pi3_0"}
-    close = [other[name]] if other.get(name) in known else get_close_matches(name, [*known, *(other[n] for n in known if n in other)], 1)
+    close = (
+        [other[name]]
+        if other.get(name) in known
+        else get_close_matches(name, [*known, *(other[n] for n in known if n in other)], 1)
+    )
     hint = f"did you mean {close[0]}? Its" if close else "its"
-    spin = ' (with spin="omega3_0" in place of pi3_0)' if "omega3_0" in (name, *close) and "omega3_0" not in known else ""
+    spin = (
+        ' (with spin="omega3_0" in place of pi3_0)'
+        if "omega3_0" in (name, *close) and "omega3_0" not in known
+        else ""
+    )
     return f"{where} has no parameter {name}: {hint} parameters are {', '.join(known)}{spin}"
 
 
@@ -89,12 +108,22 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
             doubt = f"whether {eq.label} exists there is not proved: {expression} is {shown(value)}, and has to be positive"
         elif sign != 1:
             here = "is not defined" if value is S.NaN else "is 0" if sign == 0 else f"is {shown(value)}"
-            todo = f"k3 = {shown(numbers[K3])}, give −1 < k3 < 1" if expression == 1 - K3**2 and K3 in numbers else "choose a point inside"
+            todo = (
+                f"k3 = {shown(numbers[K3])}, give −1 < k3 < 1"
+                if expression == 1 - K3**2 and K3 in numbers
+                else "choose a point inside"
+            )
             raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: {todo}")
     for expression in eq.field_values:
-        polynomial = (fraction := compiled(expression)) is not None and fraction[2] is None      # finite and real wherever it is
-        if not polynomial and expression.free_symbols <= numbers.keys() and not _may_be_real(value := evaluate(expression, numbers)):
-            raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a finite real number: "
+        # finite and real wherever it is
+        polynomial = (fraction := compiled(expression)) is not None and fraction[2] is None
+        if (
+            not polynomial
+            and expression.free_symbols <= numbers.keys()
+            and not _may_be_real(value := evaluate(expression, numbers))
+        ):
+            raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a "
+                              "finite real number: "
                               "choose another point")
     return doubt
 
@@ -105,20 +134,24 @@ def _may_be_real(constant: Expr) -> bool:
 
 
 def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
-    """The relation of the family, where a value is given for the eliminated name or no name was eliminated: what is not proved of it."""
+    """The relation of the family, where a value is given for the eliminated name or no name was eliminated:
+    what is not proved of it.
+    """
     doubt = ""
     for residual in eq.constraints:
         sign = sign_of_constant(value := evaluate(residual, numbers))
         if sign is None and ball(value, 64).is_finite():
             doubt = f"whether the point is on {eq.label} is not proved: {residual} is {shown(value)}, and has to be 0"
         elif sign != 0:
-            raise ValuesError(f"the point is not on {eq.label}: {residual} is {shown(value)}, not 0; correct the numbers")
+            raise ValuesError(f"the point is not on {eq.label}: {residual} is {shown(value)}, not 0; "
+                              "correct the numbers")
     name = symbol(eq.eliminated) if eq.eliminated else None
     if name is None or name not in numbers:
         return doubt
     needed = dict(eq.relations)[name]
     if missing := [n for n in names_in([needed]) if symbol(n) not in numbers]:
-        raise ValuesError(f"to check {name} on {eq.label}, {', '.join(missing)} is needed: give it, or omit {name}")
+        raise ValuesError(f"to check {name} on {eq.label}, {', '.join(missing)} is needed: give it, or "
+                          f"omit {name}")
     value = evaluate(needed, numbers)
     sign = sign_of_constant(difference := numbers[name] - value)
     if sign is None and ball(difference, 64).is_finite():
@@ -126,7 +159,8 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
     if sign != 0:
         given = shown(numbers[name])
         off = f", off by {shown(difference)}" if given == shown(value) else ""
-        raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {shown(value)}, given was {given}{off}; omit {name}, or "
+        raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {shown(value)}, given was "
+                          f"{given}{off}; omit {name}, or "
                           "correct it")
     return doubt
 

@@ -30,30 +30,39 @@ def columns(scene: System, states: Array, turns: Array | None) -> list[Column]:
     Parameters
     ----------
     scene : System
-    states : array, shape (m, n)            doubles
-    turns : array, shape (m, 3, 3)          from the body to space; None where there is no vertical
+    states : array, shape (m, n)
+        doubles
+    turns : array, shape (m, 3, 3)
+        from the body to space; None where there is no vertical
     """
     found = []
     for i, s in enumerate(scene.space.coordinates):
         entry = NOTATION[s.name]
-        found.append(Column(s.name, units(*entry.dimension, entry.length), entry.latex, entry.meaning, states[:, i]))
+        found.append(Column(s.name, units(*entry.dimension, entry.length), entry.latex, entry.meaning,
+                            states[:, i]))
     for i, moment in enumerate(scene.body.inertia, 1):
-        found.append(Column(f"omega{i}", RATE, rf"\omega_{i}", f"angular velocity of the body, axis {i}", states[:, i - 1] / float(moment)))
+        found.append(Column(f"omega{i}", RATE, rf"\omega_{i}", f"angular velocity of the body, axis {i}",
+                            states[:, i - 1] / float(moment)))
     if turns is None:
         return found
     for i, values in enumerate(quaternions(turns).T):
-        found.append(Column(f"q{i}", "1", f"q_{i}", f"quaternion from the body to space, {'ijk'[i - 1] if i else 'scalar'} part", values))
+        found.append(Column(f"q{i}", "1", f"q_{i}",
+                            f"quaternion from the body to space, {'ijk'[i - 1] if i else 'scalar'} part",
+                            values))
     for name, about, values in zip(("phi", "theta", "psi"), ("precession", "tilt", "spin"), euler(turns).T):
         found.append(Column(name, "rad", rf"\{name}", f"Euler angle (z-x-z) of the {about}", values))
     return found
 
 
 def quaternions(turns: Array) -> Array:
-    """q0 + q1 i + q2 j + q3 k with x_space = q x_body q*, shape (m, 4): the first one with q0 ≥ 0, each other one next to the one before.
+    """q0 + q1 i + q2 j + q3 k with x_space = q x_body q*, shape (m, 4).
 
-    Source
-    ------
-    Shepperd, Journal of Guidance and Control 1 (1978) 223-224: from the largest of the four, so that nothing cancels.
+    The first one with q0 ≥ 0, each other one next to the one before.
+
+    References
+    ----------
+    Shepperd, Journal of Guidance and Control 1 (1978) 223-224: from the largest of the four, so that nothing
+    cancels.
 
     Examples
     --------
@@ -62,20 +71,24 @@ def quaternions(turns: Array) -> Array:
     """
     (a, b, c), (d, e, f), (g, h, i) = np.moveaxis(turns, 0, -1)
     four = np.moveaxis(np.array([[1 + a + e + i, h - f, c - g, d - b], [h - f, 1 + a - e - i, b + d, c + g],
-                                 [c - g, b + d, 1 - a + e - i, f + h], [d - b, c + g, f + h, 1 - a - e + i]]), -1, 0)     # 4 q qᵀ
+                                 # 4 q qᵀ
+                                 [c - g, b + d, 1 - a + e - i, f + h],
+                                 [d - b, c + g, f + h, 1 - a - e + i]]), -1, 0)
     found = four[np.arange(len(four)), np.diagonal(four, axis1=1, axis2=2).argmax(axis=1)]
     found = found / np.linalg.norm(found, axis=1, keepdims=True)
     if len(found):
         first = found[0][np.flatnonzero(found[0])[0]]
         turned = np.sign((found[1:] * found[:-1]).sum(axis=1))
-        found = found * np.cumprod(np.concatenate([[np.sign(first)], np.where(turned == 0, 1.0, turned)]))[:, None]
+        found = found * np.cumprod(np.concatenate([[np.sign(first)],
+                                                   np.where(turned == 0, 1.0, turned)]))[:, None]
     return found + 0.0                                     # no −0
 
 
 def euler(turns: Array) -> Array:
     """φ, θ, ψ (z-x-z), shape (..., 3), φ and ψ between −π and π; where sin θ = 0, ψ = 0."""
     across = np.hypot(turns[..., 2, 0], turns[..., 2, 1])
-    phi = np.where(across == 0, np.arctan2(turns[..., 1, 0], turns[..., 0, 0]), np.arctan2(turns[..., 0, 2], -turns[..., 1, 2]))
+    phi = np.where(across == 0, np.arctan2(turns[..., 1, 0], turns[..., 0, 0]),
+                   np.arctan2(turns[..., 0, 2], -turns[..., 1, 2]))
     psi = np.where(across == 0, 0.0, np.arctan2(turns[..., 2, 0], turns[..., 2, 1]))
     return np.stack([phi, np.arctan2(across, turns[..., 2, 2]), psi], axis=-1)
 
@@ -91,12 +104,15 @@ def turns_of(motion: Any, times: Array) -> Array | None:
 def facts(motion: Any) -> dict[str, Any]:
     """What is known of a motion, and the numbers that it is of, exact, as texts."""
     gained = {name: getattr(motion._route, name, None) for name in ("period", "precession", "spin")}
-    known = {"note": motion.note or None, "route": motion.route, **gained, "energy": motion.energy, "error": motion.error,
+    known = {"note": motion.note or None, "route": motion.route, **gained, "energy": motion.energy,
+             "error": motion.error,
              "nodes": motion.nodes, "recognised": motion.recognised or None}
     body, potential = motion.scene.body, motion.scene.potential
-    numbers = {"inertia": body.inertia, "gyrostatic_momentum": body.gyrostatic_momentum, "state": motion.state,
+    numbers = {"inertia": body.inertia, "gyrostatic_momentum": body.gyrostatic_momentum,
+               "state": motion.state,
                "potential": potential.expression if potential else "none", "gyrostat_version": __version__}
-    return {name: value for name, value in known.items() if value is not None} | {name: str(value) for name, value in numbers.items()}
+    return {name: value for name, value in known.items()
+            if value is not None} | {name: str(value) for name, value in numbers.items()}
 
 
 def dataset(motion: Any, times: Array, states: Array, turns: Array | None) -> Any:

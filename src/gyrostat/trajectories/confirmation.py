@@ -21,11 +21,14 @@ from .models import motion, with_numbers
 from .motion import Motion
 
 SIZES = tuple(Rational(1, 10**d) for d in range(2, 9))
-TURNS = tuple(ImmutableMatrix(v) / 60 for v in ([20, -24, 30], [26, 15, -20]))          # directions with nothing special to them
+# directions with nothing special to them
+TURNS = tuple(ImmutableMatrix(v) / 60 for v in ([20, -24, 30], [26, 15, -20]))
 CHANGES = tuple(ImmutableMatrix(v) / 60 for v in ([-15, 30, 24], [30, 12, -25]))
 POINTS, LOOKS = 500, 4                                 # times of a motion; looks at its largest distance
-TURNED, LATER = 20, 10                                 # turns of a motion without a period; times of growth after an escape
-CLOSE, FLAT, STEEP = 0.12, 0.05, 0.9                   # 1/2, 1/3, 1/4, 1/6, … are told apart; of order one; like a definite form
+# turns of a motion without a period; times of growth after an escape
+TURNED, LATER = 20, 10
+# 1/2, 1/3, 1/4, 1/6, … are told apart; of order one; like a definite form
+CLOSE, FLAT, STEEP = 0.12, 0.05, 0.9
 
 
 @dataclass(frozen=True)
@@ -34,15 +37,23 @@ class Confirmation:
 
     Parameters
     ----------
-    decision : Decision                 the verdict
-    sizes : tuple of float              ε; k is turned and π moved by about ε
-    excursions : tuple of float         the largest distance from the equilibrium, modulo the flow that the decision names
-    slope : float                       of log excursion against log ε, at the three smallest ε
-    expected : float or None            what the verdict says of it: 1 where the second variation is definite, less on a stable
-                                        boundary, 0 where it is unstable; None where no theorem says
-    routes : tuple of str               how the motions were found
-    complete : bool                     whether every motion was followed over a whole orbit
-    failure : str                       why a motion could not be followed, if one could not; the sizes end there
+    decision : Decision
+        the verdict
+    sizes : tuple of float
+        ε; k is turned and π moved by about ε
+    excursions : tuple of float
+        the largest distance from the equilibrium, modulo the flow that the decision names
+    slope : float
+        of log excursion against log ε, at the three smallest ε
+    expected : float or None
+        what the verdict says of it: 1 where the second variation is definite, less on a stable boundary, 0
+        where it is unstable; None where no theorem says
+    routes : tuple of str
+        how the motions were found
+    complete : bool
+        whether every motion was followed over a whole orbit
+    failure : str
+        why a motion could not be followed, if one could not; the sizes end there
     """
 
     decision: Decision
@@ -56,7 +67,9 @@ class Confirmation:
 
     @property
     def agrees(self) -> bool | None:
-        """Whether the motions do what the verdict says; None where it is undecided, or the sizes are too large to tell.
+        """Whether the motions do what the verdict says.
+
+        None where it is undecided, or the sizes are too large to tell.
 
         Close to a boundary they have to be smaller than the distance from it.
         """
@@ -78,22 +91,26 @@ class Confirmation:
             return "the verdict is undecided"
         if self.failure:
             return self.failure
-        return (f"the excursions go as the power {self.slope:.2f} of the perturbation, {self.expected} is expected for small ones: "
+        return (f"the excursions go as the power {self.slope:.2f} of the perturbation, {self.expected} is "
+                "expected for small ones: "
                 "the equilibrium is too close to a boundary for these sizes, give smaller ones")
 
 
 def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SIZES) -> Confirmation:
     """Follow motions that start close to an equilibrium, and compare how far they go with the verdict.
 
-    Two generic directions, each with both signs; |k| is kept, exactly, and nothing else. A motion with a period, as every one of a body
-    of revolution in U(k3) and of a free body has, is followed over one period, which is the whole orbit modulo the spin; any other over
-    20 turns of the linearised one, and for 10 times of growth after it has escaped.
+    Two generic directions, each with both signs; abs(k) is kept, exactly, and nothing else. A motion with a
+    period, as every one of a body of revolution in U(k3) and of a free body has, is followed over one period,
+    which is the whole orbit modulo the spin; any other over 20 turns of the linearised one, and for 10 times
+    of growth after it has escaped.
 
     Parameters
     ----------
     report : Report
-    values : mapping of name to number       those of the verdict, and those of the body and of U that it does not need, such as I3
-    sizes : sequence of numbers              positive, falling; at least three
+    values : mapping of name to number
+        those of the verdict, and those of the body and of U that it does not need, such as I3
+    sizes : sequence of numbers
+        positive, falling; at least three
 
     Returns
     -------
@@ -101,12 +118,15 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
 
     Raises
     ------
-    ScopeError           U is unspecified: there is no motion
-    ValuesError          as for a verdict; a name is missing that the motion needs; sizes that are none
-    MissingExtraError    a motion is to be integrated, and neither SciPy nor heyoka is installed
+    ScopeError
+        U is unspecified: there is no motion
+    ValuesError
+        as for a verdict; a name is missing that the motion needs; sizes that are none
+    MissingExtraError
+        a motion is to be integrated, and neither SciPy nor heyoka is installed
 
-    Source
-    ------
+    References
+    ----------
     The exponents on a boundary: docs/stability.md.
 
     Examples
@@ -145,12 +165,15 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
         far.append(max(here))
     small = [float(step) for step in steps[:len(far)]]
     slope = float(np.polyfit(np.log(small[-3:]), np.log(far[-3:]), 1)[0]) if len(far) > 2 else math.nan
-    return Confirmation(decision, tuple(small), tuple(far), slope, _expected(report, decision, numbers), tuple(sorted(routes)), complete,
+    return Confirmation(decision, tuple(small), tuple(far), slope, _expected(report, decision, numbers),
+                        tuple(sorted(routes)), complete,
                         failure)
 
 
 def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix) -> tuple[Expr, ...]:
-    """π changed, and k turned about a vector by twice the arctangent of half its length: rational where all of them are.
+    """π changed, and k turned about a vector by twice the arctangent of half its length.
+
+    Rational where all of them are.
 
     Examples
     --------
@@ -165,11 +188,13 @@ def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix)
 
 
 class _Distance:
-    """The distance of states from an equilibrium, modulo the rotations about an axis where the decision is."""
+    """The distance of states from an equilibrium, modulo the rotations about an axis where the decision is.
+    """
 
     def __init__(self, eq: Equilibrium, decision: Decision, point: Sequence[Expr]):
         self.point = np.array([float(x) for x in point]).reshape(-1, 3)
-        axes = [np.array([float(x) for x in eq.system.space.gradient(integral)[:3]]) for integral in decision.modulo[:1]]
+        axes = [np.array([float(x) for x in eq.system.space.gradient(integral)[:3]])
+                for integral in decision.modulo[:1]]
         self.axes = [axis / np.linalg.norm(axis) for axis in axes]
 
     def __call__(self, states: Array) -> Array:
@@ -179,7 +204,10 @@ class _Distance:
         return np.sqrt(((vectors - self.point) ** 2).sum(axis=(1, 2)))
 
     def turned(self, vectors: Array, axis: Array) -> Array:
-        """Each state turned about the axis until it is closest: the difference is then taken without cancellation."""
+        """Each state turned about the axis until it is closest.
+
+        The difference is then taken without cancellation.
+        """
         along = (vectors @ axis)[..., None] * axis
         across, side = vectors - along, np.cross(axis, vectors)
         cosine, sine = ((part * self.point).sum(axis=(1, 2)) for part in (across, side))
@@ -191,9 +219,11 @@ def _scene_numbers(eq: Equilibrium, numbers: Point) -> dict[str, Expr]:
     """The numbers of the body and of U, an eliminated one among them."""
     scene = eq.system
     used = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs))
-    found = {s.name: evaluate(eq.insert(s), numbers) for s in sorted(used - set(scene.space.coordinates), key=str)}
+    found = {s.name: evaluate(eq.insert(s), numbers)
+             for s in sorted(used - set(scene.space.coordinates), key=str)}
     if missing := [name for name, value in found.items() if value.free_symbols]:
-        raise ValuesError(f"a motion from {eq.label} needs {', '.join(missing)}, a verdict may not: give a number for each")
+        raise ValuesError(f"a motion from {eq.label} needs {', '.join(missing)}, a verdict may not: give a "
+                          "number for each")
     return found
 
 
@@ -204,14 +234,22 @@ def _rates(eq: Equilibrium, numbers: Point) -> tuple[float, float]:
     return float(np.abs(roots).max()), float(roots.real.max())
 
 
-def _excursion(moving: Motion, distance: Callable[[Array], Array], rate: float, growth: float, size: float) -> float:
-    """The largest distance on the way; over a period, with a closer and closer look at where it is largest."""
+def _excursion(moving: Motion, distance: Callable[[Array], Array], rate: float, growth: float,
+               size: float) -> float:
+    """The largest distance on the way.
+
+    Over a period, with a closer and closer look at where it is largest.
+    """
     if moving.period is None:
-        rate = rate or 1.0                             # no motion of the linearised field: any time is as good
-        longest = (math.log(1 / size) + LATER) / growth if growth > 1e-6 * rate else TURNED * 2 * math.pi / rate
+        # no motion of the linearised field: any time is as good
+        rate = rate or 1.0
+        longest = (
+            (math.log(1 / size) + LATER) / growth if growth > 1e-6 * rate else TURNED * 2 * math.pi / rate
+        )
         return float(distance(moving(np.linspace(0, longest, max(POINTS, int(8 * longest * rate))))).max())
     times, largest = np.linspace(0, float(moving.period), POINTS), []
-    for _ in range(LOOKS):                             # close to an unstable boundary an escape is short beside the period
+    # close to an unstable boundary an escape is short beside the period
+    for _ in range(LOOKS):
         far = distance(moving(times))
         largest.append(float(far.max()))
         middle = times[far.argmax()]
@@ -231,7 +269,10 @@ def _expected(report: Report, decision: Decision, numbers: Point) -> float | Non
 
 
 def _on_boundary(boundary: Boundary, numbers: Point) -> float | None:
-    """Of g = c xⁿ⁺² + …: 1/(n + 1); at a pole, where 1 − k3 is half the square of the distance, 1/(2n) unless π3 + l = 0."""
+    """Of g = c xⁿ⁺² + …: 1/(n + 1).
+
+    At a pole, where 1 − k3 is half the square of the distance, 1/(2n) unless π3 + l = 0.
+    """
     n = next(rung.power for rung in boundary.rungs() if sign_at(rung.condition, numbers, {})) - 2
     eq = boundary.equilibrium
     axial = evaluate(eq.insert(eq.point[2] + eq.system.body.gyrostatic_momentum[2]), numbers)

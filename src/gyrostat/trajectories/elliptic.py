@@ -1,4 +1,7 @@
-"""Jacobi's elliptic functions sn, cn, dn from the complementary parameter m1 = 1 − m: sums of positive terms, down to m1 = 0."""
+"""Jacobi's elliptic functions sn, cn, dn from the complementary parameter m1 = 1 − m.
+
+Sums of positive terms, down to m1 = 0.
+"""
 import math
 
 import numpy as np
@@ -14,12 +17,15 @@ def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:
 
     Parameters
     ----------
-    u : array of floats         any size: it is reduced to |u| ≤ K
-    complement : float          m1 from 0, the hyperbolic functions, to 1, the circular ones
+    u : array of floats
+        any size: it is reduced to abs(u) ≤ K
+    complement : float
+        m1 from 0, the hyperbolic functions, to 1, the circular ones
 
-    Source
-    ------
-    Descending Landen transformation, Abramowitz & Stegun, 16.12, in the steps a, b of the arithmetic-geometric mean, with
+    References
+    ----------
+    Descending Landen transformation, Abramowitz & Stegun, 16.12, in the steps a, b of the
+        arithmetic-geometric mean, with
     1 = sn² + cn² inserted wherever terms would cancel; Bulirsch, Numerische Mathematik 7 (1965) 78-90.
 
     Examples
@@ -59,11 +65,13 @@ def means(complement: arb) -> list[tuple[arb, arb]]:
 
 
 def jacobi_ball(u: arb, complement: arb, steps: list[tuple[arb, arb]] | None = None) -> tuple[arb, arb, arb]:
-    """(sn, cn, dn) as enclosures, at the precision that is set; each halving of the exponent of m1 costs two or three bits.
+    """(sn, cn, dn) as enclosures, at the precision that is set.
+
+    Each halving of the exponent of m1 costs two or three bits.
 
     The steps, means(complement), serve many arguments.
 
-    Where m is below ε the amplitude lies between u and u − ε |u|, since its derivative is √(1 − m sin²).
+    Where m is below ε the amplitude lies between u and u − ε abs(u), since its derivative is √(1 − m sin²).
 
     Examples
     --------
@@ -97,12 +105,14 @@ def quarter_period(complement: arb) -> arb:
 
 
 def argument(sine: arb, cosine: arb, complement: arb) -> arb:
-    """u between 0 and 2 K with sn u : cn u = sine : cosine, sine ≥ 0, to the relative precision of the two and of m1.
+    """u between 0 and 2 K with sn u : cn u = sine .
+
+    Cosine, sine ≥ 0, to the relative precision of the two and of m1.
 
     u = s R_F(c², c² + m1 s², 1) where s² + c² = 1; near K from there, sn : cn = c : s √m1 at K − u.
 
-    Source
-    ------
+    References
+    ----------
     NIST Digital Library of Mathematical Functions, 19.25.31, 22.4.3.
 
     Examples

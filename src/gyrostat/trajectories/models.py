@@ -21,21 +21,26 @@ from .top.motion import AxialMotion
 from .turned import TurnedMotion, of_revolution
 
 
-def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None = None, *, precision: int | None = None,
+def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None = None, *,
+           precision: int | None = None,
            tolerance: float | None = None) -> Motion:
     """The motion of a scene from a state on, in the smallest model that has it.
 
-    A body of revolution in U(k3) by elliptic functions (U of degree at most 2) or by one spectral quadrature: a state costs the same at
-    any time; about any other axis it is recognised, and turned. A free gyrostat by Jacobi's functions, or from one turn of its momentum.
-    Any other scene is integrated, twice, and monitored.
+    A body of revolution in U(k3) by elliptic functions (U of degree at most 2) or by one spectral quadrature:
+    a state costs the same at any time; about any other axis it is recognised, and turned. A free gyrostat by
+    Jacobi's functions, or from one turn of its momentum. Any other scene is integrated, twice, and monitored.
 
     Parameters
     ----------
     scene : System
-    state : sequence, shape (n,)         at the time 0, exact numbers: momenta [M L²/T], then directions [1]; a float is what it is
-    values : mapping or None             of names in the scene to numbers
-    precision : int or None              decimal digits; None: doubles. Of a scene that is integrated there are none
-    tolerance : float or None            the error of the state that is accepted of an integration
+    state : sequence, shape (n,)
+        at the time 0, exact numbers: momenta [M L²/T], then directions [1]; a float is what it is
+    values : mapping or None
+        of names in the scene to numbers
+    precision : int or None
+        decimal digits; None: doubles. Of a scene that is integrated there are none
+    tolerance : float or None
+        the error of the state that is accepted of an integration
 
     Returns
     -------
@@ -43,10 +48,14 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
 
     Raises
     ------
-    ValuesError          names are missing, numbers are not exact, or the state has another length
-    ScopeError           digits are asked for of a scene that is integrated
-    AccuracyError        the accuracy is not reached
-    MissingExtraError    a scene is to be integrated, and neither SciPy nor heyoka is installed
+    ValuesError
+        names are missing, numbers are not exact, or the state has another length
+    ScopeError
+        digits are asked for of a scene that is integrated
+    AccuracyError
+        the accuracy is not reached
+    MissingExtraError
+        a scene is to be integrated, and neither SciPy nor heyoka is installed
 
     Examples
     --------
@@ -62,14 +71,16 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     require(scene, System, "the scene")
     scene = with_numbers(scene, values or {})
     if len(state) != len(scene.space.coordinates):
-        raise ValuesError(f"the state has {len(state)} numbers, the scene {len(scene.space.coordinates)} coordinates: give "
+        raise ValuesError(f"the state has {len(state)} numbers, the scene {len(scene.space.coordinates)} "
+                          "coordinates: give "
                           f"{', '.join(map(str, scene.space.coordinates))}")
     point = tuple(exact_number(x, s.name) for x, s in zip(state, scene.space.coordinates))
     if precision is not None and (not isinstance(precision, int) or precision < 1):
         raise ValuesError(f"precision = {precision}: give a number of decimal digits")
     route = _route(scene, point, 53 if precision is None else bits_of(precision), tolerance)
     if precision is not None and not hasattr(route, "ball_state"):
-        raise ScopeError(f"this scene is integrated, in doubles: {precision} digits are had for a free gyrostat, or a body of "
+        raise ScopeError(f"this scene is integrated, in doubles: {precision} digits are had for a free "
+                         "gyrostat, or a body of "
                          "revolution in U(k3)")
     return Motion(scene, point, route, precision)
 
@@ -81,20 +92,24 @@ def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float |
     if reducible(scene) and any(point[3:]):
         try:
             return AxialMotion(Level(scene, point), bits)
-        except ScopeError:                                 # towards a root of higher order, as a power of the time
+        # towards a root of higher order, as a power of the time
+        except ScopeError:
             pass
         except ResolutionError:                            # past a singularity of U
             if bits > 53:
                 raise
     elif any(point[3:]) and (found := of_revolution(scene, point)):
-        with suppress(AccuracyError, ScopeError, ValuesError):             # it need not be exact: it can be integrated as it is
+        # it need not be exact: it can be integrated as it is
+        with suppress(AccuracyError, ScopeError, ValuesError):
             return TurnedMotion(found, point, bits)
     return Integration(scene, point, tolerance)
 
 
 def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
     """The scene with numbers for its names."""
-    free = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs)) - set(scene.space.coordinates)
+    free = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs)) - set(
+        scene.space.coordinates
+    )
     if scene.potential is not None and not scene.potential.given:
         raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
     check_names(values, sorted(s.name for s in free), "the scene")
@@ -108,5 +123,8 @@ def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
 def _inserted(scene: System, given: tuple[tuple[Symbol, Expr], ...]) -> System:
     numbers = dict(given)
     body, field = scene.body, scene.potential
-    inertia, rotor = ([x.xreplace(numbers) for x in vector] for vector in (body.inertia, body.gyrostatic_momentum))
-    return assemble(Gyrostat(inertia, rotor), field and Potential(field.variables, field.expression.xreplace(numbers), field.revolution))
+    inertia, rotor = ([x.xreplace(numbers) for x in vector]
+                      for vector in (body.inertia, body.gyrostatic_momentum))
+    return assemble(Gyrostat(inertia, rotor),
+                    field and Potential(field.variables, field.expression.xreplace(numbers),
+                                        field.revolution))

@@ -21,27 +21,40 @@ from .columns import dataset, euler, turns_of
 class Motion:
     """The state of a scene at any time.
 
+    Calling it ----------
+
     Attributes
     ----------
-    scene : System                     with its numbers
-    state : tuple of Expr              at the time 0
-    route : str                        "equilibrium", "steady precession", "elliptic", "quadrature", "separatrix", "free body",
-                                       "free gyrostat", "heyoka" or "DOP853"
-    period : float or None             of the nutation, or of the momentum in a free body [T]; with precision, mpmath.mpf
-    precession : float or None         angle gained about the vertical in a period, over 2π the rotation number, a half the apsidal
-                                       angle; of a motion without period, the rate [1/T]
-    spin : float or None               the same about the axis of a body of revolution
-    limits : (float, float) or None    lowest and highest component of k along the axis of a body of revolution in a field
-    axis : array, shape (3,)           of a body of revolution; else e3
-    recognised : str                   what the scene is, where it is not entered as a body of revolution in U(k3) but is one; else ""
-    nodes : int                        of the quadrature, or steps of the integration
-    error : float                      of the state, estimated
-    note : str                         what is unusual about the numbers, if anything
-
-    Calling it
-    ----------
-    t : array-like [T]                 any shape; with precision, exact numbers
-    returns                            array of shape (..., n), in the order of scene.space.coordinates; with precision, of mpmath.mpf
+    scene : System
+        with its numbers
+    state : tuple of Expr
+        at the time 0
+    route : str
+        "equilibrium", "steady precession", "elliptic", "quadrature", "separatrix", "free body", "free
+        gyrostat", "heyoka" or "DOP853"
+    period : float or None
+        of the nutation, or of the momentum in a free body [T]; with precision, mpmath.mpf
+    precession : float or None
+        angle gained about the vertical in a period, over 2π the rotation number, a half the apsidal angle; of
+        a motion without period, the rate [1/T]
+    spin : float or None
+        the same about the axis of a body of revolution
+    limits : (float, float) or None
+        lowest and highest component of k along the axis of a body of revolution in a field
+    axis : array, shape (3,)
+        of a body of revolution; else e3
+    recognised : str
+        what the scene is, where it is not entered as a body of revolution in U(k3) but is one; else ""
+    nodes : int
+        of the quadrature, or steps of the integration
+    error : float
+        of the state, estimated
+    note : str
+        what is unusual about the numbers, if anything
+    t : array-like [T]
+        any shape; with precision, exact numbers
+    returns
+        array of shape (..., n), in the order of scene.space.coordinates; with precision, of mpmath.mpf
     """
 
     def __init__(self, scene: System, state: tuple[Expr, ...], route: Any, digits: int | None):
@@ -62,15 +75,16 @@ class Motion:
                 continue
             state = self._route.ball_state(ball(moment, 2 * bits), bits)
             if not _known(state, self._digits):
-                raise AccuracyError(f"at t = {shown(moment)} the state is not known to {self._digits} digits: so late, ask for more")
+                raise AccuracyError(f"at t = {shown(moment)} the state is not known to {self._digits} "
+                                    "digits: so late, ask for more")
             found[place] = [self._shown(x) for x in state]
         return found
 
     def attitude(self, t: Any) -> Array:
         """R from the body to space, x_space = R x_body, in doubles; shape (..., 3, 3).
 
-        The vertical e_z is the direction of the field, R e_z = k/|k| in the rows' sense; of a free body, that of M. At the time 0 the
-        Euler angle φ is 0, and ψ as well where sin θ = 0.
+        The vertical e_z is the direction of the field, R e_z = k/abs(k) in the rows' sense; of a free body, that
+        of M. At the time 0 the Euler angle φ is 0, and ψ as well where sin θ = 0.
         """
         return np.asarray(self._route.attitude(_times(t)))
 
@@ -116,7 +130,8 @@ class Motion:
     def frequencies(self) -> dict[str, float]:
         """2π/period, and the mean rates of precession and spin [1/T], as far as they exist."""
         time, period = self._route.period or 1.0, self._route.period
-        rates = {name: float(gain) / time for name, gain in (("precession", self.precession), ("spin", self.spin)) if gain is not None}
+        rates = {name: float(gain) / time for name, gain in (("precession", self.precession),
+                                                             ("spin", self.spin)) if gain is not None}
         return ({"nutation": 2 * np.pi / period} if period else {}) | rates
 
     @property
@@ -149,7 +164,8 @@ class Motion:
         lines = [f"Motion: {self.route}"]
         if self._route.period:
             lines.append(f"period {float(self._route.period):.12g}")
-        lines += [f"{name} {float(gain):.12g} {each}" for name, gain in (("precession", self.precession), ("spin", self.spin))
+        lines += [f"{name} {float(gain):.12g} {each}"
+                  for name, gain in (("precession", self.precession), ("spin", self.spin))
                   if gain is not None]
         if self.limits:
             lines.append("k3 from {:.12g} to {:.12g}".format(*self.limits))
@@ -183,10 +199,13 @@ class Motion:
     @cached_property
     def _functions(self) -> dict[str, Expr]:
         named = [("C", self.scene.space.casimirs), ("F", self.scene.integrals)]
-        return {"energy": self.scene.hamiltonian} | {f"{letter}{i}": f for letter, functions in named for i, f in enumerate(functions, 1)}
+        return {"energy": self.scene.hamiltonian} | {f"{letter}{i}": f for letter, functions in named
+                                                     for i, f in enumerate(functions, 1)}
 
     def drift(self, t: Any) -> dict[str, float]:
-        """How far energy, Casimirs C1, C2 and integrals F1, … are off at these times, at most, relative to the largest of their terms."""
+        """How far energy, Casimirs C1, C2 and integrals F1, … are off at these times, at most, relative to
+        the largest of their terms.
+        """
         x = np.asarray(self(t), dtype=float)
         values = dict(zip(self.scene.space.coordinates, np.moveaxis(x, -1, 0)))
         start = {s: np.asarray(float(value)) for s, value in zip(self.scene.space.coordinates, self.state)}
@@ -198,11 +217,14 @@ class Motion:
         return found
 
     def to_xarray(self, t: Any) -> Any:
-        """The motion as an xarray.Dataset: state, ω, quaternion and Euler's angles over the times, with units; the rest as attributes.
+        """The motion as an xarray.Dataset.
+
+        State, ω, quaternion and Euler's angles over the times, with units; the rest as attributes.
 
         Raises
         ------
-        MissingExtraError      pip install "gyrostat[charts]"
+        MissingExtraError
+            pip install "gyrostat[charts]"
         """
         optional("xarray", "charts")
         times = _times(t)

@@ -8,7 +8,8 @@ from ..algebra.floats import Array
 from ..algebra.precision import own_precision
 from ..errors import AccuracyError, ValuesError
 
-LONGEST = 2.0**49                                          # periods: their number is exact, and so is their product with a turn, mod 1
+# periods: their number is exact, and so is their product with a turn, mod 1
+LONGEST = 2.0**49
 SPLIT = 2.0**27 + 1
 
 
@@ -37,10 +38,12 @@ def double(x: arb) -> float:
 
     Raises
     ------
-    AccuracyError    it encloses nothing: it is not finite
+    AccuracyError
+        it encloses nothing: it is not finite
     """
     if not x.is_finite():
-        raise AccuracyError("a constant of the motion is not enclosed at this precision: ask for fewer digits, or give other numbers")
+        raise AccuracyError("a constant of the motion is not enclosed at this precision: ask for fewer "
+                            "digits, or give other numbers")
     mantissa, exponent = map(int, x.mid().man_exp())
     return mantissa / (1 << -exponent) if exponent < 0 else float(mantissa << exponent)
 
@@ -48,8 +51,8 @@ def double(x: arb) -> float:
 def product(x: Array, factor: Pair) -> tuple[Array, Array]:
     """x · factor as the rounded product with high and what it lacks, low included.
 
-    Source
-    ------
+    References
+    ----------
     Dekker, Numerische Mathematik 18 (1971) 224-242.
     """
     rounded = x * factor.high
@@ -62,11 +65,12 @@ def product(x: Array, factor: Pair) -> tuple[Array, Array]:
 
 
 def reduced(t: Array, period: Pair) -> tuple[Array, Array]:
-    """(n, r) with t = n · period + r, |r| at most half a period, to the last bits of r.
+    """(n, r) with t = n · period + r, abs(r) at most half a period, to the last bits of r.
 
     Raises
     ------
-    ValuesError      t is more than 5·10¹⁴ periods, or not finite
+    ValuesError
+        t is more than 5·10¹⁴ periods, or not finite
 
     Examples
     --------
@@ -79,7 +83,8 @@ def reduced(t: Array, period: Pair) -> tuple[Array, Array]:
     n = np.rint(t / period.high)
     if not (np.abs(n) <= LONGEST).all():
         worst = t[~(np.abs(n) <= LONGEST)].flat[0]
-        raise ValuesError(f"t = {worst} is not within {LONGEST:.0e} periods of {period.high}: give a finite, smaller time")
+        raise ValuesError(f"t = {worst} is not within {LONGEST:.0e} periods of {period.high}: give a "
+                          "finite, smaller time")
     whole, rest = product(n, period)
     return n, (t - whole) - rest
 

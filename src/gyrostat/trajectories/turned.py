@@ -19,21 +19,26 @@ GUARD = 32                                             # bits of the rotation be
 
 
 class TurnedMotion:
-    """A body of revolution about another axis than the third from a state on, a route of gyrostat.trajectories.motion.
+    """A body of revolution about another axis than the third from a state on, a route of
+    gyrostat.trajectories.motion.
 
-    x = Rᵀ x' for π and k, with R the rotation to the standard scene; body to space, the rotation is that of the standard scene times R,
+    x = Rᵀ x' for π and k, with R the rotation to the standard scene; body to space, the rotation is that of
+        the standard scene times R,
     turned about the vertical to φ = 0 at t = 0. Period, gains and limits are those of the standard scene.
 
     Parameters
     ----------
     found : Recognition
-    state : sequence of six Expr     exact numbers, in the axes of the scene; |k| > 0
-    bits : int                       of the states in balls; 53 for doubles
+    state : sequence of six Expr
+        exact numbers, in the axes of the scene; abs(k) > 0
+    bits : int
+        of the states in balls; 53 for doubles
     """
 
     def __init__(self, found: Recognition, state: Sequence[Expr], bits: int):
         R = found.rotation
-        turned = [lowest(sum(R[i, j] * v[j] for j in range(3))) for v in (state[:3], state[3:]) for i in range(3)]
+        turned = [lowest(sum(R[i, j] * v[j] for j in range(3))) for v in (state[:3], state[3:])
+                  for i in range(3)]
         self._standard = AxialMotion(Level(found.standard, tuple(turned)), bits)
         self._exact, self._R = R, np.array(R.tolist(), dtype=float)
         self.name, self.recognised, self.axis = self._standard.name, found.sentence, self._R[2]

@@ -1,4 +1,6 @@
-"""The free motion: momentum and attitude against integration, against enclosures, and at a thousand million periods."""
+"""The free motion: momentum and attitude against integration, against enclosures, and at a thousand million
+periods.
+"""
 import math
 from fractions import Fraction
 from itertools import permutations
@@ -19,7 +21,8 @@ from gyrostat.mechanics.freebody import polhode_period
 from gyrostat.trajectories.free.motion import FreeMotion
 
 REST = (0, 0, 0)
-SADDLE = (Fraction(1, 5), 1, Fraction(1, 6)), (Fraction(1, 5), -6, 1), (-3, -2, -1)       # (1, 2, 3) rests at the same |M| and energy
+# (1, 2, 3) rests at the same |M| and energy
+SADDLE = (Fraction(1, 5), 1, Fraction(1, 6)), (Fraction(1, 5), -6, 1), (-3, -2, -1)
 rotors = st.tuples(numbers, numbers, numbers)
 some = settings(max_examples=6)
 
@@ -40,7 +43,10 @@ def middles(x):
 
 @pytest.mark.parametrize("d", ["1/100", "1/10000", 1e-6, 1e-7])
 def test_momentum_near_the_separatrix_is_that_of_integration(d):
-    """I = (1, 2, 3), M = (d/2, 2, 2 d), t = 400, ten flips: error below 10⁻¹³; the enclosures contain the integrated value."""
+    """I = (1, 2, 3), M = (d/2, 2, 2 d), t = 400, ten flips: error below 10⁻¹³.
+
+    The enclosures contain the integrated value.
+    """
     d = Fraction(d)
     reference = integrated((1, 2, 3), REST, (d / 2, 2, 2 * d), 400, 800, order=30, bits=192)[0]
     motion = free((1, 2, 3), (d / 2, 2, 2 * d))
@@ -65,26 +71,34 @@ def test_published_free_body():
 def test_published_flips():
     """I = (3, 5, 9), M = (0, 2, .01): M2 vanishes after 29.5277217615964, flips every 59.0554435231929."""
     motion = free((3, 5, 9), (0, 2, Rational(1, 100)))
-    assert abs(motion.period / 4 - 29.5277217615964) < 1e-13 and abs(motion.period / 2 - 59.0554435231929) < 1e-13
+    assert abs(motion.period / 4 - 29.5277217615964) < 1e-13
+    assert abs(motion.period / 2 - 59.0554435231929) < 1e-13
     quarters = motion.state(motion.period / 4 * np.arange(5))
-    assert np.abs(quarters[:, 1] - [2, 0, -2, 0, 2]).max() < 1e-12         # slow there: half the digits of the time are enough
+    # slow there: half the digits of the time are enough
+    assert np.abs(quarters[:, 1] - [2, 0, -2, 0, 2]).max() < 1e-12
 
 
-@pytest.mark.parametrize("M", [(Fraction(3, 10), Fraction(-1, 5), Fraction(9, 10)), (Fraction(-9, 10), Fraction(1, 5), Fraction(3, 10)),
+@pytest.mark.parametrize("M", [(Fraction(3, 10), Fraction(-1, 5), Fraction(9, 10)),
+                               (Fraction(-9, 10), Fraction(1, 5), Fraction(3, 10)),
                                (Fraction(-1, 2), 0, Fraction(-1, 3)), (0, 1, Fraction(-1, 2)), (1, -1, 0)])
 @pytest.mark.parametrize("inertia", list(permutations((1, 2, 3))))
 def test_every_order_of_the_moments_and_every_sign(inertia, M):
     """M of a free body against integration, either way in time."""
     motion = free(inertia, M)
     for t in (3, -5):
-        assert distance(motion.state(float(t)), integrated(inertia, REST, M, t, 20, order=25, bits=128)[0]) < 2e-15
+        assert (
+            distance(motion.state(float(t)), integrated(inertia, REST, M, t, 20, order=25, bits=128)[0])
+            < 2e-15
+        )
     assert motion.period == pytest.approx(float(polhode_period(inertia, M)), rel=1e-14)
 
 
 @some
 @given(a=moments, b=moments, c=moments, rotor=rotors, M=st.tuples(nonzero, numbers, numbers), t=numbers)
 def test_momentum_and_attitude_are_those_of_integration(a, b, c, rotor, M, t):
-    """Any body, any rotor: M, and the vector fixed in space along the first body axis of the time 0, after a time t."""
+    """Any body, any rotor: M, and the vector fixed in space along the first body axis of the time 0, after a
+    time t.
+    """
     assume(max(abs(x) for x in (*rotor, *M)) * abs(t) < 20 * min(a, b, c) and t)
     motion = free((a, b, c), M, rotor)
     reference, seen = integrated((a, b, c), rotor, M, t, 100, [(1, 0, 0)], bits=128)
@@ -97,10 +111,13 @@ def test_momentum_and_attitude_are_those_of_integration(a, b, c, rotor, M, t):
     ((2, 2, 1), (1, 2, 3), (0, 0, 1)), ((2, 1, 2), (1, 2, 3), (0, -1, 0)), ((1, 2, 2), (1, 2, -3), REST),
     ((2, 2, 2), (1, 2, 3), (3, 0, -1)), ((1, 2, 3), (0, -2, 0), REST),
     ((1, 2, 3), (1, 2, 3), (0, -2, -6)), ((1, 2, 3), (0, 0, 0), (1, -1, 2)), ((1, 2, 3), (0, 0, 0), REST),
-    ((1, 1, 2), (sin(1), 0, cos(1)), REST), ((1, 2, 3), (1, 0, sqrt(3)), REST), (SADDLE[0], SADDLE[2], SADDLE[1]),
+    ((1, 1, 2), (sin(1), 0, cos(1)), REST), ((1, 2, 3), (1, 0, sqrt(3)), REST),
+    (SADDLE[0], SADDLE[2], SADDLE[1]),
     ((2, 2, 1), (1, 2, 3), (1, 0, 0)), ((3, 1, 2), (3, 0, 1), REST)])
 def test_attitude_is_a_rotation_about_M(inertia, M, rotor):
-    """R Rᵀ = 1, R M = |M| e_z, Ṙ = R hat(ω), φ = 0 at the time 0, for every kind of motion and far from the start."""
+    """R Rᵀ = 1, R M = abs(M) e_z, Ṙ = R hat(ω), φ = 0 at the time 0, for every kind of motion and far from
+    the start.
+    """
     motion = free(inertia, M, rotor)
     step, t = 2.0**-12, np.array([0.0, 0.7, -3.3, 1e3, -1e6])
     R = motion.attitude(t)
@@ -108,11 +125,13 @@ def test_attitude_is_a_rotation_about_M(inertia, M, rotor):
     assert np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max() < 2e-15 and np.linalg.det(R) == pytest.approx(1)
     l, size = np.array([float(x) for x in rotor]), math.sqrt(sum(float(m) ** 2 for m in M))
     assert np.abs(np.einsum("nij,nj->ni", R, pi + l) - [0, 0, size]).max() < 4e-15 * max(size, 1)
-    change = sum(w * motion.attitude(t + n * step) for n, w in ((1, 4 / 3), (-1, -4 / 3), (2, -1 / 6), (-2, 1 / 6))) / (2 * step)
+    change = sum(w * motion.attitude(t + n * step) for n, w in ((1, 4 / 3), (-1, -4 / 3), (2, -1 / 6),
+                                                                (-2, 1 / 6))) / (2 * step)
     hats = R.transpose(0, 2, 1) @ change
     omega = pi / np.array([float(x) for x in inertia])
     speed = np.abs(omega).max() + 1
-    assert np.abs(hats[:, [2, 0, 1], [1, 2, 0]] - omega).max() < 1e-11 + 50 * (step * speed) ** 4 * speed      # remainder of the difference
+    # remainder of the difference
+    assert np.abs(hats[:, [2, 0, 1], [1, 2, 0]] - omega).max() < 1e-11 + 50 * (step * speed) ** 4 * speed
     assert abs(R[0, 0, 2]) < 1e-15 and R[0, 1, 2] <= 0
 
 
@@ -120,7 +139,9 @@ def test_attitude_is_a_rotation_about_M(inertia, M, rotor):
     ((1, 2, 3), (1, 2, 2), REST), ((1, 2, 3), (Fraction(1, 10**6), 2, Fraction(1, 10**6)), REST),
     ((1, 2, 3), (1, 2, 2), (1, 0, -1)), ((1, 1, 3), (1, 2, 2), (0, 0, 1))])
 def test_nothing_grows_with_the_number_of_periods(inertia, M, rotor):
-    """After 10⁹ periods energy and |M|² are kept to rounding, M is within 10⁻¹⁴ of its enclosure, R has gained the precession."""
+    """After 10⁹ periods energy and abs(M)² are kept to rounding, M is within 10⁻¹⁴ of its enclosure, R has
+    gained the precession.
+    """
     motion = free(inertia, M, rotor)
     l, I = np.array(rotor, float), np.array(inertia, float)
     t = motion.period * 1e9 + np.array([0.0, 0.1, 2.3, -7.7])
@@ -135,7 +156,10 @@ def test_nothing_grows_with_the_number_of_periods(inertia, M, rotor):
 
 
 def test_attitude_after_a_thousand_million_periods():
-    """R gains the angle of one integrated period, 10⁹ times; a vector across M, fixed in space, shows it to 40 digits."""
+    """R gains the angle of one integrated period, 10⁹ times.
+
+    A vector across M, fixed in space, shows it to 40 digits.
+    """
     inertia, M, across, n = (1, 2, 3), (1, 2, 2), (0, 1, -1), 10**9
     motion = free(inertia, M)
     with mpmath.workdps(50):
@@ -147,12 +171,21 @@ def test_attitude_after_a_thousand_million_periods():
         c, s = float(mpmath.cos(gained)), float(mpmath.sin(gained))
     t = motion.period * n + 0.3
     rest = float(Fraction(t) - n * Fraction(str(period)))
-    assert np.abs(motion.attitude(t) - np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ motion.attitude(rest)).max() < 1e-14
+    assert (
+        np.abs(
+            motion.attitude(t) - np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ motion.attitude(rest)
+        ).max()
+        < 1e-14
+    )
 
 
 def test_precession_counts_whole_turns():
-    """φ of axis 3, followed along a period, gains the precession; for a body of revolution it is |M|/I1 times the period."""
-    for motion in (free((1, 2, 3), (Fraction(3, 10), Fraction(1, 5), Fraction(9, 10))), free((1, 2, 3), (1, 2, 3), (1, 0, -1)),
+    """φ of axis 3, followed along a period, gains the precession.
+
+    For a body of revolution it is abs(M)/I1 times the period.
+    """
+    for motion in (free((1, 2, 3), (Fraction(3, 10), Fraction(1, 5), Fraction(9, 10))),
+                   free((1, 2, 3), (1, 2, 3), (1, 0, -1)),
                    free((2, 2, 3), (1, 2, 2))):
         axis = motion.attitude(np.linspace(0, motion.period, 4001))[:, :, 2]
         phi = np.unwrap(np.arctan2(axis[:, 0], -axis[:, 1]))
@@ -163,7 +196,9 @@ def test_precession_counts_whole_turns():
 
 @pytest.mark.parametrize("gap", ["1e-3", "-1e-10", "1e-30"])
 def test_gyrostat_near_a_separatrix(gap):
-    """Next to a homoclinic motion the turn closes, on both sides, and doubles agree with enclosures to 10⁻¹⁴; the period is finite."""
+    """Next to a homoclinic motion the turn closes, on both sides, and doubles agree with enclosures to 10⁻¹⁴;
+    the period is finite.
+    """
     inertia, rotor, M = SADDLE
     motion = free(inertia, (M[0] + Fraction(gap), M[1], M[2]), rotor)
     assert motion.name == "free gyrostat" and motion.nodes > 0 and motion.error < 1e-11
@@ -172,7 +207,10 @@ def test_gyrostat_near_a_separatrix(gap):
 
 
 def test_gyrostat_on_a_separatrix():
-    """It comes from the permanent rotation and returns to it, in infinite time; then R turns about M at the rate of that rotation."""
+    """It comes from the permanent rotation and returns to it, in infinite time.
+
+    Then R turns about M at the rate of that rotation.
+    """
     inertia, rotor, M = SADDLE
     motion = free(inertia, M, rotor)
     assert motion.period is None and motion.precession is None
@@ -181,13 +219,19 @@ def test_gyrostat_on_a_separatrix():
     for t in (Fraction(1, 2), Fraction(-1, 2)):
         reference, seen = integrated(inertia, rotor, M, t, 80, [(1, 0, 0)])
         assert distance(motion.state(float(t)) + np.array(rotor, float), reference) < 4e-15
-        assert np.abs(motion.attitude(0.0)[:, 0] - motion.attitude(float(t)) @ np.array(seen, float)).max() < 2e-15
+        assert (
+            np.abs(motion.attitude(0.0)[:, 0] - motion.attitude(float(t)) @ np.array(seen, float)).max()
+            < 2e-15
+        )
         assert distance(motion.state(float(t)), middles(motion.ball_state(arb(float(t)), 60))) < 2e-15
     for end in (side.length * sign for side, sign in zip(motion.turning.loops(6), (1, -1))):
-        assert np.abs(motion.attitude(end * (1 + 1e-9)) - motion.attitude(end * (1 - 1e-9))).max() < 1e-6      # it turns by 4 · 10⁻⁸ · |M|
+        # it turns by 4 · 10⁻⁸ · |M|
+        assert np.abs(motion.attitude(end * (1 + 1e-9)) - motion.attitude(end * (1 - 1e-9))).max() < 1e-6
     for t in (30.0, -30.0):
         turned = motion.attitude(t + 0.25) @ motion.attitude(t).T
-        assert math.atan2(turned[1, 0], turned[0, 0]) == pytest.approx(math.remainder(4 * math.sqrt(14) * 0.25, 2 * math.pi), abs=1e-14)
+        assert math.atan2(turned[1, 0], turned[0, 0]) == pytest.approx(
+            math.remainder(4 * math.sqrt(14) * 0.25, 2 * math.pi), abs=1e-14
+        )
 
 
 def test_free_body_on_the_separatrix():
@@ -202,11 +246,20 @@ def test_free_body_on_the_separatrix():
         expected = np.stack([signs[0] * sech, 2 * branch, signs[1] * math.sqrt(3) * sech], axis=1)
         assert motion.period is None and np.abs(motion.state(t) - expected).max() < 2e-15
     assert distance(motion.state(1.0), middles(motion.ball_state(arb(1), 80))) < 1e-15
-    assert distance(free((3, 2, 1), (sqrt(3), 0, 1)).state(1.0)[::-1], free((1, 2, 3), (1, 0, sqrt(3))).state(-1.0)) < 1e-15    # a mirror
+    # a mirror
+    assert (
+        distance(
+            free((3, 2, 1), (sqrt(3), 0, 1)).state(1.0)[::-1], free((1, 2, 3), (1, 0, sqrt(3))).state(-1.0)
+        )
+        < 1e-15
+    )
 
 
 def test_nearly_equal_moments_turn_as_slowly_as_they_should():
-    """I = (1, 1 + ε, 1 + 2 ε): the momentum takes a time of order 1/ε, in few steps; R agrees with a sphere's at once."""
+    """I = (1, 1 + ε, 1 + 2 ε): the momentum takes a time of order 1/ε, in few steps.
+
+    R agrees with a sphere's at once.
+    """
     e = Fraction(1, 10**10)
     motion = free((1, 1 + e, 1 + 2 * e), (1, 2, 2))
     assert 1e10 < motion.period < 1e11 and motion.turning.nodes < 100
@@ -228,14 +281,16 @@ def test_shapes():
 def test_free_motion_refuses():
     """A potential, names, undecided motions, motions too close to a separatrix, and what is no state."""
     body = gs.Gyrostat((1, 2, 3), (1, 0, 0))
-    hidden = cos(1) + 4 * atan(Rational(1, 5)) - atan(Rational(1, 239)) - pi / 4               # cos 1, by Machin
+    # cos 1, by Machin
+    hidden = cos(1) + 4 * atan(Rational(1, 5)) - atan(Rational(1, 239)) - pi / 4
     for scene, state, error, why in (
             (gs.assemble(body, gs.uniform_field()), (1, 2, 3), ScopeError, "in no field"),
             (gs.assemble(gs.symmetric_gyrostat()), (1, 2, 3), ValuesError, "I1, I3, l"),
             (gs.assemble(body), (1, 2), ValuesError, "2 components"),
             (gs.assemble(body), (1, 2, "x"), ValuesError, "contains the names"),
             (body, (1, 2, 3), TypeError, "not a System"),
-            (gs.assemble(gs.Gyrostat((1, 2, 3), REST)), (hidden, 0, sqrt(3) * cos(1)), ValuesError, "undecided")):
+            (gs.assemble(gs.Gyrostat((1, 2, 3), REST)), (hidden, 0, sqrt(3) * cos(1)), ValuesError,
+             "undecided")):
         with pytest.raises(error, match=why):
             FreeMotion(scene, state)
     with pytest.raises(AccuracyError, match="separatrix"):

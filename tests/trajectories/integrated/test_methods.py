@@ -14,8 +14,11 @@ from gyrostat.errors import AccuracyError, MissingExtraError, ScopeError
 from gyrostat.trajectories.integrated.methods import METHODS, RungeKutta, beside, floats, nearest, written
 
 x, y = map(gs.symbol, ("x", "y"))
-KINDS = ["DOP853", pytest.param("heyoka", marks=pytest.mark.skipif(find_spec("heyoka") is None, reason="heyoka is not installed"))]
-EXPRESSIONS = [x**3 * y - 2 * y, (x + y) ** -2, sqrt(x) + y**Rational(-3, 2), exp(x * y) * sin(x) - cosh(y), log(x + 3) / tan(y),
+KINDS = ["DOP853", pytest.param("heyoka",
+                                marks=pytest.mark.skipif(find_spec("heyoka") is None,
+                                                         reason="heyoka is not installed"))]
+EXPRESSIONS = [x**3 * y - 2 * y, (x + y) ** -2, sqrt(x) + y**Rational(-3, 2), exp(x * y) * sin(x) - cosh(y),
+               log(x + 3) / tan(y),
                asin(x / 2) * sqrt(2)]
 
 
@@ -28,7 +31,8 @@ def test_written_in_floats_is_the_expression(expression):
     """A written expression has the value that SymPy gives."""
     point = {x: Rational(3, 5), y: Rational(7, 4)}
     value = written(expression, {x: lambda at: at[0], y: lambda at: at[1]}, floats(nearest))((0.6, 1.75))
-    assert abs(value - float(expression.xreplace(point))) < 1e-14                       # a dozen roundings of numbers below 10
+    # a dozen roundings of numbers below 10
+    assert abs(value - float(expression.xreplace(point))) < 1e-14
 
 
 @pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
@@ -36,9 +40,12 @@ def test_heyoka_integrates_the_expression(expression):
     """y′ = f(t, 7/4): the mean of f over a short time, to the third order by Simpson's rule."""
     pytest.importorskip("heyoka")
     start, h = 0.6, 0.01
-    end = run("heyoka", [(x, Rational(1)), (y, expression.xreplace({y: Rational(7, 4)}))], [start, 0.0]).reach(np.array([h]))[0, 1]
-    a, b, c = (float(expression.xreplace({x: Rational(start + step), y: Rational(7, 4)})) for step in (0, h / 2, h))
-    assert abs(end - h * (a + 4 * b + c) / 6) < 1e-11                                   # h⁵ f⁗ / 2880, f⁗ below 200
+    end = run("heyoka", [(x, Rational(1)), (y, expression.xreplace({y: Rational(7, 4)}))],
+              [start, 0.0]).reach(np.array([h]))[0, 1]
+    a, b, c = (float(expression.xreplace({x: Rational(start + step), y: Rational(7, 4)}))
+               for step in (0, h / 2, h))
+    # h⁵ f⁗ / 2880, f⁗ below 200
+    assert abs(end - h * (a + 4 * b + c) / 6) < 1e-11
 
 
 def test_what_is_not_elementary_is_refused():
@@ -62,8 +69,11 @@ def test_a_run_goes_on_from_where_it_is(kind):
     whole, pieces = (run(kind, [(x, y), (y, -x)], [0.0, 1.0]) for _ in range(2))
     times = np.array([0.0, 1.0, 2.5, 10.0])
     found = whole.reach(times)
-    np.testing.assert_allclose(found, np.stack([np.sin(times), np.cos(times)], axis=1), atol=1e-12)      # 60 steps of 10⁻¹⁴
-    np.testing.assert_allclose(np.concatenate([pieces.reach(some) for some in (times[:1], times[1:3], times[3:])]), found, atol=1e-12)
+    # 60 steps of 10⁻¹⁴
+    np.testing.assert_allclose(found, np.stack([np.sin(times), np.cos(times)], axis=1), atol=1e-12)
+    np.testing.assert_allclose(np.concatenate([pieces.reach(some)
+                                               for some in (times[:1], times[1:3], times[3:])]), found,
+                               atol=1e-12)
     assert 0 < pieces.steps and abs(pieces.time) <= 10
     pieces.restart()
     assert pieces.time == 0

@@ -10,10 +10,13 @@ import pytest
 from mpmath import cos, floor, mpf, sin, workdps
 
 BENCHMARKS = Path(__file__).parents[3] / "benchmarks"
-# M1 is the top of Simo & Wong, IJNME 31 (1991) 19-52, M2 the body of Hairer, Lubich & Wanner, Geometric Numerical Integration
-KNOWN = {"M1": "-.153091997209136024 .143264870866601439 50.000000000000000 -.0288715630929733331 .0458625370775062699 .998530450480796716",
+# M1 is the top of Simo & Wong, IJNME 31 (1991) 19-52, M2 the body of Hairer, Lubich & Wanner, Geometric
+# Numerical Integration
+KNOWN = {"M1": "-.153091997209136024 .143264870866601439 50.000000000000000 -.0288715630929733331 "
+               ".0458625370775062699 .998530450480796716",
          "M2": ".450201146840795038 .0783373315292274935 .889484226882136907",
-         "M3": "-.63263141376382492 1.3279608395136307 -2.30416111460101 -.42019155176267731 .78822852802552266 -.44959409185841302"}
+         "M3": "-.63263141376382492 1.3279608395136307 -2.30416111460101 -.42019155176267731 "
+               ".78822852802552266 -.44959409185841302"}
 
 
 @pytest.fixture(scope="module")
@@ -37,8 +40,10 @@ def decimal(case):
     """M1, M2 and M3 with the numbers that their names say, not the nearest floats."""
     tilt, angle = Fraction(1, 20), Fraction(11, 10)
     exact = {"M1": {"state": (0, 0, 50, 0, exactly(sin, tilt), exactly(cos, tilt))},
-             "M2": {"inertia": (2, 1, Fraction(2, 3)), "state": (exactly(cos, angle), 0, exactly(sin, angle))},
-             "M3": {name: tuple(Fraction(str(x)) for x in getattr(case, name)) for name in ("state", "rotor", "slope")}}
+             "M2": {"inertia": (2, 1, Fraction(2, 3)),
+                    "state": (exactly(cos, angle), 0, exactly(sin, angle))},
+             "M3": {name: tuple(Fraction(str(x)) for x in getattr(case, name))
+                    for name in ("state", "rotor", "slope")}}
     return replace(case, **exact[case.name[:2]])
 
 
@@ -50,7 +55,8 @@ def test_the_series_has_the_known_digits(modules, name):
     state = reference.taylor(case, *case.times.values(), digits=25)
     with workdps(30):
         for x, known in zip(state, KNOWN[name].split(), strict=True):
-            assert abs(x - mpf(known)) < mpf(10) ** (1 - len(known.partition(".")[2])), known      # a unit of its last digit or two
+            # a unit of its last digit or two
+            assert abs(x - mpf(known)) < mpf(10) ** (1 - len(known.partition(".")[2])), known
 
 
 def test_the_period_brings_the_tilt_back(modules):
@@ -66,7 +72,10 @@ def test_the_period_brings_the_tilt_back(modules):
 @pytest.mark.slow
 @pytest.mark.parametrize("place", range(3))
 def test_splittings_have_their_order_and_keep_the_casimirs(modules, place):
-    """Errors fall with the order 2, 4 or 8; |k|², (π + l)·k or |π|² change by round-off: 2000 steps and a few units each."""
+    """Errors fall with the order 2, 4 or 8.
+
+    abs(k)², (π + l)·k or abs(π)² change by round-off: 2000 steps and a few units each.
+    """
     integrators, reference = modules
     case = reference.cases(quick=True)[place]
     (t,) = case.times.values()

@@ -20,7 +20,8 @@ def roots(lower, upper, others, double=(False, False)):
 # kind, the roots of q beside the turning points, those that are left
 LAYOUTS = {
     "either side": (roots(-0.5, 0.25, [-2, 3]), "neighbours", [-2, 3], []),
-    "either side and more": (roots(-0.5, 0.25, [-2, 3, -5, 7, 4 + 4j]), "neighbours", [-2, 3], [-5, 7, 4 + 4j, 4 - 4j]),
+    "either side and more": (roots(-0.5, 0.25, [-2, 3, -5, 7, 4 + 4j]), "neighbours", [-2, 3],
+                             [-5, 7, 4 + 4j, 4 - 4j]),
     "both above": (roots(-0.5, 0.25, [1, 3]), "neighbours", [3, 1], []),
     "both below": (roots(-0.5, 0.25, [-1, -3]), "neighbours", [-1, -3], []),
     "one above": (roots(-0.5, 0.25, [1.5]), "neighbours", [1.5], []),
@@ -29,8 +30,10 @@ LAYOUTS = {
     "pair": (roots(-0.5, 0.25, [0.125 + 0.5j]), "pair", [0.125 + 0.5j, 0.125 - 0.5j], []),
     "pair nearer the lower end": (roots(-0.5, 0.25, [-1 + 0.25j, 2]), "pair", [-1 + 0.25j, -1 - 0.25j], [2]),
     "pair far away": (roots(-0.5, 0.25, [3 + 9j, -1]), "neighbours", [-1], [3 + 9j, 3 - 9j]),
-    "pair that almost meets the lower end": (roots(-0.5, 0.25, [-0.5 + 2**-20 * 1j]), "pair", [-0.5 + 2**-20 * 1j, -0.5 - 2**-20 * 1j], []),
-    "close on either side": (roots(-0.5, 0.25, [-0.5 - 2**-30, 0.25 + 2**-20]), "neighbours", [-0.5 - 2**-30, 0.25 + 2**-20], []),
+    "pair that almost meets the lower end": (roots(-0.5, 0.25, [-0.5 + 2**-20 * 1j]), "pair",
+                                             [-0.5 + 2**-20 * 1j, -0.5 - 2**-20 * 1j], []),
+    "close on either side": (roots(-0.5, 0.25, [-0.5 - 2**-30, 0.25 + 2**-20]), "neighbours",
+                             [-0.5 - 2**-30, 0.25 + 2**-20], []),
     "a double root above": (roots(-0.5, 0.25, [1, 1]), "neighbours", [1, 1], []),
     "a triple root below": (roots(-0.5, 0.25, [-1, -1, -1]), "neighbours", [-1, -1], [-1]),
 }
@@ -39,8 +42,10 @@ ASYMPTOTIC = {
     "to the upper end, nothing below": (roots(-0.5, 0.25, [], (False, True)), "neighbours", [0.25], []),
     "to the upper end, two above": (roots(-0.5, 0.25, [1, 2], (False, True)), "neighbours", [2, 0.25], [1]),
     "to the lower end": (roots(-0.5, 0.25, [3], (True, False)), "neighbours above", [-0.5, 3], []),
-    "to the lower end, two below": (roots(-0.5, 0.25, [-1, -2], (True, False)), "neighbours above", [-0.5, -2], [-1]),
-    "to the lower end, a pair": (roots(-0.5, 0.25, [0.1 + 0.1j], (True, False)), "neighbours above", [-0.5], [0.1 + 0.1j, 0.1 - 0.1j]),
+    "to the lower end, two below": (roots(-0.5, 0.25, [-1, -2], (True, False)), "neighbours above",
+                                    [-0.5, -2], [-1]),
+    "to the lower end, a pair": (roots(-0.5, 0.25, [0.1 + 0.1j], (True, False)), "neighbours above", [-0.5],
+                                 [0.1 + 0.1j, 0.1 - 0.1j]),
     "between two": (roots(-0.5, 0.25, [2], (True, True)), "passage", [-0.5, 0.25], [2]),
 }
 EVERY = LAYOUTS | ASYMPTOTIC
@@ -48,16 +53,21 @@ EVERY = LAYOUTS | ASYMPTOTIC
 
 def multiset(found):
     """Roots with multiplicity as sorted complex numbers."""
-    return sorted((complex(float(x.real), float(x.imag)) for x, m in found for _ in range(m)), key=lambda z: (z.real, z.imag))
+    return sorted((complex(float(x.real), float(x.imag)) for x, m in found for _ in range(m)),
+                  key=lambda z: (z.real, z.imag))
 
 
 @pytest.mark.parametrize("case", EVERY.values(), ids=EVERY)
 def test_roots_of_the_quartic_are_the_nearest(case):
-    """Neighbours on the real line, which closes at infinity, or the conjugate pair that is nearer; the rest is left."""
+    """Neighbours on the real line, which closes at infinity, or the conjugate pair that is nearer.
+
+    The rest is left.
+    """
     given, kind, used, rest = case
     found = nutation(given)
     assert found.kind == kind
-    assert multiset([(x, 1) for x in found.used]) == multiset([(acb(complex(x).real, complex(x).imag), 1) for x in used])
+    assert multiset([(x, 1) for x in found.used]) == multiset([(acb(complex(x).real, complex(x).imag), 1)
+                                                               for x in used])
     assert multiset(found.rest) == multiset([(acb(complex(x).real, complex(x).imag), 1) for x in rest])
 
 
@@ -75,7 +85,7 @@ def quartic(z, used):
 
 @pytest.mark.parametrize("case", EVERY.values(), ids=EVERY)
 def test_height_follows_the_quartic(case):
-    """s² + c² = 1, (dz/du)² = scale² |q(z)|, and the rate is that of the angle of c + i s."""
+    """s² + c² = 1, (dz/du)² = scale² abs(q(z)), and the rate is that of the angle of c + i s."""
     given, _, used, _ = case
     with ctx.workprec(256):
         path, h = nutation(given), arb(RATES)
@@ -87,7 +97,9 @@ def test_height_follows_the_quartic(case):
             (s1, c1, _), (s0, c0, _) = path.shape(u + h), path.shape(u - h)
             turned = (s1 * c0 - c1 * s0) / (2 * h)
             assert abs(turned / rate - 1) < arb("1e-15")
-            assert abs(path.quartic(height(path, u), False) / quartic(height(path, u), used) - 1) < arb("1e-55")
+            assert abs(path.quartic(height(path, u), False) / quartic(height(path, u), used) - 1) < arb(
+                "1e-55"
+            )
 
 
 @pytest.mark.parametrize("case", EVERY.values(), ids=EVERY)
@@ -121,8 +133,11 @@ def test_a_double_root_is_not_reached(case):
         ends = {"neighbours": (0.25, 0.25), "neighbours above": (-0.5, -0.5), "passage": (-0.5, 0.25)}[kind]
         for u, end in zip((arb(-60), arb(60)), ends):
             assert abs(height(path, u) - end) < arb("1e-20")
-        assert height(path, arb(0)) - {"neighbours": -0.5, "neighbours above": 0.25, "passage": -0.125}[kind] < arb("1e-40")
-        double = {"neighbours": [arb(0.25)], "neighbours above": [arb(-0.5)], "passage": [arb(-0.5), arb(0.25)]}[kind]
+        assert height(path, arb(0)) - {"neighbours": -0.5, "neighbours above": 0.25, "passage": -0.125}[
+            kind
+        ] < arb("1e-40")
+        double = {"neighbours": [arb(0.25)], "neighbours above": [arb(-0.5)],
+                  "passage": [arb(-0.5), arb(0.25)]}[kind]
         for z in double:
             step = arb("1e-20")
             assert abs(path.quartic(z, True) / (quartic(z + step, case[2]) / step**2) - 1) < arb("1e-15")
@@ -138,4 +153,6 @@ def test_start_inverts_the_shape(case):
                 s, c, _ = path.shape(u)
                 assert abs(path.start(s, c) - u) < arb("1e-45")
         if path.kind != "passage":
-            assert abs(path.start(*((arb(0), arb(1)) if path.kind != "neighbours above" else (arb(1), arb(0))))) < arb("1e-45")
+            assert abs(
+                path.start(*((arb(0), arb(1)) if path.kind != "neighbours above" else (arb(1), arb(0))))
+            ) < arb("1e-45")

@@ -17,7 +17,8 @@ def cosine(u, j=1):
 
 def periodic(bits=60, a=0.5, nodes=FEWEST):
     """dt/du = 1/(1 + a cos), a polynomial, and a constant."""
-    return over_a_period(lambda u: [1 / (1 + arb(a) * cosine(u)), 3 - cosine(u, 2) / 4, arb(2)], arb(K), nodes, bits)
+    return over_a_period(lambda u: [1 / (1 + arb(a) * cosine(u)), 3 - cosine(u, 2) / 4, arb(2)], arb(K),
+                         nodes, bits)
 
 
 def antiderivatives(u, a=0.5):
@@ -29,16 +30,24 @@ def antiderivatives(u, a=0.5):
 
 @pytest.mark.parametrize("bits", [60, 130])
 def test_periodic_integrals(bits):
-    """Means, series and derivatives of 1/(1 + cos/2), of a polynomial and of a constant are those of quadrature."""
+    """Means, series and derivatives of 1/(1 + cos/2), of a polynomial and of a constant are those of
+    quadrature.
+    """
     with ctx.workprec(bits + 120), mpmath.workdps(50):
         found = periodic(bits)
-        assert found.quarter == arb(K) and all(x == 0 for x in found.jumps) and found.constant == [False, False, True]
+        assert found.quarter == arb(K)
+        assert all(x == 0 for x in found.jumps)
+        assert found.constant == [False, False, True]
         for mean, value in zip(found.means, (2 / mpmath.sqrt(3), 3, 2)):
-            assert abs(mpmath.mpf(mean.mid().str(60, radius=False)) - value) < mpmath.mpf(2) ** (-2 * min(bits, 80))
+            assert abs(mpmath.mpf(mean.mid().str(60, radius=False)) - value) < mpmath.mpf(2) ** (
+                -2 * min(bits, 80)
+            )
         for u in (0.0, 0.3, -1.1, 1.7, 4.9):
             values, slopes = found.at(arb(u))
             for ours, value in zip(values, antiderivatives(mpmath.mpf(u))):
-                assert abs(mpmath.mpf(ours.mid().str(60, radius=False)) - value) < mpmath.mpf(2) ** -min(bits - 8, 54)
+                assert abs(mpmath.mpf(ours.mid().str(60, radius=False)) - value) < mpmath.mpf(2) ** -min(
+                    bits - 8, 54
+                )
             exact = [1 / (1 + cosine(arb(u)) / 2), 3 - cosine(arb(u), 2) / 4, 2]
             assert all(abs(a - b) < arb(2) ** -min(bits - 16, 48) for a, b in zip(slopes, exact))
 
@@ -55,14 +64,17 @@ def test_periodic_integrals_in_doubles():
     means = np.array([2 / np.sqrt(3), 3, 2])[:, None]
     np.testing.assert_allclose(values, exact - means * u, atol=1e-15)
     w = np.pi * u / K
-    np.testing.assert_allclose(slopes, [1 / (1 + np.cos(w) / 2), 3 - np.cos(2 * w) / 4, 2 + 0 * w], atol=2e-14)   # j errors of a term
+    # j errors of a term
+    np.testing.assert_allclose(slopes, [1 / (1 + np.cos(w) / 2), 3 - np.cos(2 * w) / 4, 2 + 0 * w],
+                               atol=2e-14)
 
 
 def test_inverse_of_the_first_integral():
     """u where the first integral has a value, in either direction of time."""
     with ctx.workprec(200):
         for sign in (1, -1):
-            found = over_a_period(lambda u, sign=sign: [sign / (1 + arb("0.9") * cosine(u))], arb(K), FEWEST, 60)
+            found = over_a_period(lambda u, sign=sign: [sign / (1 + arb("0.9") * cosine(u))], arb(K), FEWEST,
+                                  60)
             u = np.linspace(-K, K, 41)
             mean = float(found.means[0])
             np.testing.assert_allclose(found.inverse(mean * u + found.bounded(u)[0][0]), u, atol=1e-14)
@@ -70,7 +82,10 @@ def test_inverse_of_the_first_integral():
 
 
 def at_infinity(bits=60):
-    """dt/du = 3 + tanh(u/2) + ½ sech²(u/2)/(2 + tanh(u/2)), whose limits are 2 and 4; an even bump; a step; a constant."""
+    """dt/du = 3 + tanh(u/2) + ½ sech²(u/2)/(2 + tanh(u/2)), whose limits are 2 and 4; an even bump.
+
+    A step; a constant.
+    """
     def functions(u):
         y = (u / 2).tanh()
         bump = (1 - y * y) / 2
@@ -91,41 +106,54 @@ def test_integrals_to_infinity(bits):
     with ctx.workprec(bits + 120), mpmath.workdps(60):
         found = at_infinity(bits)
         assert found.quarter is None
-        assert [float(x) for x in found.means] == [3, 0, 0, 5] and [float(x) for x in found.jumps] == [1, 0, -1, 0]
+        assert [float(x) for x in found.means] == [3, 0, 0, 5]
+        assert [float(x) for x in found.jumps] == [1, 0, -1, 0]
         assert found.constant == [False, False, False, True]
         for u in (0.0, 0.3, -2.5, 17.0, -300.0):
             values, slopes = found.at(arb(u))
             for ours, value in zip(values, exact_at_infinity(mpmath.mpf(u))):
-                assert abs(mpmath.mpf(ours.mid().str(60, radius=False)) - value) < mpmath.mpf(2) ** -min(bits - 8, 52)
+                assert abs(mpmath.mpf(ours.mid().str(60, radius=False)) - value) < mpmath.mpf(2) ** -min(
+                    bits - 8, 52
+                )
             y = (arb(u) / 2).tanh()
             bump = (1 - y * y) / 2
-            assert all(abs(a - b) < arb(2) ** -min(bits - 16, 46) for a, b in zip(slopes, [3 + y + bump / (2 + y), bump, -y, 5]))
+            assert all(abs(a - b) < arb(2) ** -min(bits - 16, 46)
+                       for a, b in zip(slopes, [3 + y + bump / (2 + y), bump, -y, 5]))
 
 
 def test_integrals_to_infinity_in_doubles():
-    """bounded(u) leaves means · u + jumps · |u| out; far away it is a constant."""
+    """bounded(u) leaves means · u + jumps · abs(u) out; far away it is a constant."""
     with ctx.workprec(200):
         found = at_infinity()
     u = np.array([0.0, 0.3, -2.5, 17.0, -300.0, 1e5])
     values, slopes = found.bounded(u)
     with mpmath.workdps(30):
-        exact = np.array([[float(x - m * v - j * abs(v)) for x, m, j in zip(exact_at_infinity(v), (3, 0, 0, 5), (1, 0, -1, 0))]
+        exact = np.array([[float(x - m * v - j * abs(v))
+                           for x, m, j in zip(exact_at_infinity(v), (3, 0, 0, 5), (1, 0, -1, 0))]
                           for v in map(mpmath.mpf, u)]).T
     np.testing.assert_allclose(values, exact, atol=4e-15)
     y = np.tanh(u / 2)
-    np.testing.assert_allclose(slopes, [3 + y + (1 - y * y) / 2 / (2 + y), (1 - y * y) / 2, -y, 5 + 0 * y], atol=1e-14)
+    np.testing.assert_allclose(slopes, [3 + y + (1 - y * y) / 2 / (2 + y), (1 - y * y) / 2, -y, 5 + 0 * y],
+                               atol=1e-14)
     np.testing.assert_allclose(found.inverse(values[0] + 3 * u + np.abs(u)), u, rtol=2e-15, atol=1e-14)
 
 
 def test_more_nodes_where_the_function_is_steeper():
     """The number of nodes is doubled until the last terms vanish, from as many as are asked for."""
     with ctx.workprec(200):
-        assert [periodic(a=a).nodes for a in (0.01, 0.9, 0.999)] == [12, 192, 1536] and periodic(a=0.9, nodes=50).nodes == 200
-        assert len(periodic(a=0.9).coefficients) > len(periodic(a=0.5).coefficients) > len(periodic(a=0.01).coefficients)
+        assert [periodic(a=a).nodes for a in (0.01, 0.9, 0.999)] == [12, 192, 1536]
+        assert periodic(a=0.9, nodes=50).nodes == 200
+        assert (
+            len(periodic(a=0.9).coefficients)
+            > len(periodic(a=0.5).coefficients)
+            > len(periodic(a=0.01).coefficients)
+        )
 
 
 def test_a_kink_is_no_smooth_function():
-    """|cos| is integrated to no accuracy, neither is a step at 0, and a value known to a few bits is refused."""
+    """abs(cos) is integrated to no accuracy, neither is a step at 0, and a value known to a few bits is
+    refused.
+    """
     with ctx.workprec(150):
         with pytest.raises(AccuracyError, match="8192 nodes do not reach the accuracy of 60 bits"):
             over_a_period(lambda u: [2 + abs(cosine(u))], arb(K), 2048, 60)

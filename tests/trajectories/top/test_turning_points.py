@@ -17,7 +17,8 @@ from gyrostat.trajectories.top.turning_points import roots_of
 def level(U, state, inertia=("1", "3/5"), l="2/5"):
     """U a function of k3."""
     I1, I3, l = map(exact_number, (*inertia, l))
-    return Level(gs.assemble(gs.Gyrostat((I1, I1, I3), (0, 0, l)), gs.axial_potential(U)), tuple(map(exact_number, state)))
+    return Level(gs.assemble(gs.Gyrostat((I1, I1, I3), (0, 0, l)), gs.axial_potential(U)),
+                 tuple(map(exact_number, state)))
 
 
 def found(level, precision=200):
@@ -38,17 +39,22 @@ POLYNOMIALS = [(3 / 2,), (-1.75,), (1, 0.5), (0, -2), (1, -0.375, 0.5), (0.5, 0,
 
 
 @pytest.mark.parametrize("c", POLYNOMIALS)
-@pytest.mark.parametrize("state", [GENERAL, ("1", "2", "-1/2", "3/4", "0", "-1"), ("1/2", "-1/3", "1", "0", "0", "1")])
+@pytest.mark.parametrize("state", [GENERAL, ("1", "2", "-1/2", "3/4", "0", "-1"),
+                                   ("1/2", "-1/3", "1", "0", "0", "1")])
 def test_roots_of_a_polynomial_are_those_of_numpy(c, state):
-    """All roots of g, with the turning points on either side of k3 and the leading coefficient, against a fit of g from the energy."""
+    """All roots of g, with the turning points on either side of k3 and the leading coefficient, against a fit
+    of g from the energy.
+    """
     roots = found(level(lambda z: sum(Rational(x) * z**n for n, x in enumerate(c, 1)), state))
     g, n = g_of(lambda z: sum(x * z**n for n, x in enumerate(c, 1)), state), len(c) + 2
     nodes = 5 * np.cos(np.pi * (np.arange(n + 1) + 0.5) / (n + 1))
     fit = np.polynomial.Polynomial.fit(nodes, g(nodes), n).convert()
     assert float(roots.leading) == pytest.approx(fit.coef[-1], rel=1e-9)
-    ours = [float(roots.lower), float(roots.upper)] + [complex(float(x.real), float(x.imag)) for x, m in roots.others for _ in range(m)]
+    ours = [float(roots.lower), float(roots.upper)] + [complex(float(x.real), float(x.imag))
+                                                       for x, m in roots.others for _ in range(m)]
     theirs = fit.roots()
-    assert len(ours) == n and all(min(abs(x - y) for y in theirs) < 1e-6 for x in ours)          # conditioned by a fit over ±5
+    # conditioned by a fit over ±5
+    assert len(ours) == n and all(min(abs(x - y) for y in theirs) < 1e-6 for x in ours)
     assert roots.lower < roots.upper and roots.double == (False, False)
     between = np.linspace(float(roots.lower), float(roots.upper), 50)[1:-1]
     assert (g(between) > 0).all() and between[0] - 0.1 <= float(F(state[5])) <= between[-1] + 0.1
@@ -56,10 +62,12 @@ def test_roots_of_a_polynomial_are_those_of_numpy(c, state):
 
 def test_published_cubic():
     """Simo & Wong's top: the roots of the nutation cubic as printed."""
-    roots = found(level(lambda z: 20 * z, (0, 0, 50, 0, sin(Rational(1, 20)), cos(Rational(1, 20))), (5, 1), 0))
+    roots = found(level(lambda z: 20 * z, (0, 0, 50, 0, sin(Rational(1, 20)), cos(Rational(1, 20))), (5, 1),
+                        0))
     ends = roots.lower, roots.upper, roots.others[0][0].real
     for ours, printed in zip(ends, (".998512425506186", ".998750260394966", "11.5014875744938")):
-        assert abs(ours - arb(printed)) < arb("0.51") * arb(10) ** -len(printed.partition(".")[2]) and ours.rad() < arb("1e-40")
+        assert abs(ours - arb(printed)) < arb("0.51") * arb(10) ** -len(printed.partition(".")[2])
+        assert ours.rad() < arb("1e-40")
     assert len(roots.others) == 1 and float(roots.leading) == 200
 
 
@@ -82,7 +90,10 @@ def test_turning_points_of_a_function_are_enclosed(U, precision):
 
 
 def test_a_polynomial_and_the_same_function_have_the_same_roots():
-    """U = z³/2 and what it is with a vanishing transcendental part: turning points to all bits, other roots to a few."""
+    """U = z³/2 and what it is with a vanishing transcendental part.
+
+    Turning points to all bits, other roots to a few.
+    """
     smooth = level(lambda z: z + z**3 / 2 + exp(-z - 200), GENERAL)
     exact, near = found(level(lambda z: z + z**3 / 2, GENERAL)), found(smooth)
     with ctx.workprec(300):
@@ -92,7 +103,8 @@ def test_a_polynomial_and_the_same_function_have_the_same_roots():
 
 
 @pytest.mark.parametrize("U", [lambda z: z / 2, lambda z: z / 8 + exp(z) / 8])
-@pytest.mark.parametrize(("state", "end"), [(("1", "0", "3/2", "3/5", "0", "4/5"), 0), (("3", "0", "3/2", "3/5", "0", "4/5"), 1)])
+@pytest.mark.parametrize(("state", "end"), [(("1", "0", "3/2", "3/5", "0", "4/5"), 0),
+                                            (("3", "0", "3/2", "3/5", "0", "4/5"), 1)])
 def test_a_start_at_rest_is_a_turning_point_itself(U, state, end):
     """Where k̇3 = 0 the start is the lower turning point if k̈3 > 0, else the upper one, without an error."""
     place = level(U, state)
@@ -104,12 +116,16 @@ def test_a_start_at_rest_is_a_turning_point_itself(U, state, end):
 
 
 @pytest.mark.parametrize(("state", "poles", "direction"), [
-    (("7/15", "2", "1", "3/5", "0", "4/5"), (1, 0), 1), (("-21/5", "-1/2", "1", "3/5", "0", "4/5"), (0, -1), -1),
-    (("0", "1", "-2/5", "3/5", "0", "4/5"), (0, 0), 1), (GENERAL, (1, -1), -1), (("1/2", "0", "1", "0", "0", "1"), (1, 0), 0),
+    (("7/15", "2", "1", "3/5", "0", "4/5"), (1, 0), 1),
+    (("-21/5", "-1/2", "1", "3/5", "0", "4/5"), (0, -1), -1),
+    (("0", "1", "-2/5", "3/5", "0", "4/5"), (0, 0), 1), (GENERAL, (1, -1), -1),
+    (("1/2", "0", "1", "0", "0", "1"), (1, 0), 0),
     (("1/2", "0", "1", "0", "0", "-2"), (0, -1), 0), (("30", "0", "1/10", "3/5", "0", "4/5"), (1, 1), 0)])
 @pytest.mark.parametrize("U", [lambda z: 2 * z, exp])
 def test_poles_that_may_be_passed(U, state, poles, direction):
-    """Signs of v + P |k| and v − P |k|, the sign of k̇3, and the pole as an exact turning point of order 1."""
+    """Signs of v + P abs(k) and v − P abs(k), the sign of k̇3, and the pole as an exact turning point of
+    order 1.
+    """
     place = level(U, state)
     assert place.poles == poles and place.direction == direction
     assert place.contact == tuple(int(sign == 0) for sign in poles)
@@ -123,22 +139,32 @@ SLEEPING = ("1", "1", "13/5", "3/5", "0", "4/5")
 
 
 def test_double_roots_at_a_pole():
-    """The sleeping top's energy and v: the upper pole is a double root, for rational numbers, roots and transcendental U alike."""
+    """The sleeping top's energy and v.
+
+    The upper pole is a double root, for rational numbers, roots and transcendental U alike.
+    """
     place = level(lambda z: 5 * z, SLEEPING)
     assert place.contact == (0, 2) and place.poles == (1, 0)
     roots = found(place)
-    assert roots.double == (False, True) and roots.upper == 1 and not any(float(x.real) == 1 for x, _ in roots.others)
+    assert roots.double == (False, True)
+    assert roots.upper == 1
+    assert not any(float(x.real) == 1 for x, _ in roots.others)
     irrational = level(lambda z: 5 * sqrt(2) * z, (1, sqrt(2 * sqrt(2) - 1), *SLEEPING[2:]))
     assert found(irrational).double == (False, True) and irrational.contact == (0, 2)
     with ctx.workprec(200):
         assert abs(found(irrational).upper - 1) < arb("1e-50")
-    function = level(exp, (F(1, 3), sqrt(2 * (exp(1) - exp(Rational(4, 5))) - Rational(1, 9)), F(3, 5), F(3, 5), 0, F(4, 5)))
+    function = level(exp, (F(1, 3), sqrt(2 * (exp(1) - exp(Rational(4, 5))) - Rational(1, 9)), F(3, 5),
+                           F(3, 5), 0, F(4, 5)))
     assert function.contact == (0, 2) and found(function).double == (False, True)
 
 
 def test_a_root_of_third_order_is_out_of_scope():
-    """P² = 4 I1 U′(1), U′ + U″ < 0, energy of E1: the critical sleeping top escapes as a power of the time, and is integrated."""
-    U, state = (lambda z: Rational(33, 8) * z - Rational(25, 16) * z**2), ("3/2", "9/10", "8/5", "24/25", "0", "7/25")
+    """P² = 4 I1 U′(1), U′ + U″ < 0, energy of E1.
+
+    The critical sleeping top escapes as a power of the time, and is integrated.
+    """
+    U, state = (lambda z: Rational(33, 8) * z - Rational(25, 16)
+                * z**2), ("3/2", "9/10", "8/5", "24/25", "0", "7/25")
     place = level(U, state)
     assert place.contact == (0, 3)
     with pytest.raises(ScopeError, match="order 3"):
@@ -160,7 +186,10 @@ def test_higher_contact_with_roots():
 
 
 def test_roots_that_are_not_told_apart():
-    """At too low a precision, next to a double root, the roots are refused rather than guessed; with more bits they are found."""
+    """At too low a precision, next to a double root, the roots are refused rather than guessed.
+
+    With more bits they are found.
+    """
     near = level(lambda z: 5 * z, ("1", "1.00000000000000000000000000000000000000001", *SLEEPING[2:]))
     assert found(near, 400).double == (False, False)
     function = level(lambda z: z + exp(z), (*SLEEPING[:2], "13/5", "0", "3/5", "4/5"))

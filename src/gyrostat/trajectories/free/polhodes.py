@@ -1,4 +1,6 @@
-"""M of a free body of three different moments in Jacobi's functions, and the period of M in every free gyrostat."""
+"""M of a free body of three different moments in Jacobi's functions, and the period of M in every free
+gyrostat.
+"""
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import permutations
@@ -22,17 +24,22 @@ SMALLEST = 1e-300                                          # m1 that doubles hol
 class Polhode:
     """M_a = A_a cn u, M_b = A_b sn u, M_c = A_c dn u, u = rate · t + phase.
 
-    c is the axis about which M goes around, b that of the intermediate moment. On the separatrix m1 = 0, and c is that of the largest.
+    c is the axis about which M goes around, b that of the intermediate moment. On the separatrix m1 = 0, and
+    c is that of the largest.
 
     Parameters
     ----------
-    inertia, momentum : three Expr       Iᵢ, and M at the time 0
-    axes : (a, b, c)                     a permutation of 0, 1, 2
-    signs : (1 or −1, ...)               of A_a, A_b, A_c
-    periodic : bool                      whether M is not on the separatrix
+    inertia, momentum : three Expr
+        Iᵢ, and M at the time 0
+    axes : (a, b, c)
+        a permutation of 0, 1, 2
+    signs : (1 or −1, ...)
+        of A_a, A_b, A_c
+    periodic : bool
+        whether M is not on the separatrix
 
-    Source
-    ------
+    References
+    ----------
     Landau & Lifshitz, Mechanics, §37, the constants (37.8)-(37.11) written as sums of positive terms.
     """
 
@@ -50,7 +57,7 @@ class Polhode:
 
     @property
     def error(self) -> float:
-        """Of M, in units of |M|, estimated: the rounding of u."""
+        """Of M, in units of abs(M), estimated: the rounding of u."""
         *_, rate, _, _ = constants(self, CONSTANT)
         return ROUNDING * (8 + (float(rate * self.period(CONSTANT)[0]) if self.periodic else 0))
 
@@ -58,7 +65,8 @@ class Polhode:
         """M at a row of times."""
         *sizes, rate, complement, phase = map(double, constants(self, CONSTANT))
         if self.periodic and complement < SMALLEST:
-            raise AccuracyError(f"m1 = {complement}: the motion is too near a separatrix for doubles; give other numbers, or a precision")
+            raise AccuracyError(f"m1 = {complement}: the motion is too near a separatrix for doubles; give "
+                                "other numbers, or a precision")
         r = reduced(t, pair(self.period(CONSTANT)[0]))[1] if self.periodic else t
         sn, cn, dn = jacobi(rate * r + phase, complement)
         M = np.empty((len(t), 3))
@@ -89,7 +97,8 @@ def polhode(inertia: Triple, momentum: Triple) -> Polhode:
     gap = M[high] ** 2 * (1 - I[middle] / I[high]) - M[low] ** 2 * (I[middle] / I[low] - 1)
     side = decided(gap, "M² − 2 E I for the intermediate moment")
     a, b, c = axes = order if side >= 0 else (high, middle, low)
-    turn = 1 if (axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1))) == (side >= 0) else -1        # Ṁ_b ∝ M_c M_a (1/I_a − 1/I_c)
+    # Ṁ_b ∝ M_c M_a (1/I_a − 1/I_c)
+    turn = 1 if (axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1))) == (side >= 0) else -1
     first, second, third = (decided(M[i], f"M{i + 1}") for i in axes)
     if side == 0:
         second = turn * first * third
@@ -101,9 +110,11 @@ def polhode(inertia: Triple, momentum: Triple) -> Polhode:
 def constants(motion: Polhode, bits: int) -> list[arb]:
     """A_a, A_b, A_c, rate, m1, phase."""
     (Ia, Ma), (Ib, Mb), (Ic, Mc) = ((motion.inertia[i], motion.momentum[i]) for i in motion.axes)
-    squares = (Ma**2 + Mb**2 * (Ia * (Ic - Ib) / (Ib * (Ic - Ia))), Mb**2 + Ma**2 * (Ib * (Ic - Ia) / (Ia * (Ic - Ib))),
+    squares = (Ma**2 + Mb**2 * (Ia * (Ic - Ib) / (Ib * (Ic - Ia))),
+               Mb**2 + Ma**2 * (Ib * (Ic - Ia) / (Ia * (Ic - Ib))),
                Mc**2 + Mb**2 * (Ic * (Ib - Ia) / (Ib * (Ic - Ia))), (1 / Ib - 1 / Ic) * (1 / Ia - 1 / Ic))
-    gap = (Mc**2 * (1 - Ib / Ic) - Ma**2 * (Ib / Ia - 1)) * ((Ic - Ia) / (Ic - Ib))      # M² − 2 E I_b, up to a factor
+    # M² − 2 E I_b, up to a factor
+    gap = (Mc**2 * (1 - Ib / Ic) - Ma**2 * (Ib / Ia - 1)) * ((Ic - Ia) / (Ic - Ib))
     lead = Mb**2 * (1 - Ia / Ib) + Mc**2 * (1 - Ia / Ic)
 
     def compute(precision: int) -> list[arb]:
@@ -117,7 +128,9 @@ def constants(motion: Polhode, bits: int) -> list[arb]:
 
 
 def invariants(inertia: Triple, rotor: Triple, momentum: Triple) -> tuple[Expr, Expr, Expr]:
-    """g2, g3 and g2³ − 27 g3² of y² = det(B − λ A), the quadrics A: |M|² = m² and B: Σ (Mᵢ − lᵢ)²/Iᵢ = 2 h.
+    """g2, g3 and g2³ − 27 g3² of y² = det(B − λ A), the quadrics A: abs(M)² = m² and B.
+
+    Σ (Mᵢ − lᵢ)²/Iᵢ = 2 h.
 
     M moves along the meet of the two; this curve has the same real period.
     """
@@ -148,7 +161,8 @@ class Meeting:
     Parameters
     ----------
     g2, g3, discriminant : Expr
-    sign : int                       of the discriminant g2³ − 27 g3²
+    sign : int
+        of the discriminant g2³ − 27 g3²
     """
 
     g2: Expr
@@ -164,10 +178,11 @@ class Meeting:
     def period(self, bits: int) -> list[arb]:
         """The period π / agm(√u, √v) and v/u, which says how near the separatrix is.
 
-        u = e1 − e3, v = e1 − e2 for three real roots; for one, e, and H² = 3 e² − g2/4: u = H, v = H/2 + 3 e/4.
+        u = e1 − e3, v = e1 − e2 for three real roots; for one, e, and H² = 3 e² − g2/4: u = H, v = H/2 + 3
+            e/4.
 
-        Source
-        ------
+        References
+        ----------
         Abramowitz & Stegun, 18.9; Viète's and Cardano's roots.
         """
         return accurate(self._period, bits)
@@ -191,7 +206,9 @@ def meeting(inertia: Triple, rotor: Triple, momentum: Triple) -> Meeting:
 
     Raises
     ------
-    ValuesError      whether M moves on a separatrix is undecided
+    ValuesError
+        whether M moves on a separatrix is undecided
     """
     g2, g3, discriminant = invariants(inertia, rotor, momentum)
-    return Meeting(g2, g3, discriminant, decided(discriminant, "the discriminant of the pencil of |M|² and the energy"))
+    return Meeting(g2, g3, discriminant, decided(discriminant,
+                                                 "the discriminant of the pencil of |M|² and the energy"))

@@ -12,8 +12,10 @@ from ...algebra.floats import Array
 from ...errors import AccuracyError
 from .uniform import CYCLIC, dot
 
-ORDER = 24                                                 # of the polynomials in doubles: about e⁻⁴⁸ of the first term is left
-LONGEST = 16                                               # units of time: where M nearly rests, small coefficients are lost, noise grows
+# of the polynomials in doubles: about e⁻⁴⁸ of the first term is left
+ORDER = 24
+# units of time: where M nearly rests, small coefficients are lost, noise grows
+LONGEST = 16
 STEPS = 4000                                               # a turn that takes more is refused
 
 Vector = Sequence[arb]
@@ -25,8 +27,10 @@ class Rates:
 
     Parameters
     ----------
-    spread : three enclosures       |M| / Iᵢ less a common part, which turns everything about M [1/T]
-    constant : three enclosures     −lᵢ / Iᵢ [1/T]
+    spread : three enclosures
+        abs(M) / Iᵢ less a common part, which turns everything about M [1/T]
+    constant : three enclosures
+        −lᵢ / Iᵢ [1/T]
     """
 
     spread: Vector
@@ -48,7 +52,9 @@ class Rates:
 
 @dataclass(frozen=True)
 class Piece:
-    """A step: its start, its length, the coefficients of its series in the part of it that has passed, times 2^precision."""
+    """A step: its start, its length, the coefficients of its series in the part of it that has passed, times
+    2^precision.
+    """
 
     start: float
     length: arb
@@ -75,7 +81,8 @@ class Loop:
     @cached_property
     def cut(self) -> float:
         """What the polynomials in doubles leave of the series."""
-        return max(sum(map(abs, row[ORDER + 1:])) / (1 << self.precision) for piece in self.pieces for row in piece.coefficients)
+        return max(sum(map(abs, row[ORDER + 1:])) / (1 << self.precision) for piece in self.pieces
+                   for row in piece.coefficients)
 
     def at(self, t: arb) -> list[arb]:
         """The vectors at a time from 0 to the end."""
@@ -94,11 +101,15 @@ class Loop:
         """Starts, lengths, and coefficients from the highest down, in doubles."""
         unit = 1 << self.precision
         rows = [[[c / unit for c in row[ORDER::-1]] for row in piece.coefficients] for piece in self.pieces]
-        return (np.array([piece.start for piece in self.pieces]), np.array([float(piece.length) for piece in self.pieces]),
+        return (np.array([piece.start for piece in self.pieces]),
+                np.array([float(piece.length) for piece in self.pieces]),
                 np.ascontiguousarray(np.array(rows).T))
 
     def values(self, t: Array, period: float = 0.0) -> Array:
-        """The vectors at a row of times from 0 to the end; where the motion is periodic, from minus half a period."""
+        """The vectors at a row of times from 0 to the end.
+
+        Where the motion is periodic, from minus half a period.
+        """
         starts, lengths, coefficients = self.table
         if period:
             starts = np.concatenate([starts - period, starts])
@@ -117,8 +128,12 @@ def whole(x: arb, precision: int) -> int:
     return int((x.mid() * arb(2) ** precision).mid().floor().unique_fmpz())
 
 
-def series(start: Sequence[int], spread: Sequence[int], constant: Sequence[int], order: int, precision: int) -> list[list[int]]:
-    """Taylor coefficients of v̇ = v × (spread · M + constant), M being the first vector; every number is times 2^precision."""
+def series(start: Sequence[int], spread: Sequence[int], constant: Sequence[int], order: int,
+           precision: int) -> list[list[int]]:
+    """Taylor coefficients of v̇ = v × (spread · M + constant), M being the first vector.
+
+    Every number is times 2^precision.
+    """
     rows = [[x] for x in start]
     M, others = rows[:3], [rows[i:i + 3] for i in range(3, len(rows), 3)]
     turning = [[(d * x >> precision) + c] for d, x, c in zip(spread, start, constant)]
@@ -128,7 +143,8 @@ def series(start: Sequence[int], spread: Sequence[int], constant: Sequence[int],
             both = (spread[k] - spread[j]) * (sum(map(mul, M[j], reversed(M[k]))) >> precision)
             new.append((both + M[j][-1] * constant[k] - M[k][-1] * constant[j]) // n >> precision)
         for v in others:
-            new += [(sum(map(mul, v[j], reversed(turning[k]))) - sum(map(mul, v[k], reversed(turning[j])))) // n >> precision
+            new += [(sum(map(mul, v[j], reversed(turning[k])))
+                     - sum(map(mul, v[k], reversed(turning[j])))) // n >> precision
                     for _, j, k in CYCLIC]
         for row, x in zip(rows, new):
             row.append(x)
@@ -138,28 +154,33 @@ def series(start: Sequence[int], spread: Sequence[int], constant: Sequence[int],
 
 
 def loop(start: Vector, rates: Rates, precision: int, end: arb | None) -> Loop:
-    """The motion from a start, M and then other vectors, for a time or, where that is None, until M rests to half the precision.
+    """The motion from a start, M and then other vectors, for a time or, where that is None, until M rests to
+    half the precision.
 
-    Each step is e² times shorter than the radius of convergence, estimated from the coefficients of orders 23 and 24.
+    Each step is e² times shorter than the radius of convergence, estimated from the coefficients of orders 23
+    and 24.
 
     Raises
     ------
-    AccuracyError    more than 4000 steps are needed
+    AccuracyError
+        more than 4000 steps are needed
 
-    Source
-    ------
+    References
+    ----------
     Jorba & Zou, Experimental Mathematics 14 (2005) 99-117.
     """
     order = math.ceil(0.4 * precision)
     vectors, now, found = [whole(x, precision) for x in start], 0.0, list[Piece]()
 
     def moved(length: arb, degree: int) -> list[list[int]]:
-        spread, constant = ([whole(x * length, precision) for x in part] for part in (rates.spread, rates.constant))
+        spread, constant = ([whole(x * length, precision) for x in part]
+                            for part in (rates.spread, rates.constant))
         return series(vectors, spread, constant, degree, precision)
 
     while len(found) < STEPS:
         rows = moved(arb(rates.unit), ORDER)
-        radius = min(2.0 ** ((precision - math.log2(max(abs(row[n]) for row in rows) or 1)) / n) for n in (ORDER - 1, ORDER))
+        radius = min(2.0 ** ((precision - math.log2(max(abs(row[n]) for row in rows) or 1)) / n)
+                     for n in (ORDER - 1, ORDER))
         after = now + rates.unit * min(radius * math.exp(-2), LONGEST)
         last = end is not None and not after < end
         length = end - now if last and end is not None else arb(after) - now
@@ -168,4 +189,5 @@ def loop(start: Vector, rates: Rates, precision: int, end: arb | None) -> Loop:
         if last or end is None and max(abs(row[1]) for row in rows[:3]) < 1 << precision // 2 + 32:
             return Loop(found, precision)
         vectors, now = [sum(row) for row in rows], after
-    raise AccuracyError(f"a turn of M takes more than {STEPS} steps, up to the time {now}: integrate the equations of motion instead")
+    raise AccuracyError(f"a turn of M takes more than {STEPS} steps, up to the time {now}: integrate the "
+                        "equations of motion instead")

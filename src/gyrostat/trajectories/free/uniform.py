@@ -1,4 +1,7 @@
-"""Free motions that are uniform: rest, permanent rotation, bodies of revolution, three equal moments; frames, and what decides."""
+"""Free motions that are uniform: rest, permanent rotation, bodies of revolution, three equal moments.
+
+Frames, and what decides.
+"""
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -17,7 +20,8 @@ from ..periods import Pair, double, pair, turns
 
 Triple = tuple[Expr, Expr, Expr]
 CONSTANT = 192                                             # bits of what results in doubles are made of
-MOST = 16384                                               # bits at which a number that is known not to be zero is given up
+# bits at which a number that is known not to be zero is given up
+MOST = 16384
 ROUNDING = 2.0**-52
 CYCLIC = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 AXES = tuple((Integer(k == 0), Integer(k == 1), Integer(k == 2)) for k in range(3))
@@ -28,15 +32,18 @@ def decided(constant: Expr, what: str) -> int:
 
     Raises
     ------
-    ValuesError      it is not proved: the number is transcendental and 0, or very nearly
+    ValuesError
+        it is not proved: the number is transcendental and 0, or very nearly
     """
     if (sign := sign_of_constant(constant)) is None:
-        raise ValuesError(f"the sign of {what}, about {shown(constant)}, is undecided: give rational or algebraic numbers")
+        raise ValuesError(f"the sign of {what}, about {shown(constant)}, is undecided: give rational or "
+                          "algebraic numbers")
     return sign
 
 
 def accurate(compute: Callable[[int], list[arb]], bits: int) -> list[arb]:
-    """Enclosures of at least so many correct bits each, by doubling the precision at which they are computed."""
+    """Enclosures of at least so many correct bits each, by doubling the precision at which they are computed.
+    """
     precision = bits + 64
     while precision <= MOST:
         with own_precision(precision):
@@ -44,7 +51,8 @@ def accurate(compute: Callable[[int], list[arb]], bits: int) -> list[arb]:
         if all(x == 0 or x.rel_accuracy_bits() >= bits for x in found):
             return found
         precision *= 2
-    raise AccuracyError(f"{MOST} bits do not give {bits} correct ones: the motion is too close to a separatrix; give other numbers")
+    raise AccuracyError(f"{MOST} bits do not give {bits} correct ones: the motion is too close to a "
+                        "separatrix; give other numbers")
 
 
 def dot(v: Sequence[arb], w: Sequence[arb]) -> arb:
@@ -63,7 +71,10 @@ def cycles(rate: arb) -> Pair:
 
 
 def frame(up: Triple, bits: int) -> tuple[list[arb], list[arb]]:
-    """The space axes x and z in body components at the time 0: z upwards, x so that φ = 0, and ψ = 0 where z is ± axis 3."""
+    """The space axes x and z in body components at the time 0.
+
+    Z upwards, x so that φ = 0, and ψ = 0 where z is ± axis 3.
+    """
     z = [ball(x, bits) for x in up]
     k = [x / dot(z, z).sqrt() for x in z]
     if decided(up[0], "M1") == decided(up[1], "M2") == 0:
@@ -82,14 +93,19 @@ def turned(rows: Array, cycle: Array) -> Array:
 
 @dataclass(frozen=True)
 class Steady:
-    """R = Rz(rate · t) R(0) Rot(axis, about · t): ω is a sum of two parts, one fixed in space and one in the body.
+    """R = Rz(rate · t) R(0) Rot(axis, about · t).
 
-    Rest and permanent rotation (about = 0), bodies of revolution with l on the axis, bodies with three equal moments.
+    Ω is a sum of two parts, one fixed in space and one in the body.
+
+    Rest and permanent rotation (about = 0), bodies of revolution with l on the axis, bodies with three equal
+    moments.
 
     Parameters
     ----------
-    momentum, up, axis : three Expr       M at the time 0; the space z axis and a unit vector, in body components
-    rate, about : Expr                    [1/T]
+    momentum, up, axis : three Expr
+        M at the time 0; the space z axis and a unit vector, in body components
+    rate, about : Expr
+        [1/T]
     """
 
     momentum: Triple
@@ -109,7 +125,10 @@ class Steady:
             return M, rows, n, cycles(ball(self.rate, CONSTANT)), cycles(ball(self.about, CONSTANT))
 
     def seen(self, vectors: Array, t: Array) -> Array:
-        """Vectors fixed in space, by their components at the time 0, at a row of times: (times, vectors, 3)."""
+        """Vectors fixed in space, by their components at the time 0, at a row of times.
+
+        (times, vectors, 3).
+        """
         _, _, n, _, cycle = self.constants
         angle = 2 * np.pi * turns(t, cycle)[:, None, None]
         along = (vectors @ n)[:, None] * n
@@ -127,7 +146,8 @@ class Steady:
         """M at a time, from constants of a precision."""
         M, n = ([ball(x, precision) for x in v] for v in (self.momentum, self.axis))
         angle = ball(self.about, precision) * t
-        return [dot(M, n) * y + angle.cos() * (x - dot(M, n) * y) + angle.sin() * z for x, y, z in zip(M, n, cross(M, n))]
+        return [dot(M, n) * y + angle.cos() * (x - dot(M, n) * y) + angle.sin() * z
+                for x, y, z in zip(M, n, cross(M, n))]
 
     @cached_property
     def period(self) -> float | None:
@@ -155,7 +175,8 @@ def steady(inertia: Triple, rotor: Triple, M: Triple) -> Steady | None:
     omega = ((M[0] - l[0]) / I[0], (M[1] - l[1]) / I[1], (M[2] - l[2]) / I[2])
     if not any(decided(M[i] * omega[j] - M[j] * omega[i], "a component of M × ω") for i, j, _ in CYCLIC):
         up = next((v for v in (M, omega) if any(decided(x, "a component of M or ω") for x in v)), AXES[2])
-        return Steady(M, up, sum(x * y for x, y in zip(up, omega)) / sqrt(sum(x**2 for x in up)), AXES[2], Integer(0))
+        return Steady(M, up, sum(x * y for x, y in zip(up, omega)) / sqrt(sum(x**2 for x in up)), AXES[2],
+                      Integer(0))
     equal = [decided(I[i] - I[j], "a difference of moments") == 0 for i, j, _ in CYCLIC]
     if all(equal):
         turning = sqrt(sum(x**2 for x in l))

@@ -1,1 +1,4 @@
-"""Every other motion, integrated: `methods` (heyoka's Taylor method, DOP853) and `motion`, computed twice and watched."""
+"""Every other motion, integrated.
+
+`methods` (heyoka's Taylor method, DOP853) and `motion`, computed twice and watched.
+"""

@@ -22,13 +22,19 @@ def nearest(number: Expr) -> float:
 
 
 def beside(number: Expr) -> float:
-    """A number that is a double as it is, of any other the second double above it or the first: as bad a rounding, and another."""
+    """A number that is a double as it is, of any other the second double above it or the first.
+
+    As bad a rounding, and another.
+    """
     value = float(number)
     return value if Rational(value) == number else math.nextafter(value, math.inf)
 
 
 class Arithmetic(NamedTuple):
-    """What an expression is written in: constants, sums, products, powers that are no whole positive number, functions."""
+    """What an expression is written in.
+
+    Constants, sums, products, powers that are no whole positive number, functions.
+    """
 
     constant: Callable[[Expr], Any]
     add: Callable[[Any, Any], Any]
@@ -42,7 +48,8 @@ def written(node: Expr, values: Mapping[Symbol, Any], arithmetic: Arithmetic) ->
 
     Raises
     ------
-    ScopeError      a function or a power that no potential here has, such as a Bessel function
+    ScopeError
+        a function or a power that no potential here has, such as a Bessel function
 
     Examples
     --------
@@ -55,15 +62,21 @@ def written(node: Expr, values: Mapping[Symbol, Any], arithmetic: Arithmetic) ->
         return values[node]
     if not node.free_symbols:
         return arithmetic.constant(node)
-    parts = [written(part, values, arithmetic) for part in node.args if not isinstance(node, Pow) or part is node.base]
+    parts = [written(part, values, arithmetic) for part in node.args if not isinstance(node, Pow)
+             or part is node.base]
     if isinstance(node, (Add, Mul)):
         return reduce(arithmetic.add if isinstance(node, Add) else arithmetic.multiply, parts)
     if isinstance(node, Pow) and isinstance(node.exp, Rational):
         whole = node.exp.is_integer and node.exp > 0
-        return reduce(arithmetic.multiply, parts * int(node.exp)) if whole else arithmetic.power(parts[0], float(node.exp))
+        return (
+            reduce(arithmetic.multiply, parts * int(node.exp))
+            if whole
+            else arithmetic.power(parts[0], float(node.exp))
+        )
     name = type(node).__name__
     if name not in FUNCTIONS or len(parts) != 1:
-        raise ScopeError(f"{node} cannot be integrated: write U with + - * /, rational powers and {', '.join(FUNCTIONS)}")
+        raise ScopeError(f"{node} cannot be integrated: write U with + - * /, rational powers and "
+                         f"{', '.join(FUNCTIONS)}")
     return arithmetic.function(name)(parts[0])
 
 
@@ -90,7 +103,8 @@ class Taylor:
     def __init__(self, rates: Rates, start: Array, rounding: Rounding, tolerance: float):
         heyoka = optional("heyoka", "heyoka")
         names = {s: heyoka.make_vars(f"x{i}") for i, (s, _) in enumerate(rates)}
-        arithmetic = Arithmetic(lambda c: heyoka.expression(rounding(c)), operator.add, operator.mul, operator.pow,
+        arithmetic = Arithmetic(lambda c: heyoka.expression(rounding(c)), operator.add, operator.mul,
+                                operator.pow,
                                 lambda name: getattr(heyoka, name))
         system = [(names[s], written(rate, names, arithmetic)) for s, rate in rates]
         self.start, self.steps, self.limit = start, 0, heyoka.taylor_outcome.time_limit
@@ -147,7 +161,8 @@ class RungeKutta:
         """The values at times further and further on."""
         if self.solver is None or self.solver.direction * times[-1] < 0:
             end = math.copysign(math.inf, times[-1])
-            self.solver = self.method(self.field, 0.0, self.start, end, rtol=self.tolerance, atol=self.tolerance)
+            self.solver = self.method(self.field, 0.0, self.start, end, rtol=self.tolerance,
+                                      atol=self.tolerance)
         found, done = np.empty((len(times), len(self.start))), 0
         while done < len(times):
             while self.solver.t_old is None or abs(times[done]) > abs(self.solver.t):
@@ -169,4 +184,5 @@ METHODS: dict[str, type[Taylor] | type[RungeKutta]] = {"heyoka": Taylor, "DOP853
 
 def beyond(time: float) -> AccuracyError:
     """What to raise where there is no motion."""
-    return AccuracyError(f"the motion cannot be followed beyond t = {time}: U or its gradient is singular there; ask for times before")
+    return AccuracyError(f"the motion cannot be followed beyond t = {time}: U or its gradient is singular "
+                         "there; ask for times before")

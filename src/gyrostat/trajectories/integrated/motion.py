@@ -13,39 +13,52 @@ from ...mechanics.liepoisson import hat
 from ...mechanics.system import System
 from .methods import METHODS, RungeKutta, Taylor, beside, beyond, nearest
 
-WORTHLESS = 1e-3                                       # the error that is accepted where no tolerance is given
+# the error that is accepted where no tolerance is given
+WORTHLESS = 1e-3
 
 
 class Integration:
     """The motion of a concrete scene, integrated as far as it is asked for.
 
-    It is integrated twice, with two tolerances and with every number that is no double rounded in two ways. The error is estimated as
-    twice how far the two are apart, or by what the Casimirs, the energy and the integrals have lost; as a rule it is far smaller.
+    It is integrated twice, with two tolerances and with every number that is no double rounded in two ways.
+    The error is estimated as twice how far the two are apart, or by what the Casimirs, the energy and the
+    integrals have lost; as a rule it is far smaller.
 
     Parameters
     ----------
-    scene : System                   without symbols but its coordinates
-    state : tuple of Expr            exact numbers, one for each coordinate
-    tolerance : float or None        the absolute error that is accepted in the state; None: 10⁻³. The integrator always does its best
-    method : "heyoka", "DOP853" or None      None: heyoka where it is installed
+    scene : System
+        without symbols but its coordinates
+    state : tuple of Expr
+        exact numbers, one for each coordinate
+    tolerance : float or None
+        the absolute error that is accepted in the state; None: 10⁻³. The integrator always does its best
+    method : "heyoka", "DOP853" or None
+        None: heyoka where it is installed
 
     Attributes
     ----------
-    name : str                       the method
-    error : float                    the largest estimate so far
-    nodes : int                      steps so far, of both integrations
+    name : str
+        the method
+    error : float
+        the largest estimate so far
+    nodes : int
+        steps so far, of both integrations
 
     Raises
     ------
-    ArgumentError                    another method
-    ScopeError                       U has a function that is not elementary
-    MissingExtraError                the package of the method is not installed
-    AccuracyError, when it is called     the estimate exceeds the tolerance, or U is singular on the way
+    ArgumentError
+        another method
+    ScopeError
+        U has a function that is not elementary
+    MissingExtraError
+        the package of the method is not installed
+    AccuracyError, when it is called
+        the estimate exceeds the tolerance, or U is singular on the way
 
-    Source
-    ------
-    Biscani & Izzo, Monthly Notices of the Royal Astronomical Society 504 (2021) 2614-2628; Hairer, Nørsett & Wanner, Solving Ordinary
-    Differential Equations I, 2nd ed. (1993), §II.10.
+    References
+    ----------
+    Biscani & Izzo, Monthly Notices of the Royal Astronomical Society 504 (2021) 2614-2628; Hairer, Nørsett &
+    Wanner, Solving Ordinary Differential Equations I, 2nd ed. (1993), §II.10.
 
     Examples
     --------
@@ -62,19 +75,23 @@ class Integration:
 
     period = precession = limits = None
 
-    def __init__(self, scene: System, state: Sequence[Expr], tolerance: float | None = None, method: str | None = None):
+    def __init__(self, scene: System, state: Sequence[Expr], tolerance: float | None = None,
+                 method: str | None = None):
         self.name = method or ("heyoka" if find_spec("heyoka") else "DOP853")
         if self.name not in METHODS:
-            raise ArgumentError(f"method = {method!r} is none that there is: use {' or '.join(METHODS)}, or None")
+            raise ArgumentError(f"method = {method!r} is none that there is: use {' or '.join(METHODS)}, "
+                                "or None")
         self.scene, self.tolerance, self.error = scene, WORTHLESS if tolerance is None else tolerance, 0.0
         marker = tuple(Dummy(f"a{i}") for i in (1, 2, 3))
-        turning = hat(marker) * scene.energy_gradient[:3, :]                           # ȧ = a × ω: a is at rest in space
+        # ȧ = a × ω: a is at rest in space
+        turning = hat(marker) * scene.energy_gradient[:3, :]
         rates = list(zip((*scene.space.coordinates, *marker), (*scene.vector_field(), *turning)))
         kind = METHODS[self.name]
         self._runs: list[Taylor | RungeKutta] = []
         for rounding, accuracy in ((nearest, kind.FINE), (beside, kind.COARSE)):
             start = np.array([rounding(x) for x in state])
-            self._runs.append(kind(rates, np.concatenate([start, _across(self._vertical(start))]), rounding, accuracy))
+            self._runs.append(kind(rates, np.concatenate([start, _across(self._vertical(start))]), rounding,
+                                   accuracy))
         self._last = np.empty(0), np.empty((2, 0, len(rates)))
 
     @property
@@ -91,18 +108,21 @@ class Integration:
     def attitude(self, t: Any) -> Array:
         """R from body to space axes at times of any shape; shape (..., 3, 3).
 
-        The space axis z is k, on so(3)* it is M; the Euler angle φ is 0 at t = 0, and so is ψ where sin θ = 0.
+        The space axis z is k, on so(3)* it is M; the Euler angle φ is 0 at t = 0, and so is ψ where sin θ =
+        0.
 
         Raises
         ------
-        ValuesError      k, or M on so(3)*, is 0
+        ValuesError
+            k, or M on so(3)*, is 0
         """
         t = np.asarray(t, dtype=float)
         values = self._at(t.ravel(), None)
         z, x = self._vertical(values.T), values.T[-3:]
         length = np.sqrt((z * z).sum(axis=0))
         if not length.all():
-            raise ValuesError(f"the vertical has the direction of {'k' if self.scene.potential else 'M'}, which is 0: give another state")
+            raise ValuesError(f"the vertical has the direction of {'k' if self.scene.potential else 'M'}, "
+                              "which is 0: give another state")
         z = z / length
         x = x - (x * z).sum(axis=0) * z
         x = x / np.sqrt((x * x).sum(axis=0))
@@ -126,7 +146,8 @@ class Integration:
         estimate = np.maximum(2 * apart, self._broken(unique, fine))
         if (bad := ~(estimate <= self.tolerance)).any():
             first = np.abs(unique[bad]).argmin()
-            raise AccuracyError(f"at t = {unique[bad][first]} the error is about {estimate[bad][first]:.1e}, more than the tolerance "
+            raise AccuracyError(f"at t = {unique[bad][first]} the error is about "
+                                f"{estimate[bad][first]:.1e}, more than the tolerance "
                                 f"{self.tolerance}: ask for times nearer to 0, or accept a larger tolerance")
         self.error = max(self.error, float(estimate.max(initial=0)))
         return fine[places]
@@ -143,7 +164,9 @@ class Integration:
         return np.concatenate(found)
 
     def _broken(self, times: Array, values: Array) -> Array:
-        """The least error in the state that explains what the Casimirs, the energy and the integrals have lost."""
+        """The least error in the state that explains what the Casimirs, the energy and the integrals have
+        lost.
+        """
         scene, least = self.scene, np.zeros(len(values))
         arrays = dict(zip(scene.space.coordinates, np.vstack([self._runs[0].start, values]).T))
         for kept in (scene.hamiltonian, *scene.space.casimirs, *scene.integrals):

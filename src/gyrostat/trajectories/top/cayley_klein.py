@@ -1,4 +1,7 @@
-"""Cayley-Klein parameters: the rotation, the directions and the momenta of a body of revolution from two complex numbers."""
+"""Cayley-Klein parameters.
+
+The rotation, the directions and the momenta of a body of revolution from two complex numbers.
+"""
 from typing import Any
 
 import numpy as np
@@ -7,12 +10,18 @@ from ...algebra.floats import Array
 
 
 def momentum(I1: Any, a: Any, b: Any, a_rate: Any, b_rate: Any) -> Any:
-    """π1 + i π2 = 2 I1 (ā ḃ − b ā˙), with the derivatives in the frame in which π3 does no work; in doubles or balls."""
+    """π1 + i π2 = 2 I1 (ā ḃ − b ā˙), with the derivatives in the frame in which π3 does no work.
+
+    In doubles or balls.
+    """
     return 2 * I1 * (a.conjugate() * b_rate - b * a_rate.conjugate())
 
 
-def structure(gaps: Any, senses: list[int], s: Any, c: Any, turn: Any, rates: Any, i: Any, half: Any) -> tuple[list[Any], list[Any]]:
-    """a, b = (c √(1 ± z1) ± i s √(1 ± z2)) · half without their unit factors, and their time derivatives; in doubles or balls.
+def structure(gaps: Any, senses: list[int], s: Any, c: Any, turn: Any, rates: Any, i: Any,
+              half: Any) -> tuple[list[Any], list[Any]]:
+    """a, b = (c √(1 ± z1) ± i s √(1 ± z2)) · half without their unit factors, and their time derivatives.
+
+    In doubles or balls.
 
     Parameters
     ----------
@@ -31,11 +40,14 @@ def structure(gaps: Any, senses: list[int], s: Any, c: Any, turn: Any, rates: An
 
 
 def rotation(a: Array, b: Array) -> Array:
-    """R from body to space of a = cos(θ/2) exp(i (φ + ψ)/2), b = sin(θ/2) exp(i (φ − ψ)/2); shape (..., 3, 3).
+    """R from body to space of a = cos(θ/2) exp(i (φ + ψ)/2), b = sin(θ/2) exp(i (φ − ψ)/2).
 
-    Source
-    ------
-    Whittaker, Analytical Dynamics, 4th ed. (1937), §10; the angles are z-x-z, as in gyrostat.mechanics.attitude.
+    Shape (..., 3, 3).
+
+    References
+    ----------
+    Whittaker, Analytical Dynamics, 4th ed. (1937), §10; the angles are z-x-z, as in
+    gyrostat.mechanics.attitude.
 
     Examples
     --------

@@ -1,4 +1,7 @@
-"""The level of the integrals on which a body of revolution in U(k3) moves: g(k3) = I1² k̇3², and what has to be decided of it, exactly."""
+"""The level of the integrals on which a body of revolution in U(k3) moves.
+
+g(k3) = I1² k̇3², and what has to be decided of it, exactly.
+"""
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import zip_longest
@@ -18,14 +21,18 @@ K3 = symbol("k3")
 
 @dataclass(frozen=True)
 class Level:
-    """The level of the integrals on which a state moves, in exact numbers; g(z) = (|p|² + 2 I1 (U(k3) − U(z))) (|k|² − z²) − (v − P z)².
+    """The level of the integrals on which a state moves, in exact numbers.
+
+    g(z) = (abs(p)² + 2 I1 (U(k3) − U(z))) (abs(k)² − z²) − (v − P z)².
 
     The numbers are fmpq where all of them are rational and U is a polynomial, else expressions.
 
     Parameters
     ----------
-    scene : System               a body of revolution in U(k3), all of it numbers
-    state : tuple of six Expr    exact numbers; |k| > 0
+    scene : System
+        a body of revolution in U(k3), all of it numbers
+    state : tuple of six Expr
+        exact numbers; abs(k) > 0
     """
 
     scene: System
@@ -61,7 +68,7 @@ class Level:
 
     @cached_property
     def square_radius(self) -> Any:
-        """|k|²."""
+        """abs(k)²."""
         square = sum(x * x for x in self.numbers[6:])
         return square if isinstance(square, fmpq) or is_algebraic(square) else trigsimp(square)
 
@@ -72,7 +79,7 @@ class Level:
 
     @cached_property
     def across(self) -> Any:
-        """|p|² = π1² + π2² at the start."""
+        """abs(p)² = π1² + π2² at the start."""
         return self.numbers[3] * self.numbers[3] + self.numbers[4] * self.numbers[4]
 
     @cached_property
@@ -87,15 +94,22 @@ class Level:
 
     @cached_property
     def kinetic(self) -> Expr:
-        """|p|² as a function of k3."""
+        """abs(p)² as a function of k3."""
         moved = self.potential.xreplace({K3: expression(self.height)}) - self.potential
         return expression(self.across) + 2 * expression(self.inertia) * moved
 
     @cached_property
     def slope(self) -> Expr:
         """g′ as a function of k3, by the rule of products: SymPy takes long over numbers of many digits."""
-        fall, turned = self._fall, expression(self.twist) + expression(self.axial) * (expression(self.height) - K3)
-        return fall * (expression(self.square_radius) - K3**2) - 2 * K3 * self.kinetic + 2 * expression(self.axial) * turned
+        fall, turned = (
+            self._fall,
+            expression(self.twist) + expression(self.axial) * (expression(self.height) - K3),
+        )
+        return (
+            fall * (expression(self.square_radius) - K3**2)
+            - 2 * K3 * self.kinetic
+            + 2 * expression(self.axial) * turned
+        )
 
     @cached_property
     def curvature(self) -> Expr:
@@ -106,7 +120,7 @@ class Level:
 
     @property
     def _fall(self) -> Expr:
-        """The derivative of |p|²."""
+        """The derivative of abs(p)²."""
         return -2 * expression(self.inertia) * self.potential.diff(K3)
 
     @cached_property
@@ -123,12 +137,12 @@ class Level:
 
     @cached_property
     def poles(self) -> tuple[int, int]:
-        """Signs of v + P |k| and v − P |k|, 0 where the axis may pass the lower and the upper pole."""
+        """Signs of v + P abs(k) and v − P abs(k), 0 where the axis may pass the lower and the upper pole."""
         lower, upper = (self._sign(side * self.axial) for side in (1, -1))
         return lower, upper
 
     def _sign(self, axial: Any) -> int:
-        """Of v + P |k|."""
+        """Of v + P abs(k)."""
         first, second = known(self.level), known(axial)
         if first * second >= 0:
             return first or second
@@ -148,7 +162,10 @@ class Level:
 
     @cached_property
     def contact(self) -> tuple[int, int]:
-        """Multiplicity of −|k| and |k| as roots of g: 0, 1, and 2 where the motion is asymptotic to the pole; 3 stands for more."""
+        """Multiplicity of −abs(k) and abs(k) as roots of g.
+
+        0, 1, and 2 where the motion is asymptotic to the pole; 3 stands for more.
+        """
         lower, upper = (self._multiplicity(sign, side) for sign, side in zip(self.poles, (-1, 1)))
         return lower, upper
 
@@ -192,11 +209,13 @@ def known(constant: Any) -> int:
 
     Raises
     ------
-    ValuesError      it is not: it may be 0
+    ValuesError
+        it is not: it may be 0
     """
     if isinstance(constant, fmpq):
         return (constant > 0) - (constant < 0)
     if (sign := sign_of_constant(constant)) is None:
-        raise ValuesError(f"whether {constant} is 0 is not proved, and the motion depends on it: write the numbers with rationals and "
+        raise ValuesError(f"whether {constant} is 0 is not proved, and the motion depends on it: write the "
+                          "numbers with rationals and "
                           "roots")
     return sign

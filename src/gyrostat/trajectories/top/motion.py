@@ -1,4 +1,7 @@
-"""The motion of a body of revolution in U(k3) in doubles: k3 by elliptic functions, the two angles by series, at any time."""
+"""The motion of a body of revolution in U(k3) in doubles.
+
+k3 by elliptic functions, the two angles by series, at any time.
+"""
 from functools import cached_property
 from typing import Any
 
@@ -21,7 +24,8 @@ class AxialMotion:
     Parameters
     ----------
     level : Level
-    bits : int          of the states in balls; 53 for doubles
+    bits : int
+        of the states in balls; 53 for doubles
     """
 
     def __init__(self, level: Level, bits: int = 53):
@@ -35,8 +39,10 @@ class AxialMotion:
         s, c, turn = (0 * u, 1 + 0 * u, 0 * u) if exact.path is None else exact.path.shape(u)
         values, slopes = structure(self._gaps, exact.senses, s, c, turn, rates, 1j, 0.5**0.5)
         half_drift = turns(t, self._pairs["drift"])
-        units = [complex(factor) * np.exp(1j * (2 * np.pi * sign * half_drift + angle + value - double(start)))
-                 for factor, sign, angle, value, start in zip(exact.factors, (-1, 1), angles, bounded[1:], exact.angles)]
+        units = [complex(factor) * np.exp(1j
+                                          * (2 * np.pi * sign * half_drift + angle + value - double(start)))
+                 for factor, sign, angle, value, start in zip(exact.factors, (-1, 1), angles, bounded[1:],
+                                                              exact.angles)]
         height = c * c * double(exact.lower) + s * s * double(exact.upper)
         return [x * e for x, e in zip(values, units)], [x * e for x, e in zip(slopes, units)], height
 
@@ -65,14 +71,21 @@ class AxialMotion:
     def _pairs(self) -> dict[str, Any]:
         """Periods and turns in two doubles."""
         with own_precision(self.exact.precision):
-            turn, (time, *means), (jump, *jumps) = 2 * arb.pi(), self.exact.integrals.means, self.exact.integrals.jumps
+            turn, (time, *means), (jump, *jumps) = (
+                2 * arb.pi(),
+                self.exact.integrals.means,
+                self.exact.integrals.jumps,
+            )
             pairs: dict[str, Any] = {"drift": pair(self.exact.drift / (2 * turn))}
-            if self.exact.integrals.quarter is None:             # of what the angles grow by in a unit of time, before and after
-                ratios = [[(mean + side * step) / (time + side * jump) for mean, step in zip(means, jumps)] for side in (-1, 1)]
+            # of what the angles grow by in a unit of time, before and after
+            if self.exact.integrals.quarter is None:
+                ratios = [[(mean + side * step) / (time + side * jump) for mean, step in zip(means, jumps)]
+                          for side in (-1, 1)]
                 pairs["rates"] = [[pair(x / turn) for x in row] for row in ratios]
             else:
                 whole = 2 * self.exact.integrals.quarter
-                pairs["period"], pairs["angles"] = pair(whole * time), [pair(whole * mean / turn) for mean in means]
+                pairs["period"], pairs["angles"] = pair(whole
+                                                        * time), [pair(whole * mean / turn) for mean in means]
             return pairs
 
     def _path(self, t: Array) -> tuple[Array, list[Array]]:
@@ -85,11 +98,13 @@ class AxialMotion:
             k = np.rint(r / period.high)
             r, n = r - k * period.high, n + k
             u = self.exact.integrals.inverse(r)
-            return u, [2 * np.pi * turns(n, whole) + mean * u for mean, whole in zip(means, self._pairs["angles"])]
+            return u, [2 * np.pi * turns(n, whole) + mean * u
+                       for mean, whole in zip(means, self._pairs["angles"])]
         u = self.exact.integrals.inverse(t + start)
         bounded, late = self.exact.integrals.bounded(u)[0][0], u > 0
         rest, rates = start - bounded, self._pairs["rates"]
-        return u, [2 * np.pi * np.where(late, turns(t, after) + after.high * rest, turns(t, before) + before.high * rest)
+        return u, [2 * np.pi * np.where(late, turns(t, after) + after.high * rest,
+                                        turns(t, before) + before.high * rest)
                    for before, after in zip(*rates)]
 
     def ball_state(self, t: arb, _: int) -> list[arb]:

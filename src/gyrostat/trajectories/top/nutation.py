@@ -1,4 +1,6 @@
-"""k3 between two turning points as elliptic functions of a variable u in which time is smooth, however close other roots of g lie."""
+"""k3 between two turning points as elliptic functions of a variable u in which time is smooth, however close
+other roots of g lie.
+"""
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,21 +16,28 @@ from .turning_points import Roots
 
 @dataclass(frozen=True)
 class Nutation:
-    """z = c² lower + s² upper, s² + c² = 1, with (s : c) elliptic functions of u, so that dz/√|q(z)| is scale · du for a quartic q.
+    """z = c² lower + s² upper, s² + c² = 1, with (s .
 
-    The roots of q are the turning points and the two other roots of g nearest to them: neighbours on the real line, or a conjugate
-    pair. Where q is all of g, u is proportional to time; elsewhere g/q is smooth.
+    C) elliptic functions of u, so that dz/√abs(q(z)) is scale · du for a quartic q.
+
+    The roots of q are the turning points and the two other roots of g nearest to them: neighbours on the real
+    line, or a conjugate pair. Where q is all of g, u is proportional to time; elsewhere g/q is smooth.
 
     Parameters
     ----------
     roots : Roots
-    kind : str                       "neighbours", from the lower end; "neighbours above", from the upper end; "pair"; "passage" from
-                                     one double root to another
-    complement : arb                 m1 of the elliptic functions
-    ratio : arb                      of s to c in them
+    kind : str
+        "neighbours", from the lower end; "neighbours above", from the upper end; "pair"; "passage" from one
+        double root to another
+    complement : arb
+        m1 of the elliptic functions
+    ratio : arb
+        of s to c in them
     scale : arb
-    used : tuple of acb              the roots of q beside the turning points
-    rest : list of (acb, int)        the roots of g that are not those of q
+    used : tuple of acb
+        the roots of q beside the turning points
+    rest : list of (acb, int)
+        the roots of g that are not those of q
     """
 
     roots: Roots
@@ -78,7 +87,7 @@ class Nutation:
         return side * argument(y, c, self.complement)
 
     def quartic(self, z: arb, double: bool) -> arb:
-        """|q(z)|; at a double root, half of its second derivative."""
+        """abs(q(z)); at a double root, half of its second derivative."""
         value, left = arb(1), 2 if double else 0
         for x in (acb(self.roots.lower), acb(self.roots.upper), *self.used):
             if left and x.overlaps(acb(z)):
@@ -91,8 +100,8 @@ class Nutation:
 def nutation(roots: Roots) -> Nutation:
     """The elliptic functions that suit the roots.
 
-    Source
-    ------
+    References
+    ----------
     Byrd & Friedman, Handbook of Elliptic Integrals, 2nd ed. (1971), 256 and 259.
     """
     lower, upper, width = roots.lower, roots.upper, roots.upper - roots.lower
@@ -105,7 +114,8 @@ def nutation(roots: Roots) -> Nutation:
         A, B = abs(upper - nearest), abs(lower - nearest)
         complement = ((A + B) ** 2 - width**2) / (4 * A * B)
         used = nearest, nearest.conjugate()
-        return Nutation(roots, "pair", complement, (B / A).sqrt(), 2 / (A * B).sqrt(), used, _without(roots, used))
+        return Nutation(roots, "pair", complement, (B / A).sqrt(), 2 / (A * B).sqrt(), used,
+                        _without(roots, used))
     below, above = [x for x in real if x < lower], [x for x in real if x > upper]
     before = lower if roots.double[0] else max(below, key=arb.mid, default=None)
     after = upper if roots.double[1] else min(above, key=arb.mid, default=None)
@@ -115,7 +125,8 @@ def nutation(roots: Roots) -> Nutation:
         after = min(below, key=arb.mid)
     first = abs((lower - before) / (upper - before)) if before is not None else arb(1)
     last = abs((after - upper) / (after - lower)) if after is not None else arb(1)
-    scale = 2 / ((abs(upper - before) if before is not None else arb(1)) * (abs(after - lower) if after is not None else arb(1))).sqrt()
+    scale = 2 / ((abs(upper - before) if before is not None else arb(1))
+                 * (abs(after - lower) if after is not None else arb(1))).sqrt()
     used = tuple(acb(x) for x in (before, after) if x is not None)
     complement = arb(0) if any(roots.double) else first * last
     kind, ratio = ("neighbours above", last.sqrt()) if roots.double[0] else ("neighbours", first.sqrt())
@@ -123,7 +134,10 @@ def nutation(roots: Roots) -> Nutation:
 
 
 def _distance(x: arb | acb, lower: arb, upper: arb) -> arb:
-    """The size of the ellipse with foci at the turning points through x, less that of the least: what is left next to them."""
+    """The size of the ellipse with foci at the turning points through x, less that of the least.
+
+    What is left next to them.
+    """
     return (abs(x - lower) + abs(x - upper) - (upper - lower)).mid()
 
 

@@ -1,4 +1,7 @@
-"""The precession and spin of a body of revolution in U(k3), with its nutation: every constant, and the state at any time, in balls."""
+"""The precession and spin of a body of revolution in U(k3), with its nutation.
+
+Every constant, and the state at any time, in balls.
+"""
 from functools import cached_property
 from math import prod
 
@@ -17,28 +20,32 @@ from .quadrature import FEWEST, Integrals, over_a_period, to_infinity
 from .turning_points import roots_of
 
 MOST_BITS = 4096
-MARGIN = 20                                                # bits by which a constant is better known than the results
+# bits by which a constant is better known than the results
+MARGIN = 20
 
 
 class Precession:
     """A body of revolution in U(k3) from a state on, in balls.
 
-    The body turns by the Cayley-Klein parameters a = cos(θ/2) exp(i (φ + ψ)/2), b = sin(θ/2) exp(i (φ − ψ)/2), which are smooth
-    everywhere. With z = k3/|k|, P = π3 + l, v = M·k/|k|, Λ = P/I1 − π3/I3:
+    The body turns by the Cayley-Klein parameters a = cos(θ/2) exp(i (φ + ψ)/2), b = sin(θ/2) exp(i (φ −
+    ψ)/2), which are smooth everywhere. With z = k3/abs(k), P = π3 + l, v = M·k/abs(k), Λ = P/I1 − π3/I3:
 
-    arg a = −Λ t/2 + ∫ (v + P)/(2 I1 (1 + z)) dt,  arg b = Λ t/2 + ∫ (v − P)/(2 I1 (1 − z)) dt,  π1 + i π2 = 2 I1 (ā ḃ − b ā˙) without Λ.
+    arg a = −Λ t/2 + ∫ (v + P)/(2 I1 (1 + z)) dt,  arg b = Λ t/2 + ∫ (v − P)/(2 I1 (1 − z)) dt,  π1 + i π2 = 2
+        I1 (ā ḃ − b ā˙) without Λ.
 
-    Each integrand has poles where z = ∓1, with the residues of an angle: a is (c √(1 + z1) + i s √(1 + z2))/√2 times a unit factor
-    whose angle has none, and b likewise; s, c are those of the nutation.
+    Each integrand has poles where z = ∓1, with the residues of an angle: a is (c √(1 + z1) + i s √(1 +
+    z2))/√2 times a unit factor whose angle has none, and b likewise; s, c are those of the nutation.
 
     Parameters
     ----------
     level : Level
-    bits : int          of the results; 53 for doubles
+    bits : int
+        of the results; 53 for doubles
 
-    Source
-    ------
-    Klein & Sommerfeld, Theorie des Kreisels (1897-1910), chapters I and VI; Arnold, Mathematical Methods of Classical Mechanics, §30.
+    References
+    ----------
+    Klein & Sommerfeld, Theorie des Kreisels (1897-1910), chapters I and VI; Arnold, Mathematical Methods of
+    Classical Mechanics, §30.
     """
 
     def __init__(self, level: Level, bits: int = 53):
@@ -79,28 +86,35 @@ class Precession:
 
         Raises
         ------
-        AccuracyError     it is not, at this precision
+        AccuracyError
+            it is not, at this precision
         """
         of_one = [*self.angles, *(x for factor in self.factors for x in (factor.real, factor.imag))]
         relative = [x for gap in self.gaps for x in gap if x != 0] + [self.I1, self.r, *self.momenta]
         time = self.integrals.means[0] * (1 if self.integrals.quarter is None else self.integrals.quarter)
         pairs = [(x, abs(x)) for x in relative if x != 0] + [(x, arb(1)) for x in of_one]
-        pairs += [(self.t0, abs(time) + abs(self.t0)), (self.drift, abs(self.drift) + abs(self.pi3 / self.I1))]
+        pairs += [(self.t0, abs(time) + abs(self.t0)),
+                  (self.drift, abs(self.drift) + abs(self.pi3 / self.I1))]
         if not all(x.is_finite() and x.rad() <= size * arb(2) ** -(self.bits + MARGIN) for x, size in pairs):
             raise AccuracyError(f"the constants of the motion are not known to {self.bits + MARGIN} bits")
 
     def _measure(self, height: arb) -> None:
         """√(1 ± z) at the lower and the upper end, exactly 0 where an end is a pole."""
-        level, ends = self.level, (height, height) if self.path is None else (self.path.roots.lower, self.path.roots.upper)
+        level, ends = (
+            self.level,
+            (height, height) if self.path is None else (self.path.roots.lower, self.path.roots.upper),
+        )
         self.lower, self.upper = ends
         self.gaps = []
         for sign, side in zip(level.poles, (1, -1)):
             poles = [sign == 0 and (1 + side * x / self.r).contains(0) for x in ends]
-            self.gaps.append([arb(0) if pole else (1 + side * x / self.r).sqrt() for x, pole in zip(ends, poles)])
+            self.gaps.append([arb(0) if pole else (1 + side * x / self.r).sqrt()
+                              for x, pole in zip(ends, poles)])
 
     def _steady(self) -> Integrals:
         """k3 at rest: u is the time."""
-        rates = [m / (2 * self.I1 * gap[0] ** 2) if m != 0 else arb(0) for m, gap in zip(self.momenta, self.gaps)]
+        rates = [m / (2 * self.I1 * gap[0] ** 2) if m != 0 else arb(0)
+                 for m, gap in zip(self.momenta, self.gaps)]
         return Integrals((arb(1), *rates), (arb(0),) * 3, [[arb(0)]] * 3, None, 1)
 
     def _integrate(self, path: Nutation) -> Integrals:
@@ -108,10 +122,12 @@ class Precession:
         if (quarter := path.quarter) is not None:
             nodes = FEWEST
             if path.complement < 0.999:                    # the terms fall like the nome to the power j
-                nodes = max(nodes, int(0.28 * self.bits * float(quarter / quarter_period(1 - path.complement))) + 6)
+                nodes = max(nodes, int(0.28 * self.bits
+                                       * float(quarter / quarter_period(1 - path.complement))) + 6)
             return over_a_period(lambda u: self._rates(path, *path.shape(u)), quarter, nodes, self.bits + 7)
         low, high = ((arb(0), arb(1), arb(0)), (arb(1), arb(0), arb(0)))
-        first, last = {(False, True): (high, high), (True, False): (low, low), (True, True): (low, high)}[path.roots.double]
+        first, last = {(False, True): (high, high), (True, False): (low, low),
+                       (True, True): (low, high)}[path.roots.double]
         limits = self._rates(path, *first), self._rates(path, *last)
         return to_infinity(lambda u: self._rates(path, *path.shape(u)), limits, self.bits + 7)
 
@@ -121,11 +137,12 @@ class Precession:
         rates = [time]
         for level, (low, high), sense in zip(self.momenta, self.gaps, self.senses):
             square = c * low * c * low + s * high * s * high
-            rates.append((time * level / (2 * self.I1) - sense * turn * low * high) / square if low * high != 0 else arb(0))
+            rates.append((time * level / (2 * self.I1) - sense * turn * low * high) / square
+                         if low * high != 0 else arb(0))
         return rates
 
     def _factor(self, path: Nutation, s: arb, c: arb) -> arb:
-        """g/|q|."""
+        """g/abs(q)."""
         z = c * c * self.lower + s * s * self.upper
         if path.roots.leading is not None:
             return prod((abs(z - x) ** m for x, m in path.rest), start=abs(path.roots.leading))
@@ -166,7 +183,8 @@ class Precession:
             first = (a if b == 0 else relative * b).conjugate()
         else:
             square = (relative * a * b).conjugate() / abs(a * b)
-            first = 1 + square if square.real > 0 else acb(0, 1) * (1 - square)                  # its root, up to a positive factor
+            # its root, up to a positive factor
+            first = 1 + square if square.real > 0 else acb(0, 1) * (1 - square)
         first /= abs(first)
         self.factors = first, relative * first
 
@@ -192,8 +210,14 @@ class Precession:
             s, c, turn = self.shape(u)
             values, slopes = self.structure(s, c, turn, rates)
             units = []
-            for sign, factor, angle, start, mean in zip((-1, 1), self.factors, angles, self.angles, self.integrals.means[1:]):
-                gained = angle - start + sign * self.drift * t / 2 + (0 if quarter is None else 2 * n * quarter * mean)
+            for sign, factor, angle, start, mean in zip((-1, 1), self.factors, angles, self.angles,
+                                                        self.integrals.means[1:]):
+                gained = (
+                    angle
+                    - start
+                    + sign * self.drift * t / 2
+                    + (0 if quarter is None else 2 * n * quarter * mean)
+                )
                 units.append(factor * acb(0, gained).exp())
             (a, b), slopes = (x * e for x, e in zip(values, units)), [x * e for x, e in zip(slopes, units)]
             p, k = momentum(self.I1, a, b, *slopes), 2 * acb(0, 1) * self.r * b * a.conjugate()
@@ -211,10 +235,14 @@ class Precession:
 
     @cached_property
     def gains(self) -> tuple[arb | None, arb, arb]:
-        """Period, and what φ and ψ gain in it; without a period None and their rates, on a separatrix those at its end."""
+        """Period, and what φ and ψ gain in it.
+
+        Without a period None and their rates, on a separatrix those at its end.
+        """
         with own_precision(self.precision):
             last = -1 if self.backward else 1
-            time, *means = (mean + last * jump for mean, jump in zip(self.integrals.means, self.integrals.jumps))
+            time, *means = (mean + last * jump
+                            for mean, jump in zip(self.integrals.means, self.integrals.jumps))
             if (quarter := self.integrals.quarter) is None:
                 first, second = (mean / time for mean in means)
                 return None, first + second, first - second - self.drift

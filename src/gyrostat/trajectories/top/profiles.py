@@ -1,4 +1,7 @@
-"""g on a level of the integrals in balls: its values and derivatives, and what is left of it next to a pole that is a root."""
+"""g on a level of the integrals in balls.
+
+Its values and derivatives, and what is left of it next to a pole that is a root.
+"""
 from functools import lru_cache
 
 from flint import arb, ctx
@@ -9,7 +12,8 @@ from .level import K3, Level, enclosed, expression
 
 
 class Profile:
-    """g(z) = T (r² − z²) − w², T = |p|² + 2 I1 (U(k3) − U(z)), w = v − P z, of a level, at the precision of the moment.
+    """g(z) = T (r² − z²) − w², T = abs(p)² + 2 I1 (U(k3) − U(z)), w = v − P z, of a level, at the precision
+    of the moment.
 
     Parameters
     ----------
@@ -17,18 +21,27 @@ class Profile:
 
     Attributes
     ----------
-    radius : arb         r = |k|
+    radius : arb
+        r = abs(k)
     """
 
     def __init__(self, level: Level):
         self._field = derivatives(level.potential)
-        self._inertia, self._height, self._axial = enclosed(level.inertia), enclosed(level.height), enclosed(level.axial)
-        self._across, self._twist, self._square = enclosed(level.across), enclosed(level.twist), enclosed(level.square_radius)
+        self._inertia, self._height, self._axial = (
+            enclosed(level.inertia),
+            enclosed(level.height),
+            enclosed(level.axial),
+        )
+        self._across, self._twist, self._square = (
+            enclosed(level.across),
+            enclosed(level.twist),
+            enclosed(level.square_radius),
+        )
         self._start = ball(level.potential.xreplace({K3: expression(level.height)}), ctx.prec)
         self.radius = self._square.sqrt()
 
     def kinetic(self, z: arb) -> arb:
-        """T = |p|²."""
+        """T = abs(p)²."""
         return self._across + 2 * self._inertia * (self._start - self._potential(z, 0))
 
     def __call__(self, z: arb, order: int = 0) -> arb:
@@ -38,13 +51,22 @@ class Profile:
             return self.kinetic(z) * (self._square - z * z) - w * w
         if order == 1:
             return self._fall(z, 1) * (self._square - z * z) - 2 * z * self.kinetic(z) + 2 * self._axial * w
-        return self._fall(z, 2) * (self._square - z * z) - 4 * z * self._fall(z, 1) - 2 * self.kinetic(z) - 2 * self._axial * self._axial
+        return (
+            self._fall(z, 2) * (self._square - z * z)
+            - 4 * z * self._fall(z, 1)
+            - 2 * self.kinetic(z)
+            - 2 * self._axial * self._axial
+        )
 
     def divided(self, z: arb, side: int, order: int = 0) -> arb:
         """g/(r − side z) or its derivative, where the pole side · r is a root: w = P (side r − z)."""
         if order == 0:
-            return self.kinetic(z) * (self.radius + side * z) - self._axial * self._axial * (self.radius - side * z)
-        return self._fall(z, 1) * (self.radius + side * z) + side * (self.kinetic(z) + self._axial * self._axial)
+            return self.kinetic(z) * (self.radius + side * z) - self._axial * self._axial * (
+                self.radius - side * z
+            )
+        return self._fall(z, 1) * (self.radius + side * z) + side * (
+            self.kinetic(z) + self._axial * self._axial
+        )
 
     def _potential(self, z: arb, order: int) -> arb:
         return ball(self._field[order], ctx.prec, {K3: z})

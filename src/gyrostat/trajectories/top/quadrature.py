@@ -1,4 +1,7 @@
-"""Integrals of smooth functions, periodic and even, or with limits at infinity: a linear part and a series that converges spectrally."""
+"""Integrals of smooth functions, periodic and even, or with limits at infinity.
+
+A linear part and a series that converges spectrally.
+"""
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,8 +14,10 @@ from ...errors import AccuracyError, ResolutionError
 from ..periods import double
 
 FEWEST, MOST = 12, 8192                                    # nodes
-MOST_STEPS, FAR = 40, 40.0                                 # of Newton's method; where a function has reached its limit
-GUARD = 50                                                 # bits by which the integrands are better known than the series
+# of Newton's method; where a function has reached its limit
+MOST_STEPS, FAR = 40, 40.0
+# bits by which the integrands are better known than the series
+GUARD = 50
 
 
 @dataclass(frozen=True)
@@ -21,11 +26,16 @@ class Integrals:
 
     Parameters
     ----------
-    means : tuple of arb                   mean values; at infinity the mean of the two limits
-    jumps : tuple of arb                   half the difference of the limits; 0 of periodic functions
-    series : list of list of arb           of sin(j π u/K), j from 1; at infinity the Chebyshev polynomials T_j of tanh(u/2), j from 0
-    quarter : arb or None                  K, half a period of u; None: the functions have limits at infinity
-    nodes : int                            values of each f that were used
+    means : tuple of arb
+        mean values; at infinity the mean of the two limits
+    jumps : tuple of arb
+        half the difference of the limits; 0 of periodic functions
+    series : list of list of arb
+        of sin(j π u/K), j from 1; at infinity the Chebyshev polynomials T_j of tanh(u/2), j from 0
+    quarter : arb or None
+        K, half a period of u; None: the functions have limits at infinity
+    nodes : int
+        values of each f that were used
     """
 
     means: tuple[arb, ...]
@@ -49,7 +59,10 @@ class Integrals:
         return np.array([double(x) for x in self.means]), np.array([double(x) for x in self.jumps])
 
     def bounded(self, u: Array) -> tuple[Array, Array]:
-        """The integrals less their linear parts limits(u) · u, and the functions themselves; shape (functions, points) each."""
+        """The integrals less their linear parts limits(u) · u, and the functions themselves.
+
+        Shape (functions, points) each.
+        """
         means, jumps = (x[:, None] for x in self._linear)
         if self.quarter is not None:
             w = np.pi / double(self.quarter)
@@ -69,7 +82,9 @@ class Integrals:
             turns = [(j * w * u).sin_cos() for j in range(1, len(self.series[0]) + 1)]
             for mean, row in zip(self.means, self.series):
                 values.append(mean * u + sum((c * s for c, (s, _) in zip(row, turns)), arb(0)))
-                slopes.append(mean + w * sum((j * c * cosine for j, (c, (_, cosine)) in enumerate(zip(row, turns), 1)), arb(0)))
+                slopes.append(mean + w * sum((j * c * cosine
+                                              for j, (c, (_, cosine)) in enumerate(zip(row, turns), 1)),
+                                             arb(0)))
             return values, slopes
         y, square = (u / 2).tanh(), (u / 2).sech() ** 2 / 2
         T = [arb(1), y]
@@ -78,8 +93,10 @@ class Integrals:
             T.append(2 * y * T[-1] - T[-2])
             V.append(2 * y * V[-1] - V[-2])
         for mean, jump, row in zip(self.means, self.jumps, self.series):
-            values.append(mean * u + 2 * jump * (u / 2).cosh().log() + sum((c * t for c, t in zip(row, T)), arb(0)))
-            slopes.append(mean + jump * y + square * sum((j * c * v for j, (c, v) in enumerate(zip(row, V))), arb(0)))
+            values.append(mean * u + 2 * jump * (u / 2).cosh().log()
+                          + sum((c * t for c, t in zip(row, T)), arb(0)))
+            slopes.append(mean + jump * y + square
+                          * sum((j * c * v for j, (c, v) in enumerate(zip(row, V))), arb(0)))
         return values, slopes
 
 
@@ -109,7 +126,8 @@ class Integrals:
 
 def _sines(coefficients: Array, w: Array) -> tuple[Array, Array]:
     """Σ b_j sin(j w) and Σ j b_j cos(j w), j from 1, for each column b, by Clenshaw's recurrence."""
-    both = np.concatenate([coefficients, coefficients * np.arange(1, len(coefficients) + 1)[:, None]], axis=1)[:, :, None]
+    both = np.concatenate([coefficients, coefficients * np.arange(1, len(coefficients) + 1)[:, None]],
+                          axis=1)[:, :, None]
     twice = 2 * np.cos(w)
     here, last = np.zeros((both.shape[1], w.size)), np.zeros((both.shape[1], w.size))
     for row in both[::-1]:
@@ -119,23 +137,29 @@ def _sines(coefficients: Array, w: Array) -> tuple[Array, Array]:
 
 
 def over_a_period(sample: Callable[[arb], Sequence[arb]], quarter: arb, nodes: int, bits: int) -> Integrals:
-    """Integrals of even functions of period 2 K by the trapezoidal rule, the number of nodes doubled until the series is exhausted.
+    """Integrals of even functions of period 2 K by the trapezoidal rule, the number of nodes doubled until
+    the series is exhausted.
 
     The error of the means is that of twice as many terms: the square of the last one.
 
     Parameters
     ----------
-    sample : function of u           the values of all functions
-    quarter : arb                    K
-    nodes : int                      in half a period, to begin with
-    bits : int                       the last terms are below 2^−bits of the largest value
+    sample : function of u
+        the values of all functions
+    quarter : arb
+        K
+    nodes : int
+        in half a period, to begin with
+    bits : int
+        the last terms are below 2^−bits of the largest value
 
     Raises
     ------
-    ResolutionError                  8192 nodes do not reach it
+    ResolutionError
+        8192 nodes do not reach it
 
-    Source
-    ------
+    References
+    ----------
     Trefethen & Weideman, SIAM Review 56 (2014) 385-458.
     """
     def values(n: int) -> list[Sequence[arb]]:
@@ -143,11 +167,16 @@ def over_a_period(sample: Callable[[arb], Sequence[arb]], quarter: arb, nodes: i
 
     rows, spectra = _converged(values, _sizes([arb(0)] * len(sample(quarter))), nodes, bits)
     series = [[c * quarter / (arb.pi() * j) for j, c in enumerate(s[1:], 1)] for s in spectra]
-    return Integrals(tuple(sum(row, arb(0)) / len(row) for row in rows), (arb(0),) * len(rows), series, quarter, len(rows[0]))
+    return Integrals(tuple(sum(row, arb(0)) / len(row) for row in rows), (arb(0),) * len(rows), series,
+                     quarter, len(rows[0]))
 
 
-def to_infinity(sample: Callable[[arb], Sequence[arb]], limits: tuple[Sequence[arb], Sequence[arb]], bits: int) -> Integrals:
-    """Integrals of functions of u that have limits at −∞ and ∞, in Chebyshev polynomials of tanh(u/2); see over_a_period."""
+def to_infinity(sample: Callable[[arb], Sequence[arb]], limits: tuple[Sequence[arb], Sequence[arb]],
+                bits: int) -> Integrals:
+    """Integrals of functions of u that have limits at −∞ and ∞, in Chebyshev polynomials of tanh(u/2).
+
+    See over_a_period.
+    """
     means = [(a + b) / 2 for a, b in zip(*limits)]
     jumps = [(b - a) / 2 for a, b in zip(*limits)]
 
@@ -162,7 +191,10 @@ def to_infinity(sample: Callable[[arb], Sequence[arb]], limits: tuple[Sequence[a
 
 
 def _sizes(sizes: Sequence[arb]) -> list[arb]:
-    """By what the accuracy of each function is measured, unless it is larger: of the first, a time, by itself; of angles, by 1."""
+    """By what the accuracy of each function is measured, unless it is larger.
+
+    Of the first, a time, by itself; of angles, by 1.
+    """
     first, *angles = sizes
     return [first, *(_size([size, arb(1)]) for size in angles)]
 
@@ -178,14 +210,19 @@ def _converged(values: Callable[[int], list[Sequence[arb]]], least: Sequence[arb
         if _exhausted(sizes, spectra, bits):
             return rows, _trimmed(rows, sizes, spectra, bits)
         nodes *= 2
-    raise ResolutionError(f"{MOST} nodes do not reach the accuracy of {bits} bits: other roots of g are too close to the motion")
+    raise ResolutionError(f"{MOST} nodes do not reach the accuracy of {bits} bits: other roots of g are "
+                          "too close to the motion")
 
 
 def _spectra(rows: Sequence[Sequence[arb]]) -> list[list[arb]]:
-    """Coefficients of cos(j θ), j from 0, of values at θ = (i + ½) π/n, i from 0: by the discrete Fourier transform of twice the row."""
+    """Coefficients of cos(j θ), j from 0, of values at θ = (i + ½) π/n, i from 0.
+
+    By the discrete Fourier transform of twice the row.
+    """
     n = len(rows[0])
     shifts = [acb(*reversed(arb.sin_cos_pi_fmpq(fmpq(-j, 2 * n)))) for j in range(n)]
-    return [[(x * shift).real / n for x, shift in zip(acb.dft([*row, *reversed(row)]), shifts)] for row in rows]
+    return [[(x * shift).real / n for x, shift in zip(acb.dft([*row, *reversed(row)]), shifts)]
+            for row in rows]
 
 
 def _enclosed(row: Sequence[arb], size: arb, bits: int) -> Sequence[arb]:
@@ -198,14 +235,21 @@ def _enclosed(row: Sequence[arb], size: arb, bits: int) -> Sequence[arb]:
 def _exhausted(sizes: Sequence[arb], spectra: Sequence[Sequence[arb]], bits: int) -> bool:
     """Whether the last terms are below 2^−bits of the size."""
     last = -max(len(spectra[0]) // 6, 2)
-    return all(max(map(abs, s[last:]), key=float) <= size * arb(2) ** -bits for size, s in zip(sizes, spectra))
+    return all(max(map(abs, s[last:]), key=float) <= size * arb(2) ** -bits
+               for size, s in zip(sizes, spectra))
 
 
-def _trimmed(rows: Sequence[Sequence[arb]], sizes: Sequence[arb], spectra: list[list[arb]], bits: int) -> list[list[arb]]:
-    """Without the terms at the end that are below the rounding error; of a constant, without any but the first."""
-    spectra = [[s[0], *[arb(0)] * (len(s) - 1)] if all(v.overlaps(row[0]) for v in row) else s for row, s in zip(rows, spectra)]
+def _trimmed(rows: Sequence[Sequence[arb]], sizes: Sequence[arb], spectra: list[list[arb]],
+             bits: int) -> list[list[arb]]:
+    """Without the terms at the end that are below the rounding error.
+
+    Of a constant, without any but the first.
+    """
+    spectra = [[s[0], *[arb(0)] * (len(s) - 1)] if all(v.overlaps(row[0]) for v in row) else s
+               for row, s in zip(rows, spectra)]
     floors = [size * arb(2) ** -bits for size in sizes]
-    needed = max((j for floor, s in zip(floors, spectra) for j, c in enumerate(s) if abs(c) > floor), default=0)
+    needed = max((j for floor, s in zip(floors, spectra) for j, c in enumerate(s) if abs(c) > floor),
+                 default=0)
     return [[s[0] / 2, *s[1:max(needed, 1) + 1]] for s in spectra]
 
 

@@ -11,7 +11,8 @@ from .level import Level, enclosed
 from .profiles import Profile
 
 FOLLOWED = 24                                              # coefficients of a polynomial that stands for g
-CLOSE = 50                                                 # times closer than the size of an interval: not known well from it
+# times closer than the size of an interval: not known well from it
+CLOSE = 50
 KNOWN = 64                                                 # bits of g from which they come
 
 
@@ -22,9 +23,12 @@ class Roots:
     Parameters
     ----------
     lower, upper : arb
-    double : (bool, bool)                 whether they are double roots, which are approached and not reached
-    others : list of (acb, int)           with multiplicity; where g is no polynomial, approximately and not all
-    leading : arb or None                 coefficient of a polynomial g
+    double : (bool, bool)
+        whether they are double roots, which are approached and not reached
+    others : list of (acb, int)
+        with multiplicity; where g is no polynomial, approximately and not all
+    leading : arb or None
+        coefficient of a polynomial g
     """
 
     lower: arb
@@ -39,8 +43,10 @@ def roots_of(level: Level) -> Roots:
 
     Raises
     ------
-    ScopeError        the motion approaches a root of third or higher order, so slowly that no exponential describes it
-    AccuracyError     two roots are not told apart at this precision
+    ScopeError
+        the motion approaches a root of third or higher order, so slowly that no exponential describes it
+    AccuracyError
+        two roots are not told apart at this precision
     """
     if level.polynomial is None:
         found, ends = _of_function(level)
@@ -49,9 +55,13 @@ def roots_of(level: Level) -> Roots:
         ends = _ends(level, found)
     (lower, m), (upper, n) = ends
     if max(m, n) > 2:
-        raise ScopeError(f"k3 approaches a root of order {max(m, n)} of g: its motion is neither periodic nor exponential")
-    others = [(x, k) for x, k in found if not (x.imag == 0 and (x.real.overlaps(lower) or x.real.overlaps(upper)))]
-    leading = None if level.polynomial is None else enclosed(next(c for c in reversed(level.polynomial) if c != 0))
+        raise ScopeError(f"k3 approaches a root of order {max(m, n)} of g: its motion is neither periodic "
+                         "nor exponential")
+    others = [(x, k) for x, k in found if not (x.imag == 0
+                                               and (x.real.overlaps(lower) or x.real.overlaps(upper)))]
+    leading = (
+        None if level.polynomial is None else enclosed(next(c for c in reversed(level.polynomial) if c != 0))
+    )
     return Roots(lower, upper, (m == 2, n == 2), others, leading)
 
 
@@ -64,7 +74,8 @@ def _ends(level: Level, found: Sequence[tuple[acb, int]]) -> list[tuple[arb, int
         if at_start and level.turn == -side:
             ends.append((z, 1))
             continue
-        beyond = [(x.real, m) for x, m in found if x.imag == 0 and not x.real.overlaps(z) and (x.real > z) == (side > 0)]
+        beyond = [(x.real, m) for x, m in found if x.imag == 0 and not x.real.overlaps(z)
+                  and (x.real > z) == (side > 0)]
         near = [x for x, _ in found if x.imag == 0 and x.real.overlaps(z)]
         if not beyond or len(near) > at_start:
             raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
@@ -94,7 +105,10 @@ def _divided(coefficients: list[arb], root: arb) -> list[arb]:
 
 
 def _simple(polynomial: arb_poly) -> list[acb]:
-    """The roots of a polynomial without multiple ones, by Newton's method in balls; of the real ones the imaginary part is 0."""
+    """The roots of a polynomial without multiple ones, by Newton's method in balls.
+
+    Of the real ones the imaginary part is 0.
+    """
     try:
         isolated = polynomial.complex_roots(tol=arb(2) ** (-ctx.prec // 2), maxprec=8 * ctx.prec)
     except ValueError as error:
@@ -126,7 +140,10 @@ def _of_function(level: Level) -> tuple[list[tuple[acb, int]], list[tuple[arb, i
 
 
 def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
-    """The root of g nearest to the start on the way to a pole; None: there is none before the pole, a root itself of order m."""
+    """The root of g nearest to the start on the way to a pole.
+
+    None: there is none before the pole, a root itself of order m.
+    """
     def value(x: arb) -> arb:
         return g(x) if m == 0 else g.divided(x, side)
 
@@ -137,17 +154,27 @@ def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
     cells = [(fmpq(0), fmpq(1))]
     while cells:
         low, high = cells.pop()
-        x, middle, end = start + way * arb(low).union(arb(high)), start + way * (low + high) / 2, start + way * high
+        x, middle, end = (
+            start + way * arb(low).union(arb(high)),
+            start + way * (low + high) / 2,
+            start + way * high,
+        )
         steep = side * slope(x)                            # > 0: g grows on the way
         positive = value(middle) + side * steep * (x - middle) > 0 or (steep < 0 and value(end) > 0)
-        if positive or (low == 0 and level.direction == 0 and steep > 0) or (high == 1 and m == 2 and steep < 0):
+        if (
+            positive
+            or (low == 0 and level.direction == 0 and steep > 0)
+            or (high == 1 and m == 2 and steep < 0)
+        ):
             continue
         if steep < 0 and value(end) < 0:
             for _ in range(2 * ctx.prec.bit_length()):
                 x = x.intersection(x.mid() - value(arb(x.mid())) / slope(x))
             if x.is_finite() and x.overlaps(side * g.radius):
-                raise AccuracyError(f"a turning point is not told apart from the pole k3 = {float(side * g.radius):g}")
-            if x.is_finite():                              # the slope keeps its sign in the smaller balls, too
+                raise AccuracyError("a turning point is not told apart from the pole k3 = "
+                                    f"{float(side * g.radius):g}")
+            # the slope keeps its sign in the smaller balls, too
+            if x.is_finite():
                 return x
         if high - low < fmpq(1, 2 ** (ctx.prec // 2)):
             raise AccuracyError(f"the turning points around k3 = {level.height} are not told apart")
@@ -156,28 +183,42 @@ def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
 
 
 def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
-    """Other roots, approximately: of polynomials that interpolate g around the motion, and around what it almost meets."""
+    """Other roots, approximately.
+
+    Of polynomials that interpolate g around the motion, and around what it almost meets.
+    """
     (lower, _), (upper, _) = ends
     width = upper - lower
     others = _interpolated(g, lower - width / 8, upper + width / 8)
-    for x, m in ends:                                      # those that stand for the turning points themselves
+    # those that stand for the turning points themselves
+    for x, m in ends:
         others = sorted(others, key=lambda y: abs(y - x).mid())[m:]
-    for x in [y.real for y in others if y.imag > 0 and 8 * y.imag < min(y.real - lower, upper - y.real, key=arb.mid)]:
+    for x in [y.real for y in others if y.imag > 0
+              and 8 * y.imag < min(y.real - lower, upper - y.real, key=arb.mid)]:
         others = _closer(g, x, 0, others, width)
     for x, m in ends:
-        beyond = x - 2 * g(x, 1) / g(x, 2)       # of the parabola there
-        if m == 1 and CLOSE * abs(beyond - x) < width and not any(abs(beyond - y) < abs(beyond - x) for y in others):
+        beyond = x - 2 * g(x, 1) / g(x, 2)  # of the parabola there
+        if (
+            m == 1
+            and CLOSE * abs(beyond - x) < width
+            and not any(abs(beyond - y) < abs(beyond - x) for y in others)
+        ):
             others.append(acb(beyond))
         others = _closer(g, x, m, others, width)
     return [x for x in others if not (x.imag == 0 and lower < x.real < upper)]
 
 
 def _closer(g: Profile, x: arb, m: int, others: list[acb], width: arb) -> list[acb]:
-    """The others, those next to x found again: on smaller and smaller intervals, until they are as far from it as an interval is long."""
+    """The others, those next to x found again.
+
+    On smaller and smaller intervals, until they are as far from it as an interval is long.
+    """
     while CLOSE * (least := min((abs(y - x).mid() for y in others), default=width)) < width:
         width = max(8 * least, width / CLOSE, key=arb.mid).mid()
         around = sorted(_interpolated(g, x - width, x + width), key=lambda y: abs(y - x).mid())[m:]
-        others = [y for y in others if abs(y - x).mid() > width / 2] + [y for y in around if abs(y - x).mid() <= width / 2]
+        others = [y for y in others if abs(y - x).mid() > width / 2] + [
+            y for y in around if abs(y - x).mid() <= width / 2
+        ]
     return others
 
 
