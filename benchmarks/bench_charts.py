@@ -22,8 +22,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import gyrostat as gs
+from gyrostat.charts.arrays import CODES, certified_chart
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.verdicts import CODES, certified_chart
 from gyrostat.plotting import caption, draw_chart
 
 BODY = gs.symmetric_gyrostat()

@@ -32,8 +32,8 @@ import verdict_routes as routes
 from hard_cases import EXPONENTS, FAMILIES, KINDS, Batch, cases, ordinary
 from scene_matrices import euler_poisson, matrices, restricted
 
+from gyrostat.charts.arrays import verdicts
 from gyrostat.charts.numeric import compile_margin
-from gyrostat.charts.verdicts import verdicts
 from gyrostat.stability.linearization import linearize
 
 FIXED = {"E1": {"I1": 1.25, "dU": 1.5}, "E3": {"I1": 1.25, "I3": 0.75, "l": 0.5, "d2U": -2.0}}

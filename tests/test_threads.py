@@ -8,7 +8,7 @@ from sympy import Rational, exp, sqrt
 
 import gyrostat as gs
 from gyrostat.algebra.numbers import exact_number
-from gyrostat.charts.verdicts import verdicts
+from gyrostat.charts.arrays import verdicts
 from gyrostat.trajectories import motion
 
 HALF = Rational(1, 2)

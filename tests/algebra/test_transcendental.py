@@ -13,7 +13,7 @@ from sympy import Rational, atan, cos, exp, log, pi, sin, sqrt, tanh
 
 import gyrostat as gs
 from gyrostat.algebra.exact import is_identically_zero, plain, sign_of_constant
-from gyrostat.charts.verdicts import verdicts
+from gyrostat.charts.arrays import verdicts
 from gyrostat.errors import BodyError, EquilibriumError, ScopeError, ValuesError
 from gyrostat.mechanics.freebody import polhode_period
 from gyrostat.stability.report import Verdict

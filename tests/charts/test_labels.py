@@ -13,11 +13,11 @@ import xarray as xr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gyrostat.charts import arrays as certify
 from gyrostat.charts import numeric
-from gyrostat.charts import verdicts as certify
+from gyrostat.charts.arrays import certify_box, verdicts
 from gyrostat.charts.chart import stability_chart
 from gyrostat.charts.numeric import compile_margin
-from gyrostat.charts.verdicts import certify_box, verdicts
 from gyrostat.errors import ArgumentError, ValuesError
 
 FIXED = {"I1": 1, "dU": 1}

@@ -10,7 +10,7 @@ from sympy import Rational, exp, pi, sqrt
 from turns import OBLIQUE, TURNS, K, scene, turned
 
 import gyrostat as gs
-from gyrostat.charts.verdicts import verdicts
+from gyrostat.charts.arrays import verdicts
 from gyrostat.printing.article import to_latex
 from gyrostat.stability.report import Verdict
 from gyrostat.trajectories import confirm

@@ -18,9 +18,9 @@ from ..notation import NOTATION, jet, symbol, typeset, units
 from ..printing.latex import tex
 from ..stability.report import Report
 from ..version import __version__
+from .arrays import INVALID, STABLE, UNDECIDED, UNSTABLE, verdicts
 from .contours import boundary, thinned
 from .numeric import compile_margin
-from .verdicts import INVALID, STABLE, UNDECIDED, UNSTABLE, verdicts
 
 CODES = {"unstable": UNSTABLE, "undecided": UNDECIDED, "stable": STABLE, "no_equilibrium": INVALID}
 OWN = ("verdict", "margin", "boundary_x", "boundary_y", "vertex", "complete")    # names of the dataset itself

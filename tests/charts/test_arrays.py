@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from sympy import Rational, chebyshevt, cos, exp, log, sin, sqrt
 
 import gyrostat as gs
+from gyrostat.charts import arrays as certify
 from gyrostat.charts import signs as arraysigns
-from gyrostat.charts import verdicts as certify
-from gyrostat.charts.verdicts import CODES, INVALID, STABLE, UNDECIDED, UNSTABLE, verdicts
+from gyrostat.charts.arrays import CODES, INVALID, STABLE, UNDECIDED, UNSTABLE, verdicts
 from gyrostat.errors import ArgumentError, GyrostatError, MissingExtraError, ValuesError
 from gyrostat.stability.conditions import Condition, Criterion
 from gyrostat.stability.report import Verdict
