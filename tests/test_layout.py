@@ -8,7 +8,8 @@ from pathlib import Path
 import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
-FLOORS = "version errors notation algebra mechanics stability printing charts trajectories plotting published cli __main__".split()
+FLOORS = ("version errors notation algebra mechanics stability printing charts trajectories plotting "
+          "published cli __main__").split()
 OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka",
             "contourpy", "plotly"}
 

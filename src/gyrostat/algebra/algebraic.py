@@ -30,9 +30,9 @@ def is_algebraic(constant: Expr) -> bool:
 def separation(constant: Expr) -> int | None:
     """n such that the constant, if it is not 0, is at least 2⁻ⁿ in size; None for a transcendental one.
 
-    Of an expression in rationals, + − × ÷ and roots: abs(E) ≥ 1/(u^(D−1) l), where u and l bound the conjugates
-    of its numerator and denominator and D is the degree of a field that holds its roots: the product of their
-    degrees, and φ(n)/2 for all the cosines of multiples of 2π/n together.
+    Of an expression in rationals, + − × ÷ and roots: abs(E) ≥ 1/(u^(D−1) l), where u and l bound the
+    conjugates of its numerator and denominator and D is the degree of a field that holds its roots: the
+    product of their degrees, and φ(n)/2 for all the cosines of multiples of 2π/n together.
 
     References
     ----------

@@ -11,8 +11,9 @@ class TwofoldArithmetic:
     Examples
     --------
     >>> import numpy as np
+    >>> one, three = ((np.float64(n), np.float64(0)) for n in (1, 3))
     >>> third = np.float64(1 / 3), np.float64(1 / 54043195528445952)
-    >>> TwofoldArithmetic.subtract(TwofoldArithmetic.multiply(third, (np.float64(3), np.float64(0))), (np.float64(1), np.float64(0)))
+    >>> TwofoldArithmetic.subtract(TwofoldArithmetic.multiply(third, three), one)
     (np.float64(0.0), np.float64(0.0))
     """
 

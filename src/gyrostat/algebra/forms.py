@@ -23,8 +23,10 @@ def values_of(form: Form, degree: int) -> set[int]:
 
     Examples
     --------
-    >>> values_of({(2, 0): S.One, (0, 2): -2 * S.One}, 2) == {-1, 0, 1}, values_of({(4, 0): S.One, (0, 4): S.One}, 4)
-    (True, {1})
+    >>> values_of({(2, 0): S.One, (0, 2): -2 * S.One}, 2) == {-1, 0, 1}
+    True
+    >>> values_of({(4, 0): S.One, (0, 4): S.One}, 4)
+    {1}
     """
     scale = next(iter(form.values()))
     # x = 1; the direction x = 0 comes last

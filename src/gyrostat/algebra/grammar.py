@@ -270,6 +270,6 @@ def parse(text: str) -> Expr:
     k3**2/2 + k3*m0
     >>> parse("9**9**9")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    gyrostat.errors.ExpressionError: cannot read '9**9**9': the exponent 387420489 is too large; exponents go up to 100, ...
+    gyrostat.errors.ExpressionError: cannot read '9**9**9': the exponent 387420489 is too large; ...
     """
     return Parser(text).whole().value

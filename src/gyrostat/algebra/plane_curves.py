@@ -75,8 +75,10 @@ class PlaneCurve:
     --------
     >>> x, t = Symbol("x"), Symbol("t")
     >>> curve = PlaneCurve(x * (x**2 - t) / 2, x, t)
-    >>> curve.double, [[float(round(float(r.mid()), 3)) for r in curve.roots(Fraction(n, 4))] for n in (-1, 1)]
-    (((0, 0),), [[0.0], [-0.5, 0.0, 0.5]])
+    >>> curve.double
+    ((0, 0),)
+    >>> [[float(round(float(r.mid()), 3)) for r in curve.roots(Fraction(n, 4))] for n in (-1, 1)]
+    [[0.0], [-0.5, 0.0, 0.5]]
     """
 
     def __init__(self, expression: Expr, x: Symbol, t: Symbol, also: Sequence[Expr] = ()):

@@ -65,7 +65,8 @@ def stations(curve: PlaneCurve, points: Iterable[tuple[Expr, Expr]],
     >>> from sympy import Symbol
     >>> x, t = Symbol("x"), Symbol("t")
     >>> curve = PlaneCurve(x * (x**2 - t), x, t)
-    >>> [(s.t, [(p.x, len(p.left), len(p.right)) for p in s.places]) for s in stations(curve, critical_points(curve))]
+    >>> found = stations(curve, critical_points(curve))
+    >>> [(s.t, [(p.x, len(p.left), len(p.right)) for p in s.places]) for s in found]
     [(0, [(0, 1, 3)]), (1, [(-1, 1, 0), (1, 1, 0)])]
     """
     at: dict[Expr, list[Expr]] = {t: [] for t in other}

@@ -35,7 +35,8 @@ class Gyrostat(Shown, Stored):
 
     Examples
     --------
-    >>> Gyrostat(inertia=(2, 2, 1), gyrostatic_momentum=(0, 0, 0)).kinetic_energy((symbol("pi1"), 0, symbol("pi3")))
+    >>> body = Gyrostat(inertia=(2, 2, 1), gyrostatic_momentum=(0, 0, 0))
+    >>> body.kinetic_energy((symbol("pi1"), 0, symbol("pi3")))
     pi1**2/4 + pi3**2/2
     """
 

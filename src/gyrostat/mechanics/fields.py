@@ -34,8 +34,9 @@ def newtonian_field(order: int) -> Potential:
     The centre is at the distance r [L] from the fixed point, in the direction −k; g is its attraction there
         [L/T²].
     J₁ = m z0 and J₂ = I1 − I3 enter through m0 = m g z0 [M L²/T²] and m1 = 3 g/r [1/T²]; from n = 3 on,
-    Jₙ = ∫ abs(x)ⁿ Pₙ(x3/abs(x)) dm [M Lⁿ] is a parameter, J3, J4, …, and the mass has to be distributed alike about
-    axis 3: I1 = I2 is not enough. Each Jₙ vanishes for odd n where the body is its own mirror image in x3.
+    Jₙ = ∫ abs(x)ⁿ Pₙ(x3/abs(x)) dm [M Lⁿ] is a parameter, J3, J4, …, and the mass has to be distributed
+    alike about axis 3: I1 = I2 is not enough. Each Jₙ vanishes for odd n where the body is its own mirror
+    image in x3.
 
     Parameters
     ----------

@@ -69,7 +69,8 @@ class Recognition:
         """What was recognised."""
         if self.direction in UNITS:
             return f"recognised as a body of revolution about axis {UNITS.index(self.direction) + 1}"
-        return f"recognised as a body of revolution about the axis c along ({', '.join(map(str, self.direction))})"
+        along = ", ".join(map(str, self.direction))
+        return f"recognised as a body of revolution about the axis c along ({along})"
 
     def worded(self, reason: str) -> str:
         """What holds in the standard scene, in the axes of the user's."""
@@ -88,7 +89,8 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
     Examples
     --------
     >>> from gyrostat import Gyrostat, assemble, general_potential
-    >>> found = recognise(assemble(Gyrostat((3, 1, 1), (0, 0, 0)), general_potential(lambda k1, k2, k3: k1 - k2**2 - k3**2)))
+    >>> field = general_potential(lambda k1, k2, k3: k1 - k2**2 - k3**2)
+    >>> found = recognise(assemble(Gyrostat((3, 1, 1), (0, 0, 0)), field))
     >>> found.sentence, found.standard.potential.expression, found.standard.body.inertia
     ('recognised as a body of revolution about axis 1', k3**2 + k3 - 1, (1, 1, 3))
     """
