@@ -3,12 +3,9 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from sympy import exp, log, sign, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.double_double import TwofoldArithmetic
 from gyrostat.charts import contours
 from gyrostat.charts.chart import stability_chart
 from gyrostat.charts.contours import boundary, thinned
@@ -230,21 +227,3 @@ def test_the_curve_of_a_large_chart(e1, monkeypatch):
     points = np.array([chart.boundary_x.values, chart.boundary_y.values])
     points = points[:, ~np.isnan(points[0])]
     assert 20 < points.shape[1] < 60 and (abs(points.sum(axis=0)) == 1).all()
-
-
-doubles = st.floats(min_value=-1e6, max_value=1e6).filter(lambda x: x == 0 or abs(x) > 1e-6)
-twofolds = st.tuples(doubles, st.floats(min_value=-0.5, max_value=0.5)).map(
-    lambda pair: (pair[0], pair[1] * np.spacing(abs(pair[0])))
-)
-
-
-@given(twofolds, twofolds)
-def test_twofold_arithmetic(a, b):
-    """Sums of two doubles to 2⁻¹⁰⁰ of the sizes that enter."""
-    x, y = (Fraction(u) + Fraction(v) for u, v in (a, b))
-    pairs = [tuple(map(np.float64, pair)) for pair in (a, b)]
-    for result, exact, size in ((TwofoldArithmetic.add(*pairs), x + y, abs(x) + abs(y)),
-                                (TwofoldArithmetic.subtract(*pairs), x - y, abs(x) + abs(y)),
-                                (TwofoldArithmetic.multiply(*pairs), x * y, abs(x * y)),
-                                (TwofoldArithmetic.negative(pairs[0]), -x, abs(x))):
-        assert abs(Fraction(float(result[0])) + Fraction(float(result[1])) - exact) <= size / 2**100

@@ -229,16 +229,16 @@ def _sign(program: Program, arrays: Mapping[Symbol, Array]) -> Array:
     """The sign of a program at points, in twofold arithmetic."""
     def leaf(value: Expr) -> Twofold:
         if isinstance(value, Symbol):
-            return arrays[value], np.float64(0)
+            return Twofold(arrays[value], np.float64(0))
         return (
             constant(Rational(value.evalf(40)))
             if not value.free_symbols
-            else (in_floats(value, np, arrays), np.float64(0))
+            else Twofold(in_floats(value, np, arrays), np.float64(0))
         )
 
     def constant(value: Rational) -> Twofold:
         near = float(value)
-        return np.float64(near), np.float64(float(value - Rational(near)))
+        return Twofold(np.float64(near), np.float64(float(value - Rational(near))))
 
     with np.errstate(all="ignore"):
         high, low = program.run(leaf, constant, TwofoldArithmetic)[-1]

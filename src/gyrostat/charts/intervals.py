@@ -12,6 +12,7 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Pow, Rational, Symbol, diff
 
+from ..algebra.double_double import two_sum
 from ..algebra.exact import ball, sign_of_constant
 from ..algebra.precision import own_precision
 from .straightline import program_of
@@ -68,9 +69,8 @@ def _sum(a: Array, b: Array) -> tuple[Array, Array]:
 
     NaN where it overflows.
     """
-    total = a + b
-    of_b = total - a
-    return total, (a - (total - of_b)) + (b - of_b) == 0
+    total, error = two_sum(a, b)
+    return total, error == 0
 
 
 class Outward:

@@ -1,26 +1,17 @@
 """Times of any length: periods and turns in two doubles, so that nothing grows with the number of periods."""
-from typing import NamedTuple
-
 import numpy as np
 from flint import arb
 
+from ..algebra.double_double import Twofold, scaled
 from ..algebra.floats import Array
 from ..algebra.precision import own_precision
 from ..errors import AccuracyError, ValuesError
 
 # periods: their number is exact, and so is their product with a turn, mod 1
 LONGEST = 2.0**49
-SPLIT = 2.0**27 + 1
 
 
-class Pair(NamedTuple):
-    """A number as the sum of two doubles, 106 bits of it."""
-
-    high: float
-    low: float
-
-
-def pair(x: arb) -> Pair:
+def pair(x: arb) -> Twofold:
     """The two doubles nearest to the middle of an enclosure, one after the other.
 
     Examples
@@ -30,7 +21,7 @@ def pair(x: arb) -> Pair:
     """
     with own_precision(256):
         high = double(x)
-        return Pair(high, double(x - arb(high)))
+        return Twofold(high, double(x - arb(high)))
 
 
 def double(x: arb) -> float:
@@ -48,23 +39,7 @@ def double(x: arb) -> float:
     return mantissa / (1 << -exponent) if exponent < 0 else float(mantissa << exponent)
 
 
-def product(x: Array, factor: Pair) -> tuple[Array, Array]:
-    """x · factor as the rounded product with high and what it lacks, low included.
-
-    References
-    ----------
-    Dekker, Numerische Mathematik 18 (1971) 224-242.
-    """
-    rounded = x * factor.high
-    upper = x * SPLIT
-    upper = upper - (upper - x)
-    head = factor.high * SPLIT
-    head = head - (head - factor.high)
-    lower, tail = x - upper, factor.high - head
-    return rounded, ((upper * head - rounded) + upper * tail + lower * head) + lower * tail + x * factor.low
-
-
-def reduced(t: Array, period: Pair) -> tuple[Array, Array]:
+def reduced(t: Array, period: Twofold) -> tuple[Array, Array]:
     """(n, r) with t = n · period + r, abs(r) at most half a period, to the last bits of r.
 
     Raises
@@ -85,12 +60,12 @@ def reduced(t: Array, period: Pair) -> tuple[Array, Array]:
         worst = t[~(np.abs(n) <= LONGEST)].flat[0]
         raise ValuesError(f"t = {worst} is not within {LONGEST:.0e} periods of {period.high}: give a "
                           "finite, smaller time")
-    whole, rest = product(n, period)
+    whole, rest = scaled(n, period)
     return n, (t - whole) - rest
 
 
-def turns(x: Array, delta: Pair) -> Array:
+def turns(x: Array, delta: Twofold) -> Array:
     """x · delta mod 1, between −1/2 and 1/2."""
-    whole, rest = product(x, delta)
+    whole, rest = scaled(x, delta)
     part = (whole - np.rint(whole)) + rest
     return part - np.rint(part)

@@ -11,12 +11,13 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Integer, sqrt
 
+from ...algebra.double_double import Twofold
 from ...algebra.exact import ball, sign_of_constant
 from ...algebra.floats import Array
 from ...algebra.numbers import shown
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError, ValuesError
-from ..periods import Pair, double, pair, turns
+from ..periods import double, pair, turns
 
 Triple = tuple[Expr, Expr, Expr]
 CONSTANT = 192                                             # bits of what results in doubles are made of
@@ -65,7 +66,7 @@ def cross(v: Sequence[arb], w: Sequence[arb]) -> list[arb]:
     return [v[j] * w[k] - v[k] * w[j] for j, k in ((1, 2), (2, 0), (0, 1))]
 
 
-def cycles(rate: arb) -> Pair:
+def cycles(rate: arb) -> Twofold:
     """Full turns in a unit of time."""
     return pair(rate / (2 * arb.pi()))
 
@@ -117,7 +118,7 @@ class Steady:
     nodes, error = 0, 8 * ROUNDING
 
     @cached_property
-    def constants(self) -> tuple[Array, Array, Array, Pair, Pair]:
+    def constants(self) -> tuple[Array, Array, Array, Twofold, Twofold]:
         """In doubles: M, the rows x and z of R(0), the axis; cycles about z and about the axis."""
         with own_precision(CONSTANT):
             M, n = (np.array([double(ball(x, CONSTANT)) for x in v]) for v in (self.momentum, self.axis))
