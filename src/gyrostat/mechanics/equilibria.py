@@ -14,7 +14,7 @@ from ..notation import INTERNAL, Shown, Stored, jet, symbol
 from .potential import smooth_where_positive
 from .system import System
 
-Pair = tuple[Symbol, Expr]
+Relation = tuple[Symbol, Expr]
 Derived = TypeVar("Derived")
 
 
@@ -44,7 +44,7 @@ class Equilibrium(Shown, Stored):
     label: str
     system: System
     point: tuple[Expr, ...]
-    relations: tuple[Pair, ...] = ()
+    relations: tuple[Relation, ...] = ()
     domain: tuple[Expr, ...] = ()
     eliminated: str | None = None
 
@@ -185,21 +185,24 @@ class Equilibrium(Shown, Stored):
                      for name, value in self.relations if jet(name.name))
         return tuple(residual for residual in residuals if residual is not None)
 
+    def derived(self, verb: Callable[["Equilibrium"], Derived]) -> Derived:
+        """What a verb derives from this equilibrium, the first time it is asked; then the same again."""
+        if verb not in self._derived:
+            self._derived[verb] = verb(self)
+        return self._derived[verb]
+
     @cached_property
-    def memory(self) -> dict[str, Any]:
-        """What verbs have derived from this equilibrium, by their name."""
+    def _derived(self) -> dict[Callable[..., Any], Any]:
         return {}
 
 
 def once(verb: Callable[[Equilibrium], Derived]) -> Callable[[Equilibrium], Derived]:
     """The verb, derived once for each equilibrium."""
     @wraps(verb)
-    def remembered(eq: Equilibrium) -> Derived:
-        if verb.__name__ not in eq.memory:
-            eq.memory[verb.__name__] = verb(eq)
-        return eq.memory[verb.__name__]
+    def kept(eq: Equilibrium) -> Derived:
+        return eq.derived(verb)
 
-    return remembered
+    return kept
 
 
 def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tuple[Any, Any]] = (),

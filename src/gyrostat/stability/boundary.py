@@ -12,7 +12,7 @@ from sympy import Expr, Mul, S, Symbol
 from ..algebra.exact import sign
 from ..algebra.margins import Signs
 from ..algebra.polynomials import Ring
-from ..mechanics.equilibria import Equilibrium
+from ..mechanics.equilibria import Equilibrium, once
 from ..mechanics.reduction import expansion, reducible
 from ..notation import Shown, Stored, jet, symbol
 from .conditions import Condition, sign_at
@@ -112,8 +112,7 @@ class Boundary(Shown, Stored):
 
     def rung(self, power: int) -> Rung:
         """The rung of one power of x, from 2 on."""
-        known: dict[int, Rung] = self.equilibrium.memory.setdefault("rungs", {})
-        if power not in known:
+        if power not in self._known:
             eq, order = self.equilibrium, 5
             while order < power:
                 order *= 2
@@ -121,10 +120,15 @@ class Boundary(Shown, Stored):
                 value = eq.insert(coefficient)
                 ring = Ring([value, *eq.existence()])
                 margin, even = Signs(ring, eq.existence()).split(*ring.fraction(-value))
-                known[n] = Rung(n, Condition(ring.expression(margin), True, f"coefficient of x^{n}",
-                                             tuple(map(ring.expression, even)),
-                                             eq.at), not self.pole and n % 2 == 1)
-        return known[power]
+                self._known[n] = Rung(n, Condition(ring.expression(margin), True, f"coefficient of x^{n}",
+                                                   tuple(map(ring.expression, even)),
+                                                   eq.at), not self.pole and n % 2 == 1)
+        return self._known[power]
+
+    @cached_property
+    def _known(self) -> dict[int, Rung]:
+        """The rungs that have been derived, by their power."""
+        return {}
 
     def ladder(self, limit: int | None = None) -> Iterator[Expr]:
         """What decides, rung by rung: stable where the first that is not 0 is positive."""
@@ -168,6 +172,7 @@ class Boundary(Shown, Stored):
         return stable, f"{here}, {'k3 is held' if stable else 'a motion leaves along x'}{kind}"
 
 
+@once
 def boundary_of(eq: Equilibrium) -> Boundary | None:
     """The ladder of an equilibrium with a definite tilt, None where k3 does not move by itself."""
     if not reducible(eq.system):
