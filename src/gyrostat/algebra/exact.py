@@ -3,7 +3,7 @@
 By rational arithmetic, or by proved enclosures and a separation bound.
 """
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -11,6 +11,7 @@ import sympy
 from flint import arb, ctx, fmpq, fmpq_mpoly
 from sympy import Add, CRootOf, Derivative, Dummy, Expr, Integer, Mul, Pow, Rational, Subs, Symbol
 
+from ..errors import ScopeError
 from .algebraic import real_root, separation
 from .polynomials import Ring
 from .precision import own_precision
@@ -138,6 +139,32 @@ def sign_of_constant(constant: Expr) -> int | None:
             return 0
         precision *= 2
     return None
+
+
+def proved_sign(constant: Expr, refusal: Callable[[], Exception] | None = None) -> int:
+    """The sign of a constant on which everything after it depends, or a refusal.
+
+    Parameters
+    ----------
+    constant : Expr
+    refusal : callable or None
+        makes the error to be raised where the sign is not proved; None: a ScopeError
+
+    Raises
+    ------
+    ScopeError
+        the sign is not proved, and there is no other refusal
+
+    Examples
+    --------
+    >>> proved_sign(sympy.sqrt(2) - 1)
+    1
+    """
+    if (found := sign_of_constant(constant)) is not None:
+        return found
+    if refusal is not None:
+        raise refusal()
+    raise ScopeError(f"the sign of {constant} is not proved: write its algebraic numbers in one root")
 
 
 def is_identically_zero(expression: Expr) -> bool | None:

@@ -5,9 +5,9 @@ from flint import arb
 from sympy import Dummy, Expr, S, binomial, oo
 
 from ..errors import ScopeError
-from .exact import ball
+from .exact import ball, proved_sign
 from .polynomials import Ring
-from .roots import between, proved_sign, real_roots
+from .roots import between, real_roots
 
 Form = Mapping[tuple[int, int], Expr]                  # coefficients of xⁱ yʲ, none of them 0
 Y, FINEST = Dummy("y", real=True), 10                  # how often a range of directions is halved

@@ -10,7 +10,7 @@ from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor
 
 from ..errors import ScopeError
 from .algebraic import is_algebraic
-from .exact import ball, sign_of_constant
+from .exact import ball, proved_sign, sign_of_constant
 from .polynomials import Ring, by_degree
 from .precision import own_precision
 
@@ -191,13 +191,6 @@ def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -
     meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
     return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
                  for exponents, c in polynomial.to_dict().items()))
-
-
-def proved_sign(constant: Expr) -> int:
-    """The sign, which nothing may go without here: a root that is left out would be lost."""
-    if (sign := sign_of_constant(constant)) is None:
-        raise ScopeError(f"the sign of {constant} is not proved: write its algebraic numbers in one root")
-    return sign
 
 
 def _roots_of_factor(factor: fmpq_poly) -> list[Expr]:

@@ -8,10 +8,11 @@ from typing import Any
 import mpmath
 from sympy import Expr, Float, ImmutableMatrix, Max, Min, acos, oo, sqrt
 
+from ..algebra.exact import proved_sign
 from ..algebra.grammar import parse
 from ..algebra.numbers import exact_expression, exact_number
 from ..algebra.precision import ONE_AT_A_TIME
-from ..algebra.roots import in_order, proved_sign
+from ..algebra.roots import in_order
 from ..errors import BodyError, ScopeError, ValuesError, require
 from ..notation import symbol
 from .body import Gyrostat

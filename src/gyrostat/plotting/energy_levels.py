@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from sympy import Add, Expr, Mul, Rational, S, sqrt
 
+from ..algebra.exact import proved_sign
 from ..algebra.floats import Array, in_floats
-from ..algebra.roots import proved_sign, real_roots
+from ..algebra.roots import real_roots
 from ..errors import ScopeError
 from ..mechanics.body import Gyrostat
 from ..mechanics.families import principal_rotation

@@ -10,11 +10,10 @@ from typing import Any
 
 from sympy import Dummy, Expr, Mul, Poly, S, Symbol
 
-from ..algebra.exact import evaluate, sign_of_constant
+from ..algebra.exact import evaluate, proved_sign, sign_of_constant
 from ..algebra.forms import Form, valley, values_of
 from ..algebra.matrices import cross
 from ..algebra.polynomials import Ring, by_degree
-from ..algebra.roots import proved_sign
 from ..errors import ScopeError
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.potential import DIRECTIONS

@@ -9,9 +9,9 @@ from typing import Any
 
 from sympy import Expr, S, Symbol, expand
 
-from ..algebra.exact import Point, evaluate
+from ..algebra.exact import Point, evaluate, proved_sign
 from ..algebra.plane_curves import PlaneCurve
-from ..algebra.roots import in_order, proved_sign, real_roots
+from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import Place, critical_points, stations
 from ..errors import EquilibriumError, ValuesError
 from ..mechanics.families import hanging, upright

@@ -6,9 +6,9 @@ from typing import Any
 
 from sympy import Expr, Integer, S, Symbol, sqrt
 
-from ..algebra.exact import Point, ball, evaluate, sign_of_constant
+from ..algebra.exact import Point, ball, evaluate, proved_sign, sign_of_constant
 from ..algebra.numbers import exact_number
-from ..algebra.roots import proved_sign, real_roots
+from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError, require
 from ..mechanics.body import symmetric_gyrostat
 from ..mechanics.equilibria import equilibrium

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from sympy import Expr, Mul, Symbol, oo
 
-from ..algebra.exact import Point, ball, evaluate, is_identically_zero, sign_of_constant
+from ..algebra.exact import Point, ball, evaluate, is_identically_zero, proved_sign, sign_of_constant
 from ..algebra.polynomials import Ring
-from ..algebra.roots import between, proved_sign, real_roots
+from ..algebra.roots import between, real_roots
 from ..errors import ScopeError
 from .report import Report, Verdict
 from .sets import EXCLUDED, INCLUDED, Interval

@@ -12,7 +12,7 @@ from flint import arb
 from sympy import Expr, Integer, sqrt
 
 from ...algebra.double_double import Twofold
-from ...algebra.exact import ball, sign_of_constant
+from ...algebra.exact import ball, proved_sign
 from ...algebra.floats import Array
 from ...algebra.numbers import shown
 from ...algebra.precision import own_precision
@@ -36,10 +36,8 @@ def decided(constant: Expr, what: str) -> int:
     ValuesError
         it is not proved: the number is transcendental and 0, or very nearly
     """
-    if (sign := sign_of_constant(constant)) is None:
-        raise ValuesError(f"the sign of {what}, about {shown(constant)}, is undecided: give rational or "
-                          "algebraic numbers")
-    return sign
+    return proved_sign(constant, lambda: ValuesError(
+        f"the sign of {what}, about {shown(constant)}, is undecided: give rational or algebraic numbers"))
 
 
 def accurate(compute: Callable[[int], list[arb]], bits: int) -> list[arb]:

@@ -11,7 +11,7 @@ from flint import arb, ctx, fmpq
 from sympy import Expr, Poly, Rational, S, sqrt, trigsimp
 
 from ...algebra.algebraic import is_algebraic
-from ...algebra.exact import ball, sign_of_constant
+from ...algebra.exact import ball, proved_sign
 from ...errors import ValuesError
 from ...mechanics.system import System
 from ...notation import symbol
@@ -214,8 +214,6 @@ def known(constant: Any) -> int:
     """
     if isinstance(constant, fmpq):
         return (constant > 0) - (constant < 0)
-    if (sign := sign_of_constant(constant)) is None:
-        raise ValuesError(f"whether {constant} is 0 is not proved, and the motion depends on it: write the "
-                          "numbers with rationals and "
-                          "roots")
-    return sign
+    return proved_sign(constant, lambda: ValuesError(
+        f"whether {constant} is 0 is not proved, and the motion depends on it: write the numbers with "
+        "rationals and roots"))
