@@ -173,7 +173,7 @@ def is_identically_zero(expression: Expr) -> bool | None:
     None where that is not proved.
     """
     ring = Ring([expression])
-    top = ring.reduce(ring.fraction(expression)[0])
+    top = ring.numerator(expression)
     signs = {sign_of_constant(ring.expression(c))
              for c in ring.coefficients(top, expression.free_symbols).values()}
     return True if signs <= {0} else None if signs <= {0, None} else False

@@ -6,7 +6,7 @@ from sympy import Dummy, Expr, S, binomial, oo
 
 from ..errors import ScopeError
 from .exact import ball, proved_sign
-from .polynomials import Ring
+from .polynomials import lowest_terms
 from .roots import between, real_roots
 
 Form = Mapping[tuple[int, int], Expr]                  # coefficients of xⁱ yʲ, none of them 0
@@ -30,7 +30,7 @@ def values_of(form: Form, degree: int) -> set[int]:
     """
     scale = next(iter(form.values()))
     # x = 1; the direction x = 0 comes last
-    line = sum((_tidy(c / scale) * Y**j for (_, j), c in form.items()), S.Zero)
+    line = sum((lowest_terms(c / scale) * Y**j for (_, j), c in form.items()), S.Zero)
     try:
         roots = real_roots(line, Y) or []
     except ScopeError:
@@ -38,7 +38,7 @@ def values_of(form: Form, degree: int) -> set[int]:
     ends = [-oo, *roots, oo]
     values = {proved_sign(line.xreplace({Y: between(a, b)}))
               for a, b in zip(ends, ends[1:])} | ({0} if roots else set())
-    values.add(proved_sign(_tidy(form.get((0, degree), S.Zero) / scale)))
+    values.add(proved_sign(lowest_terms(form.get((0, degree), S.Zero) / scale)))
     if degree % 2:
         values |= {-v for v in values}
     return {v * proved_sign(scale) for v in values}
@@ -95,8 +95,8 @@ def valley(forms: Sequence[Form]) -> Iterator[Expr]:
     for n in range(3, len(forms)):
         slope = sum((i * c * _power(bottom, i - 1, n - 1 - j) for (i, j),
                      c in sheared.items() if i and j < n), S.Zero)
-        bottom.append(_tidy(-slope / (2 * square)))
-        yield _tidy(square * _power(bottom, 2, n)
+        bottom.append(lowest_terms(-slope / (2 * square)))
+        yield lowest_terms(square * _power(bottom, 2, n)
                     + sum((c * _power(bottom, i, n - j) for (i, j), c in sheared.items() if j <= n), S.Zero))
 
 
@@ -106,8 +106,3 @@ def _power(series: Sequence[Expr], exponent: int, n: int) -> Expr:
         return S.One if n == 0 else S.Zero
     return sum((series[m] * _power(series, exponent - 1, n - m) for m in range(2, min(len(series), n + 1))),
                S.Zero)
-
-
-def _tidy(number: Expr) -> Expr:
-    ring = Ring([number])
-    return ring.quotient(*ring.fraction(number))

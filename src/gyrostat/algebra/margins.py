@@ -32,6 +32,12 @@ class Signs:
             if root.is_Pow and self.of(square) == 1 == self.of(ring.scales[root]):
                 self._positive.add(root)
 
+    @classmethod
+    def over(cls, expressions: Iterable[Expr], domain: Iterable[Expr] = ()) -> "Signs":
+        """In a ring that holds some expressions and the domain."""
+        domain = tuple(domain)
+        return cls(Ring([*expressions, *domain]), domain)
+
     def of(self, polynomial: fmpq_mpoly, deep: bool = True) -> int | None:
         """1, 0 or -1 where the sign is the same on the whole domain, else None."""
         if not polynomial:
@@ -67,6 +73,23 @@ class Signs:
         for factor in odd.values():
             margin *= factor
         return margin, tuple(even[name] for name in sorted(even))
+
+    def margin(self, expression: Expr) -> tuple[fmpq_mpoly, tuple[fmpq_mpoly, ...]]:
+        """Margin normal form of an expression."""
+        return self.split(*self.ring.fraction(expression))
+
+    def normal_form(self, expression: Expr) -> tuple[Expr, tuple[Expr, ...]]:
+        """Margin normal form of an expression, as expressions.
+
+        Examples
+        --------
+        >>> from sympy import symbols
+        >>> x, y = symbols("x y", real=True)
+        >>> Signs.over([x * y**2 / (1 + x**2)]).normal_form(x * y**2 / (1 + x**2))
+        (x, (y,))
+        """
+        margin, even = self.margin(expression)
+        return self.ring.expression(margin), tuple(map(self.ring.expression, even))
 
     def _factors(self, top: fmpq_mpoly, bottom: fmpq_mpoly,
                  deep: bool = True) -> tuple[int, Factors, Factors]:

@@ -113,7 +113,7 @@ class PlaneCurve:
 
     def polynomial(self, expression: Expr) -> fmpq_mpoly:
         """The numerator of one of the other expressions, or of its derivatives."""
-        return self.ring.reduce(self.ring.fraction(expression)[0])
+        return self.ring.numerator(expression)
 
     @cached_property
     def double(self) -> tuple[tuple[Expr, Expr], ...]:

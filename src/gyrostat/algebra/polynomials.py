@@ -67,6 +67,10 @@ class Ring:
             self._memo[node] = self._convert(node)
         return self._memo[node]
 
+    def numerator(self, expression: Expr) -> fmpq_mpoly:
+        """The numerator, reduced: 0 where the expression vanishes identically."""
+        return self.reduce(self.fraction(expression)[0])
+
     def _convert(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         if isinstance(node, Rational):
             return self._context.constant(fmpq(int(node.p), int(node.q))), self.one
@@ -205,6 +209,20 @@ def _power(part: tuple[fmpq_mpoly, fmpq_mpoly], n: int) -> tuple[fmpq_mpoly, fmp
         raise ExpressionError("an expression divides by 0: one of its denominators vanishes identically; "
                               "check the denominators")
     return top ** abs(n), bottom ** abs(n)
+
+
+def lowest_terms(expression: Expr) -> Expr:
+    """The same fraction in lowest terms, its denominator factored.
+
+    Examples
+    --------
+    >>> from sympy import symbols
+    >>> x, y = symbols("x y")
+    >>> lowest_terms((x**2 - y**2) / (x * y + y**2))
+    (x - y)/y
+    """
+    ring = Ring([expression])
+    return ring.quotient(*ring.fraction(expression))
 
 
 def derivatives(f: Expr, variables: Sequence[Symbol]) -> list[Expr]:

@@ -11,7 +11,6 @@ from sympy import Expr
 
 from ..algebra.exact import evaluate
 from ..algebra.margins import Signs
-from ..algebra.polynomials import Ring
 from ..notation import symbol
 from ..stability.conditions import Condition, Criterion
 from ..stability.report import Report
@@ -84,10 +83,8 @@ class Proof:
 
     def _sign(self, margin: Expr, even: Sequence[Expr], strict: bool, domain: Sequence[Expr]) -> Sign:
         """In normal form once more: what is positive in the region is left out, squares are taken out."""
-        ring = Ring([margin, *even, *domain])
-        top, squares = Signs(ring, domain).split(*ring.fraction(margin))
-        return Sign(self._place(ring.expression(top)),
-                    tuple(map(self._place, (*even, *map(ring.expression, squares)))), strict)
+        top, squares = Signs.over([margin, *even], domain).normal_form(margin)
+        return Sign(self._place(top), tuple(map(self._place, (*even, *squares))), strict)
 
     def _place(self, expression: Expr) -> int:
         return self._places.setdefault(expression, len(self._places))

@@ -8,7 +8,7 @@ from sympy import Expr, S, Symbol
 
 from ..algebra.exact import is_identically_zero, plain, sign
 from ..algebra.numbers import exact_expression, shown
-from ..algebra.polynomials import Ring
+from ..algebra.polynomials import lowest_terms
 from ..errors import EquilibriumError, require
 from ..notation import INTERNAL, Shown, Stored, jet, symbol
 from .potential import smooth_where_positive
@@ -242,8 +242,7 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
 def _residual(rate: Expr, eq: Equilibrium) -> Expr | None:
     """The rate in lowest terms, None where it is proved to vanish."""
     for expression in (rate, eq.insert(rate)):
-        ring = Ring([expression])
-        residual = ring.quotient(*ring.fraction(expression))
+        residual = lowest_terms(expression)
         if residual == 0 or is_identically_zero(residual):
             return None
     return residual

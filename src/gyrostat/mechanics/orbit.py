@@ -119,8 +119,8 @@ def _gauge(eq: Equilibrium, flow: list[Expr]) -> list[Expr]:
 
 
 def _polynomials(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> tuple[Ring, Signs, list]:
-    ring = Ring([*(entry for row in rows for entry in row), *eq.domain])
-    return ring, Signs(ring, eq.domain), [ring.matrix([row])[0][0] for row in rows]
+    signs = Signs.over([entry for row in rows for entry in row], eq.domain)
+    return signs.ring, signs, [signs.ring.matrix([row])[0][0] for row in rows]
 
 
 def _kernel(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> ImmutableMatrix:

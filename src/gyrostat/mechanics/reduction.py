@@ -5,7 +5,7 @@ from functools import lru_cache
 from sympy import Add, Expr, S, Symbol, factorial
 
 from ..algebra.exact import is_identically_zero
-from ..algebra.polynomials import Ring, by_degree
+from ..algebra.polynomials import Ring, by_degree, lowest_terms
 from ..errors import ScopeError, StructureError, require
 from ..notation import Shown, Stored, jet_name, symbol
 from .equilibria import Equilibrium
@@ -100,8 +100,7 @@ class Reduction(Shown, Stored):
     def _at_rate(self, expression: Expr) -> Expr:
         """With the level v expressed by the rate omega, in lowest terms."""
         level = self.system.body.inertia[0] * OMEGA * self.across + V - self.twist
-        ring = Ring([placed := expression.xreplace({V: level})])
-        return ring.quotient(*ring.fraction(placed))
+        return lowest_terms(expression.xreplace({V: level}))
 
     def _field(self, U: Expr | None) -> Expr:
         potential = self.system.potential

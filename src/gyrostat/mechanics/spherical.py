@@ -6,7 +6,7 @@ from flint import fmpq_mpoly
 from sympy import Expr, ImmutableMatrix, Integer, Pow, S, Symbol, radsimp
 
 from ..algebra.exact import sign_of_constant
-from ..algebra.polynomials import Ring, by_degree
+from ..algebra.polynomials import Ring, by_degree, lowest_terms
 from .potential import DIRECTIONS
 
 K1, K2, K3 = DIRECTIONS
@@ -94,6 +94,5 @@ def vanishes(expression: Expr) -> bool:
 
 def lowest(expression: Expr) -> Expr:
     """In lowest terms; a number without roots below."""
-    ring = Ring([expression])
-    value = ring.quotient(*ring.fraction(expression))
+    value = lowest_terms(expression)
     return value if value.free_symbols or value.is_Rational else radsimp(value)

@@ -9,7 +9,6 @@ from sympy import Expr, S, sqrt
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.margins import Signs
-from ..algebra.polynomials import Ring
 from ..errors import EquilibriumError
 from ..notation import jet
 from .equilibria import Equilibrium, once
@@ -95,11 +94,7 @@ def _turned(found: Recognition, eq: Equilibrium, point: Sequence[Expr]) -> Equil
     k3, across = found.along(k), lowest(1 - found.along(k) ** 2)
     if vanishes(across):
         place: Vector = (S.Zero, S.Zero, found.along(pi), S.Zero, S.Zero, S(sign_of_constant(k3)))
-    elif (
-        across.free_symbols
-        and Signs(ring := Ring([across, *eq.domain]), eq.domain).of(ring.reduce(ring.fraction(across)[0]))
-        != 1
-    ):
+    elif across.free_symbols and not _inclined(across, eq):
         return None
     else:
         omega = lowest(sum((p * x / moment for p, x, moment in zip(pi, k, found.scene.body.inertia)), S.Zero))
@@ -111,3 +106,9 @@ def _turned(found: Recognition, eq: Equilibrium, point: Sequence[Expr]) -> Equil
         return Equilibrium(eq.label, found.standard, place, relations, eq.domain, eq.eliminated)
     except EquilibriumError:
         return None
+
+
+def _inclined(across: Expr, eq: Equilibrium) -> bool:
+    """Whether 1 − k3², or its numerator, is positive on the whole family."""
+    signs = Signs.over([across], eq.domain)
+    return signs.of(signs.ring.numerator(across)) == 1

@@ -9,7 +9,6 @@ from sympy import Expr, S, Symbol
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.margins import Signs
-from ..algebra.polynomials import Ring
 from ..errors import PublishedError
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
@@ -141,8 +140,8 @@ class Claim:
             return None
         for rung in islice(self.report.boundary.rungs(), 12):
             value = rung.condition.margin.xreplace(self.at)
-            ring = Ring([value, *self.domain()])
-            margin, even = (signs := Signs(ring, self.domain())).split(*ring.fraction(value))
+            signs = Signs.over([value], self.domain())
+            margin, even = signs.margin(value)
             if margin:
                 return None if even else -1 if rung.escapes and signs.nonzero(margin) else signs.of(margin)
         return -1 if self.report.boundary.last else None
@@ -164,11 +163,11 @@ def normal(given: Criterion, domain: Iterable[Expr]) -> set[Normal | tuple[()]]:
     """
     domain = list(domain)
     conditions = [c for alternative in given.alternatives for c in alternative]
-    ring = Ring([e for c in conditions for e in (c.margin, *c.degenerate)] + domain)
-    signs = Signs(ring, domain)
+    signs = Signs.over([e for c in conditions for e in (c.margin, *c.degenerate)], domain)
+    ring = signs.ring
     found: set[Normal | tuple[()]] = set()
     for alternative in given.alternatives:
-        items = reduced([_item(c, ring, signs) for c in alternative], signs)
+        items = reduced([_item(c, signs) for c in alternative], signs)
         if items is not None:
             found.add(frozenset((ring.expression(i.margin), i.strict,
                                  frozenset(map(ring.expression, i.degenerate)))
@@ -176,10 +175,10 @@ def normal(given: Criterion, domain: Iterable[Expr]) -> set[Normal | tuple[()]]:
     return {()} if () in found else found
 
 
-def _item(condition: Condition, ring: Ring, signs: Signs) -> Item:
-    margin, even = signs.split(*ring.fraction(condition.margin))
+def _item(condition: Condition, signs: Signs) -> Item:
+    margin, even = signs.margin(condition.margin)
     for factor in condition.degenerate:
-        odd, more = signs.split(*ring.fraction(factor))
+        odd, more = signs.margin(factor)
         even = (*even, *more, *(() if odd.is_constant() and odd else (odd,)))
     return Item(margin, even, condition.strict, condition.source)
 

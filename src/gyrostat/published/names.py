@@ -52,8 +52,7 @@ def names(scene: Scene, at: Mapping[Symbol, Expr]) -> Names:
 
 def is_zero(expression: Expr) -> bool:
     """Whether an expression vanishes identically."""
-    ring = Ring([expression])
-    return not ring.reduce(ring.fraction(expression)[0])
+    return not Ring([expression]).numerator(expression)
 
 
 def _entry(matrix: MatrixBase, i: Expr, j: Expr) -> Expr:

@@ -118,11 +118,9 @@ class Boundary(Shown, Stored):
                 order *= 2
             for n, coefficient in enumerate(expansion(eq, order)[2:], 2):
                 value = eq.insert(coefficient)
-                ring = Ring([value, *eq.existence()])
-                margin, even = Signs(ring, eq.existence()).split(*ring.fraction(-value))
-                self._known[n] = Rung(n, Condition(ring.expression(margin), True, f"coefficient of x^{n}",
-                                                   tuple(map(ring.expression, even)),
-                                                   eq.at), not self.pole and n % 2 == 1)
+                margin, even = Signs.over([value], eq.existence()).normal_form(-value)
+                self._known[n] = Rung(n, Condition(margin, True, f"coefficient of x^{n}", even, eq.at),
+                                      not self.pole and n % 2 == 1)
         return self._known[power]
 
     @cached_property
@@ -180,6 +178,5 @@ def boundary_of(eq: Equilibrium) -> Boundary | None:
     tilt = S.One - eq.at**2
     if not tilt.free_symbols:
         return None if sign(tilt, {}) is None else Boundary(eq)
-    ring = Ring([tilt, *eq.domain])
-    inside = Signs(ring, eq.domain).of(ring.reduce(ring.fraction(tilt)[0]))
-    return None if inside is None else Boundary(eq)
+    signs = Signs.over([tilt], eq.domain)
+    return None if signs.of(signs.ring.numerator(tilt)) is None else Boundary(eq)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from sympy import Expr, Mul, Pow, S, Symbol, oo, sqrt
 
 from ..algebra.margins import Signs
-from ..algebra.polynomials import Ring
+from ..algebra.polynomials import lowest_terms
 from ..mechanics.families import affine
 from .boundary import Boundary
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder
@@ -42,14 +42,13 @@ class Context:
     def signs(self, expression: Expr) -> Iterator[tuple[int, "Context"]]:
         """Each sign the expression may have, with what is known then."""
         value = self.insert(expression)
-        ring = Ring([value, *self.domain])
-        known = Signs(ring, self.domain)
-        margin, even = known.split(*ring.fraction(value))
+        known = Signs.over([value], self.domain)
+        margin, even = known.margin(value)
         sign = known.of(margin)
         if sign is not None and not even:
             yield sign, self
             return
-        plain, factors = ring.expression(margin), Mul(*map(ring.expression, even))
+        plain, factors = known.ring.expression(margin), Mul(*map(known.ring.expression, even))
         if sign is not None:                               # of one sign, or 0 where an even factor is
             yield 0, self._vanishing(factors)
             yield sign, self._with((factors, "!="), factors**2)
@@ -76,9 +75,8 @@ class Context:
         for s in sorted(expression.free_symbols - {self.x}, key=lambda s: (bool(s.is_positive), s.name)):
             if not (solved := affine(expression, s)):
                 continue
-            ring = Ring([*solved, *self.domain])
-            known = Signs(ring, self.domain)
-            value, slope = (ring.fraction(e) for e in solved)
+            known = Signs.over(solved, self.domain)
+            value, slope = map(known.ring.fraction, solved)
             if known.nonzero(slope[0]) and (not s.is_positive
                                             or known.of(value[0]) == 1 == known.of(value[1])):
                 domain = tuple(e.xreplace({s: solved[0]}) for e in self.domain)
@@ -97,16 +95,15 @@ class Context:
         rungs: list[Expr] = []
         for rung in self.boundary.ladder(RUNGS):
             value = self.insert(rung.xreplace({self.x: end}))
-            ring = Ring([value, *self.domain])
-            known = Signs(ring, self.domain)
-            margin, even = known.split(*ring.fraction(value))
+            known = Signs.over([value], self.domain)
+            margin, even = known.margin(value)
             if margin and not even and (sign := known.of(margin)):
                 rungs.append(S.One * sign)
                 break
-            plain = ring.expression(margin)
+            plain = known.ring.expression(margin)
             # else it is 0 where the one before is
             if margin and not any(plain in (r, -r) for r in rungs):
-                rungs.append(Mul(plain, *(ring.expression(e) ** 2 for e in even)))
+                rungs.append(Mul(plain, *(known.ring.expression(e) ** 2 for e in even)))
         while rungs and rungs[-1] == -1:
             rungs.pop()
         return tuple(rungs)
@@ -126,8 +123,8 @@ class Context:
     def root(self, expression: Expr) -> Expr:
         """√ of what is positive, with the squares that are known to be positive taken out."""
         value = self.insert(expression)
-        ring = Ring([value, *self.domain])
-        known = Signs(ring, self.domain)
+        known = Signs.over([value], self.domain)
+        ring = known.ring
         outside, inside = S.One, S.One
         for polynomial, side in zip(ring.fraction(value), (1, -1)):
             content, factors = polynomial.factor()
@@ -144,7 +141,5 @@ class Context:
         """(plain + root)/bottom, each part in lowest terms."""
         parts = []
         for top in (plain, root):
-            value = self.insert(top) / self.insert(bottom)
-            ring = Ring([value])
-            parts.append(ring.quotient(*ring.fraction(value)))
+            parts.append(lowest_terms(self.insert(top) / self.insert(bottom)))
         return parts[0] + parts[1]

@@ -91,8 +91,8 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
     """
     eq, values = linearization.equilibrium, linearization.frequency_coefficients
-    ring = Ring([*values, *eq.domain])
-    signs = Signs(ring, eq.domain)
+    signs = Signs.over(values, eq.domain)
+    ring = signs.ring
     fractions = [ring.fraction(value) for value in values]
     items = [Item(*signs.split(*fraction), False, name)
              for fraction, name in zip(fractions, "q" if len(values) == 1 else "pq")]
@@ -129,8 +129,8 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     # one multiplier is eliminated, any value of the others may be chosen
     others = dict.fromkeys(variation.free[1:], S.Zero)
     given = [minor.xreplace(others) for minor in variation.minors]
-    ring = Ring([*given, *eq.domain])
-    signs = Signs(ring, eq.domain)
+    signs = Signs.over(given, eq.domain)
+    ring = signs.ring
     minors = [ring.fraction(minor) for minor in given]
     alternatives: list[list[Item]] = []
     for s in (1, -1):
@@ -151,11 +151,11 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
     """
     conditions = [c for alternative in criterion.alternatives for c in alternative]
     for values, domain in ((lambda e: e, eq.domain), (eq.insert, eq.existence())):
-        ring = Ring([*(values(e) for c in conditions for e in (c.margin, *c.degenerate)), *domain])
-        signs = Signs(ring, domain)
+        signs = Signs.over([values(e) for c in conditions for e in (c.margin, *c.degenerate)], domain)
+        ring = signs.ring
         alternatives: list[list[Item]] = []
         for alternative in criterion.alternatives:
-            items = reduced([_inserted(ring, signs, c, values) for c in alternative], signs)
+            items = reduced([_inserted(signs, c, values) for c in alternative], signs)
             if items is not None:
                 alternatives.append(items)
         kept = tuple(tuple(_condition(ring, item, eq) for item in a) for a in merge(alternatives, signs))
@@ -215,10 +215,10 @@ def _factor_signs(condition: Condition, numbers: Mapping[Symbol, Expr]) -> list[
     return [sign_of_constant(evaluate(factor, numbers)) for factor in condition.degenerate]
 
 
-def _inserted(ring: Ring, signs: Signs, condition: Condition, values: Callable[[Expr], Expr]) -> Item:
-    margin, even = signs.split(*ring.fraction(values(condition.margin)))
+def _inserted(signs: Signs, condition: Condition, values: Callable[[Expr], Expr]) -> Item:
+    margin, even = signs.margin(values(condition.margin))
     for factor in condition.degenerate:
-        odd, more = signs.split(*ring.fraction(values(factor)))
+        odd, more = signs.margin(values(factor))
         even += more if odd.is_constant() and odd else (*more, odd)
     proofs = tuple(Implied(p.source, *map(values, (p.margin, p.square, p.factor, p.by)))
                    for p in condition.implies)

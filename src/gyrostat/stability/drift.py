@@ -13,7 +13,7 @@ from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.margins import Signs
 from ..algebra.matrices import multiply
 from ..algebra.numbers import shown
-from ..algebra.polynomials import Ring, cancel, derivatives
+from ..algebra.polynomials import Ring, cancel, derivatives, lowest_terms
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.reduction import reduce
 from ..notation import Shown, Stored, symbol
@@ -47,8 +47,7 @@ class Drift(Shown, Stored):
         """The rate about the vertical, ω·k [1/T]."""
         eq = self.equilibrium
         pi, k = eq.point[:3], eq.point[3:]
-        ring = Ring([rate := Add(*(p / moment * x for p, moment, x in zip(pi, eq.system.body.inertia, k)))])
-        return ring.quotient(*ring.fraction(rate))
+        return lowest_terms(Add(*(p / moment * x for p, moment, x in zip(pi, eq.system.body.inertia, k))))
 
     @cached_property
     def rates(self) -> tuple[Expr, Expr]:
@@ -141,8 +140,7 @@ class Drift(Shown, Stored):
         if not potential or not potential.given or any(s not in known for s in potential.parameters):
             return None
         slope = potential.value(DU).xreplace({s: known[s] for s in potential.parameters})
-        ring = Ring([slope])
-        if not ring.reduce(ring.fraction(slope)[0]):
+        if not Ring([slope]).numerator(slope):
             return True
         places = (Rational(n, 7) for n in range(-6, 7))
         return False if any(sign_of_constant(slope.xreplace({K3: place})) for place in places) else None
@@ -163,6 +161,4 @@ class Drift(Shown, Stored):
         for name, value in eq.relations:
             if name == DU:
                 placed = placed.xreplace({name: value})
-        value = eq.insert(placed)
-        ring = Ring([value])
-        return ring.quotient(*ring.fraction(value))
+        return lowest_terms(eq.insert(placed))

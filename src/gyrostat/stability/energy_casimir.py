@@ -60,8 +60,8 @@ def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
     """
     columns = differentials(eq, functions)
     energy = list(eq.at_point(eq.system.energy_gradient))
-    ring = Ring([*(entry for column in columns for entry in column), *energy, *eq.domain])
-    signs = Signs(ring, eq.domain)
+    signs = Signs.over([*(entry for column in columns for entry in column), *energy], eq.domain)
+    ring = signs.ring
     rows = [ring.matrix([row])[0][0] for row in zip(*columns, energy)]
     solved = dict(row_reduce(ring, rows, lambda j, entry: (-j, not signs.nonzero(entry), len(entry)),
                              len(functions)))

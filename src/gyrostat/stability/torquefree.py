@@ -78,7 +78,7 @@ def torque_free(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> TorqueFree |
     sphere = dict(zip(k, (2 * A / below, 2 * B / below, (1 - A**2 - B**2) / below)))
     placed = eq.insert(potential.expression.xreplace(sphere)).xreplace(dict(numbers))
     ring = Ring([slope := placed.diff(A), other := placed.diff(B)])
-    if any(ring.reduce(ring.fraction(e)[0]) for e in (slope, other)):
+    if any(map(ring.numerator, (slope, other))):
         return None
     values = [[evaluate(eq.insert(x), numbers) for x in part]
               for part in (eq.system.body.inertia, eq.system.body.gyrostatic_momentum, eq.point[:3],
