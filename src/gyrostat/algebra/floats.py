@@ -1,32 +1,47 @@
 """Expressions in floats: the value of a formula over arrays, in NumPy or any other array namespace."""
-from collections.abc import Mapping
-from functools import reduce
+from collections.abc import Mapping, Sequence
+from functools import partial, reduce
 from math import e, pi
 from typing import Any
 
-import sympy
 from numpy.typing import NDArray
-from sympy import Add, Expr, Mul, Pow, Rational, S, Symbol
+from sympy import CRootOf, Expr, Pow, Rational, S, Symbol
+
+from .arithmetic import Arithmetic, in_arithmetic
 
 Array = NDArray[Any]
 
 
-def in_floats(node: Expr, xp: Any, arrays: Mapping[Symbol, Any]) -> Any:
-    """A symbol, function or constant in the floats of a namespace.
+def in_floats(expression: Expr, xp: Any, arrays: Mapping[Symbol, Any]) -> Any:
+    """An expression in the floats of a namespace, its functions those of the namespace, and no better.
 
-    Functions are those of the namespace, and no better.
+    Examples
+    --------
+    >>> import numpy as np
+    >>> x = Symbol("x")
+    >>> in_floats(x**2 - 1, np, {x: np.array([1.0, 3.0])}).tolist()
+    [0.0, 8.0]
     """
-    if isinstance(node, Symbol):
-        return arrays[node]
-    if isinstance(node, (Rational, sympy.CRootOf)) or node in (S.Pi, S.Exp1):
-        return xp.asarray({S.Pi: pi, S.Exp1: e}.get(node) or float(node))
-    parts = [in_floats(part, xp, arrays) for part in node.args]
-    if isinstance(node, (Add, Mul)):
-        return reduce(xp.add if isinstance(node, Add) else xp.multiply, parts)
-    if isinstance(node, Pow):
-        if node.exp == Rational(1, 2):
-            return xp.sqrt(parts[0])
-        return (getattr(xp, "pow", None) or xp.power)(*parts)                   # NumPy has pow from 2.1 on
-    name = type(node).__name__
-    function = getattr(xp, name, None) or getattr(xp, name.replace("a", "arc", 1))
-    return function(parts[0])
+    def leaf(node: Expr) -> Any:
+        if isinstance(node, Symbol):
+            return arrays[node]
+        if isinstance(node, (Rational, CRootOf)):
+            return xp.asarray(float(node))
+        if node is S.Pi or node is S.Exp1:
+            return xp.asarray(pi if node is S.Pi else e)
+        return NotImplemented
+
+    def power(base: Any, exponent: Any) -> Any:
+        return (getattr(xp, "pow", None) or xp.power)(base, exponent)           # NumPy has pow from 2.1 on
+
+    def raised(base: Any, exponent: Rational) -> Any:
+        return xp.sqrt(base) if exponent is S.Half else power(base, leaf(exponent))
+
+    def function(node: Expr, parts: Sequence[Any]) -> Any:
+        if isinstance(node, Pow):
+            return power(*parts)
+        name = type(node).__name__
+        return (getattr(xp, name, None) or getattr(xp, name.replace("a", "arc", 1)))(parts[0])
+
+    return in_arithmetic(expression, Arithmetic(leaf, partial(reduce, xp.add), partial(reduce, xp.multiply),
+                                                raised, function))

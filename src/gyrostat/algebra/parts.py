@@ -2,7 +2,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import partial, reduce
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -11,6 +11,7 @@ from flint import arb
 from sympy import Add, Expr, I, Mul, Pow, Rational, S, Symbol, cot, tan
 
 from . import magnitudes
+from .arithmetic import Arithmetic, in_arithmetic
 
 FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {name: getattr(sympy, name) for name in (
     "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh",
@@ -168,38 +169,49 @@ def _joined(cost: Cost, partial: int) -> Cost:
     return cost._replace(partial=max(partial, cost.terms, cost.degree)) if partial else cost
 
 
-def of_expression(node: Expr) -> Cost:
+def of_expression(expression: Expr) -> Cost:
     """Bounds of any expression, from its tree."""
+    return in_arithmetic(expression, _COSTS)
+
+
+def _cost_of_leaf(node: Expr) -> Cost:
     if isinstance(node, Rational):
         return of_number(node)
-    if isinstance(node, Symbol):
-        return Cost(degree=1)
-    costs = [of_expression(part) for part in node.args if isinstance(part, Expr)]
-    if isinstance(node, Add | Mul):
-        return of_sum(costs) if isinstance(node, Add) else of_product(costs)
-    if isinstance(node, Pow) and isinstance(node.exp, Rational):
-        return of_power(costs[0], node.exp)
+    return Cost(degree=1) if isinstance(node, Symbol) else NotImplemented
+
+
+def _cost_of_function(node: Expr, costs: Sequence[Cost]) -> Cost:
     return of_function(type(node).__name__, costs[0]) if costs else Cost(bits=3, size=2)      # pi, e
 
 
-def enclosure(node: Expr, known: Mapping[Symbol, arb] = NOTHING) -> arb | None:
+_COSTS = Arithmetic(_cost_of_leaf, of_sum, of_product, of_power, _cost_of_function)
+
+
+def enclosure(expression: Expr, known: Mapping[Symbol, arb] = NOTHING) -> arb | None:
     """Of an expression that has been built.
 
     None where it has another name or a function that is not in the grammar.
     """
-    if isinstance(node, Symbol):
-        return known.get(node)
-    if isinstance(node, Rational):
-        return magnitudes.number(node)
-    if node in (S.Pi, S.Exp1):
-        return magnitudes.pi() if node == S.Pi else magnitudes.applied("exp", magnitudes.number(S.One))
-    if isinstance(node, Add | Mul):
-        return reduce(magnitudes.added if isinstance(node, Add) else magnitudes.multiplied,
-                      [enclosure(part, known) for part in node.args])
-    if isinstance(node, Pow) and isinstance(node.exp, Rational) and max(abs(node.exp.p), node.exp.q) <= BITS:
-        return magnitudes.raised(enclosure(node.base, known), node.exp)
+    def leaf(node: Expr) -> arb | None:
+        if isinstance(node, Symbol):
+            return known.get(node)
+        if isinstance(node, Rational):
+            return magnitudes.number(node)
+        if node is S.Pi:
+            return magnitudes.pi()
+        return magnitudes.applied("exp", magnitudes.number(S.One)) if node is S.Exp1 else NotImplemented
+
+    return in_arithmetic(expression, Arithmetic(leaf, partial(reduce, magnitudes.added),
+                                                partial(reduce, magnitudes.multiplied), _raised, _applied))
+
+
+def _raised(base: arb | None, exponent: Rational) -> arb | None:
+    return magnitudes.raised(base, exponent) if max(abs(exponent.p), exponent.q) <= BITS else None
+
+
+def _applied(node: Expr, arguments: Sequence[arb | None]) -> arb | None:
     name = type(node).__name__
-    return magnitudes.applied(name, enclosure(node.args[0], known)) if name in magnitudes.FUNCTIONS else None
+    return magnitudes.applied(name, arguments[0]) if name in magnitudes.FUNCTIONS else None
 
 
 def immoderate(expression: Expr, known: Mapping[Symbol, arb]) -> Expr | None:

@@ -10,8 +10,9 @@ from hypothesis import given
 from sympy import Rational, asin, besselj, cosh, exp, log, sin, sqrt, tan
 
 import gyrostat as gs
+from gyrostat.algebra.arithmetic import in_arithmetic
 from gyrostat.errors import AccuracyError, MissingExtraError, ScopeError
-from gyrostat.trajectories.integrated.methods import METHODS, RungeKutta, beside, floats, nearest, written
+from gyrostat.trajectories.integrated.methods import METHODS, RungeKutta, beside, floats, nearest
 
 x, y = map(gs.symbol, ("x", "y"))
 KINDS = ["DOP853", pytest.param("heyoka",
@@ -30,7 +31,8 @@ def run(kind, rates, start, tolerance=None):
 def test_written_in_floats_is_the_expression(expression):
     """A written expression has the value that SymPy gives."""
     point = {x: Rational(3, 5), y: Rational(7, 4)}
-    value = written(expression, {x: lambda at: at[0], y: lambda at: at[1]}, floats(nearest))((0.6, 1.75))
+    point_in = floats({x: lambda at: at[0], y: lambda at: at[1]}, nearest)
+    value = in_arithmetic(expression, point_in)((0.6, 1.75))
     # a dozen roundings of numbers below 10
     assert abs(value - float(expression.xreplace(point))) < 1e-14
 
@@ -52,7 +54,7 @@ def test_what_is_not_elementary_is_refused():
     """A Bessel function and a power that is no number are named."""
     for expression in (besselj(0, x), 2**x):
         with pytest.raises(ScopeError, match="cannot be integrated"):
-            written(expression, {x: lambda at: at[0]}, floats(nearest))
+            in_arithmetic(expression, floats({x: lambda at: at[0]}, nearest))
 
 
 @given(number=draw.numbers)

@@ -2,12 +2,13 @@
 import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
-from functools import reduce
-from typing import Any, NamedTuple
+from functools import partial, reduce
+from typing import Any
 
 import numpy as np
-from sympy import Add, Expr, Mul, Pow, Rational, Symbol
+from sympy import Expr, Rational, Symbol
 
+from ...algebra.arithmetic import Arithmetic, in_arithmetic
 from ...algebra.floats import Array
 from ...algebra.parts import FUNCTIONS
 from ...errors import AccuracyError, ScopeError, optional
@@ -30,54 +31,34 @@ def beside(number: Expr) -> float:
     return value if Rational(value) == number else math.nextafter(value, math.inf)
 
 
-class Arithmetic(NamedTuple):
-    """What an expression is written in.
-
-    Constants, sums, products, powers that are no whole positive number, functions.
-    """
-
-    constant: Callable[[Expr], Any]
-    add: Callable[[Any, Any], Any]
-    multiply: Callable[[Any, Any], Any]
-    power: Callable[[Any, float], Any]
-    function: Callable[[str], Callable[[Any], Any]]
-
-
-def written(node: Expr, values: Mapping[Symbol, Any], arithmetic: Arithmetic) -> Any:
-    """An expression in another arithmetic, node by node.
+def integrable(values: Mapping[Symbol, Any], constant: Callable[[Expr], Any], add: Callable[[Any, Any], Any],
+               multiply: Callable[[Any, Any], Any], power: Callable[[Any, float], Any],
+               function: Callable[[str], Callable[[Any], Any]]) -> Arithmetic:
+    """The arithmetic of a method: a whole power is a product, what the method has no function for is refused.
 
     Raises
     ------
     ScopeError
-        a function or a power that no potential here has, such as a Bessel function
-
-    Examples
-    --------
-    >>> from gyrostat.notation import symbol
-    >>> x = symbol("x")
-    >>> written(x**3 / 2 - 1, {x: lambda point: point[0]}, floats(nearest))((2.0,))
-    3.0
+        when used: a function or a power that no potential here has, such as a Bessel function
     """
-    if isinstance(node, Symbol):
-        return values[node]
-    if not node.free_symbols:
-        return arithmetic.constant(node)
-    parts = [written(part, values, arithmetic) for part in node.args if not isinstance(node, Pow)
-             or part is node.base]
-    if isinstance(node, (Add, Mul)):
-        return reduce(arithmetic.add if isinstance(node, Add) else arithmetic.multiply, parts)
-    if isinstance(node, Pow) and isinstance(node.exp, Rational):
-        whole = node.exp.is_integer and node.exp > 0
-        return (
-            reduce(arithmetic.multiply, parts * int(node.exp))
-            if whole
-            else arithmetic.power(parts[0], float(node.exp))
-        )
-    name = type(node).__name__
-    if name not in FUNCTIONS or len(parts) != 1:
-        raise ScopeError(f"{node} cannot be integrated: write U with + - * /, rational powers and "
-                         f"{', '.join(FUNCTIONS)}")
-    return arithmetic.function(name)(parts[0])
+    def leaf(node: Expr) -> Any:
+        if isinstance(node, Symbol):
+            return values[node]
+        return NotImplemented if node.free_symbols else constant(node)
+
+    def raised(base: Any, exponent: Rational) -> Any:
+        if exponent.is_integer and exponent > 0:
+            return reduce(multiply, [base] * int(exponent))
+        return power(base, float(exponent))
+
+    def applied(node: Expr, parts: Sequence[Any]) -> Any:
+        name = type(node).__name__
+        if name not in FUNCTIONS or len(parts) != 1:
+            raise ScopeError(f"{node} cannot be integrated: write U with + - * /, rational powers and "
+                             f"{', '.join(FUNCTIONS)}")
+        return function(name)(parts[0])
+
+    return Arithmetic(leaf, partial(reduce, add), partial(reduce, multiply), raised, applied)
 
 
 def _function(name: str) -> Callable[[Any], Any]:
@@ -85,13 +66,21 @@ def _function(name: str) -> Callable[[Any], Any]:
     return lambda a: lambda x: function(a(x))
 
 
-def floats(rounding: Rounding) -> Arithmetic:
-    """Functions of a point, which is a sequence of floats."""
+def floats(values: Mapping[Symbol, Callable[[Sequence[float]], float]], rounding: Rounding) -> Arithmetic:
+    """Functions of a point, which is a sequence of floats.
+
+    Examples
+    --------
+    >>> from gyrostat.notation import symbol
+    >>> x = symbol("x")
+    >>> in_arithmetic(x**3 / 2 - 1, floats({x: lambda point: point[0]}, nearest))((2.0,))
+    3.0
+    """
     def constant(number: Expr) -> Callable[[Sequence[float]], float]:
         value = rounding(number)
         return lambda x: value
 
-    return Arithmetic(constant, lambda a, b: lambda x: a(x) + b(x), lambda a, b: lambda x: a(x) * b(x),
+    return integrable(values, constant, lambda a, b: lambda x: a(x) + b(x), lambda a, b: lambda x: a(x) * b(x),
                       lambda a, c: lambda x: math.pow(a(x), c), _function)
 
 
@@ -103,10 +92,9 @@ class Taylor:
     def __init__(self, rates: Rates, start: Array, rounding: Rounding, tolerance: float):
         heyoka = optional("heyoka", "heyoka")
         names = {s: heyoka.make_vars(f"x{i}") for i, (s, _) in enumerate(rates)}
-        arithmetic = Arithmetic(lambda c: heyoka.expression(rounding(c)), operator.add, operator.mul,
-                                operator.pow,
-                                lambda name: getattr(heyoka, name))
-        system = [(names[s], written(rate, names, arithmetic)) for s, rate in rates]
+        arithmetic = integrable(names, lambda c: heyoka.expression(rounding(c)), operator.add, operator.mul,
+                                operator.pow, lambda name: getattr(heyoka, name))
+        system = [(names[s], in_arithmetic(rate, arithmetic)) for s, rate in rates]
         self.start, self.steps, self.limit = start, 0, heyoka.taylor_outcome.time_limit
         self.integrator = heyoka.taylor_adaptive(system, list(start), tol=tolerance)
 
@@ -140,7 +128,7 @@ class RungeKutta:
     def __init__(self, rates: Rates, start: Array, rounding: Rounding, tolerance: float):
         self.method = optional("scipy.integrate", "trajectories").DOP853
         names = {s: operator.itemgetter(i) for i, (s, _) in enumerate(rates)}
-        self.rates = [written(rate, names, floats(rounding)) for _, rate in rates]
+        self.rates = [in_arithmetic(rate, floats(names, rounding)) for _, rate in rates]
         self.start, self.tolerance, self.steps = start, tolerance, 0
         self.restart()
 
