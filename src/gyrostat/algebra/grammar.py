@@ -4,13 +4,10 @@
     product := factor (('*' | '/') factor)*
     factor  := ('+' | '-') factor | atom ['**' factor]
     atom    := number | name | function '(' sum ')' | '(' sum ')'
-
-What would be slow is refused before it is computed: each part carries bounds on what expanding it could cost,
-and each constant an enclosure, so that SymPy is never asked for the sine of a number with 10⁵⁰ digits.
 """
 import operator
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from difflib import get_close_matches
 from fractions import Fraction
 from functools import reduce
@@ -21,27 +18,20 @@ from sympy import Add, Expr, Pow, Rational
 
 from ..notation import symbol
 from . import magnitudes, parts
-from .parts import BITS, DEGREE, FUNCTIONS, HYPERBOLIC, NESTING, PARTIAL, TERMS, Cost, Part
-from .scanner import Scanner
+from .limits import Limited
+from .parts import DEGREE, FUNCTIONS, HYPERBOLIC, PARTIAL, Cost, Part
 
-DEPTH, CALLS = 40, 30
 _MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh",
           "arccosh": "acosh", "arctanh": "atanh",
           "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh", "arctg": "atan", "tg": "tan",
           "sh": "sinh", "ch": "cosh", "th": "tanh"}
 
 
-class Parser(Scanner):
+class Parser(Limited):
     """Recursive descent through the grammar.
 
     A language with more names and functions extends named and call.
     """
-
-    TERMS = TERMS
-
-    def __init__(self, text: str):
-        super().__init__(text)
-        self.depth, self.calls = 0, 0
 
     def whole(self) -> Part:
         """The whole text."""
@@ -100,12 +90,6 @@ class Parser(Scanner):
         self.depth -= 1
         return result
 
-    def deeper(self) -> None:
-        """Count one level more."""
-        self.depth += 1
-        if self.depth > DEPTH:
-            self.fail(f"it is nested more than {DEPTH} deep", "write it flatter")
-
     def negative(self, part: Part) -> Part:
         return Part(-part.value, part.cost, part.nesting, magnitudes.negated(part.ball))
 
@@ -129,65 +113,6 @@ class Parser(Scanner):
         if root > 1 and not (isinstance(value, Pow) and value.base == base.value):
             return self.remade(value, nesting, ball)
         return self.bounded(value, cost, nesting, ball)
-
-    def moderate(self, bits: int) -> None:
-        """Refuse a root for which SymPy would factor too long a number."""
-        if bits > BITS:
-            self.fail(f"for a root in it a number of {min(bits, 10**9)} bits is factored",
-                      f"the limit is {BITS} bits: shorten the numbers")
-
-    def made(self, function: Callable[..., Any], *arguments: Any) -> Any:
-        """What SymPy makes of it.
-
-        Its comparisons and factors fail at some numbers that are too large for them.
-        """
-        try:
-            return function(*arguments)
-        except (ArithmeticError, AttributeError, RecursionError, TypeError, ValueError) as error:
-            self.fail(f"SymPy cannot evaluate a part of it ({str(error)[:60]})", "simplify it")
-
-    def remade(self, value: Expr, nesting: int, ball: Any) -> Part:
-        """What SymPy made of a root or a function, which may be another one, such as exp(2*log(x)) = x**2."""
-        if parts.foreign(value := parts.rewritten(value)):
-            self.fail("a part of it is not a finite real number, or not an elementary function",
-                      "check roots, logarithms and inverse functions")
-        return self.bounded(value, parts.of_expression(value), nesting, ball)
-
-    def checked(self, cost: Cost) -> Cost:
-        """The cost, if it is within the limits."""
-        if not cost.fits(self.TERMS):
-            self.fail(f"expanded, it could have {min(cost.terms, 10**9)} terms, degree "
-                      f"{min(cost.degree, 10**9)} or numbers of "
-                      f"{min(cost.bits, 10**9)} bits",
-                      f"the limits are {self.TERMS} terms, degree {DEGREE}, {BITS} bits")
-        return cost
-
-    def finite(self, ball: Any) -> None:
-        """Refuse a constant that is not proved to be a finite real number, or that is too large or too small
-        to be one of a scene.
-        """
-        if ball is None:
-            return
-        if not ball.is_finite():
-            self.fail("a part of it is not a finite real number",
-                      "check divisions, roots, logarithms and inverse functions")
-        if max(abs(end or 0) for end in magnitudes.extent(ball)) > BITS:
-            self.fail("a part of it is too large, or too close to 0",
-                      f"numbers lie between 2**-{BITS} and 2**{BITS} in size")
-
-    def bounded(self, value: Any, cost: Cost, nesting: int, ball: Any) -> Part:
-        """A part within all limits."""
-        if isinstance(value, Rational):
-            part = parts.constant(value)
-            self.checked(part.cost)
-            return part
-        self.finite(ball)
-        if nesting > NESTING:
-            self.fail(f"its functions and roots are nested more than {NESTING} deep", "simplify it")
-        if ball is not None:
-            high, low = magnitudes.extent(ball)
-            cost = cost._replace(bits=max(cost.bits, abs(high), abs(low or 0)), size=high)
-        return Part(value, self.checked(cost), nesting, ball)
 
     def atom(self) -> Part:
         kind, token = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
@@ -217,9 +142,7 @@ class Parser(Scanner):
     def call(self, token: str) -> Part:
         if token not in FUNCTIONS:
             self.fail(f"{token} is not a function of the grammar", self.guess(token, list(FUNCTIONS)))
-        self.calls += 1
-        if self.calls > CALLS:
-            self.fail(f"it has more than {CALLS} functions", "write it shorter")
+        self.called()
         return self.apply(token, self.atom())
 
     def guess(self, token: str, functions: Sequence[str]) -> str:
@@ -231,9 +154,7 @@ class Parser(Scanner):
         """An elementary function of a part."""
         if token == "sqrt":
             return self.power(inner, Rational(1, 2))
-        ball, nesting = magnitudes.applied(token, inner.ball), inner.nesting + 1
-        if nesting > NESTING:
-            self.fail(f"its functions and roots are nested more than {NESTING} deep", "simplify it")
+        ball, nesting = magnitudes.applied(token, inner.ball), self.nested(inner.nesting + 1)
         if token in HYPERBOLIC and ball is None and inner.cost.partial > PARTIAL:
             self.fail(f"{token} is asked of powers or sums of functions that are not real everywhere",
                       f"such an argument has up to {PARTIAL} terms and degree {PARTIAL}")

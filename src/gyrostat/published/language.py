@@ -13,7 +13,7 @@ from sympy import Abs, Expr, ImmutableMatrix, MatrixBase, Rational, nan, oo, zoo
 from sympy.matrices.exceptions import MatrixError
 
 from ..algebra.exact import sign_of_constant
-from ..algebra.grammar import CALLS, Parser
+from ..algebra.grammar import Parser
 from ..algebra.parts import FUNCTIONS, Cost, Part, enclosure, of_expression
 from ..errors import ExpressionError, GyrostatError, ValuesError, brief
 
@@ -93,9 +93,7 @@ class Formula(Parser):
             found.append(self.sum())
         if not self.take(")"):
             self.fail("a closing parenthesis is missing", "close what you opened")
-        self.calls += 1
-        if self.calls > CALLS:
-            self.fail(f"it has more than {CALLS} functions", "write it as several formulas")
+        self.called("write it as several formulas")
         return found
 
     def bounded(self, value: Any, cost: Cost, nesting: int, ball: Any) -> Part:
