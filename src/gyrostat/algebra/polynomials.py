@@ -7,32 +7,13 @@ one denominator, so that no fraction is ever simplified on the way.
 from collections.abc import Iterable, Sequence, Set
 from typing import Any
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
-from sympy import (
-    Add,
-    Expr,
-    Integer,
-    Mul,
-    Pow,
-    Rational,
-    S,
-    Symbol,
-    cos,
-    cosh,
-    exp,
-    log,
-    pi,
-    sin,
-    sinh,
-    tan,
-    tanh,
-)
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, exp
 
 from ..errors import ExpressionError
+from .generators import collect, exponential, spelt_once
 
 Row = list[fmpq_mpoly]
-_HYPERBOLIC = (sinh, cosh, tanh)
-PRIMES = 2**15                                         # up to which integers in logarithms are factored
 
 
 class Ring:
@@ -43,7 +24,7 @@ class Ring:
         plain: dict[Expr, None] = {}
         seen: set[Expr] = set()
         for expression in expressions:
-            _collect(expression, seen, plain, squares)
+            collect(expression, seen, plain, squares)
         self.generators = (*reversed(squares), *sorted(plain, key=str))
         self._context = fmpq_mpoly_ctx.get(tuple(f"x{i}" for i in range(len(self.generators))), Ordering.lex)
         self.one, self.zero = self._context.constant(1), self._context.constant(0)
@@ -86,8 +67,8 @@ class Ring:
             factors = [_power((self.gens[Pow(node.base, Rational(1, node.exp.q))], self.one),
                               int(node.exp.p))]
         elif isinstance(node, exp):
-            factors = [_power((self.gens[base], self.one), n) for base, n in _exponential(node)]
-        elif (same := _spelt_once(node)) is not None:
+            factors = [_power((self.gens[base], self.one), n) for base, n in exponential(node)]
+        elif (same := spelt_once(node)) is not None:
             factors = [self.fraction(same)]
         else:
             factors = [self.fraction(node.rewrite(exp))]
@@ -145,62 +126,6 @@ class Ring:
             return self.expression(top / bottom)
         content, factors = bottom.factor()
         return Mul(self.expression(top / content), *(Pow(self.expression(f), -int(n)) for f, n in factors))
-
-
-def _collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict[Expr, Expr]) -> None:
-    """Enter the generators of an expression: roots and sines with their squares, everything else as it is."""
-    if node in seen or isinstance(node, Rational):
-        return
-    seen.add(node)
-    parts: tuple[Expr, ...] = ()
-    if isinstance(node, (Add, Mul)):
-        parts = node.args
-    elif isinstance(node, Pow) and isinstance(node.exp, Integer):
-        parts = (node.base,)
-    elif isinstance(node, _HYPERBOLIC):
-        parts = (node.rewrite(exp),)
-    elif (same := _spelt_once(node)) is not None:
-        parts = (same,)
-    elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
-        _collect(node.base, seen, plain, squares)
-        squares.setdefault(Pow(node.base, Rational(1, 2)), node.base)
-    elif isinstance(node, Pow) and isinstance(node.exp, Rational):
-        plain[Pow(node.base, Rational(1, node.exp.q))] = None
-    elif isinstance(node, sin) and node.free_symbols:  # of a constant, the relation would only hide squares
-        _collect(cos(node.args[0]), seen, plain, squares)
-        squares.setdefault(node, 1 - cos(node.args[0]) ** 2)
-    elif isinstance(node, exp):
-        plain.update(dict.fromkeys(base for base, _ in _exponential(node)))
-    else:
-        plain[node] = None
-    for part in parts:
-        _collect(part, seen, plain, squares)
-
-
-def _spelt_once(node: Expr) -> Expr | None:
-    """A logarithm of a rational by those of primes, a sine or tangent of rπ by cosines.
-
-    None for what is spelt in one way.
-    """
-    if isinstance(node, log) and isinstance(node.args[0], Rational) and node.args[0] > 0:
-        parts = [(Integer(int(p)), side * n) for side, x in ((1, node.args[0].p), (-1, node.args[0].q))
-                 for p, n in fmpz(int(x)).factor(trial_limit=PRIMES)]
-        return None if [n for _, n in parts] == [1] else Add(*(n * log(p) for p, n in parts))
-    if isinstance(node, (sin, tan)) and isinstance(node.args[0] / pi, Rational):
-        sine = cos(pi / 2 - node.args[0])
-        return sine if isinstance(node, sin) else sine / cos(node.args[0])
-    return None
-
-
-def _exponential(node: exp) -> list[tuple[Expr, int]]:
-    """exp(a + n b) as the powers exp(a)¹ exp(b)ⁿ of generators."""
-    powers = []
-    for term in Add.make_args(node.args[0]):
-        coefficient, rest = term.as_coeff_Mul()
-        n = int(coefficient.p) if isinstance(coefficient, Rational) else 1
-        base = exp(rest / coefficient.q) if isinstance(coefficient, Rational) else exp(term)
-        powers.append((base, n))
-    return powers
 
 
 def _power(part: tuple[fmpq_mpoly, fmpq_mpoly], n: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
