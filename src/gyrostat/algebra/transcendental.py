@@ -1,6 +1,4 @@
-"""Zero among transcendental numbers, by a normal form.
-
-Π, exponentials, sines and logarithms as variables over the algebraic numbers.
+"""Zero among transcendental numbers, by a normal form: π, exponentials, sines, logarithms as variables.
 
 A constant is written as a fraction of polynomials in π, in e^(1/n), in cos(1/n) and sin(1/n), and in the
 logarithms of integers without common factors; sin² is 1 − cos². It is 0 if every coefficient is. The converse
@@ -11,7 +9,6 @@ Beyond those a constant that is 0 may not be found to be.
 from collections import defaultdict
 from collections.abc import Callable
 from functools import reduce
-from math import gcd, lcm
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -19,7 +16,6 @@ from sympy import (
     Add,
     CRootOf,
     Expr,
-    Integer,
     Mul,
     Pow,
     Rational,
@@ -35,7 +31,8 @@ from sympy import (
     tanh,
 )
 
-from .algebraic import TURNS, coprime, is_algebraic, separation, turn
+from .algebraic import TURNS, coprime, is_algebraic, separation
+from .constituents import Constituents, multiples
 from .polynomials import by_degree
 from .quotients import Fraction, Quotients
 
@@ -83,15 +80,10 @@ class _Form:
     def __init__(self, constant: Expr, sign: Callable[[Expr], int | None]):
         self._sign = sign
         self._below: list[fmpq_mpoly] = []                                                   # denominators
-        # of e^… and of cos, sin
-        self._angles: defaultdict[tuple[type, Expr], list[Rational]] = defaultdict(list)
-        self._integers: set[int] = set()                                                     # of logarithms
-        self._plain: dict[Expr, None] = {}
-        self._collect(constant, set())
-        self._units = {key: Rational(gcd(*(int(r.p) for r in angles)), lcm(*(int(r.q) for r in angles)))
-                       for key, angles in self._angles.items()}
-        self._base = coprime(self._integers)
-        meaning: dict[Any, Expr] = {node: node for node in reversed(self._plain)} | {
+        parts = Constituents(constant)
+        self._units, plain = parts.units(), parts.plain
+        self._base = coprime(parts.integers)
+        meaning: dict[Any, Expr] = {node: node for node in reversed(plain)} | {
             (log, n): log(n) for n in self._base
         }
         for (kind, rest), unit in self._units.items():
@@ -101,10 +93,10 @@ class _Form:
         self._gens, self._meaning = dict(zip(meaning, context.gens())), list(meaning.values())
         self._algebraic = [isinstance(key, Expr) and is_algebraic(key) for key in meaning]
         self._ring = Quotients()
-        for place, node in zip(reversed(range(len(self._plain))), self._plain):
+        for place, node in zip(reversed(range(len(plain))), plain):
             if is_algebraic(node):
                 self._relate(place, node)
-        outer = [(int(v.exp.q), self.fraction(v.base), self._gens[v], v) for v in reversed(self._plain)
+        outer = [(int(v.exp.q), self.fraction(v.base), self._gens[v], v) for v in reversed(plain)
                  if isinstance(v, Pow) and isinstance(v.exp, Rational) and not is_algebraic(v)]
         turned = [(self._gens[cos, rest], self._gens[sin, rest], meaning[sin, rest])
                   for kind, rest in self._units if kind is cos]
@@ -123,32 +115,6 @@ class _Form:
             if bottom.is_constant():
                 self._ring.relate(place, int(node.exp.q), g ** int(node.exp.q) - top / bottom)
 
-    def _collect(self, node: Expr, seen: set[Expr]) -> None:
-        """Enter what the variables are of, each root after those inside it."""
-        if node in seen or isinstance(node, Rational):
-            return
-        seen.add(node)
-        if node is S.Exp1 or isinstance(node, (exp, sinh, cosh, tanh)):
-            for coefficient, rest in _terms(node):
-                self._angles[exp, rest].append(coefficient)
-        elif isinstance(node, (Add, Mul)) or isinstance(node, Pow) and isinstance(node.exp, Integer):
-            for part in node.args:
-                self._collect(part, seen)
-        elif isinstance(node, Pow) and isinstance(node.exp, Rational):
-            self._collect(node.base, seen)
-            self._plain[Pow(node.base, Rational(1, node.exp.q))] = None
-        elif isinstance(node, TURNS) and turn(node) is None:
-            for coefficient, rest in _terms(node):
-                if rest is S.Pi:
-                    self._collect(cos(coefficient * rest), seen)
-                    self._collect(sin(coefficient * rest), seen)
-                else:
-                    self._angles[cos, rest].append(coefficient)
-        elif isinstance(node, log) and isinstance(node.args[0], Rational):
-            self._integers |= {int(node.args[0].p), int(node.args[0].q)}
-        else:
-            self._plain[node] = None
-
     def fraction(self, node: Expr) -> Fraction:
         """Numerator and denominator in the variables."""
         if node in self._gens:
@@ -160,7 +126,7 @@ class _Form:
         if isinstance(node, Mul):
             return reduce(self._ring.product, map(self.fraction, node.args))
         if node is S.Exp1 or isinstance(node, exp):
-            powers = ((self._gens[exp, rest], int(r / self._units[exp, rest])) for r, rest in _terms(node))
+            powers = ((self._gens[exp, rest], int(r / self._units[exp, rest])) for r, rest in multiples(node))
             return reduce(self._ring.product, (self._power((g, self._one), n) for g, n in powers))
         if isinstance(node, Pow):
             base = node.base if node.exp.q == 1 else Pow(node.base, Rational(1, node.exp.q))
@@ -193,7 +159,7 @@ class _Form:
     def _turned(self, node: Expr) -> tuple[Fraction, Fraction]:
         """cos and sin of a sum, by the addition theorems."""
         c, s = (self._one, self._one), (self._zero, self._one)
-        for coefficient, rest in _terms(node):
+        for coefficient, rest in multiples(node):
             if rest is S.Pi:
                 x, y = self.fraction(cos(coefficient * rest)), self.fraction(sin(coefficient * rest))
             else:
@@ -257,10 +223,3 @@ class _Form:
         return Add(*(Mul(Rational(int(c.p), int(c.q)),
                          *(Pow(v, int(e)) for v, e in zip(self._meaning, exponents) if e))
                      for exponents, c in terms.items()))
-
-
-def _terms(function: Expr) -> list[tuple[Rational, Expr]]:
-    """The argument of a function as a sum of rational multiples."""
-    argument = S.One if function is S.Exp1 else function.args[0].expand()
-    pairs = (term.as_coeff_Mul() for term in Add.make_args(argument))
-    return [(r, rest) if isinstance(r, Rational) else (S.One, r * rest) for r, rest in pairs]
