@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Integer, Rational, atan, exp, log, pi, sin, sqrt
 
-from gyrostat.algebra.exact import ball, evaluate, sign, sign_of_constant
+from gyrostat.algebra.balls import ball
+from gyrostat.algebra.exact import evaluate, sign, sign_of_constant
 from gyrostat.notation import symbol
 
 x, y = symbol("x"), symbol("y")

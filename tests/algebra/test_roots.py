@@ -31,7 +31,8 @@ from sympy import (
 )
 
 import gyrostat as gs
-from gyrostat.algebra.exact import ball, sign_of_constant
+from gyrostat.algebra.balls import ball
+from gyrostat.algebra.exact import sign_of_constant
 from gyrostat.algebra.roots import in_order, real_roots
 from gyrostat.errors import ScopeError
 

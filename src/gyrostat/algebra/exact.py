@@ -2,27 +2,21 @@
 
 By rational arithmetic, or by proved enclosures and a separation bound.
 """
-import math
 from collections.abc import Callable, Mapping
 from functools import lru_cache
-from types import MappingProxyType
 
 import sympy
-from flint import arb, ctx, fmpq, fmpq_mpoly
-from sympy import Add, CRootOf, Derivative, Dummy, Expr, Integer, Mul, Pow, Rational, Subs, Symbol
+from flint import arb, fmpq, fmpq_mpoly
+from sympy import CRootOf, Derivative, Dummy, Expr, Integer, Rational, Subs, Symbol
 
 from ..errors import ScopeError
-from .algebraic import real_root, separation
+from .algebraic import separation
+from .balls import ball
 from .polynomials import Ring
-from .precision import own_precision
 from .transcendental import vanishes
 
 # bits: a sign that is not proved by then is not known; the normal form is sooner
 LIMIT, ALGEBRAIC_LIMIT, FAR = 4096, 2**20, 2**14
-NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
-_FUNCTIONS = {name: getattr(arb, name) for name in (
-    "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
-    "atanh")}
 
 
 def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
@@ -189,64 +183,3 @@ def plain(constant: Expr) -> Expr:
         return constant
     found = (Integer(n) for n in (0, 1, -1) if near.contains(n) and sign_of_constant(constant - n) == 0)
     return next(found, constant)
-
-
-def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:
-    """Enclosure of a real expression in ball arithmetic of the precision given (not finite where it is
-    undefined).
-
-    Parameters
-    ----------
-    expression : Expr
-    precision : int
-        bits
-    values : mapping of Symbol to arb
-        enclosures of its symbols
-    """
-    with own_precision(precision):
-        return +_ball(expression, values)
-
-
-def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
-    if isinstance(node, Symbol):
-        return values[node]
-    if isinstance(node, Rational):
-        return arb(fmpq(int(node.p), int(node.q)))
-    if isinstance(node, Add):
-        return sum((_ball(part, values) for part in node.args), arb(0))
-    if isinstance(node, Mul):
-        result = arb(1)
-        for part in node.args:
-            result *= _ball(part, values)
-        return result
-    if isinstance(node, Pow) and isinstance(node.exp, Rational):
-        if not values and node.exp.q > 1:
-            return _constant(node, ctx.prec)
-        return _power(node, values)
-    if node is sympy.pi or node is sympy.E:
-        return arb.pi() if node is sympy.pi else arb(1).exp()
-    if isinstance(node, CRootOf):
-        return real_root(node, ctx.prec)
-    if type(node).__name__ in _FUNCTIONS and len(node.args) == 1:
-        return _function(node, values) if values else _constant(node, ctx.prec)
-    return arb("nan")
-
-
-@lru_cache(maxsize=256)
-def _constant(node: Expr, precision: int) -> arb:
-    """A root or a function of constants, once at each precision; that is the precision of the moment."""
-    return _power(node, NOTHING) if isinstance(node, Pow) else _function(node, NOTHING)
-
-
-def _function(node: Expr, values: Mapping[Symbol, arb]) -> arb:
-    return _FUNCTIONS[type(node).__name__](_ball(node.args[0], values))
-
-
-def _power(node: Pow, values: Mapping[Symbol, arb]) -> arb:
-    base, n = _root(_ball(node.base, values), int(node.exp.q)), int(node.exp.p)
-    # ** has no power of a ball that contains 0
-    return math.prod([base] * n, start=arb(1)) if 0 < n <= 64 else base**n
-
-
-def _root(base: arb, n: int) -> arb:
-    return base if n == 1 else base.sqrt() if n == 2 else base.root(n) if base > 0 else arb("nan")

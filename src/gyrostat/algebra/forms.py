@@ -5,7 +5,8 @@ from flint import arb
 from sympy import Dummy, Expr, S, binomial, oo
 
 from ..errors import ScopeError
-from .exact import ball, proved_sign
+from .balls import ball
+from .exact import proved_sign
 from .polynomials import lowest_terms
 from .roots import between, real_roots
 

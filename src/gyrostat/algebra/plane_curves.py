@@ -13,14 +13,14 @@ from sympy import Expr, Rational, S, Symbol
 
 from ..errors import ScopeError
 from .algebraic import is_algebraic
+from .balls import ball, dyadic, interval
 from .elimination import deflated, inflated, linear
-from .exact import ball, sign_of_constant
+from .exact import sign_of_constant
 from .polynomials import Ring, by_degree, cancel
 from .precision import own_precision
-from .roots import inserted, real_roots
+from .roots import inserted, nearest, real_roots
 
-# degree of the polynomials whose roots are the points of a curve
-LARGEST = 150
+LARGEST = 150                                          # degree of a polynomial whose roots are points of it
 
 
 @dataclass(frozen=True)
@@ -86,9 +86,8 @@ class PlaneCurve:
         others = [g for g in self.ring.generators if g not in (x, t)]
         if any(g.free_symbols or not is_algebraic(g) or g.is_real is False for g in others):
             raise ScopeError(f"{expression} is not rational in {x} and {t} with algebraic coefficients, so "
-                             "that its branches cannot all be "
-                             "found: give a field that is rational in k3, numbers without pi or functions, "
-                             "and another name along the axis")
+                             "that its branches cannot all be found: give a field that is rational in k3, "
+                             "numbers without pi or functions, and another name along the axis")
         self.place = [self.ring.generators.index(s) for s in (x, t)]
         top, bottom = self.ring.fraction(expression)
         top, bottom = cancel(self.ring.reduce(top), bottom)
@@ -133,10 +132,9 @@ class PlaneCurve:
         n = math.gcd(*(int(e[t]) for f in (F, G) for e in f.to_dict())) or 1
         F, G = (deflated(f, t, n) for f in (F, G))
         if self.degree(F, 0) * self.degree(G, 1) + self.degree(G, 0) * self.degree(F, 1) > LARGEST:
-            raise ScopeError(f"the points of a curve of degree {self.degree(self.whole, 0)} in {self.x} "
-                             f"and {self.degree(self.whole, 1)} "
-                             f"in {self.t} are the roots of polynomials of degree over {LARGEST}: give a "
-                             "field of lower degree")
+            raise ScopeError(f"the points of a curve of degree {self.degree(self.whole, 0)} in {self.x} and "
+                             f"{self.degree(self.whole, 1)} in {self.t} are the roots of polynomials of "
+                             f"degree over {LARGEST}: give a field of lower degree")
         over_x = self._resultant(F, G, 1)
         if over_x.is_constant() and over_x:
             return []
@@ -151,7 +149,7 @@ class PlaneCurve:
         if n == 1:
             return pairs
         powers = real_roots(self.ring.expression(inflated(over_t, t, n)), self.t) or []
-        return [(root, x0) for s, x0 in pairs for root in powers if _nearest(root, along, n) == s]
+        return [(root, x0) for s, x0 in pairs for root in powers if nearest(root, along, n) == s]
 
     def _resultant(self, F: fmpq_mpoly, G: fmpq_mpoly, which: int) -> fmpq_mpoly:
         """What is left of two polynomials when x (0) or t (1) is eliminated."""
@@ -165,7 +163,7 @@ class PlaneCurve:
         lead = by_degree(F, self.place[1], self.degree(F, 1))[-1]
         if a and sign_of_constant(below := inserted(self.ring, a, {self.x: x0})) and (
                 sign_of_constant(inserted(self.ring, lead, {self.x: x0}))):
-            return [_nearest(-inserted(self.ring, b, {self.x: x0}) / below, along)]
+            return [nearest(-inserted(self.ring, b, {self.x: x0}) / below, along)]
         return [t0 for t0 in along if all(self.sign(f, t0, x0) == 0 for f in (F, G))]
 
     def sign(self, polynomial: fmpq_mpoly, t0: Expr, x0: Expr) -> int | None:
@@ -190,12 +188,12 @@ class PlaneCurve:
         while True:
             with own_precision(precision):
                 step = min(reach / 2, size ** (order + 1))
-                middle, at = (_dyadic(ball(value, precision), small)
+                middle, at = (dyadic(ball(value, precision), small)
                               for value, small in ((x0, size / 16), (t0, step / 16)))
                 if middle is not None and at is not None:
-                    T = _interval(at - step, at + step)
-                    sides = [self._enclosed(self.whole, T, _interval(middle + s * size)) for s in (-1, 1)]
-                    slope = self._enclosed(self._slope(order), T, _interval(middle - size, middle + size))
+                    T = interval(at - step, at + step)
+                    sides = [self._enclosed(self.whole, T, interval(middle + s * size)) for s in (-1, 1)]
+                    slope = self._enclosed(self._slope(order), T, interval(middle - size, middle + size))
                     if all(side > 0 or side < 0 for side in (*sides, slope)):
                         return Box(middle - size, middle + size, at - step / 2, at + step / 2, order)
                     size /= 4
@@ -209,9 +207,8 @@ class PlaneCurve:
     def _enclosed(self, polynomial: fmpq_mpoly, t: arb, x: arb) -> arb:
         """At the precision that is set."""
         values = [x if g == self.x else t if g == self.t else ball(g, ctx.prec) for g in self.ring.generators]
-        # ** has no power of a ball
+        # ** has no power of a ball that contains 0
         return sum((math.prod((v for v, e in zip(values, powers) for _ in range(int(e))), start=arb(c))
-                    # that contains 0
                     for powers, c in polynomial.to_dict().items()), arb(0))
 
     def roots(self, t: Fraction, count: int | None = None, precision: int = 96) -> list[arb]:
@@ -236,7 +233,7 @@ class PlaneCurve:
             real = [x.real for x, _ in fmpq_poly([part(*at) for part in parts]).complex_roots()
                     if x.imag == 0]
         else:
-            here = _interval(t)
+            here = interval(t)
             try:
                 found = arb_poly([self._enclosed(part, here, arb(0))
                                   for part in parts]).complex_roots(tol=2.0 ** -(ctx.prec // 2 + 8))
@@ -249,38 +246,3 @@ class PlaneCurve:
             return None
         inside = sorted((r for r in real if abs(r) < 1), key=arb.mid)
         return inside if count is None or len(inside) == count else None
-
-
-def _nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
-    """The one of some distinct numbers that a power of the value, which is among them, is."""
-    precision = 64
-    while True:
-        here = math.prod([ball(value, precision)] * power, start=arb(1))
-        left = (
-            [number for number in known if here.overlaps(ball(number, precision))]
-            if here.is_finite()
-            else known
-        )
-        if len(left) == 1:
-            return left[0]
-        precision *= 2
-
-
-def _interval(low: Fraction, high: Fraction | None = None) -> arb:
-    """The ball that reaches from one number to another, at the precision that is set."""
-    ends = [arb(fmpq(x.numerator, x.denominator)) for x in (low, low if high is None else high)]
-    return ends[0].union(ends[1])
-
-
-def _dyadic(enclosure: arb, small: Fraction) -> Fraction | None:
-    """A fraction within a small distance of an enclosed number."""
-    if not enclosure.is_finite() or fraction_of(enclosure.rad()) > small / 2:
-        return None
-    n = max(0, math.ceil(-math.log2(small)) + 2) if small < 1 else 2
-    return Fraction(round(fraction_of(enclosure.mid()) * 2**n), 2**n)
-
-
-def fraction_of(exact: arb) -> Fraction:
-    """The number that a ball without a radius is."""
-    mantissa, exponent = exact.man_exp()
-    return int(mantissa) * Fraction(2) ** int(exponent)

@@ -2,15 +2,17 @@
 
 Rational, quadratic surds, or roots of a named polynomial.
 """
+import math
 from collections.abc import Mapping, Sequence
 from functools import cmp_to_key
 
-from flint import fmpq, fmpq_mpoly, fmpq_poly
+from flint import arb, fmpq, fmpq_mpoly, fmpq_poly
 from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
 
 from ..errors import ScopeError
 from .algebraic import is_algebraic
-from .exact import ball, proved_sign, sign_of_constant
+from .balls import ball
+from .exact import proved_sign, sign_of_constant
 from .polynomials import Ring, by_degree
 from .precision import own_precision
 
@@ -181,6 +183,21 @@ def _side(number: Expr, precision: int, side: int) -> Rational:
         enclosure = ball(number, precision)
         mantissa, exponent = (enclosure.upper() if side > 0 else enclosure.lower()).man_exp()
         return Rational(int(mantissa)) * Rational(2) ** int(exponent)
+
+
+def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
+    """The one of some distinct numbers that a power of the value, which is among them, is."""
+    precision = 64
+    while True:
+        here = math.prod([ball(value, precision)] * power, start=arb(1))
+        left = (
+            [number for number in known if here.overlaps(ball(number, precision))]
+            if here.is_finite()
+            else known
+        )
+        if len(left) == 1:
+            return left[0]
+        precision *= 2
 
 
 def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:

@@ -9,8 +9,8 @@ from fractions import Fraction
 from flint import arb
 from sympy import Expr, S
 
-from .exact import ball
-from .plane_curves import Box, PlaneCurve, fraction_of
+from .balls import ball, fraction_of
+from .plane_curves import Box, PlaneCurve
 from .roots import in_order
 
 BITS = 96                                              # of the roots at first

@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 from sympy import Expr, Rational, Symbol
 
-from ..algebra.exact import LIMIT, ball
+from ..algebra.balls import ball
+from ..algebra.exact import LIMIT
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError

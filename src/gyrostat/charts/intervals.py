@@ -12,8 +12,9 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Pow, Rational, Symbol, diff
 
+from ..algebra.balls import ball
 from ..algebra.double_double import two_sum
-from ..algebra.exact import ball, sign_of_constant
+from ..algebra.exact import sign_of_constant
 from ..algebra.precision import own_precision
 from .straightline import program_of
 

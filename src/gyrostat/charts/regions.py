@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from sympy import Expr, S
 
-from ..algebra.exact import Point, ball, evaluate, is_identically_zero, sign_of_constant
+from ..algebra.balls import ball
+from ..algebra.exact import Point, evaluate, is_identically_zero, sign_of_constant
 from ..algebra.numbers import exact_number, shown
 from ..errors import ScopeError, ValuesError, require
 from ..mechanics.equilibria import Equilibrium

@@ -9,7 +9,8 @@ import numpy as np
 from flint import arb, fmpq
 from sympy import Expr, Rational, Symbol
 
-from ..algebra.exact import ball, compiled, sign
+from ..algebra.balls import ball
+from ..algebra.exact import compiled, sign
 from ..algebra.floats import Array
 from ..algebra.precision import ONE_AT_A_TIME, own_precision
 from .grids import Block, Grid, cut, places

@@ -6,7 +6,8 @@ from typing import Any
 
 from sympy import Expr, Integer, S, Symbol, sqrt
 
-from ..algebra.exact import Point, ball, evaluate, proved_sign, sign_of_constant
+from ..algebra.balls import ball
+from ..algebra.exact import Point, evaluate, proved_sign, sign_of_constant
 from ..algebra.numbers import exact_number
 from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError, require

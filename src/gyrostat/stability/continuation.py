@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from sympy import Expr, S
 
-from ..algebra.exact import ball
+from ..algebra.balls import ball, fraction_of
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
-from ..algebra.plane_curves import PlaneCurve, fraction_of
+from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import Place, Station, beside, between, stations
 from ..errors import ScopeError
 from ..mechanics.system import System

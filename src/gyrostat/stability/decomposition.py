@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from sympy import Expr, Mul, Symbol, oo
 
-from ..algebra.exact import Point, ball, evaluate, is_identically_zero, proved_sign, sign_of_constant
+from ..algebra.balls import ball
+from ..algebra.exact import Point, evaluate, is_identically_zero, proved_sign, sign_of_constant
 from ..algebra.polynomials import Ring
 from ..algebra.roots import between, real_roots
 from ..errors import ScopeError

@@ -7,7 +7,8 @@ from functools import lru_cache
 
 from sympy import Add, Expr, Poly, Rational, S, Symbol, sqrt
 
-from ..algebra.exact import Point, ball, evaluate, sign_of_constant
+from ..algebra.balls import ball
+from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..mechanics.system import System
 from ..notation import symbol
 

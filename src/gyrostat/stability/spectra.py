@@ -9,7 +9,8 @@ import numpy as np
 from flint import arb, fmpq
 from sympy import Expr, Rational, Symbol
 
-from ..algebra.exact import ball, evaluate, sign_of_constant
+from ..algebra.balls import ball
+from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.floats import Array, in_floats
 from ..algebra.numbers import exact_number
 from ..algebra.polynomials import Ring

@@ -5,7 +5,8 @@ from typing import Any
 
 from sympy import Expr, Rational, S, Symbol
 
-from ..algebra.exact import Point, ball, compiled, evaluate, sign_of_constant
+from ..algebra.balls import ball
+from ..algebra.exact import Point, compiled, evaluate, sign_of_constant
 from ..algebra.numbers import exact_number, shown
 from ..errors import ValuesError
 from ..mechanics.equilibria import Equilibrium

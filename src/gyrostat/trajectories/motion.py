@@ -8,7 +8,7 @@ import numpy as np
 from flint import arb
 from sympy import Add, Expr
 
-from ..algebra.exact import ball
+from ..algebra.balls import ball
 from ..algebra.floats import Array, in_floats
 from ..algebra.numbers import exact_number, shown
 from ..algebra.precision import own_precision

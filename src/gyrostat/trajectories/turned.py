@@ -6,7 +6,7 @@ from flint import arb
 from sympy import Expr, trigsimp
 
 from ..algebra.algebraic import is_algebraic
-from ..algebra.exact import ball
+from ..algebra.balls import ball
 from ..algebra.floats import Array
 from ..algebra.precision import own_precision
 from ..mechanics.recognition import Recognition, recognise

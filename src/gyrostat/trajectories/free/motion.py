@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from ...algebra.exact import ball
+from ...algebra.balls import ball
 from ...algebra.floats import Array
 from ...algebra.numbers import exact_number
 from ...algebra.precision import own_precision

@@ -9,7 +9,7 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Integer
 
-from ...algebra.exact import ball
+from ...algebra.balls import ball
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError

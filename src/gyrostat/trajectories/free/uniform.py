@@ -11,8 +11,9 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Integer, sqrt
 
+from ...algebra.balls import ball
 from ...algebra.double_double import Twofold
-from ...algebra.exact import ball, proved_sign
+from ...algebra.exact import proved_sign
 from ...algebra.floats import Array
 from ...algebra.numbers import shown
 from ...algebra.precision import own_precision

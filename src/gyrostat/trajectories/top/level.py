@@ -11,7 +11,8 @@ from flint import arb, ctx, fmpq
 from sympy import Expr, Poly, Rational, S, sqrt, trigsimp
 
 from ...algebra.algebraic import is_algebraic
-from ...algebra.exact import ball, proved_sign
+from ...algebra.balls import ball
+from ...algebra.exact import proved_sign
 from ...errors import ValuesError
 from ...mechanics.system import System
 from ...notation import symbol

@@ -1,0 +1,99 @@
+"""Ball arithmetic: enclosures of expressions to any precision, and the fractions that describe them."""
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import lru_cache
+from types import MappingProxyType
+
+import sympy
+from flint import arb, ctx, fmpq
+from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, Symbol
+
+from .algebraic import real_root
+from .precision import own_precision
+
+NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
+_FUNCTIONS = {name: getattr(arb, name) for name in (
+    "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
+    "atanh")}
+
+
+def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:
+    """Enclosure of a real expression in ball arithmetic of the precision given (not finite where it is
+    undefined).
+
+    Parameters
+    ----------
+    expression : Expr
+    precision : int
+        bits
+    values : mapping of Symbol to arb
+        enclosures of its symbols
+    """
+    with own_precision(precision):
+        return +_ball(expression, values)
+
+
+def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
+    if isinstance(node, Symbol):
+        return values[node]
+    if isinstance(node, Rational):
+        return arb(fmpq(int(node.p), int(node.q)))
+    if isinstance(node, Add):
+        return sum((_ball(part, values) for part in node.args), arb(0))
+    if isinstance(node, Mul):
+        result = arb(1)
+        for part in node.args:
+            result *= _ball(part, values)
+        return result
+    if isinstance(node, Pow) and isinstance(node.exp, Rational):
+        if not values and node.exp.q > 1:
+            return _constant(node, ctx.prec)
+        return _power(node, values)
+    if node is sympy.pi or node is sympy.E:
+        return arb.pi() if node is sympy.pi else arb(1).exp()
+    if isinstance(node, CRootOf):
+        return real_root(node, ctx.prec)
+    if type(node).__name__ in _FUNCTIONS and len(node.args) == 1:
+        return _function(node, values) if values else _constant(node, ctx.prec)
+    return arb("nan")
+
+
+@lru_cache(maxsize=256)
+def _constant(node: Expr, precision: int) -> arb:
+    """A root or a function of constants, once at each precision; that is the precision of the moment."""
+    return _power(node, NOTHING) if isinstance(node, Pow) else _function(node, NOTHING)
+
+
+def _function(node: Expr, values: Mapping[Symbol, arb]) -> arb:
+    return _FUNCTIONS[type(node).__name__](_ball(node.args[0], values))
+
+
+def _power(node: Pow, values: Mapping[Symbol, arb]) -> arb:
+    base, n = _root(_ball(node.base, values), int(node.exp.q)), int(node.exp.p)
+    # ** has no power of a ball that contains 0
+    return math.prod([base] * n, start=arb(1)) if 0 < n <= 64 else base**n
+
+
+def _root(base: arb, n: int) -> arb:
+    return base if n == 1 else base.sqrt() if n == 2 else base.root(n) if base > 0 else arb("nan")
+
+
+def interval(low: Fraction, high: Fraction | None = None) -> arb:
+    """The ball that reaches from one number to another, at the precision that is set."""
+    ends = [arb(fmpq(x.numerator, x.denominator)) for x in (low, low if high is None else high)]
+    return ends[0].union(ends[1])
+
+
+def dyadic(enclosure: arb, small: Fraction) -> Fraction | None:
+    """A fraction within a small distance of an enclosed number."""
+    if not enclosure.is_finite() or fraction_of(enclosure.rad()) > small / 2:
+        return None
+    n = max(0, math.ceil(-math.log2(small)) + 2) if small < 1 else 2
+    return Fraction(round(fraction_of(enclosure.mid()) * 2**n), 2**n)
+
+
+def fraction_of(exact: arb) -> Fraction:
+    """The number that a ball without a radius is."""
+    mantissa, exponent = exact.man_exp()
+    return int(mantissa) * Fraction(2) ** int(exponent)
