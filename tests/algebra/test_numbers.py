@@ -5,6 +5,7 @@ import re
 from decimal import Decimal
 from fractions import Fraction
 
+import mpmath
 import numpy as np
 import pytest
 import sympy
@@ -153,3 +154,11 @@ def test_what_is_no_exact_real_number_is_refused(value):
 def test_floats_inside_expressions_become_exact():
     """0.5*k3 is k3/2."""
     assert exact_expression(0.5 * Symbol("k3")) == symbol("k3") / 2
+
+
+@pytest.mark.parametrize("value", [1 << 2**18, Rational(1, 1 << 2**18), mpmath.ldexp(1, 10**9),
+                                   sympy.Float(2) ** -(2**18)], ids=range(4))
+def test_numbers_of_python_are_bounded_too(value):
+    """Their digits would not be printed, or not even be made."""
+    with pytest.raises(ValuesError, match="too long"):
+        exact_number(value, "l")

@@ -1,11 +1,13 @@
 """Gyrostats: what is accepted, what is refused, kinetic energy."""
 from fractions import Fraction
 
+import numpy as np
 import pytest
+import sympy
 from sympy import Rational, Symbol, sqrt
 
 import gyrostat as gs
-from gyrostat.errors import BodyError, ValuesError
+from gyrostat.errors import ArgumentError, BodyError, ValuesError
 
 
 def test_numbers_and_symbols_are_accepted():
@@ -44,3 +46,38 @@ def test_bodies_of_revolution():
     assert gs.symmetric_gyrostat().is_of_revolution() and gs.Gyrostat((2, 2, 1), (0, 0, l)).is_of_revolution()
     assert not gs.Gyrostat((2, 3, 1), (0, 0, l)).is_of_revolution()
     assert not gs.Gyrostat((2, 2, 1), (0, l, 0)).is_of_revolution()
+
+
+@pytest.mark.parametrize(
+    "inertia",
+    [
+        np.array([1.0, 2.0, 3.0]),
+        np.diag([1.0, 2.0, 3.0]),
+        [[1, 0, 0], [0, 2, 0], [0, 0, 3]],
+        sympy.diag(1, 2, 3),
+        sympy.Matrix([1, 2, 3]),
+        (np.array(1), np.float32(2), np.int64(3)),
+        range(1, 4),
+    ],
+)
+def test_arrays_and_diagonal_matrices_are_bodies(inertia):
+    """Moments come from NumPy as often as from a tuple."""
+    assert gs.Gyrostat(inertia, np.zeros(3)) == gs.Gyrostat((1, 2, 3), (0, 0, 0))
+
+
+@pytest.mark.parametrize(
+    ("inertia", "error", "hint"),
+    [
+        ("123", ArgumentError, "three numbers"),
+        (b"123", ArgumentError, "three numbers"),
+        (5, ArgumentError, "three numbers"),
+        (np.array([[1, 0.1, 0], [0.1, 2, 0], [0, 0, 3]]), BodyError, "principal"),
+        (np.eye(2), BodyError, "three"),
+        (np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0]), ValuesError, "not a real number"),
+        ((1, 2, np.array([3])), ValuesError, "not a real number"),
+    ],
+)
+def test_what_is_no_body_says_what_to_give(inertia, error, hint):
+    """A text is no sequence of numbers; products of inertia are no moments."""
+    with pytest.raises(error, match=hint):
+        gs.Gyrostat(inertia)

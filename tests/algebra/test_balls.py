@@ -1,0 +1,36 @@
+"""Enclosures contain what they enclose, and fractions describe them exactly."""
+from fractions import Fraction
+
+import pytest
+import sympy
+from flint import arb
+from sympy import Rational, exp, pi, sin, sqrt
+
+from gyrostat.algebra.balls import ball, dyadic, fraction_of, interval
+from gyrostat.algebra.precision import own_precision
+from gyrostat.notation import symbol
+
+x = symbol("x")
+
+
+@pytest.mark.parametrize("f", [exp(x) / 3 + sin(x) * pi, sqrt(x) ** 3 + x ** Rational(1, 5),
+                               sympy.atan(x) - sympy.tanh(x) ** 2])
+def test_balls_enclose_the_value(f):
+    """The enclosure contains the value mpmath finds with 50 digits."""
+    value = f.subs(x, Rational(7, 5))
+    enclosure, reference = ball(value, 100), Rational(value.evalf(50))
+    centre, radius = (Fraction(int(part.fmpq().p), int(part.fmpq().q))
+                      for part in (enclosure.mid(), enclosure.rad()))
+    assert abs(centre - Fraction(int(reference.p), int(reference.q))) <= radius + Fraction(1, 10**45)
+
+
+def test_fractions_of_balls():
+    """Of a ball without a radius the number itself; of an interval both ends; near an enclosed number one."""
+    low, high = Fraction(-1, 3), Fraction(5, 7)
+    with own_precision(64):
+        between = interval(low, high)
+        assert fraction_of(arb(3) / 8) == Fraction(3, 8)
+        assert fraction_of(between.lower()) <= low and high <= fraction_of(between.upper())
+        assert interval(low).contains(interval(low).mid())
+        small = Fraction(1, 1000)
+        assert abs(dyadic(interval(high), small) - high) < small and dyadic(between, small) is None
