@@ -23,9 +23,13 @@ def printable(text: str) -> str:
     >>> print(printable("top\x1b[2J"))
     top\u001b[2J
     """
-    return text if text.isprintable() else "".join(
-        c if category(c) not in _STEERING or c in "\n\t" else f"\\u{ord(c):04x}" if ord(c) < 0x10000
-        else f"\\U{ord(c):08x}" for c in text)
+    return text if text.isprintable() else "".join(map(_escaped, text))
+
+
+def _escaped(c: str) -> str:
+    if category(c) not in _STEERING or c in "\n\t":
+        return c
+    return f"\\u{ord(c):04x}" if ord(c) < 0x10000 else f"\\U{ord(c):08x}"
 
 
 def brief(value: object) -> str:

@@ -191,5 +191,8 @@ def _typeset_parameter(name: str, style: str) -> str:
     word, digits = match.groups()
     if style != "latex":
         return _GREEK.get(word, word) + digits.translate(SUBSCRIPTS)
-    word = "\\" + word if word in _GREEK else word if len(word) == 1 else rf"\mathrm{{{word}}}"
+    if word in _GREEK:
+        word = "\\" + word
+    elif len(word) > 1:
+        word = rf"\mathrm{{{word}}}"
     return f"{word}_{{{digits}}}" if digits else word

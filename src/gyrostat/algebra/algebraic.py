@@ -97,11 +97,11 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
     if isinstance(node, CRootOf):
         coefficients = [abs(int(c)) for c in _polynomial(node).coeffs()]
         return math.log2(coefficients[-1] + max(coefficients)), 0.0, coefficients[-1]
+    if isinstance(node, TURNS) and turn(node) is None:
+        return None
     # 2 sin rπ and 2 cos rπ are integers whose conjugates are at most 2
     if isinstance(node, TURNS):
-        return (
-            None if turn(node) is None else (1.0, 0.0, 2) if isinstance(node, (sin, cos)) else (1.0, 1.0, 1)
-        )
+        return (1.0, 0.0, 2) if isinstance(node, (sin, cos)) else (1.0, 1.0, 1)
     parts = [_conjugates(part) for part in (node.args if isinstance(node, (Add, Mul)) else node.args[:1])]
     if not parts or None in parts:
         return None

@@ -76,7 +76,11 @@ def _power(node: Pow, values: Mapping[Symbol, arb]) -> arb:
 
 
 def _root(base: arb, n: int) -> arb:
-    return base if n == 1 else base.sqrt() if n == 2 else base.root(n) if base > 0 else arb("nan")
+    if n == 1:
+        return base
+    if n == 2:
+        return base.sqrt()
+    return base.root(n) if base > 0 else arb("nan")
 
 
 def interval(low: Fraction, high: Fraction | None = None) -> arb:

@@ -170,7 +170,9 @@ def is_identically_zero(expression: Expr) -> bool | None:
     top = ring.numerator(expression)
     signs = {sign_of_constant(ring.expression(c))
              for c in ring.coefficients(top, expression.free_symbols).values()}
-    return True if signs <= {0} else None if signs <= {0, None} else False
+    if signs & {1, -1}:
+        return False
+    return None if None in signs else True
 
 
 def plain(constant: Expr) -> Expr:

@@ -71,7 +71,8 @@ def raised(x: arb | None, exponent: Rational) -> arb | None:
     top, root = int(exponent.p), int(exponent.q)
 
     def power(base: arb) -> arb:
-        base = base if root == 1 else arb("nan") if base < 0 else base.root(root)
+        if root > 1:
+            base = arb("nan") if base < 0 else base.root(root)
         return prod([base] * top, start=arb(1)) if top >= 0 else 1 / prod([base] * -top, start=arb(1))
 
     return enclosed(power, x)

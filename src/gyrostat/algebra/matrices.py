@@ -74,8 +74,8 @@ def _clear(ring: Ring, row: Row, pivot: Row, column: int) -> Row:
 def primitive(ring: Ring, row: Row) -> Row:
     """The row divided by the greatest common divisor of its entries, with integer coefficients."""
     common, numbers = ring.zero, [c for entry in row for c in entry.coeffs()]
-    for entry in row:
-        common = entry if not common else common.gcd(entry) if entry else common
+    for entry in filter(None, row):
+        common = common.gcd(entry) if common else entry
     if not common:
         return row
     scale = fmpq(math.lcm(*(int(c.q) for c in numbers)), math.gcd(*(int(c.p) for c in numbers)))

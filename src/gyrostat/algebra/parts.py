@@ -101,13 +101,12 @@ def of_product(costs: Sequence[Cost]) -> Cost:
 def of_power(base: Cost, exponent: Rational) -> Cost:
     """Bounds of a rational power."""
     times, root = abs(int(exponent.p)), int(exponent.q)
-    terms = (
-        1
-        if base.terms == 1
-        else 10**9
-        if base.terms > 20 * TERMS or times > DEGREE
-        else math.comb(times + base.terms - 1, times)
-    )
+    if base.terms == 1:
+        terms = 1
+    elif base.terms > 20 * TERMS or times > DEGREE:
+        terms = 10**9
+    else:
+        terms = math.comb(times + base.terms - 1, times)
     bits = base.bits * max(times, 1)
     cost = Cost(terms, base.degree * times, bits, base.size * times / root if exponent.p > 0 else bits)
     return _joined(cost, max(base.partial, int(root > 1 and base.degree > 0)))

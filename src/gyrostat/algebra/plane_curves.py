@@ -206,7 +206,8 @@ class PlaneCurve:
 
     def _enclosed(self, polynomial: fmpq_mpoly, t: arb, x: arb) -> arb:
         """At the precision that is set."""
-        values = [x if g == self.x else t if g == self.t else ball(g, ctx.prec) for g in self.ring.generators]
+        at = {self.x: x, self.t: t}
+        values = [at[g] if g in at else ball(g, ctx.prec) for g in self.ring.generators]
         # ** has no power of a ball that contains 0
         return sum((math.prod((v for v, e in zip(values, powers) for _ in range(int(e))), start=arb(c))
                     for powers, c in polynomial.to_dict().items()), arb(0))

@@ -172,7 +172,9 @@ def by_degree(polynomial: fmpq_mpoly, index: int, degree: int) -> list[fmpq_mpol
 
 def lcm(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     """Least common multiple."""
-    return a if a == b or b.is_one() else b if a.is_one() else a * (b / a.gcd(b))
+    if a == b or b.is_one():
+        return a
+    return b if a.is_one() else a * (b / a.gcd(b))
 
 
 def cancel(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:
