@@ -5,11 +5,17 @@ import os
 import subprocess
 import sys
 import threading
+from argparse import Namespace
 
 import pytest
 
 import gyrostat
+from gyrostat.cli.lines import question
+from gyrostat.cli.options import report_for
 from gyrostat.cli.parser import main
+from gyrostat.errors import PublishedError, ValuesError
+from gyrostat.mechanics.families import FAMILIES, Family
+from gyrostat.published.scenes import Scene
 
 TOP = ["--set", "I1=1", "--set", "I3=1.6", "--set", "l=0", "--set", "m0=1"]
 
@@ -788,3 +794,36 @@ def test_e1_and_e2_are_decided_where_tilts_are_not_found(capsys):
     assert status == 0 and [a["label"] for a in answers] == ["E1", "E2", "E3"]
     assert [a["decision"]["verdict"] for a in answers[:2]] == ["STABLE", "STABLE"]
     assert "algebraic coefficients" in json.dumps(answers[2])
+
+
+@pytest.fixture
+def asleep(monkeypatch):
+    """A family more: E1 under another label, made without a choice of names."""
+    def make(scene):
+        return gyrostat.equilibrium(scene, gyrostat.upright(scene).point, label="E4")
+    monkeypatch.setitem(FAMILIES, "E4", Family("E4", "asleep", "asleep on its point", make, pole=1,
+                                               asked_for="E4", source="Klein & Sommerfeld 1897"))
+
+
+def test_a_family_is_one_entry(capsys, asleep):
+    """One more in the registry: reports, conditions, verdicts, batches, help, charts and published scenes."""
+    status, out, _ = run(capsys, "--equilibrium", "E4")
+    assert status == 0 and "E4: asleep on its point" in out and "(Klein & Sommerfeld 1897)" in out
+    assert [e["label"] for e in json.loads(run(capsys, "--format", "json")[1])["equilibria"]] == [
+        "E1", "E2", "E3", "E4"]
+    numbers = [*TOP, "--set", "pi3_0=3"]
+    _, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E4", *numbers, verb="decide")
+    assert out.startswith("E4\n") and "Verdict: Lyapunov stable" in out
+    _, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E4", "--solve-for", "l",
+                    "--set", "I1=1", "--set", "m0=1", "--set", "pi3_0=1", verb="conditions")
+    assert out.startswith("E4\n") and "l ≥ 1" in out
+    line = question(b'{"equilibrium": "E4", "I1": 1}', Namespace(potential=None, equilibrium=None), {})
+    assert line[1] == "E4"
+    with pytest.raises(SystemExit):
+        main(["chart", "--help"])
+    assert "{E1,E2,E3,E4}" in capsys.readouterr().out
+    assert Scene({"potential": "U(k3)", "equilibrium": "E4"}).equilibrium.label == "E4"
+    with pytest.raises(PublishedError, match="give E1, E2, E3, axis 1, axis 2, axis 3 or E4"):
+        assert Scene({"potential": "U(k3)", "equilibrium": "E5"}).equilibrium
+    with pytest.raises(ValuesError, match="name E1, E2, E3 or E4"):
+        report_for("chart", None, None, {})

@@ -7,6 +7,7 @@ from sympy import Expr
 
 from ..algebra.exact import sign_of_constant
 from ..errors import ScopeError, ValuesError
+from ..mechanics.families import E3, FAMILIES, POLES
 from ..mechanics.system import System
 from ..notation import symbol
 from ..printing.data import decision_data, number_data
@@ -15,11 +16,11 @@ from ..stability.report import Decision, Report
 from .options import (
     AT_REST,
     AXIS,
-    LABELS,
     Missing,
     enough,
     its_own,
     known_names,
+    labels,
     labels_of,
     of_each,
     report_of,
@@ -57,10 +58,10 @@ def answers_at(potential: str | None, label: str | None,
                           "pi3_0; or name the --equilibrium")
     (axis, *_) = labels_of(scene, label and [label])
     given = scene.potential is not None and scene.potential.given
-    if axis == AXIS or label in ("E1", "E2"):
+    if axis == AXIS or label not in (None, E3.label):
         return [_answer(report_of(potential, axis, spin_of(numbers)), numbers)]
     if label is None and not (given and _level(numbers).keys() & set().union(*MOTION) in MOTION):
-        reports, missing = of_each(LABELS, lambda name: [report_of(potential, name, spin_of(numbers))])
+        reports, missing = of_each(labels(), lambda name: [report_of(potential, name, spin_of(numbers))])
         known_names(reports, numbers)
         asked = {r.equilibrium.label: r for r, decided in zip(reports, enough(reports, numbers)) if decided}
         answers, without = of_each(list(asked),
@@ -69,11 +70,11 @@ def answers_at(potential: str | None, label: str | None,
     if label is None or given and len({"k3", "omega"} & numbers.keys()) == 1:
         return _all_found(scene, _level(numbers), label)
     if given and not {"k3", "omega"} & numbers.keys():
-        raise ValuesError("E3 needs k3 or omega: give one of them with l, or both")
+        raise ValuesError(f"{label} needs k3 or omega: give one of them with l, or both")
     if "omega" in numbers and sign_of_constant(numbers["omega"]) == 0:
         return [_answer(report_of(potential, AT_REST),
                         {name: x for name, x in numbers.items() if name != "omega"})]
-    return [_answer(report_of(potential, "E3"), numbers)]
+    return [_answer(report_of(potential, E3.label), numbers)]
 
 
 def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) -> list[Answer | Missing]:
@@ -87,10 +88,10 @@ def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) ->
     except ScopeError as error:
         if label is not None or "omega" not in numbers:
             raise
-        poles = [pole for s in (1, -1) if (pole := pole_at(scene, numbers, s)) is not None]
+        poles = [pole for s in POLES if (pole := pole_at(scene, numbers, s)) is not None]
         if not poles:
             raise
-        return [*map(_found, poles), Missing("E3", str(error))]
+        return [*map(_found, poles), Missing(E3.label, str(error))]
 
 
 def _level(numbers: Mapping[str, Expr]) -> dict[str, Expr]:
@@ -110,7 +111,8 @@ def _answer(report: Report, numbers: Mapping[str, Expr]) -> Answer:
 def _found(branch: Branch) -> Answer:
     """A relative equilibrium that was found."""
     place = {"k3": branch.k3, "omega": branch.omega, "sigma": branch.sigma, "pi3": branch.pi3}
-    at = branch.k3 if branch.k3 is not None and branch.label in ("E1", "E2") else symbol("k3")
+    at_pole = branch.k3 is not None and branch.label in FAMILIES and FAMILIES[branch.label].pole
+    at = branch.k3 if at_pole else symbol("k3")
     return Answer(branch.label, at, branch.decision, branch.itself, place)
 
 

@@ -14,7 +14,7 @@ from ..algebra.inputs import LINE, is_name, json_object
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError, brief
 from ..printing.files import moved, replaceable
-from .options import LABELS, one_spin
+from .options import labels, one_spin
 from .output import printed
 
 SPINS = {"pi3_0", "omega3_0"}
@@ -88,11 +88,11 @@ def question(line: bytes, given: argparse.Namespace,
     if (
         not isinstance(potential, str | None)
         or not isinstance(label, str | None)
-        or label not in (None, *LABELS)
+        or label not in (None, *labels())
     ):
         raise ValuesError(f"potential = {brief(potential)}, equilibrium = {brief(label)}: a potential is a "
                           "text in the grammar of "
-                          f"--potential, an equilibrium one of {', '.join(LABELS)}")
+                          f"--potential, an equilibrium one of {', '.join(labels())}")
     if wrong := [name for name in own if not is_name(name)]:
         raise ValuesError(f"{brief(wrong[0])} is not a name: write {{\"I1\": 1.6}}")
     numbers = {name: exact_number(value, name) for name, value in own.items()}

@@ -12,7 +12,7 @@ from ..algebra.inputs import is_name
 from ..algebra.numbers import exact_number
 from ..errors import EquilibriumError, GyrostatError, ValuesError, brief
 from ..mechanics.body import Gyrostat, symmetric_gyrostat
-from ..mechanics.families import hanging, inclined, principal_rotation, static_tilt, upright
+from ..mechanics.families import E3, E3_AT_REST, FAMILIES, PRINCIPAL, in_a_field
 from ..mechanics.potential import axial_potential, general_potential
 from ..mechanics.system import System, assemble
 from ..notation import jet, symbol
@@ -20,13 +20,11 @@ from ..printing.blocks import Block, Heading, prose
 from ..stability.report import Report, analyze
 from ..stability.values import names_in, unknown
 
-LABELS = ("E1", "E2", "E3")
 ROTOR = ("l1", "l2", "l3")
 LONGEST = 10**7                                        # values of an axis, rows of a table
-AXIS = "rotation about axis 3"
-AT_REST = "E3 at rest"
+AXIS = PRINCIPAL[2].label
+AT_REST = E3_AT_REST.label
 Found = TypeVar("Found")
-_FAMILIES = {"E1": upright, "E2": hanging}
 
 
 def numbers_of(settings: Sequence[str]) -> dict[str, Expr]:
@@ -108,7 +106,14 @@ def labels_of(scene: System, given: Sequence[str] | None) -> Sequence[str]:
     if scene.potential is None and given:
         raise ValuesError(f"--equilibrium {given[0]} needs a field, --potential none has none: leave out "
                           "one of the two")
-    return (AXIS,) if scene.potential is None else tuple(dict.fromkeys(given)) if given else LABELS
+    if scene.potential is None:
+        return (AXIS,)
+    return tuple(dict.fromkeys(given)) if given else labels()
+
+
+def labels() -> tuple[str, ...]:
+    """The labels that --equilibrium takes."""
+    return tuple(family.label for family in in_a_field())
 
 
 def spin_of(numbers: Mapping[str, Expr]) -> str:
@@ -119,12 +124,7 @@ def spin_of(numbers: Mapping[str, Expr]) -> str:
 @lru_cache(maxsize=256)
 def report_of(potential: str | None, label: str, spin: str = "pi3_0") -> Report:
     """The report of one equilibrium, derived once."""
-    scene = scene_of(potential)
-    if label == AXIS:
-        return analyze(principal_rotation(scene, 3))
-    if label in _FAMILIES:
-        return analyze(_FAMILIES[label](scene, spin))
-    return analyze(static_tilt(scene) if label == AT_REST else inclined(scene))
+    return analyze(FAMILIES[label].of(scene_of(potential), spin))
 
 
 @dataclass(frozen=True)
@@ -166,7 +166,7 @@ def of_each(labels: Sequence[str], make: Callable[[str], list[Found]]) -> tuple[
 def reports_of(potential: str | None, labels: Sequence[str],
                numbers: Mapping[str, Expr]) -> tuple[list[Report], list[Missing]]:
     """The reports of several equilibria, as the numbers ask for them, and why there is none of the others."""
-    return of_each(labels, lambda label: _tilted(potential, numbers) if label == "E3" else [
+    return of_each(labels, lambda label: _tilted(potential, numbers) if label == E3.label else [
         report_of(potential, label, spin_of(numbers))])
 
 
@@ -175,7 +175,8 @@ def report_for(what: str, potential: str | None, equilibrium: str | None,
     """The report of the one equilibrium that a chart or a picture is of."""
     scene = scene_of(potential)
     if scene.potential is not None and equilibrium is None:
-        raise ValuesError(f"--equilibrium is missing, a {what} is of one: name E1, E2 or E3")
+        raise ValuesError(f"--equilibrium is missing, a {what} is of one: name "
+                          f"{', '.join(labels()[:-1])} or {labels()[-1]}")
     (report, *_), _ = reports_of(potential, labels_of(scene, equilibrium and [equilibrium]), names)
     return report
 
@@ -189,10 +190,10 @@ def _tilted(potential: str | None, numbers: Mapping[str, Expr]) -> list[Report]:
     if scene.potential and scene.potential.given:
         with contextlib.suppress(EquilibriumError):
             if "l" in numbers and "k3" not in numbers:
-                return [analyze(inclined(scene, eliminate="k3"))]
+                return [analyze(E3.of(scene, eliminate="k3"))]
             if not numbers and report_of(potential, AT_REST).equilibrium.eliminated in ("k3", None):
-                return [report_of(potential, "E3"), report_of(potential, AT_REST)]
-    return [report_of(potential, "E3")]
+                return [report_of(potential, E3.label), report_of(potential, AT_REST)]
+    return [report_of(potential, E3.label)]
 
 
 def known_names(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> None:

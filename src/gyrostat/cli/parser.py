@@ -5,6 +5,7 @@ import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
 
+from ..mechanics.families import in_a_field
 from ..version import __version__
 from .carried import carried_out
 from .output import standard_streams, told
@@ -81,6 +82,7 @@ LIMIT = 60.0                                           # seconds of a verb, or o
 
 def parser() -> argparse.ArgumentParser:
     """The command line's grammar."""
+    labels, families = _families()
     top = argparse.ArgumentParser(prog="gyrostat", description=(
         "Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the "
         "inequalities."),
@@ -110,12 +112,11 @@ def parser() -> argparse.ArgumentParser:
                             "equilibrium exists and is stable; in closed form, or exact where --set gives "
                             "all other names")
     for verb in (report, conditions):
-        verb.add_argument("--equilibrium", action="append", choices=("E1", "E2", "E3"),
-                          help="upright, hanging or inclined; "
-                          "may be repeated; left out: all three")
-    decide.add_argument("--equilibrium", choices=("E1", "E2", "E3"),
-                        help="upright, hanging or inclined; left out: every relative "
-                        "equilibrium that the numbers allow")
+        verb.add_argument("--equilibrium", action="append", choices=labels,
+                          help=f"{families}; may be repeated; left out: all of them")
+    decide.add_argument("--equilibrium", choices=labels,
+                        help=f"{families}; left out: every relative equilibrium that the numbers "
+                        "allow")
     decide.add_argument("--batch", metavar="FILE",
                         help="an object of numbers in each line, - for standard input; --set gives numbers "
                              "for "
@@ -123,8 +124,8 @@ def parser() -> argparse.ArgumentParser:
     decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start",
                         help="the line of the batch to begin with, to go on "
                         "after an interruption; left out: 1")
-    chart.add_argument("--equilibrium", choices=("E1", "E2", "E3"),
-                       help="upright, hanging or inclined; left out for a free body")
+    chart.add_argument("--equilibrium", choices=labels,
+                       help=f"{families}; left out for a free body")
     for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"),
                          ("--y", "the vertical axis")):
         chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
@@ -150,6 +151,13 @@ def parser() -> argparse.ArgumentParser:
         verb.add_argument("--output", metavar="FILE", help="write to a file instead of the terminal" + (
             ": motion.csv, .nc, .png, .pdf, .svg, .gif or .mp4" if verb is motion else ""))
     return top
+
+
+def _families() -> tuple[tuple[str, ...], str]:
+    """The labels of the families in a field, and their names as a list in words."""
+    families = in_a_field()
+    *others, last = (family.name for family in families)
+    return tuple(family.asked_for for family in families), f"{', '.join(others)} or {last}"
 
 
 def _scene(verb: argparse.ArgumentParser, meaning: str,
@@ -211,8 +219,9 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
                           help="the parameter, omega or another name, and its range")
     _scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")
     _scene(eigenvalues, "all names in the spectrum but the axis")
-    eigenvalues.add_argument("--equilibrium", choices=("E1", "E2", "E3"),
-                             help="upright, hanging or inclined; left out for a free body")
+    labels, families = _families()
+    eigenvalues.add_argument("--equilibrium", choices=labels,
+                             help=f"{families}; left out for a free body")
     eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
                              help="the parameter, its range, either "
                              "way, and how many values; left out: 200")

@@ -11,7 +11,7 @@ from sympy import Expr
 
 from ..algebra.readable import readable
 from ..errors import EquilibriumError, GyrostatError, ScopeError
-from ..mechanics.families import inclined
+from ..mechanics.families import FAMILIES
 from ..printing.article import article
 from ..printing.blocks import Block, Display, Heading, Sentence
 from ..printing.data import json_text, strings
@@ -73,9 +73,9 @@ def _solved(potential: str | None, label: str, spin: str, name: str,
 def _forms(potential: str | None, label: str, spin: str, name: str) -> Iterator[Report]:
     yield report_of(potential, label, spin)
     potential_given = (field := scene_of(potential).potential) is not None and field.given
-    for eliminated in (name, "k3") if label == "E3" and potential_given else ():
+    for eliminated in (name, "k3") if FAMILIES[label].tilted and potential_given else ():
         with contextlib.suppress(EquilibriumError):        # the relation is not affine in it
-            yield analyze(inclined(scene_of(potential), eliminated))
+            yield analyze(FAMILIES[label].of(scene_of(potential), eliminate=eliminated))
 
 
 def solution_data(solution: Solution) -> dict[str, Any]:

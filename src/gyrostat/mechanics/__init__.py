@@ -3,9 +3,9 @@
 A `body` and a field (`potential`, named ones in `fields`) are a scene: the Lie-Poisson bracket
 (`liepoisson`), which has every sign convention, and the Hamiltonian give the equations of motion and the
 integrals (`system`). `equilibria` are checked when they are built; `families` name those of bodies of
-revolution. At each the coadjoint orbit has a tangent space, in it the symplectic slice (`orbit`). A body of
-revolution has one degree of freedom (`reduction`); which scene is one, about which axis, is proved
-(`spherical`, `recognition`, `standard`). `attitude` and `freebody` hold Euler's angles, the Lagrangian and
+revolution, `relations` tie their names. At each the coadjoint orbit has a tangent space, in it the symplectic
+slice (`orbit`). A body of revolution has one degree of freedom (`reduction`); which scene is one, about which
+axis, is proved (`spherical`, `recognition`, `standard`). `attitude` and `freebody` hold Euler's angles, the Lagrangian and
 the classical formulas.
 """
 from .attitude import (

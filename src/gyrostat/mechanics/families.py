@@ -1,15 +1,20 @@
 """The named families: upright E1, hanging E2, inclined E3 and its limit at rest, principal rotations of a
 free body.
-"""
-from collections.abc import Sequence
 
-from sympy import Expr, S, Symbol, sqrt
+FAMILIES is the one list of them: a family that is added to it is known to the command line, to documents, to
+pictures and to published files.
+"""
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+from sympy import Expr, S, sqrt
 
 from ..algebra.exact import plain, sign_of_constant
-from ..algebra.polynomials import Ring
 from ..errors import EquilibriumError, ScopeError, require
 from ..notation import symbol
 from .equilibria import Equilibrium, equilibrium
+from .relations import affine, solved_for
 from .system import System
 
 K3, OMEGA, DU = symbol("k3"), symbol("omega"), symbol("dU")
@@ -37,22 +42,22 @@ def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
     >>> upright(assemble(symmetric_gyrostat(), axial_potential())).point
     (0, 0, pi3_0, 0, 0, 1)
     """
-    return _vertical("E1", scene, spin, 1)
+    return _vertical(E1, scene, spin)
 
 
 def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
     """E2: spinning about the downward vertical, k3 = -1; arguments as in upright."""
-    return _vertical("E2", scene, spin, -1)
+    return _vertical(E2, scene, spin)
 
 
-def _vertical(label: str, scene: System, spin: str, s: int) -> Equilibrium:
+def _vertical(family: "Family", scene: System, spin: str) -> Equilibrium:
     require(scene, System, "the scene")
     if scene.potential is None:
-        raise ScopeError(f"{label} needs a field, the scene has none: use principal_rotation(scene, 3)")
+        raise ScopeError(f"{family.label} needs a field, the scene has none: use principal_rotation(scene, 3)")
     if spin not in ("pi3_0", "omega3_0"):
-        raise EquilibriumError(f"spin = {spin!r} is not a parameter of {label}: use 'pi3_0' or 'omega3_0'")
+        raise EquilibriumError(f"spin = {spin!r} is not a parameter of {family.label}: use 'pi3_0' or 'omega3_0'")
     momentum = symbol(spin) if spin == "pi3_0" else scene.body.inertia[2] * symbol(spin)
-    return equilibrium(scene, (0, 0, momentum, 0, 0, s), label=label)
+    return equilibrium(scene, (0, 0, momentum, 0, 0, family.pole), label=family.label)
 
 
 def principal_rotation(scene: System, axis: int) -> Equilibrium:
@@ -85,7 +90,7 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
     momentum = scene.body.inertia[axis - 1] * symbol(f"omega{axis}_0")
     point = [momentum if i == axis else 0 for i in (1, 2, 3)]
     total = momentum + scene.body.gyrostatic_momentum[axis - 1]
-    return equilibrium(scene, point, domain=(total**2,), label=f"rotation about axis {axis}")
+    return equilibrium(scene, point, domain=(total**2,), label=PRINCIPAL[axis - 1].label)
 
 
 def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
@@ -121,7 +126,7 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
     >>> inclined(assemble(symmetric_gyrostat(), uniform_field()), eliminate="k3").relations[-1]
     (k3, (l*omega - m0)/(omega**2*(I1 - I3)))
     """
-    return _tilted("E3", scene, OMEGA, eliminate)
+    return _tilted(E3.label, scene, OMEGA, eliminate)
 
 
 def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
@@ -135,7 +140,7 @@ def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
     >>> static_tilt(assemble(symmetric_gyrostat(), axial_potential())).point
     (0, 0, 0, sqrt(1 - k3**2), 0, k3)
     """
-    return _tilted("E3 at rest", scene, S.Zero, eliminate)
+    return _tilted(E3_AT_REST.label, scene, S.Zero, eliminate)
 
 
 def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Equilibrium:
@@ -154,7 +159,7 @@ def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Eq
         unknown = " (not proved to be true or false)" if sign_of_constant(relation) is None else ""
         raise EquilibriumError(f"{label} does not exist in U = {potential.expression}: its relation is "
                                f"{relation} = 0{unknown}")
-    name, solved, pivot = _eliminate(relation, eliminate, potential.parameters, label)
+    name, solved, pivot = solved_for(relation, eliminate, potential.parameters, label)
     relations = (
         [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]
     )
@@ -174,28 +179,65 @@ def solved_tilt(eq: Equilibrium) -> Expr | None:
     return solved and solved[0]
 
 
-def _eliminate(relation: Expr, wanted: str | None, parameters: Sequence[Symbol],
-               label: str) -> tuple[str | None, Expr | None, Expr]:
-    """Name, value and leading coefficient of a parameter in which the relation is affine."""
-    ordered = sorted(parameters, key=lambda s: (bool(s.is_positive), s.name))
-    for name in [wanted] if wanted else ["dU", "l", "k3", *map(str, ordered)]:
-        if solved := affine(relation, symbol(name)):
-            return name, *solved
-    if wanted:
-        raise EquilibriumError(f"{label}: the relation {relation} = 0 is not affine in {wanted}: eliminate "
-                               "another name, or none")
-    return None, None, S.One
+@dataclass(frozen=True)
+class Family:
+    """What is known of a named family of equilibria.
+
+    Parameters
+    ----------
+    label : str
+        of its equilibria, Equilibrium.label
+    name : str
+        the word of the field
+    title : str
+        how it moves; "" where the label says so
+    make : callable
+        of a scene, and of what the family is made with
+    made_with : str
+        the argument that its maker takes besides: "spin", "eliminate", or "" for none
+    pole : int
+        1 where k points upwards, −1 downwards, 0 at a tilt, and of a free body
+    free : bool
+        of a free body
+    asked_for : str
+        what the command line and published files call it; "" if it is only found
+    source : str
+    """
+
+    label: str
+    name: str
+    title: str
+    make: Callable[..., Equilibrium]
+    made_with: str = ""
+    pole: int = 0
+    free: bool = False
+    asked_for: str = ""
+    source: str = "Vera & Viguera 2003, §3"
+
+    @property
+    def tilted(self) -> bool:
+        """Whether it lies at a tilt, with a relation that a name may be eliminated from."""
+        return self.made_with == "eliminate"
+
+    def of(self, scene: System, spin: str = "pi3_0", eliminate: str | None = None) -> Equilibrium:
+        """The equilibrium of a scene, made with what its maker takes."""
+        if self.made_with == "spin":
+            return self.make(scene, spin)
+        return self.make(scene, eliminate) if self.made_with == "eliminate" else self.make(scene)
 
 
-def affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
-    """Solution and leading coefficient of a x + b = 0, None if the relation has no such form."""
-    ring = Ring([relation])
-    top, _ = ring.fraction(relation)
-    if x not in ring.gens or any(x in g.free_symbols for g in ring.generators if g != x):
-        return None
-    index = ring.generators.index(x)
-    if top.degrees()[index] != 1:
-        return None
-    slope = top.derivative(index)
-    rest = top - slope * ring.gens[x]
-    return ring.quotient(-rest, slope), ring.expression(slope)
+E1 = Family("E1", "upright", "spinning about the upward vertical", upright, "spin", 1, asked_for="E1")
+E2 = Family("E2", "hanging", "spinning about the downward vertical", hanging, "spin", -1, asked_for="E2")
+E3 = Family("E3", "inclined", "precessing about the vertical, inclined", inclined, "eliminate",
+            asked_for="E3")
+E3_AT_REST = Family("E3 at rest", "at rest at a tilt", "tilted, without rotation", static_tilt, "eliminate")
+PRINCIPAL = tuple(Family(f"rotation about axis {n}", "principal rotation", "",
+                         partial(principal_rotation, axis=n), free=True, asked_for=f"axis {n}",
+                         source="Hughes 1986, chapter 6") for n in (1, 2, 3))
+POLES = {1: E1, -1: E2}
+FAMILIES = {family.label: family for family in (E1, E2, E3, E3_AT_REST, *PRINCIPAL)}
+
+
+def in_a_field() -> list[Family]:
+    """The families that are asked for by their label, of a body in a field."""
+    return [family for family in FAMILIES.values() if family.asked_for and not family.free]

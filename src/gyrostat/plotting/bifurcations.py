@@ -7,16 +7,17 @@ from typing import Any
 import numpy as np
 
 from ..algebra.numbers import exact_number
+from ..mechanics.families import E1, E2, E3
 from ..mechanics.system import System
+from ..stability.bifurcations import precessions_leave, tilt_leaves
 from ..stability.continuation import Continuation, continuation
 from ..stability.pieces import INFINITE, Mark, Piece
 from ..stability.report import Verdict
 from .looks import DARK, axes_of, label, legend, line, marker, named
 
-CHANGES = {"fold on a level": "o", "precessions leave E1": "s", "precessions leave E2": "p"}
-MEETINGS = {"E3 leaves E1": "^", "E3 leaves E2": "v", "fold at fixed rate": "D",
-            "pitchfork at fixed rate": "P",
-            "crossing at fixed rate": "X", INFINITE: "x"}
+CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p"}
+MEETINGS = {tilt_leaves(E1): "^", tilt_leaves(E2): "v", "fold at fixed rate": "D",
+            "pitchfork at fixed rate": "P", "crossing at fixed rate": "X", INFINITE: "x"}
 CLEARANCE = 0.11                                           # of the names, in k3
 
 
@@ -108,12 +109,12 @@ def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:
     handles = []
     for verdict in Verdict:
         labels = {piece.label for piece in found.pieces if piece.verdict is verdict}
-        text = verdict.name.lower() + (" (E3: modulo the spin)" if verdict is Verdict.STABLE
-                                       and "E3" in labels else "")
+        text = verdict.name.lower() + (f" ({E3.label}: modulo the spin)" if verdict is Verdict.STABLE
+                                       and E3.label in labels else "")
         if labels:
             handles.append(named({**line(verdict), **kwargs}, text))
         if any(piece.verdict is verdict and len(piece.parameter) == 1 for piece in found.pieces):
-            handles.append(named(marker(verdict), f"E3 at this value alone, {verdict.name.lower()}"))
+            handles.append(named(marker(verdict), f"{E3.label} at this value alone, {verdict.name.lower()}"))
     return handles
 
 
@@ -130,7 +131,7 @@ def _names(found: Continuation, high: float) -> list[tuple[str, float]]:
 
 def _unnamed(found: Continuation, high: float) -> list[Piece]:
     """The longest piece of E3, if no branch of it has a name at the right side."""
-    tilted = [piece for piece in found.pieces if piece.label == "E3"]
-    if not tilted or any(name == "E3" for name, _ in _names(found, high)):
+    tilted = [piece for piece in found.pieces if piece.label == E3.label]
+    if not tilted or any(name == E3.label for name, _ in _names(found, high)):
         return []
     return [max(tilted, key=lambda piece: float(np.ptp(piece.parameter) + np.ptp(piece.k3)))]

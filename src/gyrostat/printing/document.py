@@ -5,7 +5,7 @@ from sympy import Expr, ImmutableMatrix, Pow, S, Symbol
 
 from ..algebra.readable import entries, readable, split
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import solved_tilt
+from ..mechanics.families import FAMILIES, solved_tilt
 from ..mechanics.system import System
 from ..notation import jet, symbol
 from ..stability.linearization import Linearization
@@ -27,8 +27,6 @@ from .blocks import (
 IMAGINARY = Word("±i", r"\pm i")
 # characters of a formula that does not go into a sentence
 LONG = 80
-_ABOUT = {"E1": "spinning about the upward vertical", "E2": "spinning about the downward vertical",
-          "E3": "precessing about the vertical, inclined", "E3 at rest": "tilted, without rotation"}
 
 
 def scene_blocks(scene: System) -> list[Block]:
@@ -60,7 +58,8 @@ def scene_blocks(scene: System) -> list[Block]:
 def report_blocks(report: Report) -> list[Block]:
     """One equilibrium: point, linearisation, polynomial, second variation, criteria."""
     eq = report.equilibrium
-    title = f"{eq.label}: {_ABOUT[eq.label]}" if eq.label in _ABOUT else eq.label[0].upper() + eq.label[1:]
+    family = FAMILIES.get(eq.label)
+    title = f"{eq.label}: {family.title}" if family and family.title else eq.label[0].upper() + eq.label[1:]
     blocks: list[Block] = [Heading(title), *point_blocks(eq)]
     blocks += _linearization(report)
     blocks += _second_variation(report)
@@ -85,8 +84,7 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
     point, roots = _named_roots(eq, ImmutableMatrix([eq.point]))
     template = "({}) = ({})".format(", ".join(["{}"] * len(coordinates)),
                                     ", ".join(["{}"] * len(coordinates)))
-    source = "Hughes 1986, chapter 6" if eq.system.potential is None else "Vera & Viguera 2003, §3"
-    known = f" ({source})" if eq.label in _ABOUT or eq.label.startswith("rotation about axis") else ""
+    known = f" ({FAMILIES[eq.label].source})" if eq.label in FAMILIES else ""
     blocks: list[Block] = [Sentence(template + known
                                     + (", where " + ", ".join("{} = {}" for _ in roots) if roots else ""),
                                     (*coordinates, *point, *(part for pair in roots for part in pair)),

@@ -14,7 +14,7 @@ from ..algebra.inputs import is_name
 from ..errors import PublishedError, brief
 from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import hanging, inclined, principal_rotation, upright
+from ..mechanics.families import E3, FAMILIES
 from ..mechanics.potential import Potential, axial_potential, general_potential
 from ..mechanics.system import System, assemble
 from ..notation import jet, symbol
@@ -81,17 +81,15 @@ class Scene:
 
     @cached_property
     def equilibrium(self) -> Equilibrium | None:
-        """E1, E2, E3 or axis 1, 2, 3."""
-        label, spin = self.table.get("equilibrium"), self.table.get("spin", "pi3_0")
-        if label is None:
+        """Of the family that the table asks for: E1, E2, E3, axis 1, …"""
+        asked = self.table.get("equilibrium")
+        if asked is None:
             return None
-        if label in ("E1", "E2"):
-            return (upright if label == "E1" else hanging)(self.system, spin)
-        if label == "E3":
-            return inclined(self.system, self.table.get("eliminate"))
-        if label in ("axis 1", "axis 2", "axis 3"):
-            return principal_rotation(self.system, int(label[-1]))
-        raise PublishedError(f"equilibrium = {brief(label)}: give E1, E2, E3, axis 1, axis 2 or axis 3")
+        known = {family.asked_for: family for family in FAMILIES.values() if family.asked_for}
+        if asked not in known:
+            *others, last = known
+            raise PublishedError(f"equilibrium = {brief(asked)}: give {', '.join(others)} or {last}")
+        return known[asked].of(self.system, self.table.get("spin", "pi3_0"), self.table.get("eliminate"))
 
     @property
     def point(self) -> tuple[Expr, ...]:
@@ -99,7 +97,7 @@ class Scene:
         eq = self.equilibrium
         if eq is None:
             return ()
-        if eq.label != "E3":
+        if eq.label != E3.label:
             return eq.point
         k = [symbol(f"k{i}") for i in (1, 2, 3)]
         return (*(moment * symbol("omega") * x for moment, x in zip(self.body.inertia, k)), *k)

@@ -11,6 +11,8 @@ from sympy import Expr, Integer, Mul, Poly, S, Symbol, fraction, oo, together
 from ..algebra.exact import sign_of_constant
 from ..algebra.roots import between, real_roots
 from ..errors import ScopeError
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.families import E3, FAMILIES
 from ..notation import symbol
 from ..stability.conditions import Criterion
 from .criteria import free_symbols, holds
@@ -156,8 +158,12 @@ def _next(r: Reading, on: Values) -> Iterator[Values]:
     It decides where the first two do not.
     """
     d2U, d3U = symbol("d2U"), symbol("d3U")
-    if d2U in on and r.scene.equilibrium and r.scene.equilibrium.label in ("E1", "E2"):
+    if d2U in on and r.scene.equilibrium and _at_pole(r.scene.equilibrium):
         yield from (on | {d3U: s * (2 * abs(on[d2U]) + 1)} for s in (1, -1))
+
+
+def _at_pole(eq: Equilibrium) -> bool:
+    return eq.label in FAMILIES and FAMILIES[eq.label].pole != 0
 
 
 def _double(r: Reading, margin: Expr, s: Symbol, on: Values) -> Iterator[Values]:
@@ -179,6 +185,6 @@ def _double(r: Reading, margin: Expr, s: Symbol, on: Values) -> Iterator[Values]
 def _flat(r: Reading, on: Values) -> Values:
     """At a tilt, the third derivative of U for which that of g vanishes too, so that the fourth decides."""
     dU, d2U, d3U, k3 = map(symbol, ("dU", "d2U", "d3U", "k3"))
-    if not r.scene.equilibrium or r.scene.equilibrium.label != "E3" or not {d2U, k3} <= on.keys():
+    if not r.scene.equilibrium or r.scene.equilibrium.label != E3.label or not {d2U, k3} <= on.keys():
         return {}
     return {d3U: (6 * on[k3] * on[d2U] + 6 * r.finish(dU).subs(on)) / (1 - on[k3] ** 2)}

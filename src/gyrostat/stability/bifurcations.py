@@ -14,7 +14,7 @@ from ..algebra.plane_curves import PlaneCurve
 from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import Place, critical_points, stations
 from ..errors import EquilibriumError, ValuesError
-from ..mechanics.families import hanging, upright
+from ..mechanics.families import E3, POLES, Family
 from ..mechanics.reduction import K3, OMEGA, P, V, expansion, reduce
 from ..mechanics.system import System
 from ..notation import Shown, Stored, jet, symbol
@@ -95,13 +95,12 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     relation, motion = relation_at_rate(scene), reduce(scene)
     slope = relation.diff(K3) + symbol("d2U")
     found: list[tuple[str, tuple[Expr, ...], Expr]] = [
-        ("E3 leaves E1", (relation.xreplace({K3: S.One}),), S.One),
-        ("E3 leaves E2", (relation.xreplace({K3: -S.One}),), -S.One),
+        *((tilt_leaves(family), (relation.xreplace({K3: S(s)}),), S(s)) for s, family in POLES.items()),
         ("fold at fixed rate", (relation, slope), K3)]
-    for make in (upright, hanging):
+    for family in POLES.values():
         with suppress(EquilibriumError):                   # U is infinite at the pole
-            eq = make(scene)
-            found.append((f"precessions leave {eq.label}", (expansion(eq, 2)[2],), eq.at))
+            eq = family.of(scene)
+            found.append((precessions_leave(family), (expansion(eq, 2)[2],), eq.at))
     found.append(("fold on a level", (motion.precession(), motion.restoring()), K3))
     return tuple(Bifurcation(*row) for row in found)
 
@@ -182,7 +181,7 @@ def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterat
     if kinds == ON_LEVEL:
         level = {P: symbol("pi3_0") + scene.body.gyrostatic_momentum[2], V: symbol("C1")}
         relation = motion.precession().xreplace({OMEGA: motion.rate.xreplace(level)}).xreplace(level)
-    first = "E3 leaves E1" if kinds == AT_RATE else f"fold {kinds}"
+    first = tilt_leaves(POLES[1]) if kinds == AT_RATE else f"fold {kinds}"
     curve = PlaneCurve(insert(scene, relation, K3, numbers, {free, K3}, first), K3, free)
     points = critical_points(curve)
     infinite = {point for F in curve.components for pole in curve.poles for point in curve.common(F, pole)}
@@ -193,13 +192,23 @@ def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterat
                 yield BifurcationPoint(kind, free.name, station.t, place.x)
 
 
+def tilt_leaves(family: Family) -> str:
+    """The kind of bifurcation at a fixed rate at which tilts come from a pole."""
+    return f"{E3.label} leaves {family.label}"
+
+
+def precessions_leave(family: Family) -> str:
+    """The kind of bifurcation on the levels of a pole at which precessions come from it."""
+    return f"precessions leave {family.label}"
+
+
 def kind_of(place: Place, kinds: str) -> str:
     """The name of what happens at a place of the curve of E3, or of the precessions of a level, by the
     branches that come to it.
     """
     few, many = sorted((len(place.left), len(place.right)))
     if place.x**2 == 1:
-        return f"E3 leaves E{1 if place.x == 1 else 2}" if many else ""
+        return tilt_leaves(POLES[int(place.x)]) if many else ""
     if few == many == 1:                                   # one branch passes
         return ""
     meeting = "isolated" if not many else "fold" if not few else "pitchfork" if few == 1 else "crossing"

@@ -15,6 +15,9 @@ from ..notation import Shown, Stored, symbol
 from .report import Decision
 from .values import check_names, unknown
 
+# the label of a regular precession that is none of E3
+PRECESSION = "precession"
+
 
 @dataclass(frozen=True, repr=False)
 class Branch(Shown, Stored):

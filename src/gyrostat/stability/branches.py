@@ -13,12 +13,12 @@ from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError, require
 from ..mechanics.body import symmetric_gyrostat
 from ..mechanics.equilibria import equilibrium
-from ..mechanics.families import hanging, inclined, upright
+from ..mechanics.families import E3, E3_AT_REST, POLES, Family
 from ..mechanics.potential import Potential
 from ..mechanics.reduction import ENERGY, K3, OMEGA, P, V, reduce, reducible
 from ..mechanics.system import System, assemble
 from ..notation import symbol
-from .branch import Branch, asked_about, in_axes_of
+from .branch import PRECESSION, Branch, asked_about, in_axes_of
 from .report import Report, Verdict, analyze
 from .values import unknown
 
@@ -112,7 +112,7 @@ def critical_tilt(scene: System, values: Mapping[str, Any], k3: Expr) -> Verdict
         exact, an E3 at these numbers
     """
     here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
-    report = _report(here.potential, "E3 at rest" if sign_of_constant(numbers[OMEGA]) == 0 else "E3")
+    report = _report(here.potential, E3_AT_REST if sign_of_constant(numbers[OMEGA]) == 0 else E3)
     assert report.boundary is not None
     stable, _ = report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {})
     return Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
@@ -172,14 +172,15 @@ def _asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...
 
 
 @lru_cache(maxsize=256)
-def _report(potential: Potential, label: str) -> Report:
-    """E1, E2, E3 or the tilt at rest of the symbolic body in a field."""
+def _report(potential: Potential, family: Family) -> Report:
+    """Of a family of the symbolic body in a field."""
     scene = assemble(symmetric_gyrostat(), potential)
     # no name eliminated: that would ask its coefficient not to vanish
-    if label == "E3 at rest":
+    if family is E3_AT_REST:
         point = (0, 0, 0, sqrt(1 - K3**2), 0, K3)
-        return analyze(equilibrium(scene, point, relations=((DU, 0),), domain=(1 - K3**2,), label=label))
-    return analyze(inclined(scene, "l") if label == "E3" else (upright if label == "E1" else hanging)(scene))
+        return analyze(equilibrium(scene, point, relations=((DU, 0),), domain=(1 - K3**2,),
+                                   label=family.label))
+    return analyze(family.of(scene, eliminate="l"))
 
 
 class SceneAtNumbers:
@@ -236,26 +237,26 @@ class SceneAtNumbers:
         """E1 or E2, none where U is infinite."""
         if not self._defined(Integer(s)):
             return []
-        report = _report(self.potential, label := "E1" if s == 1 else "E2")
+        report = _report(self.potential, POLES[s])
         decision = report.verdict(self._asked(report, {"pi3_0": pi3}))
-        return [Branch(label, Integer(s), s * pi3 / self.I3, S.Zero, pi3, decision)]
+        return [Branch(POLES[s].label, Integer(s), s * pi3 / self.I3, S.Zero, pi3, decision)]
 
     def tilted(self, k3: Expr, omega: Expr, sigma: Expr) -> Branch:
         """E3, or the precession that is E3 with the rotor l + I3 σ."""
         rest = proved_sign(omega) == 0
-        report = _report(self.potential, "E3 at rest" if rest else "E3")
+        report = _report(self.potential, E3_AT_REST if rest else E3)
         given = {"k3": k3, "l": self.l + self.I3 * sigma} if rest else {"k3": k3, "omega": omega}
         asked, pi3 = self._asked(report, given), self.I3 * (omega * k3 + sigma)
         if proved_sign(sigma) == 0:
-            return Branch("E3", k3, omega, sigma, pi3, report.verdict(asked), report.itself(asked))
-        return Branch("precession", k3, omega, sigma, pi3, report.verdict(asked))
+            return Branch(E3.label, k3, omega, sigma, pi3, report.verdict(asked), report.itself(asked))
+        return Branch(PRECESSION, k3, omega, sigma, pi3, report.verdict(asked))
 
     def continuum(self, omega: Expr | None, rate: Expr, sigma: Expr) -> Branch:
         """Every tilt is an equilibrium: the margin has one sign on all of them, that at k3 = 0."""
         middle = self.tilted(S.Zero, rate, sigma)
         if omega is None:
-            return Branch("precession", None, None, None, None, middle.decision)
-        return Branch("E3", None, omega, sigma, None, middle.decision, middle.itself)
+            return Branch(PRECESSION, None, None, None, None, middle.decision)
+        return Branch(E3.label, None, omega, sigma, None, middle.decision, middle.itself)
 
     def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
         """The numbers that a report takes, but for the name that its family expresses by the others."""

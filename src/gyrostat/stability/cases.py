@@ -9,7 +9,7 @@ from sympy import Expr, Mul, Pow, S, Symbol, oo, sqrt
 
 from ..algebra.margins import Signs
 from ..algebra.polynomials import lowest_terms
-from ..mechanics.families import affine
+from ..mechanics.relations import affine
 from .boundary import Boundary
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder
 from .sphere import Sphere

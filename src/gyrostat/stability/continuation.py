@@ -17,8 +17,9 @@ from ..algebra.numbers import exact_number
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import Place, Station, beside, between, stations
 from ..errors import ScopeError
+from ..mechanics.families import E3, POLES
 from ..mechanics.system import System
-from .bifurcations import AT_RATE, defined, kind_of
+from .bifurcations import AT_RATE, defined, kind_of, precessions_leave
 from .branches import critical_tilt, pole_at, relative_equilibria
 from .critical import Critical, critical_of
 from .pieces import INFINITE, Mark, Piece, Span
@@ -26,7 +27,6 @@ from .report import Verdict
 
 # between two stations; of steps in k3 that are longer
 NODES, HALVINGS, LONGEST = 96, 12, 0.05
-LABELS = {1: "E1", -1: "E2"}
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ def continuation(scene: System, values: Mapping[str, Any], parameter: str,
     inner = [station.t for station in found if station.t not in (low, high)]
     spans = [_span(scene, values, parameter, critical.curve, a, b) for a, b in pairwise([low, *inner, high])]
     here = _Followed(scene, values, parameter, critical, {station.t: station for station in found}, spans)
-    pieces = [piece for s in LABELS for piece in here.pole(s)] + here.tilts() + here.lines() + here.isolated()
+    pieces = [piece for s in POLES for piece in here.pole(s)] + here.tilts() + here.lines() + here.isolated()
     return Continuation(pieces, [mark for station in found for mark in here.marks(station)])
 
 
@@ -89,13 +89,13 @@ def _span(scene: System, values: Mapping[str, Any], parameter: str, curve: Plane
           b: Expr) -> Span:
     middle = between(a, b)
     found = relative_equilibria(scene, {**values, parameter: middle})
-    tilts = tuple(branch.decision.verdict for branch in reversed(found) if branch.label == "E3")
+    tilts = tuple(branch.decision.verdict for branch in reversed(found) if branch.label == E3.label)
     if len(tilts) != len(curve.roots(middle)):
         raise ScopeError(f"at {parameter} = {middle} there are {len(tilts)} tilts, and "
                          f"{len(curve.roots(middle))} branches were followed: "
                          "write the numbers as fractions")
-    return Span(a, b, tilts, {s: x.decision.verdict for s, name in LABELS.items()
-                              for x in found if x.label == name})
+    return Span(a, b, tilts, {s: x.decision.verdict for s, family in POLES.items()
+                              for x in found if x.label == family.label})
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ class _Followed:
             if n and s in self.spans[n - 1].poles and self.changed(s, span.low) is False:
                 found[-1].extend(*ends)
             elif s in span.poles:
-                found.append(Piece(LABELS[s], *ends, span.poles[s]))
+                found.append(Piece(POLES[s].label, *ends, span.poles[s]))
         return found
 
     def changed(self, s: int, t: Expr) -> bool | None:
@@ -140,7 +140,7 @@ class _Followed:
         # those that pass the station before without a change, from below
         going: list[Piece] = []
         for span in self.spans:
-            pieces = [Piece("E3", x, y, verdict) for (x, y), verdict in zip(self.traced(span), span.tilts)]
+            pieces = [Piece(E3.label, x, y, verdict) for (x, y), verdict in zip(self.traced(span), span.tilts)]
             passing = self.passing(span, span.low)
             if len(going) == len(passing):
                 for n, piece in zip(passing, going):
@@ -198,14 +198,14 @@ class _Followed:
         found = []
         for t in self.critical.lines:
             for branch in relative_equilibria(self.scene, self.at(t)):
-                if branch.label == "E3" and branch.k3 is None:
-                    found.append(Piece("E3", np.full(2, float(t)), np.array([-1.0, 1.0]),
+                if branch.label == E3.label and branch.k3 is None:
+                    found.append(Piece(E3.label, np.full(2, float(t)), np.array([-1.0, 1.0]),
                                        branch.decision.verdict))
         return found
 
     def isolated(self) -> list[Piece]:
         """Tilts at one value, without others beside them."""
-        return [Piece("E3", np.array([float(station.t)]), np.array([float(place.x)]),
+        return [Piece(E3.label, np.array([float(station.t)]), np.array([float(place.x)]),
                       self.verdict(station, place))
                 for station in self.stations.values() for place in station.places
                 if place.x**2 != 1 and not place.left and not place.right
@@ -228,9 +228,9 @@ class _Followed:
 
     def marks(self, station: Station) -> Iterator[Mark]:
         """What happens at a station."""
-        for s, name in LABELS.items():
+        for s, family in POLES.items():
             if station.t in self.critical.poles[s] and (changed := self.changed(s, station.t)) is not False:
-                yield Mark(INFINITE if changed is None else f"precessions leave {name}", station.t, S(s),
+                yield Mark(INFINITE if changed is None else precessions_leave(family), station.t, S(s),
                            changed is not None)
         for place in station.places:
             point, several = (station.t, place.x), bool(place.left or place.right)

@@ -15,15 +15,14 @@ from ..algebra.polynomials import Ring
 from ..algebra.roots import real_roots
 from ..algebra.stations import critical_points
 from ..errors import EquilibriumError, ValuesError, require
-from ..mechanics.families import hanging, upright
+from ..mechanics.families import E3, POLES
 from ..mechanics.reduction import K3, OMEGA, P
 from ..mechanics.system import System
 from ..notation import symbol
-from .bifurcations import bifurcations, insert, relation_at_rate
+from .bifurcations import bifurcations, insert, precessions_leave, relation_at_rate
 from .branches import exact_point, names_of
 from .report import analyze
 
-POLES = {1: upright, -1: hanging}
 # derivative of g; if all up to it vanish on a branch, g vanishes there
 HIGHEST = 24
 
@@ -73,7 +72,7 @@ def critical_of(scene: System, values: Mapping[str, Any], parameter: str, low: E
                           "first")
     _admissible(scene, numbers, free, low, high)
     margin, held = _margin(scene, numbers, free)
-    curve = PlaneCurve(insert(scene, relation_at_rate(scene), K3, numbers, {free, K3}, "E3"), K3, free,
+    curve = PlaneCurve(insert(scene, relation_at_rate(scene), K3, numbers, {free, K3}, E3.label), K3, free,
                        (margin, held))
     within = cache(lambda t: _within(t, low, high))
 
@@ -117,7 +116,7 @@ def _margin(scene: System, numbers: Point, free: Symbol) -> tuple[Expr, Expr]:
     spin = scene.body.inertia[2] * OMEGA * K3 + scene.body.gyrostatic_momentum[2]
     assert scene.potential is not None
     held = ((1 - K3**2) * scene.potential.expression).xreplace(numbers)
-    return insert(scene, level.equations[1].xreplace({P: spin}), K3, numbers, {free, K3}, "E3"), held
+    return insert(scene, level.equations[1].xreplace({P: spin}), K3, numbers, {free, K3}, E3.label), held
 
 
 def _margins(curve: PlaneCurve, margin: Expr, held: Expr) -> Iterator[tuple[Expr, Expr]]:
@@ -138,10 +137,10 @@ def _at_pole(scene: System, numbers: Point, free: Symbol, s: int) -> list[Expr]:
     """Where the first coefficient of g at E1 or E2 that is not 0 everywhere vanishes or is infinite."""
     spin = {symbol("pi3_0"): s * scene.body.inertia[2] * OMEGA}
     try:
-        eq = POLES[s](scene)
+        eq = POLES[s].of(scene)
     except EquilibriumError:                               # U is infinite there
         return []
-    margins = (b.equations[0] for b in bifurcations(scene) if b.kind == f"precessions leave {eq.label}")
+    margins = (b.equations[0] for b in bifurcations(scene) if b.kind == precessions_leave(POLES[s]))
     boundary = analyze(eq).boundary
     assert boundary is not None
     for margin in (*margins, *(eq.insert(rung.condition.margin) for rung in boundary.rungs())):

@@ -19,6 +19,7 @@ from ..algebra.polynomials import by_degree, by_factors
 from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import between
 from ..errors import ScopeError
+from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, Reduction, V, reduce
 from ..mechanics.system import System
 from ..notation import symbol
@@ -267,9 +268,9 @@ class _Precessions:
         """E1 and E2 with their values."""
         found = []
         assert self.scene.potential is not None
-        for side, name in ((1, "E1"), (-1, "E2")):
+        for side, family in POLES.items():
             for branch in relative_equilibria(self.scene, {**self.given, "C1": side * self.total}):
-                if branch.label == name:
+                if branch.label == family.label:
                     at = (motion.axial + self.scene.potential.expression).xreplace(
                         {K3: S(side), **self.numbers}
                     )
