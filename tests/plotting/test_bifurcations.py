@@ -25,7 +25,8 @@ CASES = [(TOP, {"I1": 2, "I3": 1, "l": 0, "m0": -1}, "omega", (-4, 4), [0, -1]),
 
 @pytest.fixture(scope="module", params=CASES, ids=["heavy", "quartic", "m0", "cubic"])
 def followed(request):
-    found = continuation(*request.param[:4])
+    scene, values, name, ends, _ = request.param
+    found = continuation(scene, name, ends, values)
     return *request.param, found.pieces, found.marks
 
 
@@ -78,7 +79,7 @@ def test_branches_end_at_bifurcations(followed):
 
 def test_stability_of_e3_changes_where_the_oracle_says():
     """Where a branch goes from stable to unstable, −g''/2 is 0."""
-    pieces, changes = continuation(QUARTIC, {"I1": 2, "I3": 1, "l": "1/10"}, "omega", (0, 2)).pieces, 0
+    pieces, changes = continuation(QUARTIC, "omega", (0, 2), {"I1": 2, "I3": 1, "l": "1/10"}).pieces, 0
     tilted = [p for p in pieces if p.label == "E3"]
     for first, second in product(tilted, tilted):
         if first.verdict is not second.verdict and (first.parameter[-1], first.k3[-1]) == (
@@ -97,7 +98,7 @@ def test_stability_of_e3_changes_where_the_oracle_says():
 
 def test_stability_changes_where_the_oracle_says():
     """E1 of the heavy top, l = 0: stable from I3² ω² = 4 I1 m0 on."""
-    pieces = continuation(TOP, {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, "omega", (0, 2)).pieces
+    pieces = continuation(TOP, "omega", (0, 2), {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}).pieces
     first, second = [p for p in pieces if p.label == "E1"]
     assert (first.verdict, second.verdict) == (gs.Verdict.UNSTABLE, gs.Verdict.STABLE)
     assert first.parameter[-1] == second.parameter[0] == 1.25
@@ -110,7 +111,7 @@ def test_the_picture():
     """
     scene, values, name, ends, _ = CASES[1]
     ax = draw_bifurcation_diagram(scene, values, name, ends, Figure().subplots(), linewidth=0.7)
-    found = continuation(scene, values, name, ends)
+    found = continuation(scene, name, ends, values)
     lines = [line for line in ax.lines if line.get_marker() == "None"]
     assert len(lines) == len(found.pieces) and {line.get_linewidth() for line in lines} == {0.7}
     for line, piece in zip(lines, found.pieces):
@@ -157,7 +158,7 @@ def test_the_pitchfork_of_the_double_well():
 
     At ω² = 1 three branches meet, and it does not.
     """
-    found = continuation(QUARTIC, {"I1": 2, "I3": 1, "l": 0}, "omega", (-2, 2))
+    found = continuation(QUARTIC, "omega", (-2, 2), {"I1": 2, "I3": 1, "l": 0})
     assert [(m.kind, m.value, m.k3, m.changes) for m in found.marks] == [
         ("pitchfork at fixed rate", -1, 0, False), ("fold on a level", -sqrt(2) / 2, 0, True),
         ("fold on a level", sqrt(2) / 2, 0, True), ("pitchfork at fixed rate", 1, 0, False)]
@@ -173,7 +174,7 @@ def test_what_is_drawn_besides_branches():
     k3, a = gs.symbol("k3"), gs.symbol("a")
 
     def along(U, values, name, ends):
-        found = continuation(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U)), values, name, ends)
+        found = continuation(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U)), name, ends, values)
         return found, [(m.kind, m.value, m.k3) for m in found.marks]
 
     body = {"I1": 2, "I3": 1, "l": 0}

@@ -30,7 +30,7 @@ def agree(ours, theirs):
 
 def test_the_sleeping_top():
     """The six eigenvalues of the Euler-Poisson field are ours and two zeros."""
-    found = spectrum(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 23))
+    found = spectrum(TOP, "omega3_0", np.linspace(2.3, 0.1, 23), SLEEPING)
     inertia, rotor = np.array([1, 1, 1.6]), np.zeros(3)
     for spin, ours in zip(found.parameter, found.eigenvalues):
         x = np.array([0, 0, 1.6 * spin, 0, 0, 1])
@@ -41,7 +41,7 @@ def test_the_sleeping_top():
 
 def test_the_free_gyrostat():
     """The three of M' = M × ω are ours and one zero; they meet at 0 where f1 f2 = 0."""
-    found = spectrum(FREE, {"I1": 1, "I2": 3, "I3": 2, "omega3_0": 1}, "l", np.linspace(-3, 3, 20))
+    found = spectrum(FREE, "l", np.linspace(-3, 3, 20), {"I1": 1, "I2": 3, "I3": 2, "omega3_0": 1})
     for l, ours in zip(found.parameter, found.eigenvalues):
         J = oracle.jacobian(lambda y, l=l: oracle.free_field(y, np.array([1.0, 3, 2]), np.array([0, 0, l])),
                             np.array([0.0, 0, 2]), 1.0)
@@ -55,7 +55,7 @@ def test_the_collision_of_the_sleeping_top():
 
     Two steps beside it the spectrum is of another kind.
     """
-    (met,) = spectrum(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 23)).collisions
+    (met,) = spectrum(TOP, "omega3_0", np.linspace(2.3, 0.1, 23), SLEEPING).collisions
     assert (met.value, met.kind, met.changes) == (1.25, "Hamiltonian Hopf", True)
     np.testing.assert_allclose(sorted(met.eigenvalues.imag), [-0.25, 0.25], atol=1e-15)
 
@@ -67,8 +67,8 @@ def test_a_disc():
     """
     for U in (gs.symbol("m0") * gs.symbol("k3"), exp(gs.symbol("m0") * gs.symbol("k3"))):
         eq = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U)), spin="omega3_0")
-        (met,) = spectrum(eq, {"I1": 1, "I3": 2, "l": 0, "omega3_0": 1}, "m0",
-                          np.linspace(3, 0.1, 80)).collisions
+        (met,) = spectrum(eq, "m0", np.linspace(3, 0.1, 80),
+                          {"I1": 1, "I3": 2, "l": 0, "omega3_0": 1}).collisions
         assert (met.kind, met.changes, met.eigenvalues.tolist()) == ("zero eigenvalue", True, [0])
         assert met.value * np.exp(0 if U.is_polynomial() else met.value) == pytest.approx(1)
 
@@ -79,20 +79,20 @@ def test_a_crossing_in_the_middle_of_the_range():
     Beside it is a complex quadruple.
     """
     eq = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()))
-    found = spectrum(eq, {"I1": 1, "I3": "9/8", "l": 0, "m0": 5}, "pi3_0", np.linspace(-3, 3, 40))
+    found = spectrum(eq, "pi3_0", np.linspace(-3, 3, 40), {"I1": 1, "I3": "9/8", "l": 0, "m0": 5})
     assert found.collisions == [] and (np.abs(found.eigenvalues[[0, -1]].imag) > 0.1).all()
 
 
 def test_e3_collides_at_0():
     """At E3 λ² (λ² + p): two eigenvalues stay at 0, the others meet there where p = 0."""
     eq = gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**4 - k3**2 / 2)))
-    found = spectrum(eq, {"I1": 2, "I3": 1, "k3": "1/10"}, "omega", np.linspace(0.1, 2, 30))
+    found = spectrum(eq, "omega", np.linspace(0.1, 2, 30), {"I1": 2, "I3": 1, "k3": "1/10"})
     assert len(found.collisions) == 1 and np.sort(np.abs(found.eigenvalues), axis=1)[:, :2].max() == 0
 
 
 def test_columns_are_continuous():
     """From one sample to the next each eigenvalue takes the shortest way, through the collision too."""
-    found = spectrum(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 400))
+    found = spectrum(TOP, "omega3_0", np.linspace(2.3, 0.1, 400), SLEEPING)
     # a root of the step beside the collision
     assert np.abs(np.diff(found.eigenvalues, axis=0)).max() < 0.08
     assert 1.25 == pytest.approx(found.parameter[np.argmin(np.abs(found.parameter - 1.25))], abs=1e-15)
@@ -103,7 +103,7 @@ def test_the_picture():
     ax = draw_eigenvalues(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 60), Figure().subplots(),
                           linewidths=1.5)
     (lines,) = [c for c in ax.collections if isinstance(c, LineCollection)]
-    found = spectrum(TOP, SLEEPING, "omega3_0", np.linspace(2.3, 0.1, 60))
+    found = spectrum(TOP, "omega3_0", np.linspace(2.3, 0.1, 60), SLEEPING)
     starts = np.array([segment[0] for segment in lines.get_segments()])
     np.testing.assert_array_equal(starts @ [1, 1j], found.eigenvalues[:-1].T.ravel())
     assert lines.get_linewidth() == 1.5

@@ -101,7 +101,7 @@ def test_all_points_are_found(polynomial, kind, values, name):
     in the middle. On a level with C1 = ±(π3 + l) a precession is replaced by E1 or E2: fractions are not
     taken there.
     """
-    found = groups(bifurcation_points(polynomial, values, name))
+    found = groups(bifurcation_points(polynomial, name, values))
     positive, places = name in ("I1", "I3"), [value for value, _ in found]
     edges = [Fraction(0) if positive else min([Fraction(0), *places]) - 40, *places,
              max([Fraction(0), *places]) + 40]
@@ -128,7 +128,7 @@ def test_the_equations_vanish(polynomial, kind, values, name):
     Poles at k3 = ±1, folds between them.
     """
     of_kind = {b.kind: b for b in bifurcations(polynomial)}
-    points = bifurcation_points(polynomial, values, name)
+    points = bifurcation_points(polynomial, name, values)
     assert points
     for point in points:
         b = of_kind[point.kind]
@@ -154,7 +154,7 @@ def test_stability_at_a_fold(polynomial, kind, values, name):
 
     Others are as on the other side.
     """
-    folds = [p for p in bifurcation_points(polynomial, values, name) if p.kind.startswith("fold")]
+    folds = [p for p in bifurcation_points(polynomial, name, values) if p.kind.startswith("fold")]
     assert folds
     for point in folds:
         value, step = near(point.value), Fraction(1, 10**8)
@@ -195,7 +195,7 @@ def test_where_a_tilt_leaves_a_pole_the_pole_keeps_its_stability(polynomial, e1,
     The tilt that leaves is stable too.
     """
     values = numbers_of(field) | {"omega": Fraction(3, 4)}
-    points = [p for p in bifurcation_points(polynomial, {n: x for n, x in values.items() if n != "l"}, "l")
+    points = [p for p in bifurcation_points(polynomial, "l", {n: x for n, x in values.items() if n != "l"})
               if p.kind in STEP]
     poles = [p for p in points if p.kind.startswith("E3 leaves")]
     assert {p.kind for p in poles} == {"E3 leaves E1", "E3 leaves E2"}
@@ -221,7 +221,7 @@ def test_where_precessions_leave_a_pole(polynomial, e1, e2):
     """
     for field in FIELDS:
         values = {n: x for n, x in numbers_of(field).items() if n != "I3"}
-        points = bifurcation_points(polynomial, values, "pi3_0")
+        points = bifurcation_points(polynomial, "pi3_0", values)
         slopes = {s: sum(n * values[f"a{n}"] * s ** (n - 1) for n in range(1, 6)) for s in (1, -1)}
         assert [p.kind for p in points if p.k3 == 1] == ["precessions leave E1"] * 2 * (slopes[1] > 0)
         assert [p.kind for p in points if p.k3 == -1] == ["precessions leave E2"] * 2 * (slopes[-1] < 0)
@@ -251,13 +251,13 @@ def test_the_lagrange_top():
     """
     top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     body = {"I1": 2, "I3": 1, "m0": 3}
-    assert [(p.kind, p.value, p.k3) for p in bifurcation_points(top, body | {"omega": 1}, "l")] == [
+    assert [(p.kind, p.value, p.k3) for p in bifurcation_points(top, "l", body | {"omega": 1})] == [
         ("E3 leaves E2", 2, -1), ("E3 leaves E1", 4, 1)]
     assert [len(tilts(top, body | {"omega": 1, "l": x})) for x in (1, 2, 3, 4, 5)] == [0, 0, 1, 0, 0]
-    assert [(p.kind, p.value) for p in bifurcation_points(top, body | {"l": 0}, "pi3_0")] == [
+    assert [(p.kind, p.value) for p in bifurcation_points(top, "pi3_0", body | {"l": 0})] == [
         ("precessions leave E1", -2 * sqrt(6)), ("precessions leave E1", 2 * sqrt(6))]
     # every precession is stable (S5)
-    assert [p.kind for p in bifurcation_points(top, body | {"l": 1, "pi3_0": 1}, "C1")] == []
+    assert [p.kind for p in bifurcation_points(top, "C1", body | {"l": 1, "pi3_0": 1})] == []
 
 
 def test_a_moment_stays_positive():
@@ -270,7 +270,7 @@ def test_a_moment_stays_positive():
         scene = gs.assemble(body, gs.axial_potential(a * k3))
         third = "I3" if name == "I1" else "C"
         for rotor, field in ((-5, 1), (5, -1), (1, 0), (-1, Rational(1, 2))):
-            points = bifurcation_points(scene, {third: 1, "l": rotor, "a": field, "omega": 1}, name)
+            points = bifurcation_points(scene, name, {third: 1, "l": rotor, "a": field, "omega": 1})
             expected = [(x, s) for x, s in ((1 + rotor - field, 1), (1 - rotor + field, -1)) if x > 0]
             assert [(p.value, p.k3) for p in points] == sorted(expected)
 
@@ -280,7 +280,7 @@ def test_folds_beside_a_value_at_which_every_tilt_turns():
     a = gs.symbol("a")
     inside = gs.axial_potential(a * k3 + a**2 * k3**2 / 2 + a * k3**4)
     scene = gs.assemble(gs.Gyrostat((2, 2, 2), (0, 0, a)), inside)
-    points = [p for p in bifurcation_points(scene, {"omega": Rational(1, 2)}, "a")
+    points = [p for p in bifurcation_points(scene, "a", {"omega": Rational(1, 2)})
               if p.kind == "fold at fixed rate"]
     f = lambda t: [Fraction(1, 2), t, Fraction(0), Fraction(4)]  # noqa: E731
     values = [near(p.value) for p in points]
@@ -294,12 +294,12 @@ def test_algebraic_numbers_are_given():
     """l = √3 and ω = √2 given: a fold of U = a k3 + k3³ at ω = √2 where 6 k3 + 2 (I1 − I3) = 0, by hand."""
     a = gs.symbol("a")
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(a * k3 + k3**3))
-    points = bifurcation_points(scene, {"I1": 2, "I3": 1, "l": sqrt(3), "omega": sqrt(2)}, "a")
+    points = bifurcation_points(scene, "a", {"I1": 2, "I3": 1, "l": sqrt(3), "omega": sqrt(2)})
     assert [(p.kind, p.value, p.k3) for p in points] == [
         ("E3 leaves E1", sqrt(6) - 5, 1), ("E3 leaves E2", sqrt(6) - 1, -1),
         ("fold at fixed rate", sqrt(6) + Rational(1, 3), -Rational(1, 3))]
     rho = CRootOf(k3**3 - k3 - 1, 0)                   # written in k3 itself
-    (fold,) = [p for p in bifurcation_points(scene, {"I1": 2, "I3": 1, "l": rho, "omega": 1}, "a")
+    (fold,) = [p for p in bifurcation_points(scene, "a", {"I1": 2, "I3": 1, "l": rho, "omega": 1})
                if p.kind == "fold at fixed rate"]
     assert fold.k3 == -Rational(1, 6) and sign(fold.value - rho - Rational(1, 12), {}) == 0
 
@@ -308,8 +308,8 @@ def test_a_field_that_is_infinite_at_a_pole():
     """U = a/(1 − k3): nothing leaves E1, which does not exist."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(gs.symbol("a") / (1 - k3)))
     body = {"I1": 2, "I3": 1, "a": -1}
-    points = bifurcation_points(scene, body | {"omega": 1}, "l") + bifurcation_points(
-        scene, body | {"l": 0}, "pi3_0"
+    points = bifurcation_points(scene, "l", body | {"omega": 1}) + bifurcation_points(
+        scene, "pi3_0", body | {"l": 0}
     )
     kinds = {p.kind for p in points}
     assert "E3 leaves E2" in kinds and not any(kind.endswith("E1") for kind in kinds)
@@ -318,11 +318,11 @@ def test_a_field_that_is_infinite_at_a_pole():
 def test_a_field_of_numbers_that_is_infinite_at_a_pole():
     """U = 1/(1 − k3) at ω = 1, I1 − I3 = 1: E3 leaves E2 where l = 1/4 − 1; nothing leaves E1."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(1 / (1 - k3)))
-    points = bifurcation_points(scene, {"I1": 2, "I3": 1, "omega": 1}, "l")
+    points = bifurcation_points(scene, "l", {"I1": 2, "I3": 1, "omega": 1})
     assert [(p.kind, p.value) for p in points if p.kind.startswith("E3")] == [
         ("E3 leaves E2", Rational(1, 4) - 1)
     ]
-    assert {p.kind for p in bifurcation_points(scene, {"I1": 2, "I3": 1, "l": 0}, "pi3_0")} <= {
+    assert {p.kind for p in bifurcation_points(scene, "pi3_0", {"I1": 2, "I3": 1, "l": 0})} <= {
         "precessions leave E2"
     }
 
@@ -333,7 +333,7 @@ def test_a_tilt_that_exists_at_every_rate_is_crossed():
     4 k3² = 1 − (I1 − I3) ω² branches from it where ω² = 1.
     """
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(k3**4 - k3**2 / 2))
-    points = bifurcation_points(scene, {"I1": 2, "I3": 1, "l": 0}, "omega")
+    points = bifurcation_points(scene, "omega", {"I1": 2, "I3": 1, "l": 0})
     assert [(p.value, p.k3) for p in points if p.kind == "pitchfork at fixed rate"] == [(-1, 0), (1, 0)]
     assert not [p for p in points if p.kind == "fold at fixed rate"]
 
@@ -356,15 +356,15 @@ def test_what_is_asked_must_be_clear(values, name, message):
     """Unknown and missing names, a name both given and free, rate and level together: refused."""
     top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     with pytest.raises(ValuesError, match=message):
-        bifurcation_points(top, {"I1": 2, "I3": 1} | values, name)
+        bifurcation_points(top, name, {"I1": 2, "I3": 1} | values)
 
 
 def test_scenes_out_of_scope(scene, asymmetric, free):
     """Unspecified U, three moments, no field, a transcendental U."""
     for refused in (scene, asymmetric, free):
         with pytest.raises(ScopeError, match="this scene has"):
-            bifurcation_points(refused, {"I1": 2, "I3": 1, "omega": 1}, "l")
+            bifurcation_points(refused, "l", {"I1": 2, "I3": 1, "omega": 1})
     waves = gs.assemble(gs.symmetric_gyrostat(),
                         gs.axial_potential(lambda k3: gs.symbol("a") * 2 ** (k3 / 2)))
     with pytest.raises(ScopeError, match="algebraic coefficients"):
-        bifurcation_points(waves, {"I1": 2, "I3": 1, "omega": 1, "a": 1}, "l")
+        bifurcation_points(waves, "l", {"I1": 2, "I3": 1, "omega": 1, "a": 1})

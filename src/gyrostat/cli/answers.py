@@ -88,7 +88,7 @@ def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) ->
     except ScopeError as error:
         if label is not None or "omega" not in numbers:
             raise
-        poles = [pole for s in POLES if (pole := pole_at(scene, numbers, s)) is not None]
+        poles = [pole for s in POLES if (pole := pole_at(scene, s, numbers)) is not None]
         if not poles:
             raise
         return [*map(_found, poles), Missing(E3.label, str(error))]

@@ -68,7 +68,7 @@ def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter
     >>> ax.get_xlabel(), [text.get_text() for text in ax.get_legend().get_texts()]
     ('$\\\\omega$', ['stable (E3: modulo the spin)', 'unstable', 'E3 leaves E1', 'changes: precessions leave E2'])
     """
-    found = continuation(scene, values, parameter, ends)
+    found = continuation(scene, parameter, ends, values)
     ax = axes_of(ax)
     for piece in found.pieces:
         alone = len(piece.parameter) == 1

@@ -58,7 +58,7 @@ def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
     >>> ax.get_xlabel()
     '$\\\\mathrm{Re}\\\\,\\\\lambda$'
     """
-    found = spectrum(eq, values, parameter, samples)
+    found = spectrum(eq, parameter, samples, values)
     ax = axes_of(ax)
     from matplotlib.collections import LineCollection
     points = np.stack([found.eigenvalues.real, found.eigenvalues.imag], axis=-1).transpose(1, 0, 2)

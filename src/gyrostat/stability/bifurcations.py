@@ -105,18 +105,18 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     return tuple(Bifurcation(*row) for row in found)
 
 
-def bifurcation_points(scene: System, values: Mapping[str, Any], name: str) -> list[BifurcationPoint]:
+def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[BifurcationPoint]:
     """The values of one name at which relative equilibria meet, all others being given; exact and complete.
 
     Parameters
     ----------
     scene : System
         a body of revolution in a U rational in k3
+    name : str
+        what is left free; a moment is positive
     values : mapping of name to number
         everything but the name: moments, l, the parameters of U, and omega (fixed rate), pi3_0 (the levels C1
         = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level)
-    name : str
-        what is left free; a moment is positive
 
     Returns
     -------
@@ -134,9 +134,9 @@ def bifurcation_points(scene: System, values: Mapping[str, Any], name: str) -> l
     --------
     >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
     >>> top = assemble(symmetric_gyrostat(), uniform_field())
-    >>> [(b.kind, b.value) for b in bifurcation_points(top, {"I1": 2, "I3": 1, "m0": 3, "omega": 1}, "l")]
+    >>> [(b.kind, b.value) for b in bifurcation_points(top, "l", {"I1": 2, "I3": 1, "m0": 3, "omega": 1})]
     [('E3 leaves E2', 2), ('E3 leaves E1', 4)]
-    >>> [(b.kind, b.value) for b in bifurcation_points(top, {"I1": 1, "l": 0, "m0": 1}, "pi3_0")]
+    >>> [(b.kind, b.value) for b in bifurcation_points(top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})]
     [('precessions leave E1', -2), ('precessions leave E1', 2)]
     """
     known = names_of(scene) | {"omega", "pi3_0", "C1"}

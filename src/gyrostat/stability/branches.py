@@ -93,23 +93,24 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
     return here.at_tilt(numbers[K3], numbers[PI3])
 
 
-def pole_at(scene: System, values: Mapping[str, Any], s: int) -> Branch | None:
+def pole_at(scene: System, s: int, values: Mapping[str, Any]) -> Branch | None:
     """E1 (s = 1) or E2 (s = −1) at values with omega; None where U is infinite."""
     here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
     return next(iter(here.pole(s, s * here.I3 * numbers[OMEGA])), None)
 
 
-def critical_tilt(scene: System, values: Mapping[str, Any], k3: Expr) -> Verdict:
+def critical_tilt(scene: System, k3: Expr, values: Mapping[str, Any]) -> Verdict:
     """The verdict of an E3 at a fixed rate whose margin is known to vanish.
 
     What the first higher derivative of g says.
 
     Parameters
     ----------
-    scene, values
-        as in relative_equilibria, with omega
+    scene : System
     k3 : Expr
         exact, an E3 at these numbers
+    values : mapping of name to number
+        as in relative_equilibria, with omega
     """
     here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
     report = _report(here.potential, E3_AT_REST if sign_of_constant(numbers[OMEGA]) == 0 else E3)

@@ -39,8 +39,8 @@ class Continuation:
     marks: list[Mark]
 
 
-def continuation(scene: System, values: Mapping[str, Any], parameter: str,
-                 ends: tuple[Any, Any]) -> Continuation:
+def continuation(scene: System, name: str, ends: tuple[Any, Any],
+                 values: Mapping[str, Any]) -> Continuation:
     """The branches of E1, E2 and E3 over a range of one parameter, complete.
 
     Between two stations, which are exact, the tilts are simple roots in a fixed order, none ends, and no
@@ -51,10 +51,12 @@ def continuation(scene: System, values: Mapping[str, Any], parameter: str,
     ----------
     scene : System
         a body of revolution in a U rational in k3
+    name : str
+        of the parameter
+    ends : pair of numbers
+        of its range
     values : mapping of name to number
-        the moments, l, the parameters of U and omega, without the one that is free
-    parameter, ends
-        its name, and the pair of numbers of its range
+        the moments, l, the parameters of U and omega, without the one that is followed
 
     Raises
     ------
@@ -68,30 +70,30 @@ def continuation(scene: System, values: Mapping[str, Any], parameter: str,
     --------
     >>> import gyrostat as gs
     >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**4 - k3**2 / 2))
-    >>> found = continuation(scene, {"I1": 2, "I3": 1, "l": 0}, "omega", ("1/2", 2))
+    >>> found = continuation(scene, "omega", ("1/2", 2), {"I1": 2, "I3": 1, "l": 0})
     >>> [(mark.kind, mark.value, mark.k3, mark.changes) for mark in found.marks]
     [('fold on a level', sqrt(2)/2, 0, True), ('pitchfork at fixed rate', 1, 0, False)]
     >>> [piece.verdict.name for piece in found.pieces if piece.label == "E3" and abs(piece.k3).max() < 0.1]
     ['UNSTABLE', 'STABLE', 'STABLE']
     """
-    low, high = (exact_number(end, parameter) for end in ends)
-    critical = critical_of(scene, values, parameter, low, high)
+    low, high = (exact_number(end, name) for end in ends)
+    critical = critical_of(scene, name, low, high, values)
     found = stations(critical.curve, critical.points,
                      (*critical.lines, *critical.poles[1], *critical.poles[-1]))
     inner = [station.t for station in found if station.t not in (low, high)]
-    spans = [_span(scene, values, parameter, critical.curve, a, b) for a, b in pairwise([low, *inner, high])]
-    here = _Followed(scene, values, parameter, critical, {station.t: station for station in found}, spans)
+    spans = [_span(scene, values, name, critical.curve, a, b) for a, b in pairwise([low, *inner, high])]
+    here = _Followed(scene, values, name, critical, {station.t: station for station in found}, spans)
     pieces = [piece for s in POLES for piece in here.pole(s)] + here.tilts() + here.lines() + here.isolated()
     return Continuation(pieces, [mark for station in found for mark in here.marks(station)])
 
 
-def _span(scene: System, values: Mapping[str, Any], parameter: str, curve: PlaneCurve, a: Expr,
+def _span(scene: System, values: Mapping[str, Any], name: str, curve: PlaneCurve, a: Expr,
           b: Expr) -> Span:
     middle = between(a, b)
-    found = relative_equilibria(scene, {**values, parameter: middle})
+    found = relative_equilibria(scene, {**values, name: middle})
     tilts = tuple(branch.decision.verdict for branch in reversed(found) if branch.label == E3.label)
     if len(tilts) != len(curve.roots(middle)):
-        raise ScopeError(f"at {parameter} = {middle} there are {len(tilts)} tilts, and "
+        raise ScopeError(f"at {name} = {middle} there are {len(tilts)} tilts, and "
                          f"{len(curve.roots(middle))} branches were followed: "
                          "write the numbers as fractions")
     return Span(a, b, tilts, {s: x.decision.verdict for s, family in POLES.items()
@@ -130,7 +132,7 @@ class _Followed:
         """
         verdicts = {span.poles.get(s) for span in self.spans if t in (span.low, span.high)}
         if t in self.critical.poles[s]:
-            here = pole_at(self.scene, self.at(t), s)
+            here = pole_at(self.scene, s, self.at(t))
             verdicts.add(here.decision.verdict if here else None)
         return None if None in verdicts else len(verdicts) > 1
 
@@ -214,7 +216,7 @@ class _Followed:
     def verdict(self, station: Station, place: Place) -> Verdict:
         """Of E3 at a place."""
         if (station.t, place.x) in self.critical.margins:
-            return critical_tilt(self.scene, self.at(station.t), place.x)
+            return critical_tilt(self.scene, place.x, self.at(station.t))
         if sides := self.sides(station, place):
             return sides[0]
         alone = [branch for branch in relative_equilibria(self.scene, self.at(station.t))

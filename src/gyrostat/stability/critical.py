@@ -55,20 +55,20 @@ class Critical:
     poles: dict[int, tuple[Expr, ...]]
 
 
-def critical_of(scene: System, values: Mapping[str, Any], parameter: str, low: Expr, high: Expr) -> Critical:
+def critical_of(scene: System, name: str, low: Expr, high: Expr, values: Mapping[str, Any]) -> Critical:
     """All of them, exact; arguments as in continuation, the ends of the range as exact numbers."""
     require(scene, System, "the scene")
     known = names_of(scene) | {"omega"}
-    numbers, free = exact_point(scene, values, known), symbol(parameter)
-    if parameter not in known or "omega" not in (parameter, *values):
+    numbers, free = exact_point(scene, values, known), symbol(name)
+    if name not in known or "omega" not in (name, *values):
         raise ValuesError(f"E3 is followed at a rate about the vertical, given were {', '.join(values)}, "
-                          f"free is {parameter}: give omega "
+                          f"free is {name}: give omega "
                           f"too, or leave it free; the names are {', '.join(sorted(known))}")
     if free in numbers:
-        raise ValuesError(f"{parameter} is along the axis, and has the value {numbers[free]} too: leave "
+        raise ValuesError(f"{name} is along the axis, and has the value {numbers[free]} too: leave "
                           "out one of the two")
     if sign_of_constant(high - low) != 1:
-        raise ValuesError(f"the range of {parameter} is {low} to {high}: give two numbers, the lower one "
+        raise ValuesError(f"the range of {name} is {low} to {high}: give two numbers, the lower one "
                           "first")
     _admissible(scene, numbers, free, low, high)
     margin, held = _margin(scene, numbers, free)

@@ -67,8 +67,8 @@ class Spectrum:
     collisions: list[Collision]
 
 
-def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
-             samples: Sequence[float]) -> Spectrum:
+def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
+             values: Mapping[str, Any]) -> Spectrum:
     """The roots of λ⁴ + p λ² + q, or λ² + p, at values of one parameter, and where p² − 4q or q, or p where q
     is 0, changes its sign.
 
@@ -78,11 +78,12 @@ def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
     Parameters
     ----------
     eq : Equilibrium
+    name : str
+        of the parameter
+    samples : sequence of float
+        of it, from one end to the other
     values : mapping of name to number
         for every other name in the spectrum
-    parameter : str
-    samples : sequence of float
-        of the parameter, from one end to the other
 
     Raises
     ------
@@ -93,7 +94,7 @@ def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
     --------
     >>> import gyrostat as gs
     >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
-    >>> found = spectrum(top, {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, "omega3_0", np.linspace(2, 0, 80))
+    >>> found = spectrum(top, "omega3_0", np.linspace(2, 0, 80), {"I1": 1, "I3": "8/5", "l": 0, "m0": 1})
     >>> [(collision.kind, collision.value, collision.changes) for collision in found.collisions]
     [('Hamiltonian Hopf', 1.25, True)]
     """
@@ -101,14 +102,14 @@ def spectrum(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
     linear = linearize(eq)
     coefficients = [eq.insert(c) for c in linear.coefficients]
     conditions = spectral_criterion(linear).alternatives[0]
-    check_names([*values, parameter], names_in([*coefficients, symbol(parameter)]),
+    check_names([*values, name], names_in([*coefficients, symbol(name)]),
                 f"the spectrum of {eq.label}")
-    at, free = np.asarray(samples, dtype=float), symbol(parameter)
+    at, free = np.asarray(samples, dtype=float), symbol(name)
     if at.ndim != 1 or len(at) < 2 or not (np.diff(at) * (at[-1] - at[0]) > 0).all():
-        raise ValuesError(f"samples are {samples}: give two values of {parameter} or more, increasing or "
+        raise ValuesError(f"samples are {samples}: give two values of {name} or more, increasing or "
                           "decreasing")
     numbers = {symbol(name): exact_number(value, name) for name, value in values.items()}
-    low, high = (exact_number(float(x), parameter) for x in (at.min(), at.max()))
+    low, high = (exact_number(float(x), name) for x in (at.min(), at.max()))
     placed = [c.xreplace(numbers) for c in coefficients]
     _exists(eq, placed, numbers, free, low, high)
     margins = {c.source: eq.insert(c.margin).xreplace(numbers)
