@@ -166,8 +166,10 @@ class Boundary(Shown, Stored):
     def _decided(self, rung: Rung, sign: int) -> tuple[bool, str]:
         stable = sign > 0 and not rung.escapes
         kind = (": supercritical" if stable else ": subcritical") if self.pole else ""
-        here = f"{'on the boundary ' if rung.power > 2 else ''}g = c x^{rung.power} + … with c {'<' if sign > 0 else '>'} 0"
-        return stable, f"{here}, {'k3 is held' if stable else 'a motion leaves along x'}{kind}"
+        where = "on the boundary " if rung.power > 2 else ""
+        compared = "<" if sign > 0 else ">"
+        moves = "k3 is held" if stable else "a motion leaves along x"
+        return stable, f"{where}g = c x^{rung.power} + … with c {compared} 0, {moves}{kind}"
 
 
 @once

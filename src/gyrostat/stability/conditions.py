@@ -86,7 +86,8 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     Examples
     --------
     >>> from gyrostat import assemble, axial_potential, linearize, symmetric_gyrostat, upright
-    >>> p, q, discriminant = spectral_criterion(linearize(upright(assemble(symmetric_gyrostat(), axial_potential())))).alternatives[0]
+    >>> eq = upright(assemble(symmetric_gyrostat(), axial_potential()))
+    >>> p, q, discriminant = spectral_criterion(linearize(eq)).alternatives[0]
     >>> discriminant.margin, discriminant.degenerate
     (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
     """

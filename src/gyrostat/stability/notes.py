@@ -34,7 +34,8 @@ def inertia_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
         return ""
     if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(inertia)):
         moments = [evaluate(m, numbers) for m in inertia]
-        return f"no rigid body has the moments {', '.join(map(str, moments))}: one exceeds the sum of the others (a body in a fluid may)"
+        return (f"no rigid body has the moments {', '.join(map(str, moments))}: one exceeds the sum of the "
+                "others (a body in a fluid may)")
     return ""
 
 
@@ -44,7 +45,8 @@ def length_note(k: Sequence[Expr]) -> str:
     if not k or not (sign_of_constant(excess - ROUNDED) == 1 or sign_of_constant(-excess - ROUNDED) == 1):
         return ""
     length = ball(sqrt(excess + 1), 128).mid().str(12, radius=False)
-    return f"|k| = {length}, not 1: k is meant to be a direction, a unit vector; with another length every torque is larger or smaller"
+    return (f"|k| = {length}, not 1: k is meant to be a direction, a unit vector; with another length every "
+            "torque is larger or smaller")
 
 
 def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
@@ -73,8 +75,7 @@ def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     if sign_of_constant((a * (I2 - I3) - b * (I1 - I3)).expand()) != 0:
         return ""
     return ("U is c k·Ik, the potential of the gravity gradient; k is here a direction fixed in space, not "
-            "the local vertical of an orbit, "
-            "which turns: this is not the satellite in its orbit")
+            "the local vertical of an orbit, which turns: this is not the satellite in its orbit")
 
 
 @lru_cache(maxsize=64)

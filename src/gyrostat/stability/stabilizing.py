@@ -61,7 +61,8 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     --------
     >>> from gyrostat import analyze, assemble, symmetric_gyrostat, uniform_field, upright
     >>> report = analyze(upright(assemble(symmetric_gyrostat(), uniform_field())))
-    >>> ((interval, other),) = (c.intervals for c in stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5}).parts[0].cases)
+    >>> (part,) = stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5}).parts
+    >>> ((interval, other),) = (case.intervals for case in part.cases)
     >>> interval.high, interval.high_if, other.low
     (-7, (1,), -3)
     """

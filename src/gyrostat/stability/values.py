@@ -106,7 +106,8 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
     for expression in eq.existence():
         value = evaluate(expression, numbers)
         if (sign := sign_of_constant(value)) is None and ball(value, 64).is_finite():
-            doubt = f"whether {eq.label} exists there is not proved: {expression} is {shown(value)}, and has to be positive"
+            doubt = (f"whether {eq.label} exists there is not proved: {expression} is {shown(value)}, and "
+                     "has to be positive")
         elif sign != 1:
             here = "is not defined" if value is S.NaN else "is 0" if sign == 0 else f"is {shown(value)}"
             todo = (
@@ -142,7 +143,8 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
     for residual in eq.constraints:
         sign = sign_of_constant(value := evaluate(residual, numbers))
         if sign is None and ball(value, 64).is_finite():
-            doubt = f"whether the point is on {eq.label} is not proved: {residual} is {shown(value)}, and has to be 0"
+            doubt = (f"whether the point is on {eq.label} is not proved: {residual} is {shown(value)}, and "
+                     "has to be 0")
         elif sign != 0:
             raise ValuesError(f"the point is not on {eq.label}: {residual} is {shown(value)}, not 0; "
                               "correct the numbers")
@@ -156,7 +158,8 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
     value = evaluate(needed, numbers)
     sign = sign_of_constant(difference := numbers[name] - value)
     if sign is None and ball(difference, 64).is_finite():
-        return f"whether the point is on {eq.label} is not proved: it needs {name} = {shown(value)}, given was {shown(numbers[name])}"
+        return (f"whether the point is on {eq.label} is not proved: it needs {name} = {shown(value)}, given "
+                f"was {shown(numbers[name])}")
     if sign != 0:
         given = shown(numbers[name])
         off = f", off by {shown(difference)}" if given == shown(value) else ""
