@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from . import charts, mechanics, plotting, published, trajectories
     from .printing.article import to_latex
     from .stability.bifurcations import bifurcation_points, bifurcations
-    from .stability.branches import relative_equilibria
+    from .stability.relative_equilibria import relative_equilibria
     from .stability.solve import solve_condition
     from .stability.stabilizing import stabilizing_set
 
@@ -41,7 +41,7 @@ Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(s
 Shown.plain = lambda shown: import_module("gyrostat.printing.unicode").plain(shown)
 
 _NAMESPACES = ("charts", "mechanics", "plotting", "published", "trajectories")
-_LATER = {"relative_equilibria": "stability.branches", "stabilizing_set": "stability.stabilizing",
+_LATER = {"relative_equilibria": "stability.relative_equilibria", "stabilizing_set": "stability.stabilizing",
           "solve_condition": "stability.solve",
           "bifurcations": "stability.bifurcations", "bifurcation_points": "stability.bifurcations",
           "to_latex": "printing.article"}

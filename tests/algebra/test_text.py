@@ -126,7 +126,7 @@ def test_numbers_that_blow_up_a_potential_are_refused():
     """U = tan(exp(a k3)) is one thing, a = 10⁸ another: for a verdict, a motion and all equilibria."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(parse("tan(exp(m0*k3))")))
     numbers = {"I1": 1, "I3": 1, "l": 0, "m0": 10**8}
-    from gyrostat.stability.branches import relative_equilibria
+    from gyrostat.stability.relative_equilibria import relative_equilibria
     from gyrostat.trajectories.models import motion
 
     for ask in (

@@ -1,11 +1,9 @@
 """The momentum sphere: every equilibrium with its verdict, polhodes on sphere and level, and the picture."""
-from fractions import Fraction
 
 import numpy as np
-import oracle
 import pytest
 from draw import moments, numbers
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.figure import Figure
 from sympy import Rational
@@ -13,7 +11,8 @@ from sympy import Rational
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.plotting import draw_momentum_sphere
-from gyrostat.plotting.energy_levels import energies_between, floats, level_curve, rest_points
+from gyrostat.plotting.energy_levels import energies_between, floats, level_curve
+from gyrostat.stability.permanent_rotations import permanent_rotations
 
 CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1),
          ((2, 1, "3/2"), ("1/5", "1/10", "1/8"), 1),
@@ -26,69 +25,6 @@ def drawn(inertia, rotor, radius, energies=None, **kwargs):
 
 
 @pytest.mark.parametrize("inertia, rotor, radius", CASES)
-def test_at_a_rest_point_momentum_and_velocity_are_parallel(inertia, rotor, radius):
-    """M × ω = 0 on abs(M) = R; the extrema less the saddles are two, Euler's number of the sphere."""
-    body = gs.Gyrostat(inertia, rotor)
-    points = rest_points(body, Rational(radius))
-    for point in points:
-        M = floats(point.momentum)
-        field = oracle.free_field(M - floats(body.gyrostatic_momentum), floats(body.inertia),
-                                  floats(body.gyrostatic_momentum))
-        np.testing.assert_allclose(field, 0, atol=1e-14)               # round-off of the exact numbers
-        assert np.linalg.norm(M) == pytest.approx(float(Rational(radius)), rel=1e-15)
-    if all(point.circle is None for point in points):
-        assert sum(1 if point.verdict is gs.Verdict.STABLE else -1 for point in points) == 2
-
-
-@settings(max_examples=8)
-@given(I1=moments, I2=moments, I3=moments, l=numbers, spin=numbers)
-def test_the_verdict_is_that_of_the_library(I1, I2, I3, l, spin):
-    """On a principal axis that carries l the 2×2 second variation says what Report.verdict says."""
-    M = I3 * spin + l
-    assume(M and len({I1, I2, I3}) == 3)
-    body = gs.Gyrostat((I1, I2, I3), (0, 0, l))
-    (point,) = [p for p in rest_points(body, Rational(abs(M))) if p.momentum == (0, 0, Rational(M))]
-    report = gs.analyze(gs.principal_rotation(gs.assemble(body), 3))
-    assert point.verdict is report.verdict({"omega3_0": spin}).verdict
-
-
-def test_verdict_at_a_general_point_is_that_of_the_spectrum():
-    """With a rotor off every axis an equilibrium is stable where the field, differenced, has imaginary
-    eigenvalues.
-    """
-    body = gs.Gyrostat((2, 1, "3/2"), ("1/5", "1/10", "1/8"))
-    I, l = floats(body.inertia), floats(body.gyrostatic_momentum)
-    points = rest_points(body, Rational(1))
-    assert {p.verdict.name for p in points} == {"STABLE", "UNSTABLE"} and len(points) in (4, 6)
-    for point in points:
-        J = oracle.jacobian(lambda x: oracle.free_field(x, I, l), floats(point.momentum) - l,
-                            1.0).astype(float)
-        # growth rates here exceed 0.1
-        assert (np.linalg.eigvals(J).real.max() > 1e-3) == (point.verdict is gs.Verdict.UNSTABLE)
-
-
-def test_circles_of_equilibria():
-    """I1 = I2: the rotations about transverse axes are a circle, at the height l/(1 − I3/I1), and drift."""
-    (circle,) = [p for p in rest_points(gs.Gyrostat((1, 1, 2), (0, 0, "-1/5")), Rational(1))
-                 if p.circle is not None]
-    assert circle.circle == 2
-    assert circle.momentum[2] == Rational(1, 5)
-    assert circle.verdict is gs.Verdict.UNSTABLE
-    (circle,) = [p for p in rest_points(gs.Gyrostat((3, 2, 2), (0, 0, 0)), Rational(1))
-                 if p.circle is not None]
-    assert circle.circle == 0 and circle.momentum[0] == 0
-
-
-def test_a_degenerate_point_is_decided_to_fourth_order():
-    """Where two saddles meet the pole, f1 = 0, Report.verdict decides."""
-    inertia, l = (1, 2, 3), Fraction(1, 2)                 # f2 = l + (I3 − I2) ω = 0 at ω = −1/2, M = −1
-    south = next(p for p in rest_points(gs.Gyrostat(inertia, (0, 0, l)), Rational(1))
-                 if p.momentum == (0, 0, -1))
-    report = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(inertia, (0, 0, l))), 3))
-    assert south.verdict is report.verdict({"omega3_0": Fraction(-1, 2)}).verdict is gs.Verdict.UNSTABLE
-
-
-@pytest.mark.parametrize("inertia, rotor, radius", CASES)
 def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
     """abs(M) = R and Σ (M − l)²/(2 I) = energy to 1e-12, at every energy, and curves are closed.
 
@@ -96,7 +32,7 @@ def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
     """
     body, R = gs.Gyrostat(inertia, rotor), float(Rational(radius))
     I, l = floats(body.inertia), floats(body.gyrostatic_momentum)
-    points = rest_points(body, Rational(radius))
+    points = permanent_rotations(body, Rational(radius))
     for energy in energies_between(points, 3):
         M = level_curve(body, points, R, energy)
         M0 = M[np.isfinite(M[:, 0])]
@@ -112,7 +48,7 @@ def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
 
 def test_energies_lie_between_the_critical_ones():
     """As many in each band, none at its ends; closer together at a saddle than at an extremum."""
-    chosen = energies_between(rest_points(gs.Gyrostat((1, 2, 3), (0, 0, 0)), Rational(1)), 4)
+    chosen = energies_between(permanent_rotations(gs.Gyrostat((1, 2, 3), (0, 0, 0)), Rational(1)), 4)
     assert ((chosen > 1 / 6) & (chosen < 1 / 4)).sum() == ((chosen > 1 / 4) & (chosen < 1 / 2)).sum() == 4
     assert chosen[0] - 1 / 6 < np.diff(chosen[:4])[-1]
 
@@ -203,7 +139,7 @@ def polhodes_are_complete(inertia, rotor, radius, part, seed):
     Every great circle is crossed as often by the drawn curves as the level meets it.
     """
     body = gs.Gyrostat(inertia, rotor)
-    points = rest_points(body, Rational(radius))
+    points = permanent_rotations(body, Rational(radius))
     I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
     heights = sorted(float(p.energy) for p in points)
     energy = heights[0] + part * (heights[-1] - heights[0])
@@ -260,8 +196,8 @@ def test_separatrices_meet_the_saddles_and_are_complete(inertia, rotor, radius):
     """
     body = gs.Gyrostat(inertia, rotor)
     I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
-    saddles = [p for p in rest_points(body, Rational(radius)) if p.verdict is gs.Verdict.UNSTABLE
-               and p.circle is None]
+    saddles = [p for p in permanent_rotations(body, Rational(radius))
+               if p.decision.verdict is gs.Verdict.UNSTABLE and p.circle is None]
     curves = [c for c in energy_curves(drawn(inertia, rotor, radius, []), "#1f2933")
               if np.abs(np.linalg.norm(c, axis=1) - R).max() < 1e-9]
     elevation, azimuth = np.radians([22, 40])

@@ -7,7 +7,7 @@ from gyrostat.mechanics.reduction import reduce
 from gyrostat.printing.article import to_latex
 from gyrostat.printing.results import result_blocks
 from gyrostat.stability.bifurcations import KINDS, bifurcation_points, bifurcations
-from gyrostat.stability.branches import relative_equilibria
+from gyrostat.stability.relative_equilibria import relative_equilibria
 from gyrostat.stability.sets import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
 from gyrostat.stability.stabilizing import stabilizing_set
 

@@ -14,7 +14,7 @@ from gyrostat.algebra.exact import sign
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.notation import jet, jet_name
 from gyrostat.stability.bifurcations import KINDS, bifurcation_points, bifurcations
-from gyrostat.stability.branches import relative_equilibria
+from gyrostat.stability.relative_equilibria import relative_equilibria
 
 k3, omega = gs.symbol("k3"), gs.symbol("omega")
 TERMS = [gs.symbol(f"a{n}") for n in range(1, 6)]

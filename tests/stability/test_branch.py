@@ -9,7 +9,7 @@ from turns import OBLIQUE, TURNS, K, rational, scene
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
-from gyrostat.stability.branches import relative_equilibria
+from gyrostat.stability.relative_equilibria import relative_equilibria
 
 FIELD, ROTOR = (F(1), F(-1, 2), F(0), F(2, 3)), F(1, 2)
 

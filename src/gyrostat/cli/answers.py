@@ -11,7 +11,8 @@ from ..mechanics.families import E3, FAMILIES, POLES
 from ..mechanics.system import System
 from ..notation import symbol
 from ..printing.data import decision_data, number_data
-from ..stability.branches import Branch, pole_at, relative_equilibria
+from ..stability.branch import Branch
+from ..stability.branches import branches_at, pole_at
 from ..stability.report import Decision, Report
 from .options import (
     AT_REST,
@@ -83,7 +84,7 @@ def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) ->
     At a rate at which those of a tilt are not found, E1 and E2, and why.
     """
     try:
-        return [_found(branch) for branch in relative_equilibria(scene, numbers)
+        return [_found(branch) for branch in branches_at(scene, numbers)
                 if label in (None, branch.label)]
     except ScopeError as error:
         if label is not None or "omega" not in numbers:

@@ -15,7 +15,9 @@ from ..mechanics.attitude import effective_potential
 from ..mechanics.reduction import ENERGY, K3, P, V, reduce
 from ..mechanics.system import System
 from ..notation import symbol
-from ..stability.branches import Branch, names_of, relative_equilibria
+from ..stability.asked import names_of
+from ..stability.branch import Branch
+from ..stability.branches import branches_at
 from ..stability.report import Verdict
 from .looks import BLUE, DARK, GREY, axes_of, label, legend, marker, meaning, named
 from .numbers import numbers_of
@@ -77,7 +79,7 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     motion = reduce(scene)
     field = scene.potential.expression.xreplace(dict(numbers))  # type: ignore[union-attr]
     infinite = real_roots(together(field).as_numer_denom()[1], K3, S.NegativeOne, S.One) or []
-    branches = relative_equilibria(scene, scenes | level)
+    branches = branches_at(scene, scenes | level)
     found = []
     for branch in branches:
         if branch.k3 is not None:

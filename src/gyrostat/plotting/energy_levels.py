@@ -1,122 +1,20 @@
-"""The energy of a free gyrostat on the momentum sphere abs(M) = const.
-
-Its critical points, and its level curves.
-"""
+"""Level curves of the energy of a free gyrostat on the momentum sphere abs(M) = const."""
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
-from sympy import Add, Expr, Mul, Rational, S, sqrt
+from sympy import Expr
 
-from ..algebra.exact import proved_sign
 from ..algebra.floats import Array, in_floats
-from ..algebra.roots import real_roots
-from ..errors import ScopeError
 from ..mechanics.body import Gyrostat
-from ..mechanics.families import principal_rotation
 from ..mechanics.system import System, assemble
-from ..notation import symbol
-from ..stability.report import Verdict, analyze
+from ..stability.permanent_rotations import PermanentRotation
+from ..stability.report import Verdict
 from ..trajectories import motion
 
-MU = symbol("mu")
 # of a turn at first; the longest chord; of halving, and of Newton's method
 TIMES, STEP, STEPS = 128, 0.03, 40
 # of the range of energies: how far below a saddle its curve is followed
 SHIFT = 1e-12
-
-
-@dataclass(frozen=True)
-class RestPoint:
-    """An equilibrium on the momentum sphere, M = I ω + l with ω = μ M.
-
-    Parameters
-    ----------
-    momentum : tuple of Expr, shape (3,)
-        M, exact [M L²/T]
-    energy : Expr
-        [M L²/T²]
-    verdict : Verdict
-    circle : int or None
-        the axis about which the point may be turned: a circle of equilibria
-    """
-
-    momentum: tuple[Expr, ...]
-    energy: Expr
-    verdict: Verdict
-    circle: int | None = None
-
-
-def rest_points(body: Gyrostat, radius: Expr) -> list[RestPoint]:
-    """Every equilibrium of a free gyrostat on abs(M) = radius, at numbers; complete, by energy.
-
-    M (1 − μ I) = l: μ is a root of Σ l²/(1 − μ I)² = abs(M)², or 1/I of an axis without a rotor. The energy is
-    an extremum, hence the point stable, or a saddle, hence it is not, as Σ Mᵢ² (1/Iⱼ − μ) (1/Iₖ − μ) is
-    positive or negative. Where it is 0, Report.verdict decides the rotations about principal axes.
-
-    Parameters
-    ----------
-    body : Gyrostat
-    radius : Expr
-        positive
-
-    Raises
-    ------
-    ScopeError
-        all moments are equal and l = 0: every point is an equilibrium
-
-    Examples
-    --------
-    >>> for point in rest_points(Gyrostat((1, 2, 3), (0, 0, 0)), Rational(1))[::2]:
-    ...     print(point.momentum, point.energy, point.verdict.name)
-    (0, 0, -1) 1/6 STABLE
-    (0, -1, 0) 1/4 UNSTABLE
-    (-1, 0, 0) 1/2 STABLE
-    """
-    inertia, rotor = body.inertia, body.gyrostatic_momentum
-    if len(set(inertia)) == 1 and not any(rotor):
-        raise ScopeError(f"inertia = {inertia} and l = 0: every point of the sphere is an equilibrium; "
-                         "give different moments, or a rotor")
-    secular = Add(*(l**2 / (1 - MU * moment) ** 2 for l, moment in zip(rotor, inertia))) - radius**2
-    found = [_point(body, mu, [l / (1 - mu * moment) if l else S.Zero for l, moment in zip(rotor, inertia)])
-             for mu in real_roots(secular, MU) or ()]
-    for moment in dict.fromkeys(inertia):
-        axes = [n for n in range(3) if inertia[n] == moment]
-        if any(rotor[n] for n in axes):
-            continue
-        M = [S.Zero if n in axes else rotor[n] / (1 - inertia[n] / moment) for n in range(3)]
-        rest = radius**2 - Add(*(m**2 for m in M))
-        if proved_sign(rest) != 1:
-            continue
-        for side in (1, -1)[:3 - len(axes)]:
-            M[axes[0]] = side * sqrt(rest)
-            found.append(_point(body, 1 / moment, M, 3 - sum(axes) if len(axes) == 2 else None))
-    return sorted(found, key=lambda point: (float(point.energy), *map(float, point.momentum)))
-
-
-def _point(body: Gyrostat, mu: Expr, M: Sequence[Expr], circle: int | None = None) -> RestPoint:
-    rates = [(m - l) / moment for m, l, moment in zip(M, body.gyrostatic_momentum, body.inertia)]
-    energy = Add(*(Rational(1, 2) * moment * rate**2 for moment, rate in zip(body.inertia, rates)))
-    # those beside the circle turn about its axis: they drift
-    if circle is not None:
-        return RestPoint(tuple(M), energy, Verdict.UNSTABLE, circle)
-    curvature = [1 / moment - mu for moment in body.inertia]
-    sign = proved_sign(Add(*(Mul(M[n] ** 2, *(c for k, c in enumerate(curvature) if k != n))
-                             for n in range(3))))
-    return RestPoint(tuple(M), energy, {1: Verdict.STABLE, -1: Verdict.UNSTABLE}.get(sign)
-                     or _degenerate(body, rates))
-
-
-def _degenerate(body: Gyrostat, rates: Sequence[Expr]) -> Verdict:
-    """Where the second variation is only semidefinite.
-
-    The verdict on a rotation about a principal axis that carries l.
-    """
-    axes = [n for n in range(3) if rates[n] or body.gyrostatic_momentum[n]]
-    if len(axes) != 1:
-        return Verdict.UNDECIDED
-    return analyze(principal_rotation(assemble(body),
-                                      axes[0] + 1)).verdict({f"omega{axes[0] + 1}_0": rates[axes[0]]}).verdict
 
 
 def floats(numbers: Sequence[Expr]) -> Array:
@@ -124,12 +22,12 @@ def floats(numbers: Sequence[Expr]) -> Array:
     return np.array([float(in_floats(number, np, {})) for number in numbers])
 
 
-def energies_between(points: Sequence[RestPoint], count: int) -> Array:
+def energies_between(points: Sequence[PermanentRotation], count: int) -> Array:
     """Energies for level curves.
 
     Count in each band between the critical ones, closer together near a saddle.
     """
-    levels = sorted({float(p.energy): p.verdict is Verdict.UNSTABLE and p.circle is None
+    levels = sorted({float(p.energy): p.decision.verdict is Verdict.UNSTABLE and p.circle is None
                      for p in points}.items())
     part = np.arange(1, count + 1) / (count + 1)
     ease = {(False, False): (1 - np.cos(np.pi * part)) / 2, (False, True): part**2,
@@ -139,7 +37,7 @@ def energies_between(points: Sequence[RestPoint], count: int) -> Array:
                            (high, above) in zip(levels, levels[1:])])
 
 
-def level_curve(body: Gyrostat, points: Sequence[RestPoint], radius: float, energy: float) -> Array:
+def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: float, energy: float) -> Array:
     """The curve of an energy on the momentum sphere, shape (n, 3), NaN between its pieces, each of which ends
     where it begins.
 
@@ -151,22 +49,24 @@ def level_curve(body: Gyrostat, points: Sequence[RestPoint], radius: float, ener
     ----------
     body : Gyrostat
         with its numbers
-    points : of rest_points
+    points : of permanent_rotations
     radius, energy : float
 
     Examples
     --------
+    >>> from sympy import S
+    >>> from gyrostat.stability.permanent_rotations import permanent_rotations
     >>> body = Gyrostat((1, 2, 3), (0, 0, 0))
-    >>> M = level_curve(body, rest_points(body, Rational(1)), 1.0, 0.3)
+    >>> M = level_curve(body, permanent_rotations(body, S.One), 1.0, 0.3)
     >>> bool(np.nanmax(abs((M**2 / [1, 2, 3]).sum(axis=1) / 2 - 0.3)) < 1e-15), int(np.isnan(M[:, 0]).sum())
     (True, 1)
     """
     scene, inertia, rotor = assemble(body), floats(body.inertia), floats(body.gyrostatic_momentum)
     values = [float(point.energy) for point in points]
     near = SHIFT * (max(values) - min(values))
-    passes = any(point.verdict is Verdict.UNSTABLE and point.circle is None and abs(value - energy) <= near
+    passes = any(point.decision.verdict is Verdict.UNSTABLE and point.circle is None and abs(value - energy) <= near
                  for point, value in zip(points, values))
-    around = [floats(p.momentum) for p in points if p.circle is None and p.verdict is not Verdict.UNSTABLE]
+    around = [floats(p.momentum) for p in points if p.circle is None and p.decision.verdict is not Verdict.UNSTABLE]
     left = [(normal, seed) for other in around[1:]
             for normal, seeds in [_on_arc(around[0], other, inertia, rotor,
                                           energy - near if passes else energy)] for seed in seeds]

@@ -11,7 +11,8 @@ from ..algebra.floats import Array, in_floats
 from ..errors import require
 from ..mechanics.reduction import K3, V
 from ..mechanics.system import System
-from ..stability.branches import Branch, names_of
+from ..stability.asked import names_of
+from ..stability.branch import Branch
 from ..stability.energy_momentum import EnergyMomentum, critical_values
 from ..stability.report import Verdict
 from .looks import DARK, axes_of, label, legend, line, marker, named

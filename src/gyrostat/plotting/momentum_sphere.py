@@ -9,8 +9,9 @@ from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import ScopeError, ValuesError, require
 from ..mechanics.system import System
+from ..stability.permanent_rotations import permanent_rotations
 from ..stability.report import Verdict
-from .energy_levels import energies_between, floats, level_curve, rest_points
+from .energy_levels import energies_between, floats, level_curve
 from .globe import circle, curve_on, dots_on, stage
 from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
 from .numbers import body_at, numbers_of
@@ -78,7 +79,7 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
     body, radius = body_at(scene, numbers_of(scene, values)), exact_number(momentum, "momentum")
     if sign_of_constant(radius) != 1:
         raise ValuesError(f"momentum = {momentum} is not the radius of a sphere: give a positive number")
-    points, size = rest_points(body, radius), float(radius)
+    points, size = permanent_rotations(body, radius), float(radius)
     least, most = (f(float(p.energy) for p in points) for f in (min, max))
     slack = 1e-12 * most                                   # an energy of a rest point may be rounded
     if off := [energy for energy in energies or () if not least - slack <= float(energy) <= most + slack]:
@@ -91,7 +92,7 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
     chosen = energies_between(points, BAND) if energies is None else energies
     curve_on(ax, _joined([level_curve(body, points, size, float(energy)) for energy in chosen]), eye, **style)
     handles = [named(style, "polhode")]
-    saddles = {float(p.energy) for p in points if p.verdict is Verdict.UNSTABLE and p.circle is None}
+    saddles = {float(p.energy) for p in points if p.decision.verdict is Verdict.UNSTABLE and p.circle is None}
     if saddles:
         heavy = {"color": DARK, "linewidth": 2.0}
         curve_on(ax, _joined([level_curve(body, points, size, energy) for energy in saddles]), eye, **heavy)
@@ -104,7 +105,7 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
                      **line(Verdict.STABLE))
             handles.append(named(line(Verdict.STABLE), "equilibria, stable modulo the spin"))
     for verdict in Verdict:
-        places = [floats(p.momentum) for p in points if p.verdict is verdict and p.circle is None]
+        places = [floats(p.momentum) for p in points if p.decision.verdict is verdict and p.circle is None]
         if places:
             dots_on(ax, np.array(places), eye, **marker(verdict))
             handles.append(named(marker(verdict), verdict.name.lower()))

@@ -8,7 +8,7 @@ from ..algebra.exact import Point, evaluate
 from ..errors import ValuesError
 from ..mechanics.body import Gyrostat
 from ..mechanics.system import System
-from ..stability.branches import exact_point
+from ..stability.asked import exact_point
 from ..stability.values import names_in
 
 

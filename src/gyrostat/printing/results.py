@@ -15,6 +15,7 @@ from ..stability.boundary import Boundary
 from ..stability.branch import Branch
 from ..stability.drift import Drift
 from ..stability.linearization import rational_root
+from ..stability.permanent_rotations import PermanentRotation
 from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Part, Solution
 from .blocks import Block, Display, Sentence, Word, drift_displays, existence, ladder, rung_display
 
@@ -176,6 +177,14 @@ def _branch(branch: Branch) -> list[Block]:
 
 
 @result_blocks.register
+def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
+    parts = (Word("M", "M"), *map(number, rotation.momentum))
+    circle = "" if rotation.circle is None else f", and on the circle about axis {rotation.circle + 1}"
+    verdict = rotation.decision.verdict.name.lower()
+    return [Sentence(f"permanent rotation at {{}} = ({{}}, {{}}, {{}}){circle}: {verdict}", parts)]
+
+
+@result_blocks.register
 def _bifurcation(b: Bifurcation) -> list[Block]:
     return [Sentence(f"{b.kind} ({KINDS[b.kind]}):"),
             *(Display(readable(e), S.Zero, b.at) for e in b.equations)]
@@ -203,5 +212,5 @@ def _reduction(motion: Reduction) -> list[Block]:
     return [Display(Word("I₁² k̇₃²", r"I_1^2 \dot{k}_3^2"), motion.square())]
 
 
-RESULTS = (Solution, Branch, Bifurcation, BifurcationPoint, Boundary, Drift, Reduction)
+RESULTS = (Solution, Branch, PermanentRotation, Bifurcation, BifurcationPoint, Boundary, Drift, Reduction)
 

@@ -18,7 +18,7 @@ from ..mechanics.families import E3, POLES, Family
 from ..mechanics.reduction import K3, OMEGA, P, V, expansion, reduce
 from ..mechanics.system import System
 from ..notation import Shown, Stored, jet, symbol
-from .branches import exact_point, names_of
+from .asked import exact_point, names_of
 from .values import unknown
 
 KINDS = {

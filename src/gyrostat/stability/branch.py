@@ -1,19 +1,13 @@
-"""One relative equilibrium; how it is asked for, and given, in the axes of a scene that was recognised."""
-from collections.abc import Mapping
+"""One relative equilibrium of a body of revolution, in the axes of its scene."""
 from dataclasses import dataclass, replace
-from typing import Any
 
 from sympy import Expr, ImmutableMatrix, S, sqrt
 
-from ..algebra.numbers import exact_number
-from ..errors import ValuesError
-from ..mechanics.recognition import Recognition, recognise
+from ..mechanics.recognition import Recognition
 from ..mechanics.reduction import K3
 from ..mechanics.spherical import lowest
-from ..mechanics.system import System, at_numbers, names_of_scene
-from ..notation import Shown, Stored, symbol
+from ..notation import Shown, Stored
 from .report import Decision
-from .values import check_names, unknown
 
 # the label of a regular precession that is none of E3
 PRECESSION = "precession"
@@ -55,36 +49,6 @@ class Branch(Shown, Stored):
     itself: Decision | None = None
     along: Expr = K3
     point: tuple[Expr, ...] | None = None
-
-
-def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, dict[str, Any]] | None:
-    """What a scene is at its numbers, and what is asked of it in the names of the standard scene.
-
-    None if it is not of revolution.
-
-    About axis 1 the names are k1 and pi1_0, about an oblique axis c they are kc = k·c and pic_0 = π·c; omega
-    and C1 are the same in all.
-
-    Raises
-    ------
-    ValuesError
-        a name is unknown, or one of the scene is missing
-    """
-    names = sorted(s.name for s in names_of_scene(scene))
-    numbers = {symbol(name): exact_number(value, name) for name, value in values.items() if name in names}
-    if not (found := recognise(at_numbers(scene, numbers))):
-        return None
-    check_names([s.name for s in numbers], names, "the scene")
-    axis = found.name[-1]
-    own = {f"k{axis}": "k3", f"pi{axis}_0": "pi3_0", "omega": "omega", "C1": "C1"}
-    if foreign := sorted(values.keys() - own.keys() - set(names)):
-        raise ValuesError(unknown(foreign[0], sorted({*names, *own}), "the scene"))
-    ways = {"omega"}, {f"pi{axis}_0", "C1"}, {f"k{axis}"}, {f"k{axis}", f"pi{axis}_0"}
-    if values.keys() - set(names) not in ways:
-        raise ValuesError("give the rate about the vertical, the level or the tilt, each in the axes of "
-                          "the scene: "
-                          + ", or ".join(" and ".join(sorted(way)) for way in ways))
-    return found, {own[name]: value for name, value in values.items() if name not in names}
 
 
 def in_axes_of(found: Recognition, branch: Branch) -> Branch:

@@ -1,4 +1,4 @@
-"""All relative equilibria of a given scene, with their decisions: E1, E2, every E3, regular precessions."""
+"""All relative equilibria of a body of revolution in a given U(k3): E1, E2, every E3, regular precessions."""
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
@@ -8,72 +8,25 @@ from sympy import Expr, Integer, S, Symbol, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, evaluate, proved_sign, sign_of_constant
-from ..algebra.numbers import exact_number
 from ..algebra.roots import real_roots
-from ..errors import ScopeError, ValuesError, require
+from ..errors import ValuesError
 from ..mechanics.body import symmetric_gyrostat
 from ..mechanics.equilibria import equilibrium
 from ..mechanics.families import E3, E3_AT_REST, POLES, Family
 from ..mechanics.potential import Potential
-from ..mechanics.reduction import ENERGY, K3, OMEGA, P, V, reduce, reducible
+from ..mechanics.reduction import K3, OMEGA, P, V, reduce, reducible
 from ..mechanics.system import System, assemble
 from ..notation import symbol
-from .branch import PRECESSION, Branch, asked_about, in_axes_of
+from .asked import C1, PI3, asked_about, asked_for
+from .branch import PRECESSION, Branch, in_axes_of
 from .report import Report, Verdict, analyze
-from .values import unknown
 
-DU, PI3, C1 = symbol("dU"), symbol("pi3_0"), symbol("C1")
+DU = symbol("dU")
 _BODY = frozenset(map(symbol, ("I1", "I2", "I3", "l", "l1", "l2", "l3")))
-_ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
 
 
-def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch]:
-    """Every relative equilibrium of a body of revolution in U(k3) at given numbers, each with its decision.
-
-    Numbers for the moments, l and the parameters of U, and one of
-
-    - omega: E1, E2 and every E3 of that rate about the vertical, U' = ω l − ω² k3 (I1 − I3); - pi3_0, C1:
-    what lies on that level of π3 and of C1 = (π + l)·k: E1 and E2 where C1 = ±(π3 + l), and every regular
-    precession; - k3: every E3 of that tilt, (I1 − I3) k3 ω² − l ω + U' = 0; - k3, pi3_0: every regular
-    precession of that tilt, I1 k3 ω² − (π3 + l) ω + U' = 0.
-
-    A body of revolution about another axis is recognised: of axis 1 it is k1 and pi1_0 in place of k3 and
-        pi3_0, of an oblique axis c
-    kc = k·c and pic_0 = π·c.
-
-    Parameters
-    ----------
-    scene : System
-        a body of revolution, U rational in the component of k along its axis
-    values : mapping of name to number
-        rational or algebraic, as in Report.verdict
-
-    Returns
-    -------
-    list of Branch
-        in the order of k3 from E1 down to E2, then of omega; complete. A pole where U is infinite is left out
-
-    Raises
-    ------
-    ValuesError
-        names are missing, unknown or too many, or a number is not admissible
-    ScopeError
-        the body is not of revolution, U is unspecified, or not rational in k3
-
-    References
-    ----------
-    Goldstein, Classical Mechanics, §5.7 (the heavy top); else derived.
-
-    Examples
-    --------
-    >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
-    >>> top = assemble(symmetric_gyrostat(), uniform_field())
-    >>> for b in relative_equilibria(top, {"I1": 2, "I3": 1, "l": 0, "m0": 3, "k3": "1/2", "pi3_0": 6}):
-    ...     print(b.label, b.omega, b.decision.verdict.name)
-    precession 3 - sqrt(6) STABLE
-    precession sqrt(6) + 3 STABLE
-    """
-    require(scene, System, "the scene")
+def branches_at(scene: System, values: Mapping[str, Any]) -> list[Branch]:
+    """Every relative equilibrium of a body of revolution in U(k3); as relative_equilibria says."""
     if (
         not reducible(scene)
         and scene.potential
@@ -81,8 +34,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
         and (turned := asked_about(scene, values))
     ):
         found, own = turned
-        return [in_axes_of(found, branch) for branch in relative_equilibria(found.standard, own)]
-    asked, numbers = _asked_for(scene, values)
+        return [in_axes_of(found, branch) for branch in branches_at(found.standard, own)]
+    asked, numbers = asked_for(scene, values)
     here = SceneAtNumbers(scene, numbers)
     if asked == ("omega",):
         return here.at_rate(numbers[OMEGA])
@@ -95,7 +48,7 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
 
 def pole_at(scene: System, s: int, values: Mapping[str, Any]) -> Branch | None:
     """E1 (s = 1) or E2 (s = −1) at values with omega; None where U is infinite."""
-    here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
+    here = SceneAtNumbers(scene, numbers := asked_for(scene, values)[1])
     return next(iter(here.pole(s, s * here.I3 * numbers[OMEGA])), None)
 
 
@@ -112,64 +65,11 @@ def critical_tilt(scene: System, k3: Expr, values: Mapping[str, Any]) -> Verdict
     values : mapping of name to number
         as in relative_equilibria, with omega
     """
-    here = SceneAtNumbers(scene, numbers := _asked_for(scene, values)[1])
+    here = SceneAtNumbers(scene, numbers := asked_for(scene, values)[1])
     report = _report(here.potential, E3_AT_REST if sign_of_constant(numbers[OMEGA]) == 0 else E3)
     assert report.boundary is not None
     stable, _ = report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {})
     return Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
-
-
-def names_of(scene: System) -> set[str]:
-    """Names of the moments, of l and of the parameters of U, of a scene whose relative equilibria can be
-    found.
-    """
-    if not reducible(scene) or not scene.potential or not scene.potential.given:
-        raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene "
-                         "has inertia "
-                         f"{scene.body.inertia}, U = {scene.potential and scene.potential.expression}: use "
-                         "upright, hanging, inclined "
-                         "or equilibrium")
-    needed = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2], scene.potential.expression)
-              for s in e.free_symbols}
-    if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY}):
-        raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: "
-                         "rename it")
-    return {s.name for s in needed - {K3}}
-
-
-def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:
-    """The values as exact numbers.
-
-    No unknown names, and moments that are positive as far as they are given.
-    """
-    for name in values:
-        if name not in known:
-            raise ValuesError(unknown(name, sorted(known), "the scene"))
-    numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
-    if scene.potential is not None:
-        scene.potential.check_size(numbers)
-    for moment in scene.body.inertia[1:]:
-        if moment.free_symbols <= numbers.keys() and proved_sign(value := evaluate(moment, numbers)) != 1:
-            raise ValuesError(f"{moment} = {value}, but a moment of inertia must be positive: give a "
-                              "positive number")
-    return numbers
-
-
-def _asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...], Point]:
-    needed, extra = names_of(scene), {name for names in _ASKED for name in names}
-    numbers = exact_point(scene, values, needed | extra)
-    asked = next((names for names in _ASKED if set(names) == values.keys() & extra), None)
-    if asked is None:
-        raise ValuesError(
-            f"given were {', '.join(sorted(values.keys() & extra)) or 'no names of the motion'}: give "
-            + ", or ".join(" and ".join(names) for names in _ASKED)
-        )
-    if missing := sorted(needed - values.keys()):
-        raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
-    if K3 in numbers and proved_sign(1 - numbers[K3] ** 2) != 1:
-        raise ValuesError(f"k3 = {numbers[K3]} is not the tilt of a precession: give −1 < k3 < 1; E1 and "
-                          "E2 are found with omega")
-    return asked, numbers
 
 
 @lru_cache(maxsize=256)

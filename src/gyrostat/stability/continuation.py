@@ -20,7 +20,7 @@ from ..errors import ScopeError
 from ..mechanics.families import E3, POLES
 from ..mechanics.system import System
 from .bifurcations import AT_RATE, defined, kind_of, precessions_leave
-from .branches import critical_tilt, pole_at, relative_equilibria
+from .branches import branches_at, critical_tilt, pole_at
 from .critical import Critical, critical_of
 from .pieces import INFINITE, Mark, Piece, Span
 from .report import Verdict
@@ -90,7 +90,7 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
 def _span(scene: System, values: Mapping[str, Any], name: str, curve: PlaneCurve, a: Expr,
           b: Expr) -> Span:
     middle = between(a, b)
-    found = relative_equilibria(scene, {**values, name: middle})
+    found = branches_at(scene, {**values, name: middle})
     tilts = tuple(branch.decision.verdict for branch in reversed(found) if branch.label == E3.label)
     if len(tilts) != len(curve.roots(middle)):
         raise ScopeError(f"at {name} = {middle} there are {len(tilts)} tilts, and "
@@ -142,7 +142,8 @@ class _Followed:
         # those that pass the station before without a change, from below
         going: list[Piece] = []
         for span in self.spans:
-            pieces = [Piece(E3.label, x, y, verdict) for (x, y), verdict in zip(self.traced(span), span.tilts)]
+            pieces = [Piece(E3.label, x, y, verdict)
+                      for (x, y), verdict in zip(self.traced(span), span.tilts)]
             passing = self.passing(span, span.low)
             if len(going) == len(passing):
                 for n, piece in zip(passing, going):
@@ -199,7 +200,7 @@ class _Followed:
         """Every tilt at one value."""
         found = []
         for t in self.critical.lines:
-            for branch in relative_equilibria(self.scene, self.at(t)):
+            for branch in branches_at(self.scene, self.at(t)):
                 if branch.label == E3.label and branch.k3 is None:
                     found.append(Piece(E3.label, np.full(2, float(t)), np.array([-1.0, 1.0]),
                                        branch.decision.verdict))
@@ -219,7 +220,7 @@ class _Followed:
             return critical_tilt(self.scene, place.x, self.at(station.t))
         if sides := self.sides(station, place):
             return sides[0]
-        alone = [branch for branch in relative_equilibria(self.scene, self.at(station.t))
+        alone = [branch for branch in branches_at(self.scene, self.at(station.t))
                  if branch.k3 is not None]
         return min(alone, key=lambda branch: abs(float(branch.k3 - place.x))).decision.verdict
 

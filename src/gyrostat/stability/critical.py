@@ -19,8 +19,8 @@ from ..mechanics.families import E3, POLES
 from ..mechanics.reduction import K3, OMEGA, P
 from ..mechanics.system import System
 from ..notation import symbol
+from .asked import exact_point, names_of
 from .bifurcations import bifurcations, insert, precessions_leave, relation_at_rate
-from .branches import exact_point, names_of
 from .report import analyze
 
 # derivative of g; if all up to it vanish on a branch, g vanishes there

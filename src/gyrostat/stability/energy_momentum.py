@@ -23,7 +23,8 @@ from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, Reduction, V, reduce
 from ..mechanics.system import System
 from ..notation import symbol
-from .branches import Branch, relative_equilibria
+from .branch import Branch
+from .branches import branches_at
 from .report import Verdict
 
 # between two cuts; towards an end at which C1 is infinite
@@ -230,7 +231,7 @@ class _Precessions:
             low = b - 1 if a is None and b is not None else S.NegativeOne if a is None else a
             high = a + 1 if b is None and a is not None else S.One if b is None else b
             middle = between(low, high)
-            branches = relative_equilibria(self.scene,
+            branches = branches_at(self.scene,
                                            {**self.given, "C1": self.I1
                                             * Rational(middle.numerator, middle.denominator)})
             (verdict,) = [x.decision.verdict for x in branches if x.k3 == 0]
@@ -248,7 +249,7 @@ class _Precessions:
 
     def _verdict(self, k3: Fraction, omega: float) -> Verdict:
         """Of the precession at a tilt whose rate is that, in doubles; the rates there are simple."""
-        found = relative_equilibria(self.scene, {**self.given, "k3": k3})
+        found = branches_at(self.scene, {**self.given, "k3": k3})
         return min(found, key=lambda branch: abs(float(branch.omega or 0) - omega)).decision.verdict
 
     def ends_at(self, part: _Part, omega: Expr, k3: Expr) -> bool:
@@ -269,7 +270,7 @@ class _Precessions:
         found = []
         assert self.scene.potential is not None
         for side, family in POLES.items():
-            for branch in relative_equilibria(self.scene, {**self.given, "C1": side * self.total}):
+            for branch in branches_at(self.scene, {**self.given, "C1": side * self.total}):
                 if branch.label == family.label:
                     at = (motion.axial + self.scene.potential.expression).xreplace(
                         {K3: S(side), **self.numbers}

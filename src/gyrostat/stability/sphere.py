@@ -11,6 +11,8 @@ from sympy import Expr, S, Symbol
 from ..algebra.exact import evaluate, sign_of_constant
 from ..mechanics.equilibria import Equilibrium
 
+DRIFTS = "the rotation lies on a circle of rotations, and those beside the circle drift along it"
+
 
 @dataclass(frozen=True)
 class Sphere:
@@ -73,10 +75,7 @@ class Sphere:
                 "extremum, or constant",
             )
         if rotor == 0:
-            return (
-                False,
-                "the rotation lies on a circle of rotations, and those beside the circle drift along it",
-            )
+            return False, DRIFTS
         if rotor * (first or second) > 0:
             return True, "to fourth order the energy is an extremum on the momentum sphere"
         return (

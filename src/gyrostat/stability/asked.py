@@ -1,0 +1,99 @@
+"""What is asked of a scene: its names, exact numbers for them, and a rate, a level or a tilt."""
+from collections.abc import Mapping
+from typing import Any
+
+from ..algebra.exact import Point, evaluate, proved_sign
+from ..algebra.numbers import exact_number
+from ..errors import ScopeError, ValuesError
+from ..mechanics.recognition import Recognition, recognise
+from ..mechanics.reduction import ENERGY, K3, OMEGA, P, V, reducible
+from ..mechanics.system import System, at_numbers, names_of_scene
+from ..notation import symbol
+from .values import check_names, unknown
+
+PI3, C1 = symbol("pi3_0"), symbol("C1")
+# of the motion: a rate about the vertical, a level, a tilt, a tilt on a level
+ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
+
+
+def names_of(scene: System) -> set[str]:
+    """Names of the moments, of l and of the parameters of U, of a scene whose relative equilibria can be
+    found.
+    """
+    if not reducible(scene) or not scene.potential or not scene.potential.given:
+        raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene "
+                         "has inertia "
+                         f"{scene.body.inertia}, U = {scene.potential and scene.potential.expression}: use "
+                         "upright, hanging, inclined "
+                         "or equilibrium")
+    needed = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2], scene.potential.expression)
+              for s in e.free_symbols}
+    if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY}):
+        raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: "
+                         "rename it")
+    return {s.name for s in needed - {K3}}
+
+
+def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:
+    """The values as exact numbers.
+
+    No unknown names, and moments that are positive as far as they are given.
+    """
+    for name in values:
+        if name not in known:
+            raise ValuesError(unknown(name, sorted(known), "the scene"))
+    numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
+    if scene.potential is not None:
+        scene.potential.check_size(numbers)
+    for moment in scene.body.inertia[1:]:
+        if moment.free_symbols <= numbers.keys() and proved_sign(value := evaluate(moment, numbers)) != 1:
+            raise ValuesError(f"{moment} = {value}, but a moment of inertia must be positive: give a "
+                              "positive number")
+    return numbers
+
+
+def asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...], Point]:
+    needed, extra = names_of(scene), {name for names in ASKED for name in names}
+    numbers = exact_point(scene, values, needed | extra)
+    asked = next((names for names in ASKED if set(names) == values.keys() & extra), None)
+    if asked is None:
+        raise ValuesError(
+            f"given were {', '.join(sorted(values.keys() & extra)) or 'no names of the motion'}: give "
+            + ", or ".join(" and ".join(names) for names in ASKED)
+        )
+    if missing := sorted(needed - values.keys()):
+        raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
+    if K3 in numbers and proved_sign(1 - numbers[K3] ** 2) != 1:
+        raise ValuesError(f"k3 = {numbers[K3]} is not the tilt of a precession: give −1 < k3 < 1; E1 and "
+                          "E2 are found with omega")
+    return asked, numbers
+
+
+def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, dict[str, Any]] | None:
+    """What a scene is at its numbers, and what is asked of it in the names of the standard scene.
+
+    None if it is not of revolution.
+
+    About axis 1 the names are k1 and pi1_0, about an oblique axis c they are kc = k·c and pic_0 = π·c; omega
+    and C1 are the same in all.
+
+    Raises
+    ------
+    ValuesError
+        a name is unknown, or one of the scene is missing
+    """
+    names = sorted(s.name for s in names_of_scene(scene))
+    numbers = {symbol(name): exact_number(value, name) for name, value in values.items() if name in names}
+    if not (found := recognise(at_numbers(scene, numbers))):
+        return None
+    check_names([s.name for s in numbers], names, "the scene")
+    axis = found.name[-1]
+    own = {f"k{axis}": "k3", f"pi{axis}_0": "pi3_0", "omega": "omega", "C1": "C1"}
+    if foreign := sorted(values.keys() - own.keys() - set(names)):
+        raise ValuesError(unknown(foreign[0], sorted({*names, *own}), "the scene"))
+    ways = {"omega"}, {f"pi{axis}_0", "C1"}, {f"k{axis}"}, {f"k{axis}", f"pi{axis}_0"}
+    if values.keys() - set(names) not in ways:
+        raise ValuesError("give the rate about the vertical, the level or the tilt, each in the axes of "
+                          "the scene: "
+                          + ", or ".join(" and ".join(sorted(way)) for way in ways))
+    return found, {own[name]: value for name, value in values.items() if name not in names}

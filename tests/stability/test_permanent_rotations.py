@@ -1,0 +1,114 @@
+"""Permanent rotations: every equilibrium of a free gyrostat on a momentum sphere, with its decision."""
+from fractions import Fraction
+
+import numpy as np
+import oracle
+import pytest
+from draw import moments, numbers
+from hypothesis import assume, given, settings
+from sympy import Rational
+
+import gyrostat as gs
+from gyrostat.errors import ScopeError, ValuesError
+from gyrostat.stability.permanent_rotations import permanent_rotations
+
+CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1),
+         ((2, 1, "3/2"), ("1/5", "1/10", "1/8"), 1),
+         ((3, 2, 1), (0, "1/4", 1), 2), ((2, 3, 3), ("1/3", 0, 0), "3/2")]
+
+
+def doubles(vector):
+    return np.array([float(x) for x in vector])
+
+
+@pytest.mark.parametrize("inertia, rotor, radius", CASES)
+def test_momentum_and_velocity_are_parallel(inertia, rotor, radius):
+    """M × ω = 0 on abs(M) = R; the extrema less the saddles are two, Euler's number of the sphere."""
+    body = gs.Gyrostat(inertia, rotor)
+    points = permanent_rotations(body, Rational(radius))
+    for point in points:
+        M = doubles(point.momentum)
+        field = oracle.free_field(M - doubles(body.gyrostatic_momentum), doubles(body.inertia),
+                                  doubles(body.gyrostatic_momentum))
+        np.testing.assert_allclose(field, 0, atol=1e-14)               # round-off of the exact numbers
+        assert np.linalg.norm(M) == pytest.approx(float(Rational(radius)), rel=1e-15)
+    if all(point.circle is None for point in points):
+        assert sum(1 if point.decision.verdict is gs.Verdict.STABLE else -1 for point in points) == 2
+
+
+@settings(max_examples=8)
+@given(I1=moments, I2=moments, I3=moments, l=numbers, spin=numbers)
+def test_the_verdict_is_that_of_the_library(I1, I2, I3, l, spin):
+    """On a principal axis that carries l the 2×2 second variation says what Report.verdict says."""
+    M = I3 * spin + l
+    assume(M and len({I1, I2, I3}) == 3)
+    body = gs.Gyrostat((I1, I2, I3), (0, 0, l))
+    (point,) = [p for p in permanent_rotations(body, Rational(abs(M))) if p.momentum == (0, 0, Rational(M))]
+    report = gs.analyze(gs.principal_rotation(gs.assemble(body), 3))
+    assert point.decision.verdict is report.verdict({"omega3_0": spin}).verdict
+
+
+def test_verdict_at_a_general_point_is_that_of_the_spectrum():
+    """With a rotor off every axis an equilibrium is stable where the field, differenced, has imaginary
+    eigenvalues.
+    """
+    body = gs.Gyrostat((2, 1, "3/2"), ("1/5", "1/10", "1/8"))
+    I, l = doubles(body.inertia), doubles(body.gyrostatic_momentum)
+    points = permanent_rotations(body, Rational(1))
+    assert {p.decision.verdict.name for p in points} == {"STABLE", "UNSTABLE"} and len(points) in (4, 6)
+    for point in points:
+        J = oracle.jacobian(lambda x: oracle.free_field(x, I, l), doubles(point.momentum) - l,
+                            1.0).astype(float)
+        # growth rates here exceed 0.1
+        assert (np.linalg.eigvals(J).real.max() > 1e-3) == (point.decision.verdict is gs.Verdict.UNSTABLE)
+
+
+def test_circles_of_equilibria():
+    """I1 = I2: the rotations about transverse axes are a circle, at the height l/(1 − I3/I1), and drift."""
+    (circle,) = [p for p in permanent_rotations(gs.Gyrostat((1, 1, 2), (0, 0, "-1/5")), Rational(1))
+                 if p.circle is not None]
+    assert circle.circle == 2
+    assert circle.momentum[2] == Rational(1, 5)
+    assert circle.decision.verdict is gs.Verdict.UNSTABLE
+    (circle,) = [p for p in permanent_rotations(gs.Gyrostat((3, 2, 2), (0, 0, 0)), Rational(1))
+                 if p.circle is not None]
+    assert circle.circle == 0 and circle.momentum[0] == 0
+
+
+def test_a_degenerate_point_is_decided_to_fourth_order():
+    """Where two saddles meet the pole, f1 = 0, Report.verdict decides."""
+    inertia, l = (1, 2, 3), Fraction(1, 2)                 # f2 = l + (I3 − I2) ω = 0 at ω = −1/2, M = −1
+    south = next(p for p in permanent_rotations(gs.Gyrostat(inertia, (0, 0, l)), Rational(1))
+                 if p.momentum == (0, 0, -1))
+    report = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(inertia, (0, 0, l))), 3))
+    assert south.decision == report.verdict({"omega3_0": Fraction(-1, 2)})
+    assert south.decision.verdict is gs.Verdict.UNSTABLE
+
+
+@pytest.mark.parametrize("inertia, rotor, radius", [CASES[0], CASES[1], ((1, 2, 3), (0, "1/2", 0), 2)])
+def test_the_one_verb_finds_them_and_the_report_agrees(inertia, rotor, radius):
+    """relative_equilibria of a free scene; each decision is that of the report of its point."""
+    scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=rotor))
+    values = dict(zip(("I1", "I2", "I3"), inertia)) | {"M": radius}
+    found = gs.relative_equilibria(scene, values)
+    body = gs.Gyrostat(inertia, rotor)
+    assert found == permanent_rotations(body, Rational(radius))
+    free = gs.assemble(body)
+    for rotation in found:
+        point = [m - l for m, l in zip(rotation.momentum, body.gyrostatic_momentum)]
+        decision = gs.analyze(gs.equilibrium(free, point)).verdict({})
+        assert rotation.decision.verdict is decision.verdict and rotation.decision.notion == decision.notion
+    assert str(found[0]).startswith("permanent rotation at M = (")
+
+
+@pytest.mark.parametrize("scene, values, error, words", [
+    (gs.assemble(gs.Gyrostat((1, 2, 3))), {"l1": 0, "l2": 0, "l3": 0}, ValuesError, "need M: give"),
+    (gs.assemble(gs.Gyrostat((1, 2, gs.symbol("I3")), (0, 0, 0))), {"M": 1}, ValuesError, "need I3: give"),
+    (gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), {"M": 0}, ValuesError, "give a positive number"),
+    (gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), {"M": 1, "omega": 1}, ValuesError, "omega"),
+    (gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("M")))), {"M": 1}, ScopeError, "rename it"),
+    (gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, 0))), {"M": 1}, ScopeError, "every point of the sphere")])
+def test_what_is_refused(scene, values, error, words):
+    """Names that are missing, unknown or taken, a radius that is none, and a body that turns as it likes."""
+    with pytest.raises(error, match=words):
+        gs.relative_equilibria(scene, values)
