@@ -17,7 +17,6 @@ from ..stability.conditions import Condition, Criterion
 from ..stability.drift import Drift
 from ..stability.linearization import square_root
 from ..stability.report import Decision, Report, Verdict
-from ..stability.sphere import sphere_of
 from .order import inequality
 
 
@@ -134,7 +133,7 @@ def boundary_blocks(report: Report) -> list[Block]:
         report.boundary,
         report.equilibrium,
     )
-    if boundary is None and sphere_of(eq):
+    if boundary is None and report.between:
         return [Sentence(between + "the energy on the momentum sphere decides to fourth order, at numbers.")]
     if boundary is None:
         return [Sentence(between + "nothing is claimed.")]

@@ -7,7 +7,7 @@ from ..mechanics.recognition import Recognition
 from ..mechanics.reduction import K3
 from ..mechanics.spherical import lowest
 from ..notation import Shown, Stored
-from .report import Decision
+from .decision import Decision
 
 # the label of a regular precession that is none of E3
 PRECESSION = "precession"

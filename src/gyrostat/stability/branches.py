@@ -19,7 +19,8 @@ from ..mechanics.system import System, assemble
 from ..notation import symbol
 from .asked import C1, PI3, asked_about, asked_for
 from .branch import PRECESSION, Branch, in_axes_of
-from .report import Report, Verdict, analyze
+from .decision import Verdict
+from .report import Report, analyze
 
 DU = symbol("dU")
 _BODY = frozenset(map(symbol, ("I1", "I2", "I3", "l", "l1", "l2", "l3")))
@@ -69,7 +70,7 @@ def critical_tilt(scene: System, k3: Expr, values: Mapping[str, Any]) -> Verdict
     report = _report(here.potential, E3_AT_REST if sign_of_constant(numbers[OMEGA]) == 0 else E3)
     assert report.boundary is not None
     stable, _ = report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {})
-    return Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
+    return Verdict.of(stable)
 
 
 @lru_cache(maxsize=256)

@@ -10,9 +10,8 @@ from sympy import Expr, Mul, Pow, S, Symbol, oo, sqrt
 from ..algebra.margins import Signs
 from ..algebra.polynomials import lowest_terms
 from ..mechanics.relations import affine
-from .boundary import Boundary
+from .decision import Ends
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder
-from .sphere import Sphere
 
 RUNGS = 3                                              # of the ladder of an unspecified U
 Relations = tuple[tuple[Expr, str], ...]
@@ -21,12 +20,9 @@ Relations = tuple[tuple[Expr, str], ...]
 class Closed:
     """Every end belongs to the set: a condition that is not strict."""
 
-    def ladder(self, rungs: int = RUNGS) -> Ladder:
+    def ladder(self, limit: int | None = None) -> Ladder:
         """The first is positive."""
         return INCLUDED
-
-
-Ends = Boundary | Sphere | Closed
 
 
 @dataclass(frozen=True)

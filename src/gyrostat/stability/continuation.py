@@ -22,8 +22,8 @@ from ..mechanics.system import System
 from .bifurcations import AT_RATE, defined, kind_of, precessions_leave
 from .branches import branches_at, critical_tilt, pole_at
 from .critical import Critical, critical_of
+from .decision import Verdict
 from .pieces import INFINITE, Mark, Piece, Span
-from .report import Verdict
 
 # between two stations; of steps in k3 that are longer
 NODES, HALVINGS, LONGEST = 96, 12, 0.05

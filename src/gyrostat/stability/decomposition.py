@@ -12,9 +12,9 @@ from ..algebra.exact import Point, evaluate, is_identically_zero, proved_sign, s
 from ..algebra.polynomials import Ring
 from ..algebra.roots import between, real_roots
 from ..errors import ScopeError
-from .report import Report, Verdict
+from .decision import Verdict
+from .report import Report
 from .sets import EXCLUDED, INCLUDED, Interval
-from .sphere import sphere_of
 
 # an open interval or a point, and whether it is stable there; None: not proved
 Cell = tuple[Expr, Expr, bool | None]
@@ -29,9 +29,8 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
                    *report.equilibrium.existence(), *also]
     placed = [e.xreplace(numbers) for e in expressions]
     everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))
-    decider = report.boundary or sphere_of(report.equilibrium)
-    if everywhere and decider:                         # on the boundary whatever x is
-        placed += [e.xreplace(numbers) for e in decider.ladder()]
+    if everywhere and report.between:                      # on the boundary whatever x is
+        placed += [e.xreplace(numbers) for e in report.between.ladder()]
     elif everywhere and _degenerate(report, numbers):
         raise ScopeError(f"the second variation is degenerate whatever {x} is: ask for verdicts at numbers")
     polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]

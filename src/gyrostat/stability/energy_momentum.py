@@ -25,7 +25,7 @@ from ..mechanics.system import System
 from ..notation import symbol
 from .branch import Branch
 from .branches import branches_at
-from .report import Verdict
+from .decision import Verdict
 
 # between two cuts; towards an end at which C1 is infinite
 NODES, DECADES = 480, 13

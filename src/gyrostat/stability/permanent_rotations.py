@@ -13,7 +13,8 @@ from ..mechanics.families import principal_rotation
 from ..mechanics.system import System, assemble, at_numbers, names_of_scene
 from ..notation import Shown, Stored, symbol
 from .asked import exact_point
-from .report import Decision, Verdict, analyze
+from .decision import Decision, Verdict
+from .report import analyze
 from .sphere import DRIFTS
 
 MU, LENGTH = symbol("mu"), symbol("M")

@@ -8,7 +8,7 @@ import numpy as np
 from sympy import Expr
 
 from ..algebra.floats import Array
-from .report import Verdict
+from .decision import Verdict
 
 INFINITE = "U is infinite"
 

@@ -1,62 +1,27 @@
-"""Verdict, Decision, Report, analyze: the one call a newcomer needs."""
+"""Report and analyze: the one call a newcomer needs."""
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from enum import Enum
 from functools import cached_property
 from typing import Any
 
 from sympy import Expr
 
-from ..algebra.exact import Point, sign
+from ..algebra.exact import Point
 from ..errors import ArgumentError, require
 from ..mechanics.equilibria import Equilibrium, once
 from ..mechanics.standard import Seen, seen, seen_at
 from ..mechanics.system import System
 from ..notation import Shown, Stored, jet, symbol
-from .amended import Amended
 from .boundary import Boundary, boundary_of
 from .conditions import Criterion, formal_criterion, holds, independent, spectral_criterion
+from .decision import Between, Decider, Decision, Verdict
 from .drift import Drift
+from .elementary import Elementary
 from .energy_casimir import SecondVariation, second_variation
 from .linearization import Linearization, linearize
 from .notes import scene_note
 from .sphere import sphere_of
-from .torquefree import torque_free
 from .values import exact_values, names_in
-
-
-class Verdict(Enum):
-    """What is known of an equilibrium; each value says what the answer means."""
-
-    STABLE = "a sufficient condition for stability is proved to hold"
-    UNSTABLE = "a necessary condition for stability is proved to fail"
-    UNDECIDED = "neither a sufficient condition is proved to hold nor a necessary one to fail"
-
-
-@dataclass(frozen=True, repr=False)
-class Decision(Shown, Stored):
-    """A verdict at given numbers, with its reason.
-
-    Parameters
-    ----------
-    verdict : Verdict
-    notion : str
-        the notion that is proved ("Lyapunov") or violated ("spectral"); "" if undecided
-    modulo : tuple of Expr
-        integrals whose flow is divided out; for a spin about the axis, (pi3,)
-    reason : str
-    margins : tuple of (margin, value)
-        exact values of the margins that were used
-    note : str
-        what is unusual about the numbers, if anything
-    """
-
-    verdict: Verdict
-    notion: str
-    modulo: tuple[Expr, ...]
-    reason: str
-    margins: tuple[tuple[Expr, Expr], ...]
-    note: str = ""
 
 
 @dataclass(frozen=True, repr=False)
@@ -118,6 +83,11 @@ class Report(Shown, Stored):
         About another axis than the third: of the equilibrium in the standard scene, Boundary.equilibrium.
         """
         return boundary_of(self.recognised.equilibrium if self.recognised else self.equilibrium)
+
+    @property
+    def between(self) -> Between | None:
+        """What decides between the two criteria: the boundary, of a free body the momentum sphere."""
+        return self.boundary or sphere_of(self.equilibrium)
 
     @cached_property
     def recognised(self) -> Seen | None:
@@ -186,8 +156,7 @@ class Report(Shown, Stored):
             stable, notion, why, modulo = None, "", numbers.doubt, self.sufficient.modulo
         else:
             stable, notion, why, modulo = self._decided(numbers, margins)
-        verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
-        return Decision(verdict, notion, modulo, why, tuple(margins.items()),
+        return Decision(Verdict.of(stable), notion, modulo, why, tuple(margins.items()),
                         scene_note(self.equilibrium.system, numbers))
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
@@ -215,9 +184,8 @@ class Report(Shown, Stored):
         margins: dict[Expr, Expr] = {}
         stable, why = (Drift(known.equilibrium) if known else self.drift).decide(numbers, margins)
         why = known.worded(why) if known else why
-        verdict = Verdict.UNDECIDED if stable is None else Verdict.STABLE if stable else Verdict.UNSTABLE
-        return Decision(verdict, "" if stable is None else "Lyapunov", (), why, tuple(margins.items()),
-                        decision.note)
+        return Decision(Verdict.of(stable), "" if stable is None else "Lyapunov", (), why,
+                        tuple(margins.items()), decision.note)
 
     def _decided(self, numbers: Point, margins: dict[Expr,
                                                      Expr]) -> tuple[bool | None, str, str, tuple[Expr, ...]]:
@@ -237,27 +205,15 @@ class Report(Shown, Stored):
             return stable, notion, known.worded(why), known.modulo
         if None in (sufficient, necessary):
             return None, "", "a margin has no proved sign", modulo
-        between = self.boundary or sphere_of(self.equilibrium)
-        stable, why = between.decide(numbers, margins) if between else self._beyond(numbers)
+        decider: Decider = self.between or self._elementary
+        stable, why = decider.decide(numbers, margins)
         why = self.recognised.worded(why) if self.recognised else why
         return stable, "" if stable is None else "Lyapunov", why, modulo
 
     @cached_property
-    def _determinant(self) -> tuple[Expr, tuple[str, ...]]:
-        """Of the linearised field, 0 where the second variation is degenerate; and the names in it."""
-        determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
-        return determinant, names_in([determinant])
-
-    def _beyond(self, numbers: Point) -> tuple[bool | None, str]:
-        """Whether it is stable between the two criteria, by elementary theorems; and why."""
-        eq, (determinant, names) = self.equilibrium, self._determinant
-        if missing := [name for name in names if symbol(name) not in numbers]:
-            return None, f"the point lies between the two criteria; give {', '.join(missing)} to decide"
-        if eq.system.potential is None or sign(determinant, numbers) != 0:
-            return None, "the point lies between the two criteria"
-        if free := torque_free(eq, numbers):
-            return free.decide(lambda momentum: Report(momentum)._decided(Point({}), {})[::2])
-        return Amended(eq, numbers).decide()
+    def _elementary(self) -> Elementary:
+        return Elementary(self.equilibrium, self.linearization,
+                          lambda momentum: Report(momentum)._decided(Point({}), {})[::2])
 
 
 @once

@@ -9,8 +9,9 @@ from sympy import Expr, S, Symbol, oo, sqrt
 from ..algebra.polynomials import Ring, by_degree
 from ..errors import ScopeError
 from ..notation import symbol
-from .cases import Closed, Context, Ends
+from .cases import Closed, Context
 from .conditions import Condition
+from .decision import Ends
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder, Part
 
 CLOSED = Closed()
@@ -26,7 +27,7 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
     condition : Condition
     name : str
         it enters the margin by degree at most 2, or quadratically by its square
-    boundary : Boundary, Sphere, CLOSED or None
+    boundary : Boundary, MomentumSphere, CLOSED or None
         decides the ends, where the margin vanishes; CLOSED: all belong to it; None: none
     domain : sequence of Expr
         positive, without the name

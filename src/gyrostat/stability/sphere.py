@@ -15,7 +15,7 @@ DRIFTS = "the rotation lies on a circle of rotations, and those beside the circl
 
 
 @dataclass(frozen=True)
-class Sphere:
+class MomentumSphere:
     """The energy of a free body on abs(M) = R near its rotation about a principal axis a that carries l.
 
     With M = (x, y, √(R² − x² − y²)) along the axes b, c, a, h = h₀ + f_b x²/(2 I_b R) + f_c y²/(2 I_c R) + l
@@ -85,11 +85,11 @@ class Sphere:
         )
 
 
-def sphere_of(eq: Equilibrium) -> Sphere | None:
+def sphere_of(eq: Equilibrium) -> MomentumSphere | None:
     """The sphere of a free body that rotates about a principal axis with l along it, None for anything else.
     """
     if eq.system.potential is not None:
         return None
     axes = [n for n, (pi, l) in enumerate(zip(eq.point, eq.system.body.gyrostatic_momentum)) if pi != 0
             or l != 0]
-    return Sphere(eq, axes[0]) if len(axes) == 1 else None
+    return MomentumSphere(eq, axes[0]) if len(axes) == 1 else None

@@ -22,7 +22,6 @@ from .decomposition import cut, joined, joined_apart, stable_at
 from .report import Report, analyze
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
 from .solve import CLOSED, solve_condition
-from .sphere import sphere_of
 from .values import unknown
 
 
@@ -151,7 +150,7 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
     tilted = eq.eliminated == "k3" and "omega" in report.parameters and analyze(inclined(eq.system))
     # always, in terms of k3
     sufficient = tilted.sufficient if tilted and () in tilted.sufficient.alternatives else report.sufficient
-    ends = report.boundary or sphere_of(eq)
+    ends = report.between
     if len(sufficient.alternatives) > 1 or ends and not sufficient.alternatives:
         raise ScopeError(f"{eq.label} has {len(sufficient.alternatives)} alternatives for stability: give "
                          "numbers for the other names")

@@ -1,0 +1,71 @@
+"""A verdict, the decision that gives its notion and reason, and the interface of what decides."""
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
+
+from sympy import Expr, Symbol
+
+from ..notation import Shown, Stored
+
+
+class Verdict(Enum):
+    """What is known of an equilibrium; each value says what the answer means."""
+
+    STABLE = "a sufficient condition for stability is proved to hold"
+    UNSTABLE = "a necessary condition for stability is proved to fail"
+    UNDECIDED = "neither a sufficient condition is proved to hold nor a necessary one to fail"
+
+    @classmethod
+    def of(cls, stable: bool | None) -> "Verdict":
+        """What it is called that something is stable, unstable, or, None, neither proved."""
+        if stable is None:
+            return cls.UNDECIDED
+        return cls.STABLE if stable else cls.UNSTABLE
+
+
+@dataclass(frozen=True, repr=False)
+class Decision(Shown, Stored):
+    """A verdict at given numbers, with its reason.
+
+    Parameters
+    ----------
+    verdict : Verdict
+    notion : str
+        the notion that is proved ("Lyapunov") or violated ("spectral"); "" if undecided
+    modulo : tuple of Expr
+        integrals whose flow is divided out; for a spin about the axis, (pi3,)
+    reason : str
+    margins : tuple of (margin, value)
+        exact values of the margins that were used
+    note : str
+        what is unusual about the numbers, if anything
+    """
+
+    verdict: Verdict
+    notion: str
+    modulo: tuple[Expr, ...]
+    reason: str
+    margins: tuple[tuple[Expr, Expr], ...]
+    note: str = ""
+
+
+class Decider(Protocol):
+    """What decides an equilibrium where its criteria do not: Boundary, MomentumSphere, Drift, Elementary."""
+
+    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
+        """Whether it is stable at exact numbers, None if that is not proved, and why.
+
+        The margins used are entered.
+        """
+
+
+class Ends(Protocol):
+    """What says which ends of a set of values belong to it: Boundary, MomentumSphere."""
+
+    def ladder(self, limit: int | None = None) -> Iterable[Expr]:
+        """Where the margin vanishes: the end belongs to the set where the first that is not 0 is positive."""
+
+
+class Between(Decider, Ends, Protocol):
+    """What decides between the two criteria at numbers, and at the ends of what is solved for."""
