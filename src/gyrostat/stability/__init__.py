@@ -7,7 +7,7 @@ from what (`implication`). Where both are silent the reduced motion decides (`bo
 holds of the point itself. `report` asks them in this order, at numbers that `values` checks and `notes`
 comments, and gives a `decision`. Every relative equilibrium is found by `relative_equilibria`: in U(k3) by
 `branches` as it is `asked`, each a `branch`, of a free body by `permanent_rotations`; `bifurcations`,
-`critical`, `pieces` and `continuation` follow them along a parameter, `energy_momentum` and `spectra` their
-levels and eigenvalues. `solve` (`cases`, `sets`) and `stabilizing` (`decomposition`) turn a verdict into
-values.
+`critical`, `pieces` and `continuation` follow them along a parameter, `energy_momentum` (`precessions`) and
+`spectra` their levels and eigenvalues. `solve` (`cases`, `sets`) and `stabilizing` (`decomposition`, `tilts`)
+turn a verdict into values.
 """

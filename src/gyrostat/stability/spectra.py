@@ -1,30 +1,24 @@
 """Eigenvalues of an equilibrium along a parameter: continuous columns, and where they collide."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from itertools import pairwise, permutations
 from typing import Any
 
 import numpy as np
-from flint import arb, fmpq
 from sympy import Expr, Rational, Symbol
 
-from ..algebra.balls import ball
 from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.floats import Array, in_floats
 from ..algebra.numbers import exact_number
 from ..algebra.polynomials import Ring
-from ..algebra.roots import in_order, real_roots
-from ..algebra.stations import between
-from ..errors import ScopeError, ValuesError, require
+from ..algebra.roots import in_order
+from ..algebra.zeros import changes_of_sign, inner, zeros_inside, zeros_of
+from ..errors import ValuesError, require
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .conditions import spectral_criterion
 from .linearization import linearize
 from .values import check_names, names_in
-
-# of the range, where a zero of a transcendental margin is looked for
-FINEST, BITS = Fraction(1, 2**48), 192
 
 
 @dataclass(frozen=True)
@@ -117,9 +111,9 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     zeros = {zero: source for source, margin in margins.items()
              for zero in changes_of_sign(margin, free, low, high)}
     touched = {zero for c in conditions if c.source in margins for factor in (c.margin, *c.degenerate)
-               for zero in _zeros_inside(eq.insert(factor).xreplace(numbers), free, low, high)}
+               for zero in zeros_inside(eq.insert(factor).xreplace(numbers), free, low, high)}
     cuts = [low, *in_order(list({**zeros, **dict.fromkeys(touched)})), high]
-    stable = [all(sign_of_constant(evaluate(eq.insert(c.margin).xreplace(numbers), {free: _inner(a, b)}))
+    stable = [all(sign_of_constant(evaluate(eq.insert(c.margin).xreplace(numbers), {free: inner(a, b)}))
                   != -1 for c in conditions)
               for a, b in pairwise(cuts)]
     collisions = [_collision(zeros[zero], zero, placed, free, before != after)
@@ -127,11 +121,6 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     parameter_at, roots = _columns(placed, free, np.sort(at), cuts)
     order = slice(None) if at[0] < at[-1] else slice(None, None, -1)
     return Spectrum(parameter_at[order], roots[order], collisions)
-
-
-def _inner(a: Expr, b: Expr) -> Rational:
-    middle = between(a, b)
-    return Rational(middle.numerator, middle.denominator)
 
 
 def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symbol, Expr], free: Symbol,
@@ -162,7 +151,7 @@ def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array,
         if float(a) == float(b):
             continue
         here = np.unique([float(a), *at[(at > float(a)) & (at < float(b))], float(b)])
-        roots = _roots(coefficients, free, here, _inner(a, b))
+        roots = _roots(coefficients, free, here, inner(a, b))
         # the columns go on as those that have their values at the collision
         if rows:
             orders = np.array(list(permutations(range(roots.shape[1]))))
@@ -203,57 +192,3 @@ def _one_pair(coefficients: Sequence[Expr]) -> bool:
     p, q = coefficients
     discriminant = p**2 - 4 * q
     return not Ring([discriminant]).fraction(discriminant)[0]
-
-
-def changes_of_sign(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
-    """Where an expression in one name changes its sign, strictly between two numbers, complete."""
-    cuts = [low, *_zeros_inside(expression, free, low, high), high]
-    signs = [sign_of_constant(evaluate(expression, {free: _inner(a, b)})) for a, b in pairwise(cuts)]
-    return [zero for zero, before, after in zip(cuts[1:], signs, signs[1:]) if before != after]
-
-
-def _zeros_inside(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
-    return zeros_of(expression, free, low, high) if expression.has(free) else []
-
-
-def zeros_of(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
-    """The zeros of an expression in one name.
-
-    Exact where it is rational, else within 2⁻⁴⁸ of the range, by enclosures.
-    """
-    try:
-        return real_roots(expression, free, low, high) or []
-    except ScopeError:
-        start, end = (Fraction(int(x.p), int(x.q)) for x in (low, high))
-        return [Rational(x.numerator, x.denominator)
-                for x in _enclosed(expression, expression.diff(free), free, start, end,
-                                                                       (end - start) * FINEST)]
-
-
-def _enclosed(f: Expr, slope: Expr, free: Symbol, a: Fraction, b: Fraction,
-              finest: Fraction) -> list[Fraction]:
-    """Every zero, by halving.
-
-    None where the enclosure excludes 0, one or none where that of the slope does.
-    """
-    found: list[Fraction] = []
-    waiting = [(a, b)]
-    while waiting:
-        a, b = waiting.pop()
-        here = {free: arb(fmpq(a.numerator, a.denominator)).union(arb(fmpq(b.numerator, b.denominator)))}
-        if not ball(f, BITS, here).contains(0):
-            continue
-        middle = (a + b) / 2
-        if b - a < finest:
-            if not found or abs(found[-1] - middle) > 4 * finest:
-                found.append(middle)
-            continue
-        inner = ball(slope, BITS, here)
-        if inner.is_finite() and not inner.contains(0) and _sign(f, free, a) * _sign(f, free, b) > 0:
-            continue
-        waiting += [(a, middle), (middle, b)]
-    return sorted(found)
-
-
-def _sign(f: Expr, free: Symbol, x: Fraction) -> int:
-    return sign_of_constant(evaluate(f, {free: Rational(x.numerator, x.denominator)})) or 0

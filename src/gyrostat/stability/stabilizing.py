@@ -12,16 +12,17 @@ from sympy import Expr, S, Symbol, oo
 from ..algebra.exact import Point, evaluate, is_identically_zero, sign
 from ..algebra.numbers import exact_number, shown
 from ..algebra.polynomials import Ring
-from ..algebra.roots import between, real_roots
+from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import inclined
 from ..notation import jet, symbol
 from .conditions import Condition
-from .decomposition import cut, joined, joined_apart, stable_at
+from .decomposition import cut, joined, stable_at
 from .report import Report, analyze
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
 from .solve import CLOSED, solve_condition
+from .tilts import along_tilts
 from .values import unknown
 
 
@@ -75,7 +76,7 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
         raise ValuesError(f"{name} is solved for and given: leave out one of the two")
     left = [n for n in report.required if symbol(n) not in numbers and n != name]
     if eq.eliminated == name and left == ["k3"]:
-        return Solution(name, (_along_tilts(report, name, numbers),))
+        return Solution(name, (along_tilts(report, name, numbers),))
     if eq.eliminated and (eq.eliminated == name or symbol(eq.eliminated) in numbers):
         if left:
             needed = ", ".join(n for n in left if n != "k3" or eq.eliminated != name)
@@ -222,38 +223,3 @@ def _plain(expression: Expr, eq: Equilibrium) -> Condition:
     ring = Ring([expression])
     top, bottom = ring.fraction(expression)
     return Condition(ring.expression(top * bottom), True, "existence", (), eq.at)
-
-
-def _along_tilts(report: Report, name: str, numbers: Point) -> Part:
-    """The stable tilts, and the name along each run of them on which it is monotone."""
-    k3 = symbol("k3")
-    value = dict(report.equilibrium.relations)[symbol(name)].xreplace(numbers)
-    turning = value.diff(k3)
-    cells = cut(report, k3, numbers, S.NegativeOne, S.One, [turning] if turning.free_symbols else [])
-    if is_identically_zero(turning):
-        raise ScopeError(f"{name} is the same for every tilt: {value}; ask at that value for all "
-                         "equilibria (relative_equilibria)")
-    if any(stable is None for *_, stable in cells):
-        raise ScopeError(f"at some tilts nothing is proved, and {name} is not solved for along them: give "
-                         "a number for k3")
-    intervals = []
-    for run in joined_apart(cells, [low for low, high, _ in cells if low == high
-                                    and _vanishes(turning, k3, low)]):
-        grows = sign(turning, {k3: between(run.low, run.high)}) == 1 if run.low != run.high else True
-        ends = [(_limit(value, k3, k, side if grows else -side), included, k)
-                for k, included, side in ((run.low, run.low_if, -1), (run.high, run.high_if, 1))]
-        if not grows:
-            ends.reverse()
-        (a, a_if, ka), (b, b_if, kb) = ends
-        intervals.append(Interval(a, b, a_if, b_if, (ka, kb)))
-    return Part("stable", S.One, (Case((), tuple(intervals)),), report.equilibrium.at)
-
-
-def _limit(value: Expr, x: Symbol, end: Expr, side: int) -> Expr:
-    """The value at an end of a run, infinite where it has a pole."""
-    there = evaluate(value, {x: end})
-    return there if there.is_finite else side * oo
-
-
-def _vanishes(expression: Expr, x: Symbol, value: Expr) -> bool:
-    return sign(expression, {x: value}) == 0
