@@ -8,7 +8,7 @@ from gyrostat.printing.article import to_latex
 from gyrostat.printing.results import result_blocks
 from gyrostat.stability.bifurcations import KINDS, bifurcation_points, bifurcations
 from gyrostat.stability.relative_equilibria import relative_equilibria
-from gyrostat.stability.sets import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
+from gyrostat.stability.sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
 from gyrostat.stability.stabilizing import stabilizing_set
 
 BODY = gs.symmetric_gyrostat()
@@ -42,7 +42,8 @@ def test_rumiantsev_solved_reads_as_three_cases():
      "m₀ ≤ l < 2 m₀ (k₃ from 1/2 to 1)")])
 def test_sets_in_words(intervals, shown):
     """Ends, which of them belong, and on what it depends."""
-    assert str(Solution("l", (Part("stable", l, (Case((), intervals),), k3),))) == f"Stable: {shown}."
+    part = SolvedCondition("stable", l, (Case((), intervals),), k3)
+    assert str(Solution("l", (part,))) == f"Stable: {shown}."
 
 
 def test_positive_names_start_at_zero():

@@ -16,7 +16,7 @@ from ..stability.branch import Branch
 from ..stability.drift import Drift
 from ..stability.linearization import rational_root
 from ..stability.permanent_rotations import PermanentRotation
-from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Part, Solution
+from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
 from .blocks import Block, Display, Sentence, Word, drift_displays, existence, ladder, rung_display
 
 # operations under a root, more of which are given a name
@@ -54,7 +54,7 @@ _TITLES = {"exists": "It exists", "stable": "Stable", "sufficient": "Proved stab
            "undecided": "Nothing is proved for"}
 
 
-def _part(part: Part, name: str, title: str) -> list[Block]:
+def _part(part: SolvedCondition, name: str, title: str) -> list[Block]:
     """One line for each case."""
     x = symbol(name)
     blocks: list[Block] = []

@@ -58,7 +58,7 @@ class Case:
 
 
 @dataclass(frozen=True)
-class Part:
+class SolvedCondition:
     """One inequality solved for the name: its cases exclude each other and cover everything.
 
     Parameters
@@ -86,11 +86,11 @@ class Solution(Shown, Stored):
     Parameters
     ----------
     name : str
-    parts : tuple of Part
+    parts : tuple of SolvedCondition
     """
 
     name: str
-    parts: tuple[Part, ...]
+    parts: tuple[SolvedCondition, ...]
 
     def contains(self, values: Mapping[str, Any]) -> bool | None:
         """Whether the set contains a value, at numbers for all names.
@@ -118,7 +118,7 @@ class Solution(Shown, Stored):
         return True if all(answer for meaning, answer in answers if meaning != "undecided") else None
 
 
-def _in_part(part: Part, name: Symbol, numbers: Point) -> bool | None:
+def _in_part(part: SolvedCondition, name: Symbol, numbers: Point) -> bool | None:
     unknown = False
     for case in part.cases:
         compared = [(_sign(e, numbers), relation) for e, relation in case.when]

@@ -12,13 +12,13 @@ from ..notation import symbol
 from .cases import Closed, Context
 from .conditions import Condition
 from .decision import Ends
-from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder, Part
+from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder, SolvedCondition
 
 CLOSED = Closed()
 
 
 def solve_condition(condition: Condition, name: str, boundary: Ends | None = None,
-                    domain: Sequence[Expr] = ()) -> Part:
+                    domain: Sequence[Expr] = ()) -> SolvedCondition:
     """The exact set of one parameter where a strict condition holds, and of its ends those that the boundary
     criterion calls stable.
 
@@ -34,7 +34,7 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
 
     Returns
     -------
-    Part
+    SolvedCondition
         with the cases of the other parameters
 
     Raises
@@ -73,7 +73,7 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
         raise ScopeError(f"{condition.margin} has degree {len(coefficients) - 1} in {name}: give numbers "
                          "for the other names, then its "
                          "roots are those of a polynomial")
-    return Part("stable", condition.margin, tuple(cases), condition.at)
+    return SolvedCondition("stable", condition.margin, tuple(cases), condition.at)
 
 
 def _coefficients(margin: Expr, x: Symbol) -> list[Expr]:

@@ -20,7 +20,7 @@ from ..notation import jet, symbol
 from .conditions import Condition
 from .decomposition import cut, joined, stable_at
 from .report import Report, analyze
-from .sets import EXCLUDED, INCLUDED, Case, Interval, Part, Solution
+from .sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
 from .solve import CLOSED, solve_condition
 from .tilts import along_tilts
 from .values import unknown
@@ -32,7 +32,7 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
 
     Where nothing decides between the necessary and the sufficient condition, as for an asymmetric body in a
     field, the set is given as far as it is proved: parts that are sufficient, parts that are necessary,
-    values that are undecided (Part.meaning).
+    values that are undecided (SolvedCondition.meaning).
 
     Without numbers, or with some: in closed form, with the cases of the other names. With a number for every
     other name: a union of intervals, whose ends are exact numbers. On E3 with the name eliminated
@@ -105,7 +105,7 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
         raise failed from None
 
 
-def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
+def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[SolvedCondition, ...]:
     """Numbers for all other names: the line of this one, cut where a verdict may change."""
     if report.boundary is not None and not report.boundary.last:
         raise ScopeError(f"U is not rational in k3, and {name} is not solved for in closed form: ask for a "
@@ -115,14 +115,15 @@ def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
     return _decided(joined(cells), joined(cells, None), at)
 
 
-def _decided(stable: tuple[Interval, ...], undecided: tuple[Interval, ...], at: Expr) -> tuple[Part, ...]:
+def _decided(stable: tuple[Interval, ...], undecided: tuple[Interval, ...],
+             at: Expr) -> tuple[SolvedCondition, ...]:
     """What is stable, and besides, if there are any, the values for which nothing is proved."""
-    parts = (Part("stable", S.One, (Case((), stable),), at),
-             Part("undecided", S.One, (Case((), undecided),), at))
+    parts = (SolvedCondition("stable", S.One, (Case((), stable),), at),
+             SolvedCondition("undecided", S.One, (Case((), undecided),), at))
     return parts if undecided else parts[:1]
 
 
-def _where_tied(report: Report, name: str, numbers: Point) -> tuple[Part, ...] | None:
+def _where_tied(report: Report, name: str, numbers: Point) -> tuple[SolvedCondition, ...] | None:
     """The values that the relation of a family leaves, the eliminated name being given or solved for.
 
     None where it leaves all.
@@ -143,7 +144,7 @@ def _where_tied(report: Report, name: str, numbers: Point) -> tuple[Part, ...] |
     return _decided(proved, open_, eq.at)
 
 
-def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
+def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[SolvedCondition, ...]:
     """Existence and stability, each solved in closed form."""
     if numbers:
         report = inserted(report, {s.name: number for s, number in numbers.items()})
@@ -157,14 +158,14 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
                          "numbers for the other names")
     x, existence = symbol(name), eq.existence()
     fixed = [e for e in existence if x not in e.free_symbols and e.free_symbols]
-    parts = [Part("exists", e, (Case(((e, ">"),), (Interval(-oo, oo),)),), eq.at) for e in fixed]
+    parts = [SolvedCondition("exists", e, (Case(((e, ">"),), (Interval(-oo, oo),)),), eq.at) for e in fixed]
     parts += [replace(solve_condition(_plain(e, eq), name, None, fixed), meaning="exists")
               for e in existence if x in e.free_symbols]
     if not sufficient.alternatives:
-        parts.append(Part("sufficient", -S.One, (Case((), ()),), eq.at))
+        parts.append(SolvedCondition("sufficient", -S.One, (Case((), ()),), eq.at))
     elif not sufficient.alternatives[0]:
-        parts.append(Part("stable", S.One, (Case((), (Interval(S.Zero if x.is_positive else -oo, oo),)),),
-                          eq.at))
+        everywhere = Interval(S.Zero if x.is_positive else -oo, oo)
+        parts.append(SolvedCondition("stable", S.One, (Case((), (everywhere,)),), eq.at))
     else:
         solved = (solve_condition(c, name, ends, fixed) for c in sufficient.alternatives[0])
         parts += [replace(part, meaning="stable" if ends else "sufficient") for part in solved]
@@ -173,16 +174,16 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[Part, ...]:
     return tuple(part if part.meaning == "exists" else _where_existing(part, x, existence) for part in parts)
 
 
-def _necessary(report: Report, name: str, fixed: Sequence[Expr]) -> Iterator[Part]:
+def _necessary(report: Report, name: str, fixed: Sequence[Expr]) -> Iterator[SolvedCondition]:
     """The necessary conditions as far as they are solved for; one that is not says nothing."""
     if not report.necessary.alternatives:
-        yield Part("necessary", -S.One, (Case((), ()),), report.equilibrium.at)
+        yield SolvedCondition("necessary", -S.One, (Case((), ()),), report.equilibrium.at)
     for condition in (c for a in report.necessary.alternatives[:1] for c in a):
         with contextlib.suppress(ScopeError):
             yield replace(solve_condition(condition, name, CLOSED, fixed), meaning="necessary")
 
 
-def _where_existing(part: Part, x: Symbol, existence: Sequence[Expr]) -> Part:
+def _where_existing(part: SolvedCondition, x: Symbol, existence: Sequence[Expr]) -> SolvedCondition:
     """Without the ends at which the equilibrium does not exist."""
     def outside(end: Expr) -> bool:
         return any(is_identically_zero(e.xreplace({x: end}))

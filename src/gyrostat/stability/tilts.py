@@ -7,10 +7,10 @@ from ..errors import ScopeError
 from ..notation import symbol
 from .decomposition import cut, joined_apart
 from .report import Report
-from .sets import Case, Interval, Part
+from .sets import Case, Interval, SolvedCondition
 
 
-def along_tilts(report: Report, name: str, numbers: Point) -> Part:
+def along_tilts(report: Report, name: str, numbers: Point) -> SolvedCondition:
     """The stable tilts, and the name along each run of them on which it is monotone."""
     k3 = symbol("k3")
     value = dict(report.equilibrium.relations)[symbol(name)].xreplace(numbers)
@@ -32,7 +32,7 @@ def along_tilts(report: Report, name: str, numbers: Point) -> Part:
             ends.reverse()
         (a, a_if, ka), (b, b_if, kb) = ends
         intervals.append(Interval(a, b, a_if, b_if, (ka, kb)))
-    return Part("stable", S.One, (Case((), tuple(intervals)),), report.equilibrium.at)
+    return SolvedCondition("stable", S.One, (Case((), tuple(intervals)),), report.equilibrium.at)
 
 
 def _limit(value: Expr, x: Symbol, end: Expr, side: int) -> Expr:
