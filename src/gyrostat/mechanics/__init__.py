@@ -5,8 +5,8 @@ A `body` and a field (`potential`, named ones in `fields`) are a scene: the Lie-
 integrals (`system`). `equilibria` are checked when they are built; `families` name those of bodies of
 revolution, `relations` tie their names. At each the coadjoint orbit has a tangent space, in it the symplectic
 slice (`orbit`). A body of revolution has one degree of freedom (`reduction`); which scene is one, about which
-axis, is proved (`spherical`, `recognition`, `standard`). `attitude` and `freebody` hold Euler's angles, the Lagrangian and
-the classical formulas.
+axis, is proved (`spherical`, `recognition`, `standard`). `attitude` and `freebody` hold Euler's angles, the
+Lagrangian and the classical formulas.
 """
 from .attitude import (
     angle_rates,

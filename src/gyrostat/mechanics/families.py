@@ -53,9 +53,11 @@ def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
 def _vertical(family: "Family", scene: System, spin: str) -> Equilibrium:
     require(scene, System, "the scene")
     if scene.potential is None:
-        raise ScopeError(f"{family.label} needs a field, the scene has none: use principal_rotation(scene, 3)")
+        raise ScopeError(f"{family.label} needs a field, the scene has none: use principal_rotation(scene, "
+                         "3)")
     if spin not in ("pi3_0", "omega3_0"):
-        raise EquilibriumError(f"spin = {spin!r} is not a parameter of {family.label}: use 'pi3_0' or 'omega3_0'")
+        raise EquilibriumError(f"spin = {spin!r} is not a parameter of {family.label}: use 'pi3_0' or "
+                               "'omega3_0'")
     momentum = symbol(spin) if spin == "pi3_0" else scene.body.inertia[2] * symbol(spin)
     return equilibrium(scene, (0, 0, momentum, 0, 0, family.pole), label=family.label)
 
