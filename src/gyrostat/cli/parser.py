@@ -4,6 +4,7 @@ import math
 import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
+from pathlib import Path
 
 from ..mechanics.families import in_a_field
 from ..version import __version__
@@ -11,73 +12,8 @@ from .carried import carried_out
 from .output import standard_streams, told
 from .watch import signals
 
-_REPORT = """examples:
-  gyrostat report                                            any field U(k3): E1, E2 and E3
-  gyrostat report --potential "m0*k3"                        a heavy gyrostat
-  gyrostat report --potential "m0*k3 + m1/2*(I3 - I1)*k3**2" --equilibrium E1 --format latex --output e1.tex
-  gyrostat report --potential "m0*k3" --equilibrium E1 --set I1=1 --set I3=1.6 --set l=0 --set m0=1 --set omega3_0=1.3
-"""
-_CONDITIONS = """examples:
-  gyrostat conditions                                        any field U(k3): E1, E2 and E3
-  gyrostat conditions --potential "m0*k3" --equilibrium E1 --set I1=1 --set m0=1
-  gyrostat conditions --potential "m0*k3" --equilibrium E1 --solve-for l
-  gyrostat conditions --format latex --fragment              a table for \\input
-"""
-_DECIDE = """examples:
-  gyrostat decide --equilibrium E1 --potential "m0*k3" --set I1=1 --set I3=1.6 --set l=0 --set m0=1 --set omega3_0=1.25
-  gyrostat decide --potential "m0*k3" --set I1=2 --set I3=1 --set l=1 --set m0=1/2 --set omega=1    E1, E2 and every E3
-  gyrostat decide --equilibrium E1 --potential "m0*k3" --set I1=1 --set I3=1.6 --set l=0 --batch spins.jsonl --output verdicts.jsonl
-
-A line of a batch is an object of numbers, {"m0": 1, "omega3_0": 1.25, "l": "1/3"}, each the exact decimal that it is written as;
-"equilibrium" and "potential" in it go before the options. A line of the output is an object with "line" and "equilibria" or "error".
-
-The exit status is 0 whatever the verdict, 2 for bad input, and after a batch with a bad line.
-"""
-_CHART = """examples:
-  gyrostat chart --potential "m0*k3" --equilibrium E1 --x pi3_0=-4:4:400 --y l=-2:2:300 --set I1=1 --set m0=1 --output chart.png
-  gyrostat chart --equilibrium E3 --x k3=-1:1:500 --y d2U=-6:2:500 --set I1=1 --set I3=1/2 --set l=0.3 --set omega=1 --output chart.pdf
-  gyrostat chart --potential "m0*k3" --equilibrium E1 --x pi3_0=-4:4:9000 --y l=-2:2:9000 --axis m0=-1:1:20 --set I1=1 --output chart.zarr
-
-The kind of the file is that of its name: .png, .pdf, .svg, a picture of two axes; .nc, netCDF; .zarr, a store of any size, written block by
-block, which the same command continues after an interruption. Every verdict is proved; the line between them runs
-through zeros of the margins.
-"""
-_VERIFY = """examples:
-  gyrostat verify                              every source: confirmed, misprint (with a counterexample) or unchecked
-  gyrostat verify VV2003 --format latex        its misprints as a table of errata
-  gyrostat verify my_paper.toml --format json  formulas of your own
-
-The exit status is 1 when a status is not the expected one.
-"""
-_MOTION = """examples:
-  gyrostat motion --potential "m0*k3" --set I1=1 --set I3=0.6 --set l=0.4 --set m0=1 --state "0.3,-0.2,1.5,0.6,0,0.8" --until 20 > top.csv
-  gyrostat motion --potential "m0*k3" --set I1=1 --set I3=1/2 --set l=0 --set m0=1 --state "0,0,3,0.8,0,0.6" --until 16 --output top.png
-  gyrostat motion --potential none --set I1=1 --set I2=2 --set I3=5/2 --set l=0 --state "1/50,2,0" --until 60 --output box.gif
-  gyrostat motion --potential "k1*k2 + k3" --set I1=1 --set I2=2 --set I3=3 --set l1=0 --set l2=0.1 --set l3=1/2 \\
-      --state "0.1,0,5,0,0,1" --until 100 --step 0.1 --output general.nc
-  gyrostat motion --potential "k3**4 - k3**2/2" --set I1=2 --set I3=1 --set l=0 --state "cos(1.1),0,1,0.6,0,0.8" --until -5 --precision 30
-
-The body is I1, I1, I3, or with I2, or k1 and k2 in U, or without a field I1, I2, I3; its rotor (0, 0, l), or l1, l2, l3. All numbers are
-exact as written, sqrt(3)/2 too. Without --output the table goes to standard output; what is known of the motion, its route, period,
-precession, error and drift, to standard error.
-"""
-_PLOT = """examples:
-  gyrostat plot momentum-sphere --set I1=1 --set I2=2 --set I3=3 --set l=0.55 --momentum 1 --output sphere.png
-  gyrostat plot nutation --potential "k3" --set I1=1 --set I3=1/2 --set l=0 --state "0,0,3,0.8,0,0.6" --until 16 --output nutation.png
-  gyrostat plot effective-potential --potential "m0*k3" --set I1=1 --set I3=1/2 --set l=0 --set m0=1 --set p_phi=1 --set p_psi=1 \\
-      --energy 1.9 --output well.png
-  gyrostat plot bifurcations --potential "k3**4 - k3**2/2" --set I1=2 --set I3=1 --set l=0.1 --x omega=-2:2 --output bifurcations.pdf
-  gyrostat plot energy-momentum --potential "m0*k3" --set I1=1 --set I3=1/2 --set l=0 --set m0=1 --set p_psi=1 --output diagram.svg
-  gyrostat plot eigenvalues --potential "m0*k3" --equilibrium E1 --set I1=1 --set I3=1.6 --set l=0 --set m0=1 --x omega3_0=2.2:0 \\
-      --output hopf.png
-  gyrostat plot cones --set I1=2 --set I3=1 --transverse 1 --axial 2 --output cones.png
-
-The kind of the file is that of its name: .png, .pdf or .svg. gyrostat plot KIND --help says what a picture needs; charts have a verb of
-their own, gyrostat chart.
-"""
-
-
 LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
+_EXAMPLES = Path(__file__).with_name("examples")       # a text for each verb, below its help
 
 
 def parser() -> argparse.ArgumentParser:
@@ -86,20 +22,19 @@ def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="gyrostat", description=(
         "Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the "
         "inequalities."),
-        epilog=_REPORT, formatter_class=argparse.RawDescriptionHelpFormatter)
+        epilog=_examples("report"), formatter_class=argparse.RawDescriptionHelpFormatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
     report, conditions, decide, chart, motion, plot, verify = (
-        verbs.add_parser(name, help=text, epilog=epilog,
-                         formatter_class=argparse.RawDescriptionHelpFormatter) for name, text, epilog in (
-            ("report", "the whole derivation, and verdicts where numbers are set", _REPORT),
-            ("conditions", "where each equilibrium exists, its conditions, and what decides between them",
-             _CONDITIONS),
-            ("decide", "verdicts at numbers, of one body or of many", _DECIDE),
-            ("chart", "verdicts over a grid of parameters, as a picture or as data", _CHART),
-            ("motion", "the motion from a state on, as a table, data, a picture or an animation", _MOTION),
-            ("plot", "polhodes, nutation, bifurcations, eigenvalues, …, as a picture", _PLOT),
-            ("verify", "check published formulas against what is derived", _VERIFY)))
+        verbs.add_parser(name, help=text, epilog=_examples(name),
+                         formatter_class=argparse.RawDescriptionHelpFormatter) for name, text in (
+            ("report", "the whole derivation, and verdicts where numbers are set"),
+            ("conditions", "where each equilibrium exists, its conditions, and what decides between them"),
+            ("decide", "verdicts at numbers, of one body or of many"),
+            ("chart", "verdicts over a grid of parameters, as a picture or as data"),
+            ("motion", "the motion from a state on, as a table, data, a picture or an animation"),
+            ("plot", "polhodes, nutation, bifurcations, eigenvalues, …, as a picture"),
+            ("verify", "check published formulas against what is derived")))
     for verb, meaning in ((report, "with enough of them a verdict is added"),
                           (conditions, "put in the place of the name"),
                           (decide, "names of the moments, l, U and the motion"),
@@ -118,9 +53,8 @@ def parser() -> argparse.ArgumentParser:
                         help=f"{families}; left out: every relative equilibrium that the numbers "
                         "allow")
     decide.add_argument("--batch", metavar="FILE",
-                        help="an object of numbers in each line, - for standard input; --set gives numbers "
-                             "for "
-                        "all lines")
+                        help="an object of numbers in each line, - for standard input; "
+                        "--set gives numbers for all lines")
     decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start",
                         help="the line of the batch to begin with, to go on "
                         "after an interruption; left out: 1")
@@ -158,6 +92,11 @@ def _families() -> tuple[tuple[str, ...], str]:
     families = in_a_field()
     *others, last = (family.name for family in families)
     return tuple(family.asked_for for family in families), f"{', '.join(others)} or {last}"
+
+
+def _examples(verb: str) -> str:
+    """What stands below the help of a verb, as it is typed."""
+    return (_EXAMPLES / f"{verb}.txt").read_text(encoding="utf-8")
 
 
 def _scene(verb: argparse.ArgumentParser, meaning: str,
@@ -223,8 +162,8 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     eigenvalues.add_argument("--equilibrium", choices=labels,
                              help=f"{families}; left out for a free body")
     eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
-                             help="the parameter, its range, either "
-                             "way, and how many values; left out: 200")
+                             help="the parameter, its range, either way, and how many values; "
+                             "left out: 200")
     _numbers(cones, "I1 and I3")
     cones.add_argument("--transverse", metavar="W", required=True,
                        help="the angular velocity across the axis")
@@ -236,9 +175,8 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
 
 def _timeout(verb: argparse.ArgumentParser, default: float | None) -> None:
     verb.add_argument("--timeout", type=_seconds, default=default, metavar="SECONDS",
-                      help="the verb is ended when it has taken so long, "
-                      "of a batch the line; none: never; left out: "
-                      f"{'none' if default is None else f'{default:g}'}")
+                      help="the verb is ended when it has taken so long, of a batch the line; "
+                      f"none: never; left out: {'none' if default is None else f'{default:g}'}")
 
 
 def _line(text: str) -> int:
@@ -279,13 +217,14 @@ def _values_joined(arguments: Sequence[str]) -> list[str]:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line, of this process where no arguments are given.
 
+    The limit of --timeout needs processes of its own: a verb that is called from Python runs in the calling
+    process, without a limit; the lines of a batch have theirs.
+
     Returns
     -------
     int
         0: done, 1: a published formula is not as expected, 2: bad input, with the reason on stderr; 130:
         Ctrl-C, 143: SIGTERM
-    The limit of --timeout needs processes of its own. A verb that is called from Python runs in the calling process, without a limit;
-    the lines of a batch have theirs.
     """
     own = arguments is None
     with standard_streams() if own else nullcontext(), signals() if own else nullcontext():
