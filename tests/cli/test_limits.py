@@ -108,7 +108,8 @@ def test_an_interrupted_batch_goes_on(capsys, monkeypatch, tmp_path):
             raise KeyboardInterrupt
     monkeypatch.setattr(Kept, "__call__", interrupting)
     assert main([*command, str(out)]) == 130
-    said = f"gyrostat: interrupted; the answers up to line 3 are in {out}.part; the same command with --from 4 goes on\n"
+    said = (f"gyrostat: interrupted; the answers up to line 3 are in {out}.part; "
+            "the same command with --from 4 goes on\n")
     assert capsys.readouterr().err == said and out.read_text() == "old\n"
     monkeypatch.setattr(Kept, "__call__", keep)
     assert main([*command, str(out), "--from", "4"]) == 0

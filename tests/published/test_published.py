@@ -306,7 +306,8 @@ inertia = ["I1", "I1", "I3"]
 potential = "m0*k3"
 equilibrium = "E1"
 """
-FORMULA = '[[formula]]\nkey = "a"\nwhere = "(1)"\nquantity = "p"\nprinted = "{}"\nkind = "identity"\nscene = "top"\n'
+FORMULA = ('[[formula]]\nkey = "a"\nwhere = "(1)"\nquantity = "p"\nprinted = "{}"\n'
+           'kind = "identity"\nscene = "top"\n')
 
 
 def written(tmp_path, text):
@@ -463,8 +464,9 @@ def status(tmp_path, scene, quantity, printed, kind="condition", given=""):
     return finding.status
 
 
-E3 = 'inertia = ["I1", "I1", "I3"]\ngyrostatic_momentum = ["0", "0", "l"]\npotential = "m0*k3"\nequilibrium = "E3"'
-EXP = 'inertia = ["I1", "I1", "I3"]\ngyrostatic_momentum = ["0", "0", "l"]\npotential = "exp(a*k3)"\nequilibrium = "E1"'
+BODY = 'inertia = ["I1", "I1", "I3"]\ngyrostatic_momentum = ["0", "0", "l"]\n'
+E3 = BODY + 'potential = "m0*k3"\nequilibrium = "E3"'
+EXP = BODY + 'potential = "exp(a*k3)"\nequilibrium = "E1"'
 
 
 @pytest.mark.parametrize(("scene", "arguments", "expected"), [

@@ -162,4 +162,5 @@ class Kept:
         if not self.last:
             return "no line was answered"
         where = "written" if self.whole else f"in {self.path}.part"
-        return f"the answers up to line {self.last} are {where}; the same command with --from {self.last + 1} goes on"
+        return (f"the answers up to line {self.last} are {where}; "
+                f"the same command with --from {self.last + 1} goes on")

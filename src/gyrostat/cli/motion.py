@@ -27,7 +27,8 @@ from ..trajectories.columns import columns, dataset, facts, turns_of
 from .options import LONGEST, body_of, numbers_of
 from .output import FILMS, PICTURES, Output, file_of, save_picture
 
-KINDS = "a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; an animation, motion.gif or .mp4"
+KINDS = ("a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; "
+         "an animation, motion.gif or .mp4")
 # times of a table, of a curve and of an animation where none are asked for
 ROWS, POINTS, FRAMES = 201, 2001, 150
 PARTS = 50                                             # of the times, between which the progress is shown
@@ -89,10 +90,9 @@ def times_of(given: argparse.Namespace, count: int) -> Array:
         count = int(floor(abs(end) / step)) + 1
         step = step if end > 0 else -step
     if not 2 <= count <= LONGEST:
-        raise ValuesError(f"--until {given.until} with "
-                          f"{f'--count {count}' if given.step is None else f'--step {given.step}'} is "
-                          f"{count} "
-                          f"times, which makes no table: ask for 2 to {LONGEST}")
+        asked = f"--count {count}" if given.step is None else f"--step {given.step}"
+        raise ValuesError(f"--until {given.until} with {asked} is {count} times, which makes no table: "
+                          f"ask for 2 to {LONGEST}")
     p, q = (step if isinstance(step, Rational)
             else Rational(str(step.evalf(40 + (given.precision or 0))))).as_numer_denom()
     p, q = int(p), int(q)
@@ -157,7 +157,8 @@ def _computed(moving: Motion, times: Array) -> tuple[Array, Array | None, dict[s
     """States, attitudes and the largest drifts, part by part."""
     parts, drift = _followed(moving, times, lambda part: (moving(part), turns_of(moving, part)))
     states, turns = zip(*parts)
-    return np.concatenate(states), None if turns[0] is None else np.concatenate(turns), drift
+    attitudes = None if turns[0] is None else np.concatenate(turns)
+    return np.concatenate(states), attitudes, drift
 
 
 def _data(moving: Motion, times: Array, path: Path) -> dict[str, float]:
@@ -214,7 +215,6 @@ def _components(ax: Any, times: Array, values: Array, names: list[str]) -> None:
 def _film(moving: Motion, times: Array, path: Path) -> dict[str, float]:
     """One picture for each time, made once it is known that they can be written."""
     from matplotlib.figure import Figure
-
 
     def save(path: Path, writer: Any) -> None:
         with telling(None, "animation") as told:

@@ -129,7 +129,8 @@ def watched(verb: str, seconds: float, output: str | None) -> None:
 
 def too_long(seconds: float) -> str:
     """What is said where the time is over."""
-    return f"not within {seconds:g} s: give it more time, --timeout {10 * seconds:g}, or --timeout none; or numbers that are simpler"
+    return (f"not within {seconds:g} s: give it more time, --timeout {10 * seconds:g}, or --timeout none; "
+            "or numbers that are simpler")
 
 
 def _waited(process: int, reading: int, end: float, line: Waiting) -> int | None:

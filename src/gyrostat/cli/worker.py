@@ -147,7 +147,8 @@ class Worker:
         self.end()
         if code == -getattr(signal, "SIGALRM", 0):
             return f"not within {self.given.timeout:g} s"
-        return f"internal error, the process ended with status {code}; there is too little memory, or it is a bug"
+        return (f"internal error, the process ended with status {code}; "
+                "there is too little memory, or it is a bug")
 
     def end(self) -> None:
         """End the process, whatever it does."""

@@ -25,11 +25,16 @@ from .latex import RELATIONS, display, formula, tex
 from .linebreaks import broken, width
 from .references import cited
 
-_BETWEEN = r"""\par\smallskip\noindent Between the two, $I_1^2 \dot{k}_3^2 = c_3 x^3 + c_4 x^4 + \dots$, where $x \geq 0$ is the distance of
-$k_3$ from $\pm 1$, at E3 its deviation, and $\propto$ means up to a positive factor. The first coefficient that is not 0 decides. At E1
-and E2, and of an even power at E3: $-c_n > 0$ is stable, $-c_n < 0$ unstable; of an odd power at E3 both are unstable.\par
-"""
+_BETWEEN = "\n".join((
+    r"\par\smallskip\noindent Between the two, $I_1^2 \dot{k}_3^2 = c_3 x^3 + c_4 x^4 + \dots$, "
+    r"where $x \geq 0$ is the distance of",
+    r"$k_3$ from $\pm 1$, at E3 its deviation, and $\propto$ means up to a positive factor. "
+    r"The first coefficient that is not 0 decides. At E1",
+    r"and E2, and of an even power at E3: $-c_n > 0$ is stable, $-c_n < 0$ unstable; "
+    r"of an odd power at E3 both are unstable.\par",
+    ""))
 LINE, NARROW = 440.0, 315.0                                # points: a line of a document, of a fragment
+_COLUMNS = 0.13, 0.2, 0.56                                 # of a line: equilibrium, what, formula
 
 
 def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (), fragment: bool = False,
@@ -76,16 +81,8 @@ def conditions_table(reports: Iterable[Report], fragment: bool = False, after: S
             rf"{eq.label if n == 0 else ''} & {name} & ${_inline(line)}$ \\"
             for n, (name, line) in enumerate(lines)
         ] + [r"\hline"]
-    column = r">{\raggedright\arraybackslash}p"
-    table = "\n".join(
-        (
-            rf"\begin{{tabular}}{{@{{}}{column}{{0.13\linewidth}}{column}{{0.2\linewidth}}{column}{{0.56\linewidth}}@{{}}}}",
-            r"\hline",
-            *rows,
-            r"\end{tabular}",
-            "",
-        )
-    )
+    columns = "".join(rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" for width in _COLUMNS)
+    table = "\n".join((rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\end{tabular}", ""))
     if "between the two" in table:
         table += _BETWEEN
     table += "".join(_block(block, NARROW) + "\n" for block in after)
@@ -173,8 +170,9 @@ def to_latex(obj: Any) -> str:
 
     Parameters
     ----------
-    obj : Expr, matrix, Condition, Criterion, Linearization, SecondVariation, LiePoisson, System, Equilibrium, Gyrostat,
-        Potential, Decision or Report, or a sequence of Report for one document
+    obj : Expr, matrix or an object of the library
+        a Report, or a sequence of them, becomes one document; LiePoisson, System, Equilibrium, Gyrostat,
+        Potential, Linearization, SecondVariation, Condition, Criterion, Decision, or a result of theirs
 
     Returns
     -------

@@ -123,7 +123,8 @@ def plain(obj: Any) -> str:
             or "()"
         )
     if isinstance(obj, Gyrostat):
-        return f"gyrostat with inertia ({_entered(obj.inertia)}) and gyrostatic momentum ({_entered(obj.gyrostatic_momentum)})"
+        inertia, momentum = _entered(obj.inertia), _entered(obj.gyrostatic_momentum)
+        return f"gyrostat with inertia ({inertia}) and gyrostatic momentum ({momentum})"
     if isinstance(obj, Potential):
         return f"U = {unicode(obj.expression)}"
     if isinstance(obj, Decision):

@@ -47,7 +47,8 @@ def latex(findings: Iterable[Finding], fragment: bool = False) -> str:
         body += [_erratum(f) for f in found]
     table = "\n".join(
         (
-            r"\begingroup\small\setlength{\LTleft}{0pt}\setlength{\LTright}{0pt}\setlength{\emergencystretch}{3em}",
+            r"\begingroup\small\setlength{\LTleft}{0pt}\setlength{\LTright}{0pt}"
+            r"\setlength{\emergencystretch}{3em}",
             r"\begin{longtable}{@{}"
             r">{\raggedright\arraybackslash}p{0.19\textwidth}>{\raggedright\arraybackslash}p{0.42\textwidth}"
             r">{\raggedright\arraybackslash}p{0.31\textwidth}@{}}",
@@ -83,8 +84,9 @@ def _erratum(f: Finding) -> str:
         example += (
             f"{values}: printed {_value(c.printed)}, derived {_value(c.derived)}; {_tex(c.confirmation)}"
         )
+    where = rf"{_tex(f.statement.where)} \newline \textsf{{{_tex(f.statement.key)}}}"
     shown = r" \newline ".join(lines)
-    return rf"{_tex(f.statement.where)} \newline \textsf{{{_tex(f.statement.key)}}} & {shown} & {example} \\[2ex]"
+    return rf"{where} & {shown} & {example} \\[2ex]"
 
 
 def _right(value: Any, at: Any, f: Finding) -> str:
@@ -97,18 +99,15 @@ def _value(value: Any) -> str:
     return f"${formula(value)}$" if isinstance(value, Expr) and value.is_Rational else _tex(number(value))
 
 
-_UNICODE = dict(
-    zip(
-        "−′″²³⁴⁻¹⁰₀₁₂₃≥≤≠×·Σ√±πωΩφψθλνσδτεαμκΦ∇∂§ẑê",
-        (
-            f"${x}$"
-            for x in (
-                r"-|\prime|\prime\prime|^2|^3|^4|^-|^1|^0|_0|_1|_2|_3|\geq|\leq|\neq|\times|\cdot|\Sigma|\surd|\pm|\pi|\omega|\Omega|\varphi|\psi|"
-                r"\theta|\lambda|\nu|\sigma|\delta|\tau|\varepsilon|\alpha|\mu|\kappa|\Phi|\nabla|\partial|\text{\S}|\hat z|\hat e"
-            ).split("|")
-        ),
-    )
-)
+_UNICODE = {
+    "−": r"$-$", "′": r"$\prime$", "″": r"$\prime\prime$", "²": r"$^2$", "³": r"$^3$", "⁴": r"$^4$",
+    "⁻": r"$^-$", "¹": r"$^1$", "⁰": r"$^0$", "₀": r"$_0$", "₁": r"$_1$", "₂": r"$_2$", "₃": r"$_3$",
+    "≥": r"$\geq$", "≤": r"$\leq$", "≠": r"$\neq$", "×": r"$\times$", "·": r"$\cdot$", "Σ": r"$\Sigma$",
+    "√": r"$\surd$", "±": r"$\pm$", "π": r"$\pi$", "ω": r"$\omega$", "Ω": r"$\Omega$", "φ": r"$\varphi$",
+    "ψ": r"$\psi$", "θ": r"$\theta$", "λ": r"$\lambda$", "ν": r"$\nu$", "σ": r"$\sigma$",
+    "δ": r"$\delta$", "τ": r"$\tau$", "ε": r"$\varepsilon$", "α": r"$\alpha$", "μ": r"$\mu$",
+    "κ": r"$\kappa$", "Φ": r"$\Phi$", "∇": r"$\nabla$", "∂": r"$\partial$", "§": r"$\text{\S}$",
+    "ẑ": r"$\hat z$", "ê": r"$\hat e$"}
 _SPECIAL = {"$": r"\$", "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}",
             "_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "^": r"\^{}", "<": "$<$", ">": "$>$", "|": "$|$"}
 
