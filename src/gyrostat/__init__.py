@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 # loaded when something is shown
 Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(shown)
-Shown.plain = lambda shown: import_module("gyrostat.printing.unicode").plain(shown)
+Shown.plain = lambda shown: import_module("gyrostat.printing.text").plain(shown)
 
 _NAMESPACES = ("charts", "mechanics", "plotting", "published", "trajectories")
 _LATER = {"relative_equilibria": "stability.relative_equilibria", "stabilizing_set": "stability.stabilizing",

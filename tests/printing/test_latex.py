@@ -8,7 +8,8 @@ import gyrostat as gs
 from gyrostat.algebra.numbers import parse
 from gyrostat.printing.article import to_latex
 from gyrostat.printing.document import report_blocks
-from gyrostat.printing.unicode import text, unicode
+from gyrostat.printing.text import text
+from gyrostat.printing.unicode import unicode
 
 
 def test_conditions_are_in_the_notation_of_the_source(e1, e2, e3):

@@ -16,7 +16,7 @@ from gyrostat.algebra.numbers import exact_number
 from gyrostat.algebra.roots import between
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.printing.results import result_blocks
-from gyrostat.printing.unicode import text
+from gyrostat.printing.text import text
 from gyrostat.stability.report import Verdict
 from gyrostat.stability.sets import EXCLUDED, INCLUDED, Interval
 from gyrostat.stability.solve import solve_condition

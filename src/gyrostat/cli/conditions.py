@@ -4,7 +4,7 @@ import argparse
 from ..printing.article import conditions_table
 from ..printing.blocks import Block, Heading, boundary_blocks, criterion_blocks, existence
 from ..printing.data import conditions_data, json_text
-from ..printing.unicode import text
+from ..printing.text import text
 from ..stability.report import Report
 from ..stability.stabilizing import inserted
 from .options import known_names, labels_of, numbers_of, of_each, reports_of, scene_of

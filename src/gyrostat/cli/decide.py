@@ -6,7 +6,7 @@ from sympy import Expr
 from ..notation import symbol
 from ..printing.blocks import Block, Display, Heading, Sentence, Word, decision_blocks
 from ..printing.data import double, json_text
-from ..printing.unicode import text
+from ..printing.text import text
 from ..stability.report import Decision
 from .answers import Answer, answers_at, answers_data
 from .batch import run as each

@@ -5,7 +5,7 @@ from ..printing.article import document
 from ..printing.blocks import Block, decision_blocks
 from ..printing.data import decision_data, json_text, report_data, scene_data
 from ..printing.document import report_blocks, scene_blocks
-from ..printing.unicode import text
+from ..printing.text import text
 from ..stability.report import Decision
 from .options import enough, its_own, known_names, labels_of, numbers_of, of_each, reports_of, scene_of
 from .output import Output

@@ -16,7 +16,7 @@ from ..printing.article import article
 from ..printing.blocks import Block, Display, Heading, Sentence
 from ..printing.data import json_text, strings
 from ..printing.results import result_blocks
-from ..printing.unicode import text
+from ..printing.text import text
 from ..stability.report import Report, analyze
 from ..stability.sets import Interval, Solution
 from ..stability.stabilizing import stabilizing_set

@@ -3,6 +3,7 @@ of the sources.
 """
 import re
 from collections.abc import Iterable
+from functools import singledispatch
 from typing import Any
 
 from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Symbol
@@ -97,46 +98,96 @@ def tex(value: Any, at: Any = None) -> str:
     return Printer(at)._print(value)
 
 
+@singledispatch
 def formula(obj: Any) -> str:
     """A single formula for any public object; a report is its two criteria."""
-    if isinstance(obj, (Basic, MatrixBase)):
-        return tex(obj)
-    if isinstance(obj, Condition):
-        return _condition(obj)
-    if isinstance(obj, Criterion):
-        if not obj.alternatives:
-            return r"\text{never}" if obj.notion == "spectral" else r"\text{no information}"
-        rows = [r" \;\land\; ".join(map(_condition, a)) or r"\text{always}" for a in obj.alternatives]
-        shown = rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
-        return shown + _modulo(obj.modulo)
-    if isinstance(obj, Linearization):
-        return tex(entries(obj.equilibrium.insert_field(obj.matrix)), obj.equilibrium.at)
-    if isinstance(obj, SecondVariation):
-        return tex(obj.equilibrium.insert_field(obj.matrix).applyfunc(readable), obj.equilibrium.at)
-    if isinstance(obj, LiePoisson):
-        return tex(obj.tensor)
-    if isinstance(obj, System):
-        vector = VECTOR_FORM[obj.potential is not None].latex
-        rates = ((DOT[str(x)], rate) for x, rate in zip(obj.space.coordinates, obj.vector_field()))
-        return rf"\begin{{gathered}} {vector} \\ {_aligned(rates)} \end{{gathered}}"
-    if isinstance(obj, Equilibrium):
-        return rf"\left({', '.join(tex(x) for x in obj.point)}\right)"
-    if isinstance(obj, Gyrostat):
-        return _aligned(((Word("I", r"\left(I_1, I_2, I_3\right)"), obj.inertia),
-                         (Word("l", r"\left(l_1, l_2, l_3\right)"), obj.gyrostatic_momentum)))
-    if isinstance(obj, Potential):
-        return "U = " + tex(obj.expression)
-    if isinstance(obj, Decision):
-        return rf"\text{{{obj.verdict.name.lower()}{f' ({obj.notion})' if obj.notion else ''}}}" + _modulo(
-            obj.modulo if obj.notion else ()
-        )
-    if isinstance(obj, Report):
-        return _aligned(((Word("necessary", r"\text{necessary: }"), obj.necessary),
-                         (Word("sufficient", r"\text{sufficient: }"), obj.sufficient)))
-    if isinstance(obj, RESULTS):
-        return r"\begin{aligned} & " + r" \\ & ".join(map(_line, result_blocks(obj))) + r" \end{aligned}"
     raise TypeError("to_latex takes expressions, matrices and the library's own objects, not "
                     f"{type(obj).__name__}")
+
+
+formula.register(Basic, tex)
+formula.register(MatrixBase, tex)
+
+
+@formula.register
+def _condition(condition: Condition) -> str:
+    shown = display(comparison(condition))
+    joint, relation = (r" \;\land\; ", r" \neq 0") if condition.strict else (r" \;\lor\; ", " = 0")
+    factors = [tex(readable(factor), condition.at) + relation for factor in condition.degenerate]
+    if condition.strict and factors and trivial(condition):
+        return joint.join(factors)
+    return joint.join([shown, *factors])
+
+
+@formula.register
+def _criterion(criterion: Criterion) -> str:
+    if not criterion.alternatives:
+        return r"\text{never}" if criterion.notion == "spectral" else r"\text{no information}"
+    rows = [r" \;\land\; ".join(map(formula, a)) or r"\text{always}" for a in criterion.alternatives]
+    shown = rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
+    return shown + _modulo(criterion.modulo)
+
+
+@formula.register
+def _linearization(linearization: Linearization) -> str:
+    eq = linearization.equilibrium
+    return tex(entries(eq.insert_field(linearization.matrix)), eq.at)
+
+
+@formula.register
+def _second_variation(variation: SecondVariation) -> str:
+    eq = variation.equilibrium
+    return tex(eq.insert_field(variation.matrix).applyfunc(readable), eq.at)
+
+
+@formula.register
+def _bracket(space: LiePoisson) -> str:
+    return tex(space.tensor)
+
+
+@formula.register
+def _system(scene: System) -> str:
+    vector = VECTOR_FORM[scene.potential is not None].latex
+    rates = ((DOT[str(x)], rate) for x, rate in zip(scene.space.coordinates, scene.vector_field()))
+    return rf"\begin{{gathered}} {vector} \\ {_aligned(rates)} \end{{gathered}}"
+
+
+@formula.register
+def _equilibrium(eq: Equilibrium) -> str:
+    return rf"\left({', '.join(tex(x) for x in eq.point)}\right)"
+
+
+@formula.register
+def _body(body: Gyrostat) -> str:
+    return _aligned(((Word("I", r"\left(I_1, I_2, I_3\right)"), body.inertia),
+                     (Word("l", r"\left(l_1, l_2, l_3\right)"), body.gyrostatic_momentum)))
+
+
+@formula.register
+def _potential(potential: Potential) -> str:
+    return "U = " + tex(potential.expression)
+
+
+@formula.register
+def _decision(decision: Decision) -> str:
+    verdict = decision.verdict.name.lower()
+    if not decision.notion:
+        return rf"\text{{{verdict}}}"
+    return rf"\text{{{verdict} ({decision.notion})}}" + _modulo(decision.modulo)
+
+
+@formula.register
+def _report(report: Report) -> str:
+    return _aligned(((Word("necessary", r"\text{necessary: }"), report.necessary),
+                     (Word("sufficient", r"\text{sufficient: }"), report.sufficient)))
+
+
+def _result(result: Any) -> str:
+    return r"\begin{aligned} & " + r" \\ & ".join(map(_line, result_blocks(result))) + r" \end{aligned}"
+
+
+for _kind in RESULTS:
+    formula.register(_kind, _result)
 
 
 def _line(block: Block) -> str:
@@ -170,22 +221,6 @@ def _aligned(rows: Iterable[tuple[Word, Any]]) -> str:
 def _entered(value: Any) -> str:
     """A number that was given as a decimal with it."""
     return tex(value) + (rf" \; ({decimal})" if (decimal := double(value)) else "")
-
-
-def _condition(condition: Condition) -> str:
-    shown = comparison(condition)
-    found = display(shown)
-    for factor in condition.degenerate:
-        found += (
-            (r" \;\land\; " if condition.strict else r" \;\lor\; ")
-            + tex(readable(factor), condition.at)
-            + (r" \neq 0" if condition.strict else " = 0")
-        )
-    return (
-        found.partition(r" \;\land\; ")[2]
-        if condition.strict and condition.degenerate and trivial(condition)
-        else found
-    )
 
 
 def display(block: Display) -> str:

@@ -8,7 +8,8 @@ from sympy import Expr, MatrixBase
 
 from ..algebra.readable import readable
 from ..mechanics.attitude import reduced
-from ..printing.unicode import plain, unicode
+from ..printing.text import plain
+from ..printing.unicode import unicode
 from ..stability.conditions import Criterion
 from .checks import Finding, source_of
 from .statements import Counterexample

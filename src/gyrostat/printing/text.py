@@ -1,0 +1,173 @@
+"""What print shows of every public object, and whole documents, in Unicode of 100 columns."""
+import re
+from collections.abc import Iterable
+from functools import singledispatch
+from textwrap import wrap
+from typing import Any
+
+from sympy import Expr, MatrixBase
+
+from ..algebra.numbers import double, shown
+from ..algebra.readable import entries, readable
+from ..mechanics.body import Gyrostat
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.liepoisson import LiePoisson
+from ..mechanics.potential import Potential
+from ..mechanics.system import System
+from ..notation import SUBSCRIPTS
+from ..stability.conditions import Condition, Criterion
+from ..stability.energy_casimir import SecondVariation
+from ..stability.linearization import Linearization
+from ..stability.report import Decision, Report
+from .blocks import Block, Display, Heading, Sentence, Word, comparison, trivial
+from .document import point_blocks, report_blocks, scene_blocks
+from .results import RESULTS, result_blocks
+from .unicode import matrix_lines, unicode
+
+
+@singledispatch
+def plain(obj: Any) -> str:
+    """What print shows of a public object.
+
+    A report as its document, a matrix in rows, everything else in a line or two.
+
+    Examples
+    --------
+    >>> from gyrostat import analyze, assemble, axial_potential, symmetric_gyrostat, upright
+    >>> print(analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).sufficient)
+    (π₃⁰ + l)² > 4 I₁ U′(1)
+    """
+    raise TypeError(f"{type(obj).__name__} is not shown as text: give an object of the library")
+
+
+@plain.register
+def _condition(condition: Condition) -> str:
+    shown, at = comparison(condition), condition.at
+    joint, relation = (" and ", "≠") if condition.strict else (" or ", "=")
+    factors = [f"{unicode(readable(e), at)} {relation} 0" for e in condition.degenerate]
+    if condition.strict and factors and trivial(condition):
+        return joint.join(factors)
+    return joint.join([f"{unicode(shown.name, at)} {shown.relation} {unicode(shown.value, at)}", *factors])
+
+
+@plain.register
+def _criterion(criterion: Criterion) -> str:
+    if not criterion.alternatives:
+        return "never" if criterion.notion == "spectral" else "no information"
+    text = " or ".join(" and ".join(map(plain, alternative)) or "always"
+                       for alternative in criterion.alternatives)
+    return text + (f", modulo the flow of {_row(criterion.modulo)}" if criterion.modulo else "")
+
+
+@plain.register
+def _matrix(derived: Linearization | SecondVariation) -> str:
+    eq = derived.equilibrium
+    return "\n".join(matrix_lines(entries(eq.insert_field(derived.matrix)).tolist(), eq.at)) or "()"
+
+
+@plain.register
+def _bracket(space: LiePoisson) -> str:
+    return "\n".join(matrix_lines(space.tensor.tolist()))
+
+
+@plain.register
+def _system(scene: System) -> str:
+    return text(scene_blocks(scene)).rstrip("\n")
+
+
+@plain.register
+def _equilibrium(eq: Equilibrium) -> str:
+    return f"{eq.label}: " + text(point_blocks(eq)).strip()
+
+
+@plain.register
+def _body(body: Gyrostat) -> str:
+    inertia, momentum = _entered(body.inertia), _entered(body.gyrostatic_momentum)
+    return f"gyrostat with inertia ({inertia}) and gyrostatic momentum ({momentum})"
+
+
+@plain.register
+def _potential(potential: Potential) -> str:
+    return f"U = {unicode(potential.expression)}"
+
+
+@plain.register
+def _decision(decision: Decision) -> str:
+    said = decision.verdict.name
+    if decision.notion:
+        said += f", {decision.notion}"
+        if decision.modulo:
+            said += f" modulo the flow of {_row(decision.modulo)}"
+    values = [f"{margin} = {shown(value)}" for margin, value in decision.margins if margin.free_symbols]
+    reason = f"{', '.join(values)}: {decision.reason}" if values else decision.reason
+    note = f" (note: {decision.note})" if decision.note else ""
+    return f"{said}: {reason}{note}"
+
+
+@plain.register
+def _report(report: Report) -> str:
+    return text(report_blocks(report)).rstrip("\n")
+
+
+def _result(result: Any) -> str:
+    return "\n".join(line.strip() for line in text(result_blocks(result)).splitlines())
+
+
+for _kind in RESULTS:
+    plain.register(_kind, _result)
+
+
+def _entered(values: Iterable[Expr]) -> str:
+    """As in a row; a number that was given as a decimal with it."""
+    return ", ".join(shown(x).replace("-", "−") if double(x) else unicode(x) for x in values)
+
+
+def _row(values: Iterable[Expr]) -> str:
+    return ", ".join(map(unicode, values))
+
+
+def text(blocks: Iterable[Block], width: int = 100) -> str:
+    """The document in Unicode, no line longer than the width unless one term of a formula is."""
+    lines: list[str] = []
+    for block in blocks:
+        if isinstance(block, Heading):
+            lines += (
+                ["", block.title, "═" * len(block.title)] if block.level == 1 else ["", f"  {block.title}"]
+            )
+        elif isinstance(block, Sentence):
+            lines += wrap(block.template.format(*(_inline(part, block.at) for part in block.parts)), width,
+                          initial_indent="  ", subsequent_indent="  ", break_long_words=False)
+        else:
+            lines += _displayed(block, width)
+    return "\n".join(lines).strip("\n") + "\n"
+
+
+def _inline(part: Any, at: Any) -> str:
+    return part.text if isinstance(part, Word) else unicode(part, at)
+
+
+def _displayed(block: Display, width: int) -> list[str]:
+    name = "    " + _inline(block.name, block.at)
+    if not isinstance(block.value, MatrixBase):
+        return _broken(f"{name} {block.relation} {_inline(block.value, block.at)}", width)
+    rows = block.value.tolist()
+    lines = matrix_lines(rows, block.at)
+    indent = " " * (len(name) + 3)
+    middle = (len(lines) - 1) // 2
+    lines = [(f"{name} = " if i == middle else indent) + line for i, line in enumerate(lines)]
+    if max(map(len, lines)) <= width:
+        return lines
+    return [line for i, row in enumerate(rows, 1) for j, entry in enumerate(row, 1) if entry
+            for line in _broken(f"{name}{f'{i}{j}'.translate(SUBSCRIPTS)} = {unicode(entry, block.at)}",
+                                width)]
+
+
+def _broken(line: str, width: int) -> list[str]:
+    """A formula that is too long, broken before its signs + and −."""
+    lines = [""]
+    for piece in re.split(r" (?=[+−] )", line):
+        if lines[-1] and len(lines[-1]) + 1 + len(piece) > width:
+            lines.append(" " * 8 + piece)
+        else:
+            lines[-1] += f" {piece}" if lines[-1] else piece
+    return lines

@@ -1,0 +1,44 @@
+"""What print shows of the public objects, and documents in 100 columns."""
+import pytest
+
+import gyrostat as gs
+from gyrostat.printing.document import report_blocks, scene_blocks
+from gyrostat.printing.text import plain, text
+
+
+def test_objects_print_as_a_person_reads_them(scene, e1, e3):
+    """print(…) of the public objects; a report is its document."""
+    assert str(e1.sufficient) == "(π₃⁰ + l)² > 4 I₁ U′(1)"
+    assert str(e3.sufficient).endswith("modulo the flow of π₃")
+    assert str(e3.casimirs_only) == "no information" and str(scene.potential) == "U = U(k₃)"
+    assert str(scene.body) == "gyrostat with inertia (I₁, I₁, I₃) and gyrostatic momentum (0, 0, l)"
+    assert str(e1.equilibrium).startswith("E1: (π₁,")
+    assert "Poisson tensor" in str(scene)
+    assert "Conditions" in repr(e1)
+    decision = e1.verdict({"I1": 1, "I3": 9, "l": 0, "pi3_0": 3, "dU": 1})
+    assert str(decision).startswith("STABLE, Lyapunov: ") and "note: no rigid body" in str(decision)
+    assert "−1/I₁" in str(e1.linearization).splitlines()[2]
+    discriminant = gs.spectral_criterion(e1.linearization).alternatives[0][2]
+    assert str(discriminant).endswith(" = 0") and len(str(scene.space).splitlines()) == 6
+
+
+def test_only_objects_of_the_library_are_shown():
+    """Anything else is refused by its type."""
+    with pytest.raises(TypeError, match="int is not shown as text"):
+        plain(1)
+
+
+@pytest.mark.parametrize("field", [gs.axial_potential(), gs.uniform_field(), gs.newtonian_field(2)])
+def test_reports_fit_100_columns(field):
+    """The whole derivation, for every equilibrium, in lines of at most 100 characters."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), field)
+    blocks = scene_blocks(scene)
+    for make in (gs.upright, gs.hanging, gs.inclined):
+        blocks += report_blocks(gs.analyze(make(scene)))
+    shown = text(blocks)
+    assert max(map(len, shown.splitlines())) <= 100
+    for part in ("Poisson tensor", "Casimirs", "π̇ = M × ω + k × ∇U", "Integral found",
+                 "Characteristic polynomial", "Eigenvalues",
+                 "Necessary (spectral)", "Sufficient (formal, hence Lyapunov)", "Casimirs alone", "E1:",
+                 "E2:", "E3:"):
+        assert part in shown
