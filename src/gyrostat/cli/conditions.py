@@ -2,7 +2,9 @@
 import argparse
 
 from ..printing.article import conditions_table
-from ..printing.blocks import Block, Heading, boundary_blocks, criterion_blocks, existence
+from ..printing.blocks import Block, Heading
+from ..printing.boundary import boundary_blocks
+from ..printing.conditions import criterion_blocks, existence
 from ..printing.data import conditions_data, json_text
 from ..printing.text import text
 from ..stability.report import Report

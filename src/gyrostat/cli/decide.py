@@ -4,8 +4,9 @@ import argparse
 from sympy import Expr
 
 from ..notation import symbol
-from ..printing.blocks import Block, Display, Heading, Sentence, Word, decision_blocks
+from ..printing.blocks import Block, Display, Heading, Sentence, Word, sentence
 from ..printing.data import double, json_text
+from ..printing.decision import decision_blocks
 from ..printing.text import text
 from ..stability.report import Decision
 from .answers import Answer, answers_at, answers_data
@@ -25,7 +26,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
         out(json_text(answers_data(answers)))
     else:
         out(text([block for a in answers for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))]
-                 or [Sentence(_NOWHERE)]))
+                 or [sentence(_NOWHERE)]))
     return 0
 
 
@@ -53,4 +54,4 @@ def _value(number: Expr | None) -> Word:
 
 def _reason(decision: Decision) -> Sentence:
     """The notion and the reason."""
-    return Sentence(f"Reason{f' ({decision.notion})' if decision.notion else ''}: {decision.reason}.")
+    return sentence(f"Reason{f' ({decision.notion})' if decision.notion else ''}: {decision.reason}.")

@@ -2,8 +2,9 @@
 import argparse
 
 from ..printing.article import document
-from ..printing.blocks import Block, decision_blocks
+from ..printing.blocks import Block
 from ..printing.data import decision_data, json_text, report_data, scene_data
+from ..printing.decision import decision_blocks
 from ..printing.document import report_blocks, scene_blocks
 from ..printing.text import text
 from ..stability.report import Decision

@@ -13,7 +13,7 @@ from ..algebra.readable import readable
 from ..errors import EquilibriumError, GyrostatError, ScopeError
 from ..mechanics.families import FAMILIES
 from ..printing.article import article
-from ..printing.blocks import Block, Display, Heading, Sentence
+from ..printing.blocks import Block, Display, Heading, sentence
 from ..printing.data import json_text, strings
 from ..printing.results import result_blocks
 from ..printing.text import text
@@ -52,7 +52,7 @@ def _family(report: Report) -> list[Block]:
     """What the family expresses by the other names."""
     eq = report.equilibrium
     return [block for name, value in eq.relations[-1:]
-            for block in (Sentence("On the family:"), Display(name, readable(value), eq.at))]
+            for block in (sentence("On the family:"), Display(name, readable(value), eq.at))]
 
 
 def _solved(potential: str | None, label: str, spin: str, name: str,

@@ -8,18 +8,10 @@ from typing import Any
 from sympy import MatrixBase
 
 from ..stability.report import Decision, Report
-from .blocks import (
-    Block,
-    Display,
-    Heading,
-    Sentence,
-    Word,
-    decision_blocks,
-    existence,
-    ladder,
-    rung_display,
-    undecided,
-)
+from .blocks import Block, Display, Heading, Sentence, Word
+from .boundary import ladder, rung_display, undecided
+from .conditions import existence
+from .decision import decision_blocks
 from .document import report_blocks, scene_blocks
 from .latex import RELATIONS, display, formula, tex
 from .linebreaks import broken, width
@@ -56,7 +48,8 @@ def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (
 def article(title: str, blocks: Sequence[Block], fragment: bool = False) -> str:
     """Blocks as an article or a fragment, with the works they cite."""
     body = "\n".join(_block(block, NARROW if fragment else LINE) for block in blocks)
-    works = cited([block.template for block in blocks if isinstance(block, Sentence)])
+    works = cited([part for block in blocks if isinstance(block, Sentence)
+                   for part in block.parts if isinstance(part, str)])
     if fragment:
         return "\n".join(["% needs amsmath" + ("; it cites" if works else ""),
                           *(f"% {_words(work)}" for work in works), body, ""])
@@ -114,10 +107,8 @@ def _block(block: Block, limit: float) -> str:
     if isinstance(block, Heading):
         return rf"\{'sub' * (block.level - 1)}section*{{{_words(block.title)}}}"
     if isinstance(block, Sentence):
-        return (
-            _words(block.template).format(*(f"${_inline(tex(part, block.at))}$" for part in block.parts))
-            + r"\par"
-        )
+        return "".join(_words(part) if isinstance(part, str) else f"${_inline(tex(part, block.at))}$"
+                       for part in block.parts) + r"\par"
     lines = _equations(block, limit)
     listed = rf"The entries of ${tex(block.name, block.at)}$ that are not 0:\par" if len(lines) > 1 else ""
     return "\n".join([*filter(None, [listed]),

@@ -13,7 +13,7 @@ from ..mechanics.system import System
 from ..stability.conditions import Condition, Criterion
 from ..stability.drift import Drift
 from ..stability.report import Decision, Report
-from .blocks import ladder, undecided
+from .boundary import ladder, undecided
 
 
 def scene_data(scene: System) -> dict[str, Any]:

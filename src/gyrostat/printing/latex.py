@@ -21,13 +21,15 @@ from ..stability.conditions import Condition, Criterion
 from ..stability.energy_casimir import SecondVariation
 from ..stability.linearization import Linearization
 from ..stability.report import Decision, Report
-from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word, comparison, trivial
+from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word
+from .conditions import comparison, trivial
 from .linebreaks import width
 from .order import ordered_factors, ordered_terms, over
 from .results import RESULTS, result_blocks
 
 FRACTION = 200.0                                           # points: the widest numerator
 RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto"}
+_RELATION = re.compile(r" ([<>=≥≤≠]) ")
 
 
 class Printer(LatexPrinter):
@@ -194,12 +196,16 @@ def _line(block: Block) -> str:
     """A sentence or a display as one line of a formula."""
     if not isinstance(block, Sentence):
         return display(block) if isinstance(block, Display) else rf"\text{{{block.title}}}"
-    parts, line = iter(block.parts), ""
-    # a place for a formula, or a relation
-    for words, mark in zip(*[iter([*re.split(r"(\{\}| [<>=≥≤≠] )", block.template), ""])] * 2):
-        formula = tex(next(parts), block.at) if mark == "{}" else RELATIONS.get(mark.strip(), mark.strip())
-        line += (rf"\text{{{words}}}" if words else "") + (formula if mark == "{}" else f" {formula} "
-                                                           if mark else "")
+    line = ""
+    for part in block.parts:
+        if not isinstance(part, str):
+            line += tex(part, block.at)
+            continue
+        for n, words in enumerate(_RELATION.split(part)):
+            if n % 2:                                      # a relation
+                line += f" {RELATIONS.get(words, words)} "
+            elif words:
+                line += rf"\text{{{words}}}"
     return line
 
 

@@ -15,9 +15,11 @@ from ..stability.boundary import Boundary
 from ..stability.branch import Branch
 from ..stability.drift import Drift
 from ..stability.linearization import rational_root
-from ..stability.permanent_rotations import PermanentRotation
-from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
-from .blocks import Block, Display, Sentence, Word, drift_displays, existence, ladder, rung_display
+from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Part, Solution
+from .blocks import Block, Display, Word, equations, joined, sentence
+from .boundary import ladder, rung_display
+from .conditions import existence
+from .drift import drift_displays
 
 # operations under a root, more of which are given a name
 LONG = 8
@@ -34,18 +36,21 @@ def result_blocks(obj: Any) -> list[Block]:
 def _solution(solution: Solution) -> list[Block]:
     premises = [p for p in solution.parts if p.meaning == "exists"
                 and symbol(solution.name) not in p.margin.free_symbols]
-    blocks: list[Block] = (
-        [Sentence("Where it exists:"), *(existence(p.margin, p.at) for p in premises)] if premises else []
-    )
+    blocks: list[Block] = []
+    if premises:
+        blocks += [sentence("Where it exists:"), *(existence(p.margin, p.at) for p in premises)]
     for meaning, title in _TITLES.items():
         parts = [p for p in solution.parts if p.meaning == meaning and p not in premises]
-        if len(parts) > 1:
-            blocks.append(Sentence(f"{title} where all of these hold:" if meaning != "necessary"
-                                   else f"{title} all of these hold:"))
-        blocks += [block for n, p in enumerate(parts, 1)
-                   for block in _part(p, solution.name, title if len(parts) == 1 else f"({n})")]
+        if len(parts) == 1:
+            blocks += _part(parts[0], solution.name, title)
+            continue
+        if parts:
+            blocks.append(sentence(f"{title} all of these hold:" if meaning == "necessary"
+                                   else f"{title} where all of these hold:"))
+        for n, part in enumerate(parts, 1):
+            blocks += _part(part, solution.name, f"({n})")
     if any(p.meaning == "sufficient" for p in solution.parts):
-        blocks.append(Sentence("Where it is neither proved stable nor proved unstable, nothing is claimed."))
+        blocks.append(sentence("Where it is neither proved stable nor proved unstable, nothing is claimed."))
     return blocks
 
 
@@ -60,13 +65,13 @@ def _part(part: SolvedCondition, name: str, title: str) -> list[Block]:
     blocks: list[Block] = []
     names: dict[Expr, Expr] = {}
     for case in part.cases:
-        when = "for " * bool(case.when) + " and ".join(f"{{}} {_RELATION[relation]} 0"
-                                                       for _, relation in case.when)
-        template, parts = _set(case.intervals, x)
-        shown = [_abbreviated(p, names) for p in (*(readable(e) for e, _ in case.when), *parts)]
-        blocks.append(Sentence(f"{title}{f' {when}' if when else ''}: {template}.", tuple(shown), part.at))
-    return blocks + ([Sentence("There:"), *(Display(name, _tidy(e), part.at) for e, name in names.items())]
-                     if names else [])
+        when = joined(" and ", [(readable(e), f" {_RELATION[relation]} 0") for e, relation in case.when])
+        parts = (f"{title} for ", *when) if when else (title,)
+        shown = [_abbreviated(p, names) for p in (*parts, ": ", *_set(case.intervals, x), ".")]
+        blocks.append(sentence(*shown, at=part.at))
+    if names:
+        blocks += [sentence("There:"), *(Display(name, _tidy(e), part.at) for e, name in names.items())]
+    return blocks
 
 
 def _abbreviated(value: Any, names: dict[Expr, Expr]) -> Any:
@@ -80,71 +85,72 @@ def _abbreviated(value: Any, names: dict[Expr, Expr]) -> Any:
     return value.xreplace(done)
 
 
-def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[str, tuple[Any, ...]]:
-    """A union of intervals in words, and what stands in its places."""
+def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[Any, ...]:
+    """A union of intervals in words and formulas."""
     if not intervals:
-        return "no {}", (x,)
+        return "no ", x
     lowest = S.Zero if x.is_positive else -oo
     ends = [(end, rungs) for i in intervals for end, rungs in ((i.low, i.low_if), (i.high, i.high_if))
             if end not in (lowest, oo)]
     shared = ends[0][1] if ends and all(rungs == ends[0][1] for _, rungs in ends) else None
     if not ends:
-        return "every {}", (x,)
+        return "every ", x
     first, second = intervals[0], intervals[-1]
-    parts: tuple[Any, ...]
-    touching = (
-        len(intervals) == 2
-        and first.high == second.low
-        and shared is not None
-        and not any(i.tilt for i in intervals)
-    )
+    touching = (len(intervals) == 2 and first.high == second.low and shared is not None
+                and not any(i.tilt for i in intervals))
     if touching and shared == INCLUDED:
-        return "every {}", (x,)
+        return "every ", x
     if touching:
-        text, parts = "{} ≠ {}", (x, number(first.high))
+        parts: tuple[Any, ...] = (x, " ≠ ", number(first.high))
     else:
-        pieces = [_interval(i, x, lowest, shared) for i in intervals]
-        text, parts = " or ".join(t for t, _ in pieces), tuple(p for _, ps in pieces for p in ps)
+        parts = joined(" or ", [_interval(i, x, lowest) for i in intervals])
     if shared in (EXCLUDED, INCLUDED):
-        return text, parts
+        return parts
     several = len({end for end, _ in ends}) > 1
-    for end, rungs in [(None, shared)] if shared is not None and several else dict(ends).items():
-        if rungs is not None and rungs != INCLUDED and any(not (-rung).is_nonnegative for rung in rungs):
-            condition, more = _included(rungs)
-            text += f"; {'{} = {}' if end is not None else 'the ends'} too where {condition}"
-            parts += (*((x, number(end)) if end is not None else ()), *more)
-    return text, parts
+    if shared is not None and several:
+        return (*parts, *_too(("the ends",), shared))
+    for end, rungs in dict(ends).items():
+        if rungs is not None:
+            parts += _too((x, " = ", number(end)), rungs)
+    return parts
 
 
-def _interval(i: Interval, x: Expr, lowest: Expr, shared: Ladder | None) -> tuple[str, tuple[Any, ...]]:
-    text: str = "{}"
-    parts: tuple[Any, ...] = (x,)
+def _too(ends: tuple[Any, ...], rungs: Ladder) -> tuple[Any, ...]:
+    """Where ends belong to the set, if there is anything to say."""
+    if rungs == INCLUDED or all((-rung).is_nonnegative for rung in rungs):
+        return ()
+    return ("; ", *ends, " too where ", *_included(rungs))
+
+
+def _interval(i: Interval, x: Expr, lowest: Expr) -> tuple[Any, ...]:
+    parts: tuple[Any, ...]
     if i.low == i.high:
-        text, parts = "{} = {}", (x, number(i.low))
+        parts = (x, " = ", number(i.low))
+    elif i.high == oo and i.low != lowest and not i.tilt:
+        parts = (x, " ≥ " if i.low_if == INCLUDED else " > ", number(i.low))
     else:
+        parts = (x,)
         if i.low != lowest:
-            text, parts = f"{{}} {'≤' if i.low_if == INCLUDED else '<'} " + text, (number(i.low), *parts)
+            parts = (number(i.low), " ≤ " if i.low_if == INCLUDED else " < ", *parts)
         if i.high != oo:
-            text, parts = text + f" {'≤' if i.high_if == INCLUDED else '<'} {{}}", (*parts, number(i.high))
-        elif i.low != lowest and not i.tilt:
-            text, parts = f"{{}} {'≥' if i.low_if == INCLUDED else '>'} {{}}", (x, number(i.low))
+            parts = (*parts, " ≤ " if i.high_if == INCLUDED else " < ", number(i.high))
     if i.tilt:
-        text, parts = text + " ({} from {} to {})", (*parts, symbol("k3"), *map(number, i.tilt))
-    return text, parts
+        low, high = map(number, i.tilt)
+        parts = (*parts, " (", symbol("k3"), " from ", low, " to ", high, ")")
+    return parts
 
 
-def _included(rungs: Ladder) -> tuple[str, tuple[Any, ...]]:
+def _included(rungs: Ladder) -> tuple[Any, ...]:
     """When an end belongs to the set: the first that is not 0 is positive."""
-    clauses: list[str] = []
-    parts: tuple[Any, ...] = ()
+    clauses: list[tuple[Any, ...]] = []
     for n, rung in enumerate(rungs):
         if (-rung).is_nonnegative:                         # it cannot be positive
             continue
-        zeros = " and ".join(["{} = 0"] * n)
-        positive = "" if rung == 1 else "{} > 0"
-        clauses.append(" and ".join(filter(None, (zeros, positive))))
-        parts += (*map(_vanishing, rungs[:n]), *(() if rung == 1 else (readable(rung),)))
-    return ", or ".join(clauses), parts
+        clause: list[tuple[Any, ...]] = [(_vanishing(before), " = 0") for before in rungs[:n]]
+        if rung != 1:
+            clause.append((readable(rung), " > 0"))
+        clauses.append(joined(" and ", clause))
+    return joined(", or ", clauses)
 
 
 def _vanishing(rung: Expr) -> Expr:
@@ -170,10 +176,12 @@ def _tidy(value: Expr) -> Expr:
 def _branch(branch: Branch) -> list[Block]:
     place = [(branch.along, branch.k3), (symbol("omega"), branch.omega), (symbol("sigma"), branch.sigma)]
     given = [(name, number(value)) for name, value in place if value is not None]
-    text = ", ".join("{} = {}" for _ in given)
-    every = "" if branch.k3 is not None else ", every {}" if given else "every {}"
-    parts = (*(part for pair in given for part in pair), *((branch.along,) if every else ()))
-    return [Sentence(f"{branch.label} at {text}{every}: {branch.decision.verdict.name.lower()}", parts)]
+    parts = equations(given)
+    if branch.k3 is None and given:
+        parts = (*parts, ", every ", branch.along)
+    elif branch.k3 is None:
+        parts = ("every ", branch.along)
+    return [sentence(f"{branch.label} at ", *parts, f": {branch.decision.verdict.name.lower()}")]
 
 
 @result_blocks.register
@@ -186,15 +194,14 @@ def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
 
 @result_blocks.register
 def _bifurcation(b: Bifurcation) -> list[Block]:
-    return [Sentence(f"{b.kind} ({KINDS[b.kind]}):"),
+    return [sentence(f"{b.kind} ({KINDS[b.kind]}):"),
             *(Display(readable(e), S.Zero, b.at) for e in b.equations)]
 
 
 @result_blocks.register
 def _point(point: BifurcationPoint) -> list[Block]:
-    places = (symbol(point.name), point.value), (symbol("k3"), point.k3)
-    return [Sentence(f"{point.kind} at {{}} = {{}}, {{}} = {{}}",
-                     tuple(part for name, x in places for part in (name, number(x))))]
+    places = (symbol(point.name), number(point.value)), (symbol("k3"), number(point.k3))
+    return [sentence(f"{point.kind} at ", *equations(places))]
 
 
 @result_blocks.register

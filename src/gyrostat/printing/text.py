@@ -19,7 +19,8 @@ from ..stability.conditions import Condition, Criterion
 from ..stability.energy_casimir import SecondVariation
 from ..stability.linearization import Linearization
 from ..stability.report import Decision, Report
-from .blocks import Block, Display, Heading, Sentence, Word, comparison, trivial
+from .blocks import Block, Display, Heading, Sentence, Word
+from .conditions import comparison, trivial
 from .document import point_blocks, report_blocks, scene_blocks
 from .results import RESULTS, result_blocks
 from .unicode import matrix_lines, unicode
@@ -135,7 +136,7 @@ def text(blocks: Iterable[Block], width: int = 100) -> str:
                 ["", block.title, "═" * len(block.title)] if block.level == 1 else ["", f"  {block.title}"]
             )
         elif isinstance(block, Sentence):
-            lines += wrap(block.template.format(*(_inline(part, block.at) for part in block.parts)), width,
+            lines += wrap("".join(_inline(part, block.at) for part in block.parts), width,
                           initial_indent="  ", subsequent_indent="  ", break_long_words=False)
         else:
             lines += _displayed(block, width)
@@ -143,6 +144,9 @@ def text(blocks: Iterable[Block], width: int = 100) -> str:
 
 
 def _inline(part: Any, at: Any) -> str:
+    """A text as it is, a name, or a formula."""
+    if isinstance(part, str):
+        return part
     return part.text if isinstance(part, Word) else unicode(part, at)
 
 

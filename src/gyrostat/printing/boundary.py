@@ -1,0 +1,108 @@
+"""What decides between the two criteria: the ladder of coefficients of the reduced motion."""
+from itertools import islice
+from typing import Any
+
+from sympy import Expr, Mul
+
+from ..algebra.readable import readable
+from ..mechanics.reduction import ENERGY, K3, P, V, reduce
+from ..notation import SUBSCRIPTS, SUPERSCRIPTS, symbol
+from ..stability.boundary import HIGHEST, Boundary, Rung
+from ..stability.report import Report
+from ..stability.sphere import sphere_of
+from .blocks import Block, Display, Word, modulo_flow, sentence
+
+DISTANCE = symbol("x")
+# rungs shown of a ladder without an end, of one with an end
+FEW, SEVERAL = 3, 6
+_BETWEEN = "where the necessary condition holds and the sufficient one does not, "
+
+
+def boundary_blocks(report: Report) -> list[Block]:
+    """What decides where the necessary condition holds and the sufficient one does not.
+
+    The ladder, if there is one.
+    """
+    if not undecided(report):
+        return []
+    boundary, eq = report.boundary, report.equilibrium
+    if boundary is None and sphere_of(eq):
+        return [sentence(_BETWEEN.capitalize(),
+                         "the energy on the momentum sphere decides to fourth order, at numbers.")]
+    if boundary is None:
+        return [sentence(_BETWEEN.capitalize(), "nothing is claimed.")]
+    between = _BETWEEN.capitalize()
+    if report.recognised:
+        between = f"The scene is {report.recognised.sentence}; with that axis for the third: {_BETWEEN}"
+        eq = boundary.equilibrium
+    levels = {ENERGY: symbol("h"), V: symbol("C1"),
+              P: eq.system.space.coordinates[2] + eq.system.body.gyrostatic_momentum[2]}
+    levels |= {name: value for name, value in eq.relations if not value.free_symbols and name != K3}
+    motion = Word("I₁² k̇₃² = g", r"I_1^2 \dot{k}_3^2 = g")
+    blocks: list[Block] = [
+        sentence(between, "the motion of ", K3, " by itself decides, on the level of the equilibrium: ",
+                 motion, " with"),
+        Display(Word("g", "g"), reduce(eq.system).square().xreplace(levels))]
+    series = Word("g = c₃ x³ + c₄ x⁴ + …", r"g = c_3 x^3 + c_4 x^4 + \dots")
+    place: tuple[Any, ...] = (DISTANCE, " the deviation of ", K3)
+    if boundary.pole:
+        place = (K3, " = ", eq.at * (1 - DISTANCE), ", ", Word("x ≥ 0", r"x \geq 0"))
+    rungs, more = ladder(boundary)
+    if not rungs:
+        return [*blocks, sentence("There ", series, ", with ", *place, "; all coefficients are 0: unstable.")]
+    first = "; the first coefficient that is not 0 decides. Up to positive factors:"
+    return [*blocks, sentence("There ", series, ", with ", *place, first), *map(rung_display, rungs),
+            sentence(*_outcome(boundary, rungs, more, report.sufficient.modulo))]
+
+
+def undecided(report: Report) -> bool:
+    """Whether the two criteria leave anything open."""
+    return () not in report.sufficient.alternatives and report.necessary.alternatives != ()
+
+
+def ladder(boundary: Boundary) -> tuple[list[Rung], bool]:
+    """The rungs to show, without those that vanish with the ones before, and whether more may follow."""
+    rungs: list[Rung] = []
+    for rung in islice(boundary.rungs(), FEW if boundary.last is None else SEVERAL):
+        margin = rung.condition.margin
+        if margin == 0 or any(margin in (r.condition.margin, -r.condition.margin)
+                              and not r.condition.degenerate for r in rungs):
+            continue
+        rungs.append(rung)
+        if margin.is_number and not rung.condition.degenerate:
+            return rungs, False
+    return rungs, True
+
+
+def rung_display(rung: Rung) -> Display:
+    """−c ∝ what has its sign: the margin, with its even factors."""
+    condition, sub = rung.condition, str(rung.power).translate(SUBSCRIPTS)
+    value = Mul(condition.margin, *(factor**2 for factor in condition.degenerate))
+    return Display(Word(f"−c{sub}", f"-c_{{{rung.power}}}"), readable(value), condition.at, "∝")
+
+
+def _outcome(boundary: Boundary, rungs: list[Rung], more: bool, modulo: tuple[Expr, ...]) -> list[Any]:
+    """What each sign means, and what comes after the rungs shown."""
+    parts: list[Any] = []
+    odd, even = any(r.escapes for r in rungs), any(not r.escapes for r in rungs)
+    if boundary.pole:
+        parts.append("Positive: Lyapunov stable (supercritical); negative: unstable (subcritical)")
+    elif odd:
+        parts.append("Of an odd power, not 0: unstable")
+    if even and not boundary.pole:
+        flow = (" ", *modulo_flow(modulo)) if modulo else ()
+        start = "; of" if odd else "of"
+        parts += [f"{start} an even power, positive: Lyapunov stable", *flow, "; negative: unstable"]
+    end = boundary.last or HIGHEST
+    further = more and (boundary.last is None or end > 2 + SEVERAL)
+    parts.append("; 0: the next coefficient." if further or len(rungs) > 1 else ".")
+    if further:
+        potential = boundary.equilibrium.system.potential
+        if potential is not None and potential.given:
+            power = Word(f"x{str(end).translate(SUPERSCRIPTS)}", f"x^{{{end}}}")
+            parts += [" And so on, up to ", power, "."]
+        else:
+            parts.append(" And so on, to any order.")
+    if more and boundary.last:
+        parts += [" If all vanish, every ", K3, " nearby is a motion: unstable."]
+    return parts

@@ -1,0 +1,76 @@
+"""Where an equilibrium exists, abs(k3) < 1, and its criteria, as comparisons."""
+from typing import Any
+
+from sympy import Abs, Expr, Pow, S
+
+from ..algebra.readable import readable
+from ..stability.conditions import Condition, Criterion
+from ..stability.linearization import square_root
+from .blocks import Block, Display, Word, modulo_flow, sentence
+from .order import inequality
+
+
+def existence(domain: Expr, at: Any) -> Display:
+    """Where a family exists: abs(x) < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
+    if isinstance(domain, Pow) and domain.exp == 2:
+        base = readable(domain.base)
+        return Display(-base if base.could_extract_minus_sign() else base, S.Zero, at, "≠")
+    root = readable(square_root(1 - domain))
+    if any(x.exp == S.Half for x in root.atoms(Pow)):
+        return Display(readable(domain), S.Zero, at, ">")
+    return Display(Abs(-root if root.could_extract_minus_sign() else root, evaluate=False), S.One, at, "<")
+
+
+def criterion_blocks(title: str, criterion: Criterion, at: Any) -> list[Block]:
+    """Each alternative as its comparisons."""
+    if criterion.alternatives == () and criterion.notion == "spectral":
+        return [sentence(f"{title}: never.")]
+    if criterion.alternatives == ():
+        return [sentence(f"{title}: no information, the form is not definite.")]
+    modulo = (", ", *modulo_flow(criterion.modulo)) if criterion.modulo else ()
+    if () in criterion.alternatives:
+        return [sentence(title, *modulo, ": always.")]
+    blocks: list[Block] = []
+    for alternative in criterion.alternatives:
+        blocks.append(sentence("or") if blocks else sentence(title, *modulo, ":"))
+        blocks += _alternative(alternative, at)
+    return blocks + _implied(criterion, at)
+
+
+def _alternative(alternative: tuple[Condition, ...], at: Any) -> list[Block]:
+    """Conditions that hold together: comparisons, then where even factors vanish."""
+    telling = [c for c in alternative if not trivial(c)]
+    blocks: list[Block] = [comparison(condition) for condition in telling]
+    for c in alternative:
+        for factor in map(readable, c.degenerate):
+            if c.strict and not telling:
+                blocks.append(Display(factor, S.Zero, at, "≠"))
+            elif c.strict:
+                blocks.append(sentence("and ", factor, " ≠ 0", at=at))
+            else:
+                blocks.append(sentence("(also where ", factor, " = 0)", at=at))
+    return blocks
+
+
+def _implied(criterion: Criterion, at: Any) -> list[Block]:
+    """What is left out because the other conditions imply it, with the identity that shows it."""
+    blocks: list[Block] = []
+    for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
+        name = Word(proof.source, proof.source.replace("²", "^2").replace("−", "-"))
+        identity = readable(proof.square), " + ", readable(proof.factor), " (", readable(proof.by), ")"
+        blocks.append(sentence("Here ", name, " is, up to a positive factor, ", *identity,
+                               ": it adds nothing.", at=at))
+    return blocks
+
+
+def trivial(condition: Condition) -> bool:
+    """Whether it only says that a positive number is one, as beside l ≠ 0."""
+    return bool(condition.margin.is_number and condition.margin.is_positive)
+
+
+def comparison(condition: Condition) -> Display:
+    """The condition as left > right; a negative product alone as product < 0."""
+    left, right = inequality(condition)
+    if left == 0:
+        return Display(right, left, condition.at, "<" if condition.strict else "≤")
+    return Display(left, right, condition.at, ">" if condition.strict else "≥")

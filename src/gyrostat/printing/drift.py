@@ -1,0 +1,41 @@
+"""Why a tilted equilibrium is stable modulo a flow, and not as a point."""
+from ..algebra.readable import readable
+from ..notation import symbol
+from ..stability.drift import Drift
+from ..stability.report import Report
+from .blocks import Block, Display, Word, sentence
+
+_SIGMA = Word("σ", r"\sigma")
+
+
+def drift_blocks(report: Report) -> list[Block]:
+    """Why a tilted equilibrium is not Lyapunov stable as a point."""
+    if report.boundary is None or report.boundary.pole:
+        return []
+    drift, blocks = report.drift, list[Block]()
+    if report.recognised:
+        blocks.append(sentence(f"The scene is {report.recognised.sentence}; with that axis for the third:"))
+    *rates, defect = drift_displays(drift)
+    spin = Word("ω k + σ e₃", r"\omega k + \sigma e_3")
+    blocks += [sentence("The point itself is not Lyapunov stable: near it are relative equilibria ", spin,
+                        " that turn about the axis of the body and leave it, at a rate ", _SIGMA,
+                        " with" if drift.omega else " that is free."),
+               *rates,
+               sentence("Where ", symbol("p"), " and ", symbol("D"), " are not 0, the linearised flow grows "
+                        "besides, by a Jordan block of the eigenvalue 0:"),
+               defect]
+    if drift.omega:
+        exception = Word("I₁ = I₃, l = 0, ω ≠ 0", r"I_1 = I_3,\ l = 0,\ \omega \neq 0")
+        blocks.append(sentence("The only exception: ", exception, " and a constant ", Word("U", "U"), "."))
+    return blocks
+
+
+def drift_displays(drift: Drift) -> list[Block]:
+    """The rates of the relative equilibria nearby, unless any goes, and D."""
+    at = drift.equilibrium.at
+    names = (Word("∂σ/∂k₃", r"\partial\sigma/\partial k_3"),
+             Word("∂σ/∂ω", r"\partial\sigma/\partial \omega"))
+    blocks: list[Block] = []
+    if drift.omega:
+        blocks += [Display(name, readable(rate), at) for name, rate in zip(names, drift.rates)]
+    return [*blocks, Display(symbol("D"), readable(drift.defect), at)]
