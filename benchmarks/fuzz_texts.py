@@ -181,7 +181,8 @@ def routes(folder):
     from gyrostat.mechanics.potential import axial_potential
     from gyrostat.notation import symbol
     from gyrostat.published import load
-    from gyrostat.published.language import comparisons, read
+    from gyrostat.published.comparisons import comparisons
+    from gyrostat.published.language import read
     from gyrostat.published.statements import _with_let
 
     names = {n: symbol(n) for n in ("I1", "I2", "l", "m0", "k3", "x", "omega")}

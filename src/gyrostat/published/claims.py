@@ -4,8 +4,8 @@ from itertools import islice
 from ..errors import PublishedError, brief
 from ..notation import symbol
 from ..stability.conditions import Criterion
+from .comparisons import comparisons
 from .criteria import K3, Claim, agree, criterion, free_symbols
-from .language import comparisons
 from .sampling import K
 from .search import suspects
 from .statements import Doubt, Outcome, Reading

@@ -13,8 +13,9 @@ from sympy import Expr, MatrixBase, Symbol
 from ..errors import PublishedError
 from ..notation import symbol
 from . import independent_names
+from .comparisons import comparisons
 from .criteria import Claim
-from .language import comparisons, part_of, read
+from .language import part_of, read
 from .names import names
 from .sampling import points
 from .scenes import Scene
@@ -135,6 +136,18 @@ class Doubt:
     sides: tuple[Any, ...] = ()
     place: Any = None
     moving: Mapping[Symbol, Expr] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What a claim says at a point, what is true there, why, and whether the claim fails there or only leaves
+    the point out.
+    """
+
+    printed: Any
+    derived: Any
+    why: str
+    refutes: bool
 
 
 class Reading:
