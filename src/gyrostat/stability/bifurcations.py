@@ -161,7 +161,9 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
 
 def positive(scene: System, numbers: Point, free: Symbol, value: Expr) -> bool:
     """Whether every moment of inertia is positive at a value of a free name."""
-    moments = [m for m in scene.body.inertia[1:] if free in m.free_symbols] + [free] * bool(free.is_positive)
+    moments = [m for m in scene.body.inertia[1:] if free in m.free_symbols]
+    if free.is_positive:
+        moments.append(free)
     return all(proved_sign(evaluate(m, {**numbers, free: value})) == 1 for m in moments)
 
 
@@ -211,8 +213,9 @@ def kind_of(place: Place, kinds: str) -> str:
         return tilt_leaves(POLES[int(place.x)]) if many else ""
     if few == many == 1:                                   # one branch passes
         return ""
-    meeting = "isolated" if not many else "fold" if not few else "pitchfork" if few == 1 else "crossing"
-    return f"{meeting} {kinds}"
+    if many == 0:
+        return f"isolated {kinds}"
+    return f"{_MEETINGS.get(few, 'crossing')} {kinds}"
 
 
 def defined(curve: PlaneCurve, t: Expr, x: Expr) -> bool:

@@ -15,7 +15,8 @@ from ..notation import Shown, Stored, symbol
 from .values import is_positive
 
 Ladder = tuple[Expr, ...]
-_COMPARED = {">": (1).__eq__, "<": (-1).__eq__, "=": (0).__eq__, "!=": (0).__ne__}
+# the signs that a value has which compares so with 0
+_SIGNS = {">": (1,), "<": (-1,), "=": (0,), "!=": (1, -1)}
 EXCLUDED: Ladder = ()
 INCLUDED: Ladder = (S.One,)
 
@@ -124,9 +125,11 @@ def _in_part(part: SolvedCondition, name: Symbol, numbers: Point) -> bool | None
         compared = [(_sign(e, numbers), relation) for e, relation in case.when]
         if any(s is None for s, _ in compared):
             unknown = True
-        elif all(_COMPARED[relation](s) for s, relation in compared):
+        elif all(sign in _SIGNS[relation] for sign, relation in compared):
             answers = [_inside(interval, numbers[name], numbers) for interval in case.intervals]
-            return True if True in answers else None if None in answers else False
+            if True in answers:
+                return True
+            return None if None in answers else False
     return None if unknown else False
 
 

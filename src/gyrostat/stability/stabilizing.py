@@ -80,15 +80,14 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     if eq.eliminated and (eq.eliminated == name or symbol(eq.eliminated) in numbers):
         if left:
             needed = ", ".join(n for n in left if n != "k3" or eq.eliminated != name)
-            leave = (
-                f", or leave out {eq.eliminated}"
-                if eq.eliminated != name
-                else "; k3 may stay open" * ("k3" in left)
-            )
+            leave = ""
+            if eq.eliminated != name:
+                leave = f", or leave out {eq.eliminated}"
+            elif "k3" in left:
+                leave = "; k3 may stay open"
             raise ScopeError(f"{eq.label} ties {eq.eliminated} to the other names: {name} is not solved "
-                             f"for while {', '.join(left)} are "
-                             f"open; give {'a number' if ',' not in needed else 'numbers'} for "
-                             f"{needed}{leave}")
+                             f"for while {', '.join(left)} are open; give "
+                             f"{'a number' if ',' not in needed else 'numbers'} for {needed}{leave}")
         if (parts := _where_tied(report, name, numbers)) is not None:
             return Solution(name, parts)
     try:
