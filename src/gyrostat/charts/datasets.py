@@ -143,7 +143,10 @@ def variable_attributes(name: str, chart: Chart) -> dict[str, Any]:
 def coordinate_attributes(name: str, eq: Equilibrium) -> dict[str, str]:
     """Meaning, units and LaTeX of a parameter."""
     entry, derivative = NOTATION.get(name), jet(name)
-    meaning = entry.meaning if entry else f"derivative {name} of U" if derivative else f"parameter {name}"
+    if entry:
+        meaning = entry.meaning
+    else:
+        meaning = f"derivative {name} of U" if derivative else f"parameter {name}"
     unit = (
         {"units": units(*((1, 2, 0) if derivative or not entry else (*entry.dimension, entry.length)))}
         if derivative or entry

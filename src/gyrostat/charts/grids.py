@@ -90,12 +90,9 @@ class Grid:
         """The points at these rows and columns of a block, in a row."""
         def gathered(array: Array) -> Array:
             here = last(cut(array, block))
-            found = (
-                here[rows if here.shape[0] > 1 else 0, columns if here.shape[1] > 1 else 0]
-                if here.size > 1
-                else here
-            )
-            return found.reshape(1, -1)
+            if here.size > 1:                              # an axis along which it is constant has one place
+                here = here[rows if here.shape[0] > 1 else 0, columns if here.shape[1] > 1 else 0]
+            return here.reshape(1, -1)
 
         count = len(rows)
         return Grid((count,), (1, count), *({s: gathered(a) for s, a in arrays.items()}

@@ -44,14 +44,11 @@ class Kernel:
     def __call__(self, block: Block, out: Array, bound: float = 0.0) -> None:
         """Write a block of results."""
         operands = [self.tiles.small(i, block) for i in self.tiles.operands]
-        kinds = "".join("s" if a.size == 1 else "c" if a.shape[0] == 1 else "r" if a.shape[1] == 1 else "f"
-                        for a in operands)
+        kinds = "".join(map(_kind, operands))
         if kinds not in self.functions:
             self.functions[kinds] = _function(self._source(kinds))
         function = self.functions[kinds]
-        given = [a[0, 0] if kind == "s"
-                 else np.ascontiguousarray(a[0] if kind == "c" else a[:, 0] if kind == "r" else a)
-                 for a, kind in zip(operands, kinds)]
+        given = [_given(a, kind) for a, kind in zip(operands, kinds)]
         into = out if out.flags.c_contiguous else np.empty(out.shape, dtype=out.dtype)
         known, begin = len(function.overloads), time.perf_counter()
         function(*given, bound, into)
@@ -114,3 +111,21 @@ def _folder() -> Path:
         folder = Path(tempfile.mkdtemp(prefix="gyrostat-"))
         atexit.register(shutil.rmtree, folder, ignore_errors=True)
         return folder
+
+
+def _kind(operand: Array) -> str:
+    """How an operand varies over a block: a scalar, with the column, with the row, or with both."""
+    if operand.size == 1:
+        return "s"
+    if operand.shape[0] == 1:
+        return "c"
+    return "r" if operand.shape[1] == 1 else "f"
+
+
+def _given(operand: Array, kind: str) -> Any:
+    """An operand as a kernel of its kind takes it."""
+    if kind == "s":
+        return operand[0, 0]
+    if kind == "c":
+        return np.ascontiguousarray(operand[0])
+    return np.ascontiguousarray(operand[:, 0] if kind == "r" else operand)
