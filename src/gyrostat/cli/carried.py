@@ -4,7 +4,7 @@ import os
 from importlib import import_module
 
 from ..errors import GyrostatError, ValuesError
-from .output import Output, silenced, told
+from .output import Output, internal, silenced, told
 from .watch import watched
 
 # in the environment: an internal error comes with its traceback
@@ -38,9 +38,7 @@ def carried_out(given: argparse.Namespace, limited: bool) -> int:
     except Exception as error:
         if os.environ.get(DEBUG):
             raise
-        text = " ".join(str(error).split())[:300]
-        told(f"internal error, {type(error).__name__}{': ' * bool(text)}{text}; it is a bug, please report "
-             "it with what you typed "
+        told(f"{internal(error, 300)}; it is a bug, please report it with what you typed "
              f"({DEBUG}=1 shows where it is)")
     return 2
 

@@ -89,6 +89,13 @@ def printed(text: str) -> None:
     print(text, end="", flush=True)
 
 
+def internal(error: BaseException, most: int) -> str:
+    """An error that is a bug, by its name and so many characters of what it says."""
+    text = " ".join(str(error).split())[:most]
+    name = f"internal error, {type(error).__name__}"
+    return f"{name}: {text}" if text else name
+
+
 def told(text: str) -> None:
     """A line on standard error, if there is one that can be written, without what a terminal would obey."""
     text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in " ".join(text.split()))

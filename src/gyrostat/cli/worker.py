@@ -17,6 +17,7 @@ from ..errors import GyrostatError, ValuesError
 from .answers import answers_at, answers_data
 from .lines import question
 from .options import numbers_of, scene_of
+from .output import internal
 from .watch import held_back, left_alone, limited
 
 # an object of JSON, and the reason where the line is not answered
@@ -29,8 +30,7 @@ def reason(error: BaseException) -> str:
         return str(error)
     if isinstance(error, MemoryError):
         return "there is not enough memory for it"
-    text = " ".join(str(error).split())[:200]
-    return f"internal error, {type(error).__name__}{': ' * bool(text)}{text}; it is a bug, please report it"
+    return f"{internal(error, 200)}; it is a bug, please report it"
 
 
 def serve(connection: Connection, given: argparse.Namespace) -> None:

@@ -105,7 +105,7 @@ def preamble(title: str, packages: Iterable[str] = ()) -> str:
 
 def _block(block: Block, limit: float) -> str:
     if isinstance(block, Heading):
-        return rf"\{'sub' * (block.level - 1)}section*{{{_words(block.title)}}}"
+        return rf"\{'section' if block.level == 1 else 'subsection'}*{{{_words(block.title)}}}"
     if isinstance(block, Sentence):
         return "".join(_words(part) if isinstance(part, str) else f"${_inline(tex(part, block.at))}$"
                        for part in block.parts) + r"\par"

@@ -129,7 +129,9 @@ class Claim:
         if not necessary:
             return "unstable"
         sign = self._on_boundary() if not sufficient and () in necessary else None
-        return "undecided" if sign is None else stable if sign > 0 else "unstable"
+        if sign is None:
+            return "undecided"
+        return stable if sign > 0 else "unstable"
 
     def _on_boundary(self) -> int | None:
         """The sign of the first coefficient that is not 0, where it is the same on the whole domain.
@@ -143,7 +145,9 @@ class Claim:
             signs = Signs.over([value], self.domain())
             margin, even = signs.margin(value)
             if margin:
-                return None if even else -1 if rung.escapes and signs.nonzero(margin) else signs.of(margin)
+                if even:
+                    return None
+                return -1 if rung.escapes and signs.nonzero(margin) else signs.of(margin)
         return -1 if self.report.boundary.last else None
 
 

@@ -68,11 +68,10 @@ def _erratum(f: Finding) -> str:
     at, lines = place(f), [rf"about {_about(f, place(f))}"]
     for entry, printed, right in rows(f):
         label, whole = f"{entry}: " if entry else "", printed == f.statement.printed
-        lines += (
-            [rf"{'' if whole else label}\textbf{{printed}} ${_latex(printed, at)}$"]
-            if not whole or len(lines) == 1
-            else []
-        )
+        if not whole:
+            lines.append(rf"{label}\textbf{{printed}} ${_latex(printed, at)}$")
+        elif len(lines) == 1:
+            lines.append(rf"\textbf{{printed}} ${_latex(printed, at)}$")
         lines.append(rf"{label}\textbf{{right}} {_right(right, at, f)}")
     if f.statement.note:
         lines.append(rf"\emph{{{_tex(f.statement.note)}}}")

@@ -174,7 +174,9 @@ class Model:
         # with a little more energy, or less momentum, k3 moves away
         if power == 0:
             return -1
-        return 0 if slope == 0 else -1 if slope > 0 or not pole and power % 2 else 1
+        if slope == 0:
+            return 0
+        return -1 if slope > 0 or not pole and power % 2 else 1
 
     def _on_sphere(self) -> int:
         axis = int(str(self.label)[-1])

@@ -99,11 +99,10 @@ def _details(f: Finding, width: int) -> list[str]:
         for entry, printed, right in rows(f):
             where = f"{entry}: " if entry else ""
             whole = printed == f.statement.printed
-            pairs += (
-                [("printed", ("" if whole else where) + as_text(printed))]
-                if not whole or len(pairs) == 1
-                else []
-            )
+            if not whole:
+                pairs.append(("printed", where + as_text(printed)))
+            elif len(pairs) == 1:
+                pairs.append(("printed", as_text(printed)))
             pairs.append(("right", where + _one_line(right, place(f))))
         pairs += [("differ by", difference)] if (difference := _differences(f)) else []
         if c := f.outcome.counterexample or f.outcome.not_sharp:
