@@ -24,7 +24,7 @@ from ..stability.report import Decision, Report
 from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word
 from .conditions import comparison, trivial
 from .linebreaks import width
-from .order import ordered_factors, ordered_terms, over
+from .order import ordered_factors, ordered_terms, over, signed
 from .results import RESULTS, result_blocks
 
 FRACTION = 200.0                                           # points: the widest numerator
@@ -46,12 +46,7 @@ class Printer(LatexPrinter):
         return typeset(expr.name, self.at)
 
     def _print_Add(self, expr: Add, order: Any = None) -> str:
-        pieces: list[str] = []
-        for term in ordered_terms(expr):
-            part = self._print(term)
-            pieces.append(part if not pieces else f" - {part[1:].lstrip()}" if part.startswith("-")
-                          else f" + {part}")
-        return "".join(pieces)
+        return signed([self._print(term) for term in ordered_terms(expr)], "-")
 
     def _print_Mul(self, expr: Mul) -> str:
         if expr.could_extract_minus_sign():

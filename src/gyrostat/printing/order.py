@@ -35,6 +35,17 @@ def ordered_terms(expression: Add) -> list[Expr]:
     return [first, *(t for t in terms if t is not first)]
 
 
+def signed(terms: list[str], minus: str) -> str:
+    """The sum of terms that are written, those with a minus subtracted."""
+    text = terms[0]
+    for term in terms[1:]:
+        if term.startswith(minus):
+            text += f" {minus} {term.removeprefix(minus).lstrip()}"
+        else:
+            text += f" + {term}"
+    return text
+
+
 def ordered_factors(product: Expr) -> list[Expr]:
     """The factors of a product as they are written.
 
@@ -69,4 +80,6 @@ def over(product: Expr) -> tuple[Expr, Expr]:
 def _product(factors: list[Expr]) -> Expr:
     """The product without distributing a number over a sum."""
     factors = [f for f in factors if f != 1]
-    return factors[0] if len(factors) == 1 else Mul(*factors, evaluate=False) if factors else S.One
+    if not factors:
+        return S.One
+    return factors[0] if len(factors) == 1 else Mul(*factors, evaluate=False)

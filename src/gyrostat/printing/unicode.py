@@ -6,7 +6,7 @@ from sympy import Add, Expr, Mul, Pow, Symbol
 from sympy.printing.str import StrPrinter
 
 from ..notation import SUPERSCRIPTS, jet_name, typeset
-from .order import ordered_factors, ordered_terms, over
+from .order import ordered_factors, ordered_terms, over, signed
 
 
 class _Unicode(StrPrinter):
@@ -43,11 +43,7 @@ class _Unicode(StrPrinter):
         return f"({self._print(factor)})" if factor.is_Add else self._print(factor)
 
     def _print_Add(self, expr: Add, order: Any = None) -> str:
-        pieces: list[str] = []
-        for term in ordered_terms(expr):
-            text = self._print(term)
-            pieces.append(text if not pieces else f" − {text[1:]}" if text.startswith("−") else f" + {text}")
-        return "".join(pieces)
+        return signed([self._print(term) for term in ordered_terms(expr)], "−")
 
     def _print_Abs(self, expr: Expr) -> str:
         return f"|{self._print(expr.args[0])}|"
