@@ -1,4 +1,4 @@
-"""Certified verdicts on boxes of parameters.
+"""Certified verdicts on boxes of parameters, by interval analysis.
 
 Each claim is proved for every point of a closed box where the equilibrium exists.
 """

@@ -1,6 +1,6 @@
-"""Enclosures of expressions on many boxes at once.
+"""Interval arithmetic on arrays: enclosures of expressions on many boxes at once.
 
-Interval arithmetic on arrays, rounded outward after every operation.
+It is rounded outward after every operation.
 """
 import math
 from collections.abc import Mapping

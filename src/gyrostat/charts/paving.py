@@ -1,4 +1,4 @@
-"""A region covered by boxes, each with what is proved of it: bisection, shares of the kinds, look-up."""
+"""Paving of a region by interval analysis: boxes by bisection, each with what is proved of it."""
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction

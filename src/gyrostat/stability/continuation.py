@@ -1,4 +1,4 @@
-"""E1, E2 and E3 followed along a parameter at a fixed rotor and rate.
+"""Continuation of E1, E2 and E3 along a parameter at a fixed rotor and rate.
 
 Pieces of one verdict, and marks where something happens.
 """

@@ -1,6 +1,6 @@
-"""The line of one parameter at numbers for all others, cut wherever a verdict may change.
+"""One-dimensional cylindrical algebraic decomposition: a parameter's line, cut where a verdict may change.
 
-Proved between the cuts and at them.
+All other parameters are numbers; the verdict is proved between the cuts and at them.
 """
 from collections.abc import Sequence
 from dataclasses import replace

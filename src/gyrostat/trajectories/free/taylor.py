@@ -1,4 +1,4 @@
-"""A turn of M in any free gyrostat: Taylor series in whole numbers, polynomials looked up mod the period."""
+"""A turn of M in any free gyrostat by Taylor's method, in whole numbers, looked up mod the period."""
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

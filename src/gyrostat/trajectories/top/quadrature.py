@@ -1,6 +1,6 @@
-"""Integrals of smooth functions, periodic and even, or with limits at infinity.
+"""Integrals of smooth functions by the trapezoidal rule, which converges spectrally.
 
-A linear part and a series that converges spectrally.
+Of even periodic functions, or of those with limits at infinity: a linear part and a series.
 """
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
