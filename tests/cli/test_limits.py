@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 import gyrostat
-from gyrostat.cli import report, worker
+from gyrostat.cli import batch_worker, report
 from gyrostat.cli.parser import main
 
 TOPS = ["--equilibrium", "E1", "--potential", "m0*k3", "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0",
@@ -40,10 +40,10 @@ def batch(monkeypatch, capsys, lines, *arguments):
 @pytest.fixture
 def answering(monkeypatch):
     """Lines with pi3_0 = 7 do what is asked for, all others are answered as ever."""
-    answers_at = worker.answers_at
+    answers_at = batch_worker.answers_at
 
     def patch(act):
-        monkeypatch.setattr(worker, "answers_at", lambda potential, label, numbers: act()
+        monkeypatch.setattr(batch_worker, "answers_at", lambda potential, label, numbers: act()
                             if numbers.get("pi3_0") == 7 else answers_at(
             potential, label, numbers))
     return patch
@@ -98,7 +98,7 @@ def test_an_interrupted_batch_goes_on(capsys, monkeypatch, tmp_path):
     out, command = tmp_path / "out.jsonl", ["decide", *TOPS, "--batch", str(given), "--output"]
     assert main([*command, str(tmp_path / "whole.jsonl")]) == 0
     out.write_text("old\n")
-    from gyrostat.cli.lines import Kept
+    from gyrostat.cli.batch_lines import Kept
     keep, kept = Kept.__call__, []
 
     def interrupting(self, n, text):

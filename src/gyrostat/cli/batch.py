@@ -5,10 +5,10 @@ from typing import BinaryIO
 
 from ..charts.progress import Progress
 from ..errors import ValuesError
-from .lines import Kept, Numbered, numbered, opened, size_of
+from .batch_lines import Kept, Numbered, numbered, opened, size_of
+from .batch_worker import Answer, Worker
 from .output import Output, on_terminal, told
 from .watch import interrupted
-from .worker import Answer, Worker
 
 
 def run(given: argparse.Namespace, out: Output) -> int:

@@ -11,7 +11,7 @@ from ..stability.report import Report
 from ..stability.stabilizing import inserted
 from .options import known_names, labels_of, numbers_of, of_each, reports_of, scene_of
 from .output import Output
-from .solving import run as solve
+from .solve_for import run as solve
 
 
 def run(given: argparse.Namespace, out: Output) -> int:

@@ -15,7 +15,7 @@ from typing import Any
 
 from ..errors import GyrostatError, ValuesError
 from .answers import answers_at, answers_data
-from .lines import question
+from .batch_lines import question
 from .options import numbers_of, scene_of
 from .output import internal
 from .watch import held_back, left_alone, limited
