@@ -9,7 +9,6 @@ from ..mechanics.reduction import ENERGY, K3, P, V, reduce
 from ..notation import SUBSCRIPTS, SUPERSCRIPTS, symbol
 from ..stability.boundary import HIGHEST, Boundary, Rung
 from ..stability.report import Report
-from ..stability.sphere import sphere_of
 from .blocks import Block, Display, Word, modulo_flow, sentence
 
 DISTANCE = symbol("x")
@@ -26,7 +25,7 @@ def boundary_blocks(report: Report) -> list[Block]:
     if not undecided(report):
         return []
     boundary, eq = report.boundary, report.equilibrium
-    if boundary is None and sphere_of(eq):
+    if boundary is None and report.between:
         return [sentence(_BETWEEN.capitalize(),
                          "the energy on the momentum sphere decides to fourth order, at numbers.")]
     if boundary is None:

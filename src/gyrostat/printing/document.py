@@ -84,9 +84,8 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
     coordinates = eq.system.space.coordinates
     point, roots = _named_roots(eq, ImmutableMatrix([eq.point]))
     place: tuple[Any, ...] = ("(", *listed(coordinates), ") = (", *listed(point), ")")
-    if eq.label in _ABOUT or eq.label.startswith("rotation about axis"):
-        source = "Hughes 1986, chapter 6" if eq.system.potential is None else "Vera & Viguera 2003, §3"
-        place = (*place, f" ({source})")
+    if eq.label in FAMILIES:
+        place = (*place, f" ({FAMILIES[eq.label].source})")
     if roots:
         place = (*place, ", where ", *equations(roots))
     blocks: list[Block] = [sentence(*place, at=eq.at)]

@@ -15,8 +15,9 @@ from ..stability.boundary import Boundary
 from ..stability.branch import Branch
 from ..stability.drift import Drift
 from ..stability.linearization import rational_root
-from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Part, Solution
-from .blocks import Block, Display, Word, equations, joined, sentence
+from ..stability.permanent_rotations import PermanentRotation
+from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
+from .blocks import Block, Display, Word, equations, joined, listed, sentence
 from .boundary import ladder, rung_display
 from .conditions import existence
 from .drift import drift_displays
@@ -186,10 +187,10 @@ def _branch(branch: Branch) -> list[Block]:
 
 @result_blocks.register
 def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
-    parts = (Word("M", "M"), *map(number, rotation.momentum))
     circle = "" if rotation.circle is None else f", and on the circle about axis {rotation.circle + 1}"
     verdict = rotation.decision.verdict.name.lower()
-    return [Sentence(f"permanent rotation at {{}} = ({{}}, {{}}, {{}}){circle}: {verdict}", parts)]
+    return [sentence("permanent rotation at ", Word("M", "M"), " = (", *listed(map(number, rotation.momentum)),
+                     f"){circle}: {verdict}")]
 
 
 @result_blocks.register

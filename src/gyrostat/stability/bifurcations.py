@@ -215,7 +215,9 @@ def kind_of(place: Place, kinds: str) -> str:
         return ""
     if many == 0:
         return f"isolated {kinds}"
-    return f"{_MEETINGS.get(few, 'crossing')} {kinds}"
+    if few == 0:
+        return f"fold {kinds}"
+    return f"pitchfork {kinds}" if few == 1 else f"crossing {kinds}"
 
 
 def defined(curve: PlaneCurve, t: Expr, x: Expr) -> bool:
