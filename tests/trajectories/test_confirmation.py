@@ -15,8 +15,9 @@ from sympy import ImmutableMatrix, Rational
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.stability.report import Verdict
-from gyrostat.trajectories import confirmation
-from gyrostat.trajectories.confirmation import _Distance, confirm, moved
+from gyrostat.stability.values import exact_values
+from gyrostat.trajectories import confirmation, models
+from gyrostat.trajectories.confirmation import _Distance, _rates, confirm, moved
 from gyrostat.trajectories.integrated import motion as integration
 
 TOP = {"I1": 1, "I3": 1, "l": 0, "m0": 1}
@@ -170,6 +171,56 @@ def test_sizes_that_do_not_tell(top):
     assert near.decision.verdict is Verdict.UNSTABLE and near.agrees is None and abs(near.slope - 0.5) < 0.05
 
 
+@pytest.fixture(scope="module")
+def steep():
+    """A regular precession on its boundary in a steep U, unstable to second order, and its numbers."""
+    k3 = gs.symbol("k3")
+    U = (k3**2 + k3**3 / 2 - Rational(4963252761, 1600000) * (k3 + Rational(4, 5)) ** 2 - 19 * k3**4 / 8
+         + 19 * k3 / 8)
+    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U))))
+    return report, {"I1": "5/4", "I3": "15/8", "omega": "1/8", "k3": "-4/5"}
+
+
+def test_a_nilpotent_linearisation_has_no_rates(steep):
+    """All eigenvalues are 0, where those of the matrix in doubles are 10⁻⁶, and e-folding would take 10⁶."""
+    report, values = steep
+    numbers = exact_values(report.equilibrium, values, report.required, report.parameters)
+    assert _rates(report, numbers) == (0, 0)
+
+
+@pytest.mark.slow
+def test_a_steep_boundary_is_confirmed(steep):
+    """The smallest perturbation, whose quadrature is too hard, is integrated for a time that fits it."""
+    pytest.importorskip("heyoka")
+    report, values = steep
+    found = confirm(report, values)
+    assert found.decision.verdict is Verdict.UNSTABLE and found.agrees
+    assert len(found.sizes) > 5 and abs(found.slope) < 1e-6
+
+
+@pytest.mark.parametrize("method", ["DOP853", "heyoka"])
+def test_too_slow_an_escape_is_not_waited_for(asymmetric_report, monkeypatch, method):
+    """The growth is 3·10⁻⁵ of a turn: neither agreed nor denied, and the time it takes is named."""
+    pytest.importorskip(method if method == "heyoka" else "scipy")
+    monkeypatch.setattr(integration, "find_spec", lambda name: method == "heyoka" or None)
+    found = confirm(asymmetric_report(Fraction(19466783, 6250000)), {}, LARGE)
+    assert found.decision.verdict is Verdict.UNSTABLE
+    assert found.agrees is None and found.sizes == ()
+    assert "until t = 4.12e+05 it takes about" in found.why and f"steps of {method}, more than" in found.why
+
+
+@pytest.mark.slow
+def test_an_escape_without_growth_is_not_denied(quartic, monkeypatch):
+    """ẍ = c x³ leaves after a time like 1/ε: integrated for less, a motion says nothing against it."""
+    pytest.importorskip("heyoka")
+    monkeypatch.setattr(models, "reducible", lambda scene: False)
+    monkeypatch.setattr(models, "of_revolution", lambda scene, point: None)
+    values = {"a": -1, "b": -1, "c": 0, "I1": 1, "I3": 2, "omega": 1, "k3": 0}
+    found = confirm(quartic["inclined"], values, [Fraction(1, 10**d) for d in (6, 7, 8)])
+    assert found.decision.verdict is Verdict.UNSTABLE and found.routes == ("heyoka",)
+    assert found.slope > 0.9 and found.agrees is None and "no linear growth" in found.why
+
+
 @pytest.mark.parametrize("slope, stable, unstable",
                          [(0.0, False, True), (0.3, None, None), (0.5, True, None), (1.0, None, False)])
 def test_agreement_has_three_values(top, slope, stable, unstable):
@@ -180,6 +231,9 @@ def test_agreement_has_three_values(top, slope, stable, unstable):
         replace(critical, slope=slope, decision=replace(critical.decision, verdict=Verdict.UNSTABLE)).agrees
         is unstable
     )
+    left = replace(critical, slope=slope, failure="not for long enough",
+                   decision=replace(critical.decision, verdict=Verdict.UNSTABLE))
+    assert left.agrees is (None if unstable is False else unstable)
 
 
 @settings(max_examples=10)

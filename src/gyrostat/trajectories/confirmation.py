@@ -27,6 +27,11 @@ CHANGES = tuple(ImmutableMatrix(v) / 60 for v in ([-15, 30, 24], [30, 12, -25]))
 POINTS, LOOKS = 500, 4                                 # times of a motion; looks at its largest distance
 # turns of a motion without a period; times of growth after an escape
 TURNED, LATER = 20, 10
+# steps by which all motions of a confirmation may be integrated, half a minute of either method; steps that
+# tell how many a time takes
+AFFORDED, TRIED = {"heyoka": 3_000_000, "DOP853": 200_000}, 100
+# a growth that is smaller, in units of the rate, is none that can be waited for
+SLOW = 1e-6
 # 1/2, 1/3, 1/4, 1/6, … are told apart; of order one; like a definite form
 CLOSE, FLAT, STEEP = 0.12, 0.05, 0.9
 
@@ -53,7 +58,7 @@ class Confirmation:
     complete : bool
         whether every motion was followed over a whole orbit
     failure : str
-        why a motion could not be followed, if one could not; the sizes end there
+        why a motion could not be followed, or not for long enough, if one could not
     """
 
     decision: Decision
@@ -77,7 +82,9 @@ class Confirmation:
         if verdict is Verdict.UNDECIDED or math.isnan(self.slope):
             return None
         if verdict is Verdict.UNSTABLE:
-            return True if self.slope < FLAT else False if self.slope > STEEP else None
+            if self.slope < FLAT:
+                return True
+            return False if self.slope > STEEP and not self.failure else None
         if self.slope < FLAT:
             return False
         return True if self.expected is None or abs(self.slope / self.expected - 1) < CLOSE else None
@@ -102,7 +109,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     Two generic directions, each with both signs; abs(k) is kept, exactly, and nothing else. A motion with a
     period, as every one of a body of revolution in U(k3) and of a free body has, is followed over one period,
     which is the whole orbit modulo the spin; any other over 20 turns of the linearised one, and for 10 times
-    of growth after it has escaped.
+    of growth after it has escaped, unless that takes more steps than can be waited for: then `why` says so.
 
     Parameters
     ----------
@@ -147,7 +154,8 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
         raise ValuesError(f"sizes = {', '.join(map(str, sizes))}: give at least three, positive and falling")
     point = [evaluate(eq.insert(x), numbers) for x in eq.point]
     scene = with_numbers(eq.system, _scene_numbers(eq, numbers))
-    rate, growth = _rates(eq, numbers)
+    rate, growth = _rates(report, numbers)
+    share = len(steps) * 2 * len(TURNS)
     distance = _Distance(eq, decision, point)
     far, routes, complete, failure = [], set(), True, ""
     for step in steps:
@@ -158,11 +166,14 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
                     moving = motion(scene, moved(point, sign * step * turn, sign * step * change))
                     routes.add(moving.route)
                     complete = complete and moving.period is not None
-                    here.append(_excursion(moving, distance, rate, growth, float(step)))
+                    here.append(_excursion(moving, distance, rate, growth, float(step), share))
         except (AccuracyError, ValuesError) as error:
             failure = f"from a perturbation of size {float(step):.0e} a motion is not followed: {error}"
             break
         far.append(max(here))
+    if not failure and not complete and decision.verdict is Verdict.UNSTABLE and growth <= SLOW * rate:
+        failure = (f"the motions that are integrated were followed for {TURNED} turns, and no linear growth "
+                   "says when they leave: too few to tell")
     small = [float(step) for step in steps[:len(far)]]
     slope = float(np.polyfit(np.log(small[-3:]), np.log(far[-3:]), 1)[0]) if len(far) > 2 else math.nan
     return Confirmation(decision, tuple(small), tuple(far), slope, _expected(report, decision, numbers),
@@ -227,15 +238,21 @@ def _scene_numbers(eq: Equilibrium, numbers: Point) -> dict[str, Expr]:
     return found
 
 
-def _rates(eq: Equilibrium, numbers: Point) -> tuple[float, float]:
-    """The largest modulus and the largest real part of an eigenvalue of the linearised field."""
-    matrix = eq.insert(eq.at_point(eq.system.jet_jacobian))
-    roots = np.linalg.eigvals(np.array([float(evaluate(x, numbers)) for x in matrix]).reshape(matrix.shape))
-    return float(np.abs(roots).max()), float(roots.real.max())
+def _rates(report: Report, numbers: Point) -> tuple[float, float]:
+    """The largest modulus and the largest real part of an eigenvalue of the linearised field.
+
+    From the polynomial of the squares, λᵈ + c2 λᵈ⁻² + …, whose exact zeros are left out: those of the matrix
+    in doubles, several in one Jordan block, would be the rounding error to the power of a third.
+    """
+    found = [evaluate(report.equilibrium.insert(c), numbers) for c in report.linearization.coefficients]
+    while found and sign_of_constant(found[-1]) == 0:
+        found.pop()
+    roots = np.sqrt(np.roots([1.0, *map(float, found)]).astype(complex))
+    return float(np.abs(roots).max(initial=0)), float(roots.real.max(initial=0))
 
 
 def _excursion(moving: Motion, distance: Callable[[Array], Array], rate: float, growth: float,
-               size: float) -> float:
+               size: float, share: int) -> float:
     """The largest distance on the way.
 
     Over a period, with a closer and closer look at where it is largest.
@@ -243,9 +260,11 @@ def _excursion(moving: Motion, distance: Callable[[Array], Array], rate: float, 
     if moving.period is None:
         # no motion of the linearised field: any time is as good
         rate = rate or 1.0
-        longest = (
-            (math.log(1 / size) + LATER) / growth if growth > 1e-6 * rate else TURNED * 2 * math.pi / rate
-        )
+        longest = TURNED * 2 * math.pi / rate
+        if growth > SLOW * rate:
+            longest = (math.log(1 / size) + LATER) / growth
+        if moving.route in AFFORDED:
+            _afford(moving, longest, AFFORDED[moving.route] // share)
         return float(distance(moving(np.linspace(0, longest, max(POINTS, int(8 * longest * rate))))).max())
     times, largest = np.linspace(0, float(moving.period), POINTS), []
     # close to an unstable boundary an escape is short beside the period
@@ -255,6 +274,24 @@ def _excursion(moving: Motion, distance: Callable[[Array], Array], rate: float, 
         middle = times[far.argmax()]
         times = np.linspace(middle - (times[1] - times[0]), middle + (times[1] - times[0]), POINTS // 10)
     return max(largest)
+
+
+def _afford(moving: Motion, longest: float, steps: int) -> None:
+    """Refuse a time that takes more steps of an integration, as its first ones tell.
+
+    Raises
+    ------
+    AccuracyError
+        it does
+    """
+    time = longest * 2.0**-60
+    while time < longest and moving.nodes < TRIED:
+        time *= 2
+        moving(time)
+    if moving.nodes * (longest / time) > steps:
+        raise AccuracyError(f"until t = {longest:.3g} it takes about {moving.nodes * (longest / time):.0e} "
+                            f"steps of {moving.route}, more than {steps}: it leaves too slowly, or turns too "
+                            "fast on the way")
 
 
 def _expected(report: Report, decision: Decision, numbers: Point) -> float | None:
