@@ -89,6 +89,8 @@ def test_precise_times_of_any_shape(precise, top):
     assert isinstance(top.period, float) and float(precise.period) == top.period
     for ours, double in ((precise.precession, top.precession), (precise.spin, top.spin)):
         assert isinstance(ours, mpmath.mpf) and float(ours) == double
+    with mpmath.workdps(30):
+        assert abs(precise.spin_rate * precise.period - precise.spin) < 1e-28 * abs(precise.spin)
     assert precise.attitude(1.0).dtype == float and precise.frequencies == top.frequencies
     np.testing.assert_allclose(precise.attitude(1.0), top.attitude(1.0), rtol=0, atol=1e-15)
 
@@ -144,6 +146,7 @@ def test_limits_frequencies_and_error(top):
     assert top.frequencies == {"nutation": pytest.approx(2 * np.pi / top.period),
                                "precession": pytest.approx(top.precession / top.period),
                                "spin": pytest.approx(top.spin / top.period)}
+    assert top.precession_rate == top.frequencies["precession"] and top.spin_rate == top.frequencies["spin"]
     assert 1e-16 < top.error < 1e-13 and 10 < top.nodes < 100
 
 
@@ -176,7 +179,8 @@ def test_routes(scene, state, values, route):
     precise = motion(scene, state, values, precision=25)([2, -3])
     np.testing.assert_allclose(found([2.0, -3.0]), precise.astype(float), rtol=0, atol=1e-14)
     assert (found.limits is None) == (len(found.state) == 3)
-    assert (found.spin is None) == (len(found.state) == 3)
+    assert (found.spin_rate is None) == (len(found.state) == 3)
+    assert (found.spin is None) == (len(found.state) == 3 or found.period is None)
 
 
 def test_what_is_integrated():
@@ -191,6 +195,7 @@ def test_what_is_integrated():
         assert found.period is None
         assert found.limits is None
         assert found.spin is None
+        assert found.precession_rate is found.spin_rate is None
         assert max(found.drift([1.0, -1.0]).values()) < 1e-10 and found.frequencies == {}
         with pytest.raises(ScopeError, match="30 digits"):
             motion(scene, state, precision=30)

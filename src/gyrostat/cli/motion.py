@@ -23,7 +23,7 @@ from ..plotting.globe import curve_on, dots_on, towards
 from ..plotting.looks import BLUE, DARK, INK, label, legend, named
 from ..printing.files import save_netcdf
 from ..trajectories import Motion, motion
-from ..trajectories.columns import columns, dataset, facts, turns_of
+from ..trajectories.columns import columns, dataset, turns_of
 from .options import LONGEST, body_of, numbers_of
 from .output import FILMS, PICTURES, Output, file_of, save_picture
 
@@ -148,14 +148,14 @@ def _table(moving: Motion, times: Array, out: Output, digits: int | None) -> dic
 
 def _head(moving: Motion, meaning: list[str], digits: int | None) -> str:
     """The numbers that a table is of, and what its columns mean, each line after a #."""
-    known = [f"{name} = {value}" for name, value in facts(moving).items()
+    known = [f"{name} = {value}" for name, value in moving.attributes.items()
              if name in NUMBERS or name == "error" and digits is None]     # the error is that of the doubles
     return "".join(f"# {line}\n" for line in [*known, "time [s]: from the state given", *meaning])
 
 
 def _computed(moving: Motion, times: Array) -> tuple[Array, Array | None, dict[str, float]]:
     """States, attitudes and the largest drifts, part by part."""
-    parts, drift = _followed(moving, times, lambda part: (moving(part), turns_of(moving, part)))
+    parts, drift = _followed(moving, times, lambda part: (moving(part), turns_of(moving.attitude, part)))
     states, turns = zip(*parts)
     attitudes = None if turns[0] is None else np.concatenate(turns)
     return np.concatenate(states), attitudes, drift
@@ -164,7 +164,7 @@ def _computed(moving: Motion, times: Array) -> tuple[Array, Array | None, dict[s
 def _data(moving: Motion, times: Array, path: Path) -> dict[str, float]:
     """netCDF."""
     states, turns, drift = _computed(moving, times)
-    save_netcdf(dataset(moving, times, states, turns), path)
+    save_netcdf(dataset(columns(moving.scene, states, turns), times, moving.attributes), path)
     return drift
 
 
@@ -232,10 +232,10 @@ def _summary(moving: Motion, drift: dict[str, float], digits: int | None) -> str
     facts: dict[str, Any] = {"scene": moving.recognised or None, "route": moving.route,
                              "period": period if digits is None or period is None
                              else mpmath.nstr(period, digits)}
-    for name, gain in (("precession", moving.precession), ("spin", moving.spin)):
-        facts[name] = (
-            None if gain is None else f"{gain} {'per unit of time' if period is None else 'in a period'}"
-        )
+    for name, angle, rate in (("precession", moving.precession, moving.precession_rate),
+                              ("spin", moving.spin, moving.spin_rate)):
+        gained, each = (rate, "per unit of time") if period is None else (angle, "in a period")
+        facts[name] = None if gained is None else f"{gained} {each}"
     facts["error"] = f"{moving.error:.1e}, estimated" if digits is None else None
     if drift:
         worst = max(drift, key=lambda name: drift[name])

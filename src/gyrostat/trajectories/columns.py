@@ -1,4 +1,5 @@
 """What a table of a motion holds: state, angular velocity and attitude, with names, units and meanings."""
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,7 +9,6 @@ from ..algebra.floats import Array
 from ..errors import ValuesError, optional
 from ..mechanics.system import System
 from ..notation import NOTATION, units
-from ..version import __version__
 
 RATE = units(0, 1, 0)
 
@@ -93,31 +93,17 @@ def euler(turns: Array) -> Array:
     return np.stack([phi, np.arctan2(across, turns[..., 2, 2]), psi], axis=-1)
 
 
-def turns_of(motion: Any, times: Array) -> Array | None:
-    """The attitude, None where there is no vertical."""
+def turns_of(attitude: Callable[[Array], Array], times: Array) -> Array | None:
+    """The attitude of a motion at times, None where there is no vertical."""
     try:
-        return motion.attitude(times)
+        return attitude(times)
     except ValuesError:
         return None
 
 
-def facts(motion: Any) -> dict[str, Any]:
-    """What is known of a motion, and the numbers that it is of, exact, as texts."""
-    gained = {name: getattr(motion._route, name, None) for name in ("period", "precession", "spin")}
-    known = {"note": motion.note or None, "route": motion.route, **gained, "energy": motion.energy,
-             "error": motion.error,
-             "nodes": motion.nodes, "recognised": motion.recognised or None}
-    body, potential = motion.scene.body, motion.scene.potential
-    numbers = {"inertia": body.inertia, "gyrostatic_momentum": body.gyrostatic_momentum,
-               "state": motion.state,
-               "potential": potential.expression if potential else "none", "gyrostat_version": __version__}
-    return {name: value for name, value in known.items()
-            if value is not None} | {name: str(value) for name, value in numbers.items()}
-
-
-def dataset(motion: Any, times: Array, states: Array, turns: Array | None) -> Any:
+def dataset(table: Sequence[Column], times: Array, attributes: Mapping[str, Any]) -> Any:
     """The xarray.Dataset of what was computed."""
     variables = {c.name: ("time", c.values, {"units": c.units, "latex": c.latex, "long_name": c.meaning})
-                 for c in columns(motion.scene, states, turns)}
+                 for c in table}
     time = "time", times, {"units": "s", "long_name": "time from the state given"}
-    return optional("xarray", "charts").Dataset(variables, {"time": time}, facts(motion))
+    return optional("xarray", "charts").Dataset(variables, {"time": time}, attributes)

@@ -16,6 +16,7 @@ from ..stability.values import check_names
 from .free.motion import FreeMotion
 from .integrated.motion import Integration
 from .motion import Motion, bits_of
+from .route import Route
 from .top.level import Level
 from .top.motion import AxialMotion
 from .turned import TurnedMotion, of_revolution
@@ -62,7 +63,8 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     >>> import numpy as np
     >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
     >>> scene = assemble(symmetric_gyrostat(), uniform_field())
-    >>> top = motion(scene, ("0.3", "-0.2", "1.5", "0.6", 0, "0.8"), {"I1": 1, "I3": "0.6", "l": "0.4", "m0": 1})
+    >>> numbers = {"I1": 1, "I3": "0.6", "l": "0.4", "m0": 1}
+    >>> top = motion(scene, ("0.3", "-0.2", "1.5", "0.6", 0, "0.8"), numbers)
     >>> top.route, round(top.period, 12), top(np.linspace(0, 1e6, 5)).shape
     ('elliptic', 5.82463951502, (5, 6))
     >>> max(top.drift(np.linspace(0, 1e12, 100)).values()) < 1e-14
@@ -78,14 +80,13 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     if precision is not None and (not isinstance(precision, int) or precision < 1):
         raise ValuesError(f"precision = {precision}: give a number of decimal digits")
     route = _route(scene, point, 53 if precision is None else bits_of(precision), tolerance)
-    if precision is not None and not hasattr(route, "ball_state"):
+    if precision is not None and not route.enclosed:
         raise ScopeError(f"this scene is integrated, in doubles: {precision} digits are had for a free "
-                         "gyrostat, or a body of "
-                         "revolution in U(k3)")
+                         "gyrostat, or a body of revolution in U(k3)")
     return Motion(scene, point, route, precision)
 
 
-def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float | None) -> Any:
+def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float | None) -> Route:
     """What computes the motion."""
     if scene.potential is None:
         return FreeMotion(scene, point)

@@ -6,16 +6,19 @@ from typing import Any
 import mpmath
 import numpy as np
 from flint import arb
-from sympy import Add, Expr
+from sympy import Expr
 
 from ..algebra.balls import ball
-from ..algebra.floats import Array, in_floats
+from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
 from ..algebra.precision import own_precision
 from ..errors import AccuracyError, ValuesError, optional
 from ..mechanics.system import System
 from ..stability.notes import state_note
-from .columns import dataset, euler, turns_of
+from ..version import __version__
+from .columns import columns, dataset, euler, turns_of
+from .conserved import conserved, lost
+from .route import Route
 
 
 class Motion:
@@ -35,9 +38,11 @@ class Motion:
     period : float or None
         of the nutation, or of the momentum in a free body [T]; with precision, mpmath.mpf
     precession : float or None
-        angle gained about the vertical in a period, over 2π the rotation number, a half the apsidal angle; of
-        a motion without period, the rate [1/T]
-    spin : float or None
+        angle gained about the vertical in a period, over 2π the rotation number, a half the apsidal angle;
+        None of a motion without period
+    precession_rate : float or None
+        mean rate of the precession; on a separatrix, in which it ends [1/T]
+    spin, spin_rate : float or None
         the same about the axis of a body of revolution
     limits : (float, float) or None
         lowest and highest component of k along the axis of a body of revolution in a field
@@ -57,7 +62,7 @@ class Motion:
         array of shape (..., n), in the order of scene.space.coordinates; with precision, of mpmath.mpf
     """
 
-    def __init__(self, scene: System, state: tuple[Expr, ...], route: Any, digits: int | None):
+    def __init__(self, scene: System, state: tuple[Expr, ...], route: Route, digits: int | None):
         self.scene, self.state, self._route, self._digits = scene, state, route, digits
 
     def __call__(self, t: Any) -> Array:
@@ -95,7 +100,8 @@ class Motion:
         --------
         >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
         >>> from gyrostat.trajectories import motion
-        >>> top = motion(assemble(symmetric_gyrostat(), uniform_field()), (0, 1, 5, 0, "0.6", "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
+        >>> scene, numbers = assemble(symmetric_gyrostat(), uniform_field()), {"I1": 1, "I3": 1, "l": 0, "m0": 1}
+        >>> top = motion(scene, (0, 1, 5, 0, "0.6", "0.8"), numbers)
         >>> top.angles(0.0).round(6)
         array([0.      , 0.643501, 0.      ])
         """
@@ -103,7 +109,7 @@ class Motion:
 
     @property
     def route(self) -> str:
-        return str(self._route.name)
+        return self._route.name
 
     @property
     def period(self) -> Any:
@@ -114,24 +120,44 @@ class Motion:
 
     @property
     def precession(self) -> Any:
-        return self._gained("precession", 1)
+        return self._gained[0] if self._route.period else None
 
     @property
     def spin(self) -> Any:
-        return self._gained("spin", 2)
+        return self._gained[1] if self._route.period else None
 
-    def _gained(self, name: str, place: int) -> Any:
-        """An angle, of a body of revolution in U(k3) in digits where they are asked for."""
-        if self._digits is not None and hasattr(self._route, "gains"):
-            return self._shown(self._route.gains[place])
-        return getattr(self._route, name, None)
+    @property
+    def precession_rate(self) -> Any:
+        return self._rate(self._gained[0])
+
+    @property
+    def spin_rate(self) -> Any:
+        return self._rate(self._gained[1])
+
+    @property
+    def _gained(self) -> tuple[Any, Any]:
+        """The angles of precession and spin, in a period, or in a unit of time where there is none."""
+        if self._digits is None:
+            return self._route.precession, self._route.spin
+        precession, spin = (self._shown(x) if isinstance(x, arb) else x
+                            for x in self._route.exact_angles(bits_of(self._digits)))
+        return precession, spin
+
+    def _rate(self, angle: Any) -> Any:
+        """An angle gained, by the time in which it is."""
+        if angle is None or not self._route.period:
+            return angle
+        if self._digits is None:
+            return angle / self._route.period
+        with mpmath.workdps(self._digits):
+            return angle / self.period
 
     @property
     def frequencies(self) -> dict[str, float]:
         """2π/period, and the mean rates of precession and spin [1/T], as far as they exist."""
-        time, period = self._route.period or 1.0, self._route.period
-        rates = {name: float(gain) / time for name, gain in (("precession", self.precession),
-                                                             ("spin", self.spin)) if gain is not None}
+        period = self._route.period
+        rates = {name: float(gained) / (period or 1.0)
+                 for name, gained in zip(("precession", "spin"), self._gained) if gained is not None}
         return ({"nutation": 2 * np.pi / period} if period else {}) | rates
 
     @property
@@ -140,19 +166,19 @@ class Motion:
 
     @property
     def axis(self) -> Array:
-        return np.array(getattr(self._route, "axis", (0.0, 0.0, 1.0)))
+        return np.array(self._route.axis)
 
     @property
     def recognised(self) -> str:
-        return str(getattr(self._route, "recognised", ""))
+        return self._route.recognised
 
     @property
     def nodes(self) -> int:
-        return int(self._route.nodes)
+        return self._route.nodes
 
     @property
     def error(self) -> float:
-        return float(self._route.error)
+        return self._route.error
 
     @cached_property
     def note(self) -> str:
@@ -164,9 +190,8 @@ class Motion:
         lines = [f"Motion: {self.route}"]
         if self._route.period:
             lines.append(f"period {float(self._route.period):.12g}")
-        lines += [f"{name} {float(gain):.12g} {each}"
-                  for name, gain in (("precession", self.precession), ("spin", self.spin))
-                  if gain is not None]
+        lines += [f"{name} {float(gained):.12g} {each}"
+                  for name, gained in zip(("precession", "spin"), self._gained) if gained is not None]
         if self.limits:
             lines.append("k3 from {:.12g} to {:.12g}".format(*self.limits))
         if self.error:
@@ -179,7 +204,7 @@ class Motion:
     def invariants(self) -> dict[str, Expr]:
         """Energy, Casimirs and integrals at the time 0, exact."""
         point = dict(zip(self.scene.space.coordinates, self.state))
-        return {name: value.xreplace(point) for name, value in self._functions.items()}
+        return {name: value.xreplace(point) for name, value in conserved(self.scene).items()}
 
     @property
     def energy(self) -> float:
@@ -196,25 +221,24 @@ class Motion:
         """The integrals at the time 0, in the order of scene.integrals."""
         return tuple(float(value) for name, value in self.invariants.items() if name.startswith("F"))
 
-    @cached_property
-    def _functions(self) -> dict[str, Expr]:
-        named = [("C", self.scene.space.casimirs), ("F", self.scene.integrals)]
-        return {"energy": self.scene.hamiltonian} | {f"{letter}{i}": f for letter, functions in named
-                                                     for i, f in enumerate(functions, 1)}
-
     def drift(self, t: Any) -> dict[str, float]:
         """How far energy, Casimirs C1, C2 and integrals F1, … are off at these times, at most, relative to
         the largest of their terms.
         """
-        x = np.asarray(self(t), dtype=float)
-        values = dict(zip(self.scene.space.coordinates, np.moveaxis(x, -1, 0)))
-        start = {s: np.asarray(float(value)) for s, value in zip(self.scene.space.coordinates, self.state)}
-        found = {}
-        for name, function in self._functions.items():
-            size = max(abs(float(in_floats(term, np, start))) for term in Add.make_args(function.expand()))
-            off = np.abs(in_floats(function, np, values) - float(self.invariants[name]))
-            found[name] = float(np.max(off, initial=0.0)) / (size or 1.0)
-        return found
+        return lost(self.scene, self.state, np.asarray(self(t), dtype=float))
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """What is known of the motion, in doubles, and the numbers that it is of, exact, as texts."""
+        route, body, potential = self._route, self.scene.body, self.scene.potential
+        known = {"note": self.note or None, "route": self.route, "period": route.period,
+                 "precession": route.precession, "spin": route.spin, "energy": self.energy,
+                 "error": self.error, "nodes": self.nodes, "recognised": self.recognised or None}
+        numbers = {"inertia": body.inertia, "gyrostatic_momentum": body.gyrostatic_momentum,
+                   "state": self.state, "potential": potential.expression if potential else "none",
+                   "gyrostat_version": __version__}
+        return ({name: value for name, value in known.items() if value is not None}
+                | {name: str(value) for name, value in numbers.items()})
 
     def to_xarray(self, t: Any) -> Any:
         """The motion as an xarray.Dataset.
@@ -230,7 +254,8 @@ class Motion:
         times = _times(t)
         if times.ndim != 1:
             raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
-        return dataset(self, times, np.asarray(self(t), dtype=float), turns_of(self, times))
+        table = columns(self.scene, np.asarray(self(t), dtype=float), turns_of(self.attitude, times))
+        return dataset(table, times, self.attributes)
 
     def _shown(self, x: arb) -> mpmath.mpf:
         mantissa, exponent = map(int, x.mid().man_exp())

@@ -35,6 +35,8 @@ class TurnedMotion:
         of the states in balls; 53 for doubles
     """
 
+    enclosed = True
+
     def __init__(self, found: Recognition, state: Sequence[Expr], bits: int):
         R = found.rotation
         turned = [lowest(sum(R[i, j] * v[j] for j in range(3))) for v in (state[:3], state[3:])
@@ -68,10 +70,9 @@ class TurnedMotion:
         """Of the nutation, as exact as the motion was built."""
         return self._standard.exact_period(bits)
 
-    @property
-    def gains(self) -> tuple[arb | None, arb, arb]:
-        """Period, precession and spin as exact as the motion was built."""
-        return self._standard.gains
+    def exact_angles(self, bits: int) -> tuple[arb, arb]:
+        """What precession and spin say, as exact as the motion was built."""
+        return self._standard.exact_angles(bits)
 
     @property
     def period(self) -> float | None:

@@ -429,7 +429,7 @@ def test_inclined_equilibria_stay(w, bend, k):
     found = moving(BODY, F(3), (slope - 2 * bend * k[2], bend), state)
     assert found.route == "equilibrium" and found.period is None
     np.testing.assert_allclose(found(TIMES), np.tile(np.array(state, float), (5, 1)), rtol=0, atol=2e-15)
-    assert found.precession == pytest.approx(float(w), rel=1e-15) and abs(found.spin) < 1e-15
+    assert found.precession_rate == pytest.approx(float(w), rel=1e-15) and abs(found.spin_rate) < 1e-15
     c, s = np.cos(float(w) * 0.3), np.sin(float(w) * 0.3)
     np.testing.assert_allclose(found.attitude(0.3),
                                np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ found.attitude(0.0), atol=1e-15)
@@ -450,9 +450,9 @@ def test_steady_precession_is_uniform(W, pi3, k):
     found = moving(BODY, l, (slope - k[2], F(1, 2)), state)
     spin = float(pi3) / 0.6 - float(W * k[2] / r)
     assert found.route == "steady precession"
-    assert found.precession == pytest.approx(float(W), rel=1e-15)
-    assert found.period is None
-    assert found.spin == pytest.approx(spin, rel=1e-14) and found.limits == (float(k[2]), float(k[2]))
+    assert found.precession_rate == pytest.approx(float(W), rel=1e-15)
+    assert found.period is found.precession is found.spin is None
+    assert found.spin_rate == pytest.approx(spin, rel=1e-14) and found.limits == (float(k[2]), float(k[2]))
     for t in (0.7, -1.3):
         np.testing.assert_allclose(found.attitude(t),
                                    about(float(W) * t) @ found.attitude(0.0) @ about(spin * t), atol=1e-14)
@@ -546,12 +546,12 @@ def test_asymptotic_to_inclined_precession(heights, poles, degree, P, back):
     assert np.abs(ends - (towards[::back] if both else towards)).max() < 1e-13
     if not poles:
         t = 1000.0
-        rate = found.precession * 0.8, found.spin * 0.8
+        rate = found.precession_rate * 0.8, found.spin_rate * 0.8
         np.testing.assert_allclose(found.attitude(t + 0.8),
                                    about(rate[0]) @ found.attitude(t) @ about(rate[1]), atol=1e-12)
         z = found(t)[5]
         slope = sum(n * float(c) * z ** (n - 1) for n, c in enumerate(U, 1))
-        assert abs(z * found.precession**2 - float(P) * found.precession + slope) < 1e-12
+        assert abs(z * found.precession_rate**2 - float(P) * found.precession_rate + slope) < 1e-12
     assert max(found.drift(np.array([1e-3, -70.0, 1e3, 1e6, -1e12])).values()) < 3e-14
 
 

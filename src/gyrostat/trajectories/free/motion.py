@@ -227,7 +227,7 @@ class FreeMotion:
     ('free body', 29.5277217616)
     """
 
-    limits = None
+    enclosed, recognised, axis, limits, spin = True, "", (0.0, 0.0, 1.0), None, None
 
     def __init__(self, scene: System, start: Sequence[Any]):
         require(scene, System, "the scene")
@@ -281,6 +281,10 @@ class FreeMotion:
             return self.turning.path.period(bits)[0]
         with own_precision(bits + 64):
             return 2 * arb.pi() / abs(ball(self.turning.about, bits + 64))
+
+    def exact_angles(self, _: int) -> tuple[float | None, None]:
+        """That about M, in doubles."""
+        return self.precession, None
 
     @property
     def precession(self) -> float | None:

@@ -5,10 +5,11 @@ from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
+from flint import arb
 from sympy import Dummy, Expr
 
 from ...algebra.floats import Array, in_floats
-from ...errors import AccuracyError, ArgumentError, ValuesError
+from ...errors import AccuracyError, ArgumentError, ScopeError, ValuesError
 from ...mechanics.liepoisson import hat
 from ...mechanics.system import System
 from .methods import METHODS, RungeKutta, Taylor, beside, beyond, nearest
@@ -65,7 +66,8 @@ class Integration:
     >>> from sympy import S
     >>> from gyrostat.mechanics.body import Gyrostat
     >>> from gyrostat.mechanics.system import assemble
-    >>> tumbling = Integration(assemble(Gyrostat((1, 2, 3), (0, 0, 0))), (S.Zero, S(2), S.One / 100), method="DOP853")
+    >>> scene = assemble(Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> tumbling = Integration(scene, (S.Zero, S(2), S.One / 100), method="DOP853")
     >>> tumbling.state([0.0, -9.0]).round(6)
     array([[0.      , 2.      , 0.01    ],
            [0.488121, 1.745552, 0.845509]])
@@ -73,7 +75,8 @@ class Integration:
     True
     """
 
-    period = precession = limits = None
+    enclosed, recognised, axis = False, "", (0.0, 0.0, 1.0)
+    period = precession = spin = limits = None
 
     def __init__(self, scene: System, state: Sequence[Expr], tolerance: float | None = None,
                  method: str | None = None):
@@ -127,6 +130,17 @@ class Integration:
         x = x - (x * z).sum(axis=0) * z
         x = x / np.sqrt((x * x).sum(axis=0))
         return np.stack([x, np.cross(z, x, axis=0), z]).transpose(2, 0, 1).reshape(*t.shape, 3, 3)
+
+    def ball_state(self, t: arb, bits: int) -> list[arb]:
+        """Refused: it is integrated in doubles."""
+        raise ScopeError(f"{self.name} integrates in doubles: leave the precision out")
+
+    def exact_period(self, bits: int) -> None:
+        """None is known."""
+
+    def exact_angles(self, bits: int) -> tuple[None, None]:
+        """None are known."""
+        return None, None
 
     def _vertical(self, x: Array) -> Array:
         """k, or M = π + l where there is no k."""

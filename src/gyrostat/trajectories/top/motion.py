@@ -31,6 +31,8 @@ class AxialMotion:
     def __init__(self, level: Level, bits: int = 53):
         self.exact = Precession(level, bits)
 
+    enclosed, recognised, axis = True, "", (0.0, 0.0, 1.0)
+
     def _parameters(self, t: Array) -> tuple[list[Array], list[Array], Array]:
         """a, b, their derivatives without Λ, and k3, at times of one dimension."""
         exact = self.exact
@@ -113,27 +115,26 @@ class AxialMotion:
 
     def exact_period(self, _: int) -> arb | None:
         """Of the nutation, as exact as the motion was built."""
-        return self.gains[0]
+        return self.exact.gains[0]
 
-    @property
-    def gains(self) -> tuple[arb | None, arb, arb]:
-        """Period, precession and spin as exact as the motion was built."""
-        return self.exact.gains
+    def exact_angles(self, _: int) -> tuple[arb, arb]:
+        """What precession and spin say, as exact as the motion was built."""
+        return self.exact.gains[1:]
 
     @property
     def period(self) -> float | None:
         """Of the nutation [T]; None at rest and on a separatrix."""
-        return None if self.gains[0] is None else double(self.gains[0])
+        return None if self.exact.gains[0] is None else double(self.exact.gains[0])
 
     @property
     def precession(self) -> float:
         """What φ gains in a period, or its rate."""
-        return double(self.gains[1])
+        return double(self.exact.gains[1])
 
     @property
     def spin(self) -> float:
         """What ψ gains in a period, or its rate."""
-        return double(self.gains[2])
+        return double(self.exact.gains[2])
 
     @cached_property
     def name(self) -> str:
