@@ -88,8 +88,8 @@ class Motion:
     def attitude(self, t: Any) -> Array:
         """R from the body to space, x_space = R x_body, in doubles; shape (..., 3, 3).
 
-        The vertical e_z is the direction of the field, R e_z = k/abs(k) in the rows' sense; of a free body, that
-        of M. At the time 0 the Euler angle φ is 0, and ψ as well where sin θ = 0.
+        The vertical e_z is the direction of the field, R e_z = k/abs(k) in the rows' sense; of a free body,
+        that of M. At the time 0 the Euler angle φ is 0, and ψ as well where sin θ = 0.
         """
         return np.asarray(self._route.attitude(_times(t)))
 
@@ -100,8 +100,8 @@ class Motion:
         --------
         >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
         >>> from gyrostat.trajectories import motion
-        >>> scene, numbers = assemble(symmetric_gyrostat(), uniform_field()), {"I1": 1, "I3": 1, "l": 0, "m0": 1}
-        >>> top = motion(scene, (0, 1, 5, 0, "0.6", "0.8"), numbers)
+        >>> scene = assemble(symmetric_gyrostat(), uniform_field())
+        >>> top = motion(scene, (0, 1, 5, 0, "0.6", "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
         >>> top.angles(0.0).round(6)
         array([0.      , 0.643501, 0.      ])
         """

@@ -13,7 +13,7 @@ from ...algebra.precision import own_precision
 from ..periods import double, pair, reduced, turns
 from .cayley_klein import momentum, rotation, structure
 from .level import Level, enclosed, known
-from .precession import Precession
+from .precession import precession
 
 BLOCK = 4096                                               # times that a cache holds
 
@@ -28,24 +28,25 @@ class AxialMotion:
         of the states in balls; 53 for doubles
     """
 
-    def __init__(self, level: Level, bits: int = 53):
-        self.exact = Precession(level, bits)
-
     enclosed, recognised, axis = True, "", (0.0, 0.0, 1.0)
+
+    def __init__(self, level: Level, bits: int = 53):
+        self.exact = precession(level, bits)
 
     def _parameters(self, t: Array) -> tuple[list[Array], list[Array], Array]:
         """a, b, their derivatives without Λ, and k3, at times of one dimension."""
-        exact = self.exact
+        exact, parts = self.exact, self.exact.integrands
         u, angles = self._path(t)
         bounded, rates = exact.integrals.bounded(u)
-        s, c, turn = (0 * u, 1 + 0 * u, 0 * u) if exact.path is None else exact.path.shape(u)
-        values, slopes = structure(self._gaps, exact.senses, s, c, turn, rates, 1j, 0.5**0.5)
-        half_drift = turns(t, self._pairs["drift"])
-        units = [complex(factor) * np.exp(1j
-                                          * (2 * np.pi * sign * half_drift + angle + value - double(start)))
-                 for factor, sign, angle, value, start in zip(exact.factors, (-1, 1), angles, bounded[1:],
-                                                              exact.angles)]
-        height = c * c * double(exact.lower) + s * s * double(exact.upper)
+        s, c, turn = (0 * u, 1 + 0 * u, 0 * u) if parts.path is None else parts.path.shape(u)
+        values, slopes = structure(self._gaps, parts.senses, s, c, turn, rates, 1j, 0.5**0.5)
+        half_turns = turns(t, self._pairs["axial"])
+        units = []
+        for factor, sign, angle, value, start in zip(exact.factors, (-1, 1), angles, bounded[1:],
+                                                     exact.angles):
+            gained = 2 * np.pi * sign * half_turns + angle + value - double(start)
+            units.append(complex(factor) * np.exp(1j * gained))
+        height = c * c * double(parts.lower) + s * s * double(parts.upper)
         return [x * e for x, e in zip(values, units)], [x * e for x, e in zip(slopes, units)], height
 
     def state(self, t: Array) -> Array:
@@ -56,7 +57,8 @@ class AxialMotion:
         for first in range(0, times.size, BLOCK):
             part = slice(first, first + BLOCK)
             (a, b), rates, x[part, 5] = self._parameters(times[part])
-            p, k = momentum(double(exact.I1), a, b, *rates), 2j * double(exact.r) * b * a.conjugate()
+            p = momentum(double(exact.integrands.I1), a, b, *rates)
+            k = 2j * double(exact.r) * b * a.conjugate()
             x[part, 0], x[part, 1], x[part, 3], x[part, 4] = p.real, p.imag, k.real, k.imag
         return x.reshape(*t.shape, 6)
 
@@ -67,27 +69,26 @@ class AxialMotion:
 
     @cached_property
     def _gaps(self) -> list[list[float]]:
-        return [[double(x) for x in gap] for gap in self.exact.gaps]
+        return [[double(x) for x in gap] for gap in self.exact.integrands.gaps]
 
     @cached_property
     def _pairs(self) -> dict[str, Any]:
         """Periods and turns in two doubles."""
+        integrals = self.exact.integrals
         with own_precision(self.exact.precision):
-            turn, (time, *means), (jump, *jumps) = (
-                2 * arb.pi(),
-                self.exact.integrals.means,
-                self.exact.integrals.jumps,
-            )
-            pairs: dict[str, Any] = {"drift": pair(self.exact.drift / (2 * turn))}
+            turn = 2 * arb.pi()
+            time, *means = integrals.means
+            jump, *jumps = integrals.jumps
+            pairs: dict[str, Any] = {"axial": pair(self.exact.axial_rate / (2 * turn))}
             # of what the angles grow by in a unit of time, before and after
-            if self.exact.integrals.quarter is None:
+            if integrals.quarter is None:
                 ratios = [[(mean + side * step) / (time + side * jump) for mean, step in zip(means, jumps)]
                           for side in (-1, 1)]
                 pairs["rates"] = [[pair(x / turn) for x in row] for row in ratios]
             else:
-                whole = 2 * self.exact.integrals.quarter
-                pairs["period"], pairs["angles"] = pair(whole
-                                                        * time), [pair(whole * mean / turn) for mean in means]
+                whole = 2 * integrals.quarter
+                pairs["period"] = pair(whole * time)
+                pairs["angles"] = [pair(whole * mean / turn) for mean in means]
             return pairs
 
     def _path(self, t: Array) -> tuple[Array, list[Array]]:
@@ -139,19 +140,20 @@ class AxialMotion:
     @cached_property
     def name(self) -> str:
         """What kind of motion it is, or how it is computed."""
-        if self.exact.path is None:
-            point = dict(zip(self.exact.level.scene.space.coordinates, self.exact.level.state))
-            rests = all(known(rate.xreplace(point)) == 0 for rate in self.exact.level.scene.vector_field())
+        parts, level = self.exact.integrands, self.exact.integrands.level
+        if parts.path is None:
+            point = dict(zip(level.scene.space.coordinates, level.state))
+            rests = all(known(rate.xreplace(point)) == 0 for rate in level.scene.vector_field())
             return "equilibrium" if rests else "steady precession"
-        roots = self.exact.path.roots
+        roots = parts.path.roots
         if any(roots.double):
             return "separatrix"
-        return "elliptic" if roots.leading is not None and not self.exact.path.rest else "quadrature"
+        return "elliptic" if roots.leading is not None and not parts.path.rest else "quadrature"
 
     @property
     def limits(self) -> tuple[float, float]:
         """Lowest and highest k3."""
-        return double(self.exact.lower), double(self.exact.upper)
+        return double(self.exact.integrands.lower), double(self.exact.integrands.upper)
 
     @property
     def nodes(self) -> int:
@@ -161,9 +163,9 @@ class AxialMotion:
     @cached_property
     def error(self) -> float:
         """Of a state in doubles, estimated: the rounding of what turns within a period."""
-        exact = self.exact
-        with own_precision(exact.precision):
-            across = [abs(double(exact.profile.kinetic(end))) ** 0.5 for end in (exact.lower, exact.upper)]
-            largest = max(across + [abs(double(enclosed(x))) for x in exact.level.numbers[3:]])
-        fastest = max(across + [abs(double(x)) for x in exact.momenta]) / double(exact.I1)
+        parts = self.exact.integrands
+        with own_precision(self.exact.precision):
+            across = [abs(double(parts.profile.kinetic(end))) ** 0.5 for end in (parts.lower, parts.upper)]
+            largest = max(across + [abs(double(enclosed(x))) for x in parts.level.numbers[3:]])
+        fastest = max(across + [abs(double(x)) for x in parts.momenta]) / double(parts.I1)
         return 2.0**-52 * (4 + (self.period or 0.0) * fastest) * max(1.0, largest)
