@@ -7,10 +7,11 @@ from flint import acb, arb
 
 from ..elliptic import quarter_period
 from .cayley_klein import structure
+from .integrals import Integrals
 from .level import Level, enclosed
 from .nutation import Nutation, nutation
 from .profiles import Profile
-from .quadrature import FEWEST, Integrals, over_a_period, to_infinity
+from .quadrature import FEWEST, over_a_period, to_infinity
 from .turning_points import roots_of
 
 # s, c and the rate of their angle at either end

@@ -12,9 +12,9 @@ from ...algebra.precision import own_precision
 from ...errors import AccuracyError, ResolutionError
 from ..periods import double
 from .cayley_klein import momentum
+from .integrals import Integrals
 from .integrands import Integrands, integrands
 from .level import Level, enclosed
-from .quadrature import Integrals
 
 MOST_BITS = 4096
 # bits by which a constant is better known than the results
