@@ -37,12 +37,12 @@ def heavy():
 
 
 def sphere(heavy):
-    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "0.55"))), {}, 2,
+    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "0.55"))), 2,
                                          ax=space())
 
 
 def level(heavy):
-    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, "1/4", "1/2"))), {}, 2,
+    return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, "1/4", "1/2"))), 2, {},
                                          [1, 1.5], ax=space())
 
 
@@ -56,7 +56,7 @@ def well(heavy):
 
 
 def branches(heavy):
-    return plotting.draw_bifurcation_diagram(heavy, BODY, "omega", ("-1/2", 3), flat())
+    return plotting.draw_bifurcation_diagram(heavy, "omega", BODY, ("-1/2", 3), flat())
 
 
 def diagram(heavy):
@@ -65,7 +65,7 @@ def diagram(heavy):
 
 def hopf(heavy):
     eq, samples = gs.upright(heavy, spin="omega3_0"), np.linspace(2.2, 0, 40)
-    return plotting.draw_eigenvalues(eq, {"I1": 1, "I3": "1.6", "l": 0, "m0": 1}, "omega3_0",
+    return plotting.draw_eigenvalues(eq, "omega3_0", {"I1": 1, "I3": "1.6", "l": 0, "m0": 1},
                                      samples.tolist(), flat())
 
 

@@ -9,7 +9,7 @@ from sympy import diff, lambdify, symbols
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, MissingExtraError, ValuesError
 from gyrostat.plotting import animate_top, draw_nutation, save_animation, view_motion
-from gyrostat.plotting.animation import NO_BODY, turning
+from gyrostat.plotting.animation import NO_BODY, attitudes
 from gyrostat.plotting.energy_levels import floats
 from gyrostat.plotting.solids import solid
 from gyrostat.trajectories import motion
@@ -81,7 +81,7 @@ def test_the_body_turns_by_the_attitude(box, top):
         expected = np.concatenate([polygon @ R.T for polygon, _ in solid(some.scene)])
         ours = body._faces.reshape(-1, 3) if hasattr(body, "_faces") else body._vec[:3].T
         np.testing.assert_allclose(np.sort(ours.ravel()), np.sort(expected.ravel()), atol=1e-12)
-        turns, path, fine = turning(some, TIMES[::40])
+        turns, path, fine = attitudes(some, TIMES[::40])
         axis = 2 if some is top else 1
         np.testing.assert_allclose(path[::fine], turns[..., axis], atol=1e-12)
         drawn = np.concatenate([np.array(line.get_data_3d()).T for line in ax.lines[-2:]])
@@ -191,7 +191,7 @@ def test_times_too_far_apart_are_refused_and_paths_of_animations_refined(top):
     """A chord across the sphere is not the path; the animation follows it between its pictures."""
     with pytest.raises(ValuesError, match="the axis moves by up to .*give about"):
         draw_nutation(top, np.linspace(0, 2000, 100), space())
-    _, path, fine = turning(top, np.linspace(0, 200, 10))
+    _, path, fine = attitudes(top, np.linspace(0, 200, 10))
     assert np.linalg.norm(np.diff(path, axis=0), axis=1).max() < 0.2 and fine > 8
 
 

@@ -35,7 +35,7 @@ def test_turning_points_are_roots_of_g(scene, values, energy, U):
     g = np.polynomial.Polynomial(oracle.reduced_motion(I1, float(Fraction(energy)) - (P - l) ** 2 / (2 * I3),
                                                        v, P, U))
     found = well(scene, values, energy)
-    turning = np.array([float(k3) for k3 in found.turning])
+    turning = np.array([float(k3) for k3 in found.turning_points])
     roots = g.roots()
     expected = np.sort(roots.real[(np.abs(roots.imag) < 1e-9) & (np.abs(roots.real) < 1)])
     np.testing.assert_allclose(turning, expected, rtol=1e-9)           # simple roots in doubles
@@ -53,7 +53,7 @@ def test_equilibria_are_the_minima_and_maxima(scene, values, energy, U):
     turns = np.flatnonzero(np.diff(np.sign(np.diff(found.height))))
     minima = np.diff(found.height)[turns] < 0
     inner = sorted((t, h, branch) for t, h, branch in found.equilibria)
-    assert len(inner) == len(turns) and found.turning == []
+    assert len(inner) == len(turns) and found.turning_points == []
     for (theta, height, branch), n, minimum in zip(inner, turns, minima):
         assert found.theta[n] <= theta <= found.theta[n + 2]
         # a step of the angles away, where the slope vanishes
@@ -85,7 +85,7 @@ def test_the_picture():
     assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\theta$", "$V$")
     np.testing.assert_array_equal(curve.get_xydata().T,
                                   [well(scene, values, energy).theta, well(scene, values, energy).height])
-    turns = sorted(np.arccos([float(k3) for k3 in well(scene, values, energy).turning]))
+    turns = sorted(np.arccos([float(k3) for k3 in well(scene, values, energy).turning_points]))
     bars = [line.get_xdata() for line in ax.lines if line.get_linewidth() == 2.2
             and line.get_linestyle() == "-"]
     np.testing.assert_array_equal(bars, [turns[:2], turns[2:]])

@@ -21,7 +21,7 @@ CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1),
 
 def drawn(inertia, rotor, radius, energies=None, **kwargs):
     ax = Figure(figsize=(4, 4)).add_subplot(projection="3d", elev=22, azim=40)
-    return draw_momentum_sphere(gs.assemble(gs.Gyrostat(inertia, rotor)), {}, radius, energies, ax, **kwargs)
+    return draw_momentum_sphere(gs.assemble(gs.Gyrostat(inertia, rotor)), radius, {}, energies, ax, **kwargs)
 
 
 @pytest.mark.parametrize("inertia, rotor, radius", CASES)
@@ -86,7 +86,7 @@ def test_what_cannot_be_drawn_is_refused():
     """What was given, why it is impossible, what to do."""
     field = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     with pytest.raises(ScopeError, match="the scene has the potential k3\\*m0: assemble the body alone"):
-        draw_momentum_sphere(field, {}, 1)
+        draw_momentum_sphere(field, 1)
     with pytest.raises(ScopeError,
                        match=r"inertia = \(2, 2, 2\) and l = 0: every point .* give different moments"):
         drawn((2, 2, 2), (0, 0, 0), 1)
@@ -95,11 +95,11 @@ def test_what_cannot_be_drawn_is_refused():
         drawn((1, 2, 3), (0, 0, 0), 0)
     free = gs.assemble(gs.Gyrostat())
     with pytest.raises(ValuesError, match="needs l1, l2, l3: give a number for each"):
-        draw_momentum_sphere(free, {"I1": 1, "I2": 2, "I3": 3}, 1)
+        draw_momentum_sphere(free, 1, {"I1": 1, "I2": 2, "I3": 3})
     with pytest.raises(ValuesError, match="no parameter m0"):
-        draw_momentum_sphere(free, {"m0": 1}, 1)
+        draw_momentum_sphere(free, 1, {"m0": 1})
     with pytest.raises(ArgumentError, match="the axes are rectilinear"):
-        draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), {}, 1, ax=Figure().subplots())
+        draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), 1, ax=Figure().subplots())
 
 
 @pytest.mark.parametrize("energy", [0.1, 0.6, 0.500001])

@@ -197,7 +197,7 @@ def _polhode(ax: Any, moving: Motion, states: Array) -> None:
     """
     rotor = moving.scene.body.gyrostatic_momentum
     momentum = sqrt(Add(*((p + l)**2 for p, l in zip(moving.state, rotor))))
-    draw_momentum_sphere(moving.scene, {}, momentum, [moving.energy], ax)
+    draw_momentum_sphere(moving.scene, momentum, {}, [moving.energy], ax)
     path, eye = states + [float(l) for l in rotor], towards(ax)
     curve_on(ax, path, eye, color=BLUE, linewidth=2.4)
     dots_on(ax, path[:1], eye, color=BLUE, marker="o", linestyle="none", markersize=4)

@@ -60,11 +60,12 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     >>> from matplotlib.figure import Figure
     >>> from gyrostat.trajectories import motion
     >>> box = motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
-    >>> animation = animate_top(box, np.linspace(0, 60, 4), Figure(figsize=(2, 2)).add_subplot(projection="3d"), interval=50)
+    >>> ax = Figure(figsize=(2, 2)).add_subplot(projection="3d")
+    >>> animation = animate_top(box, np.linspace(0, 60, 4), ax, interval=50)
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     save_animation(animation, f"{folder}/box.gif")
     """
-    turns, path, fine = turning(motion, times)
+    turns, path, fine = attitudes(motion, times)
     ax = axes_of(ax, three=True)
     from matplotlib.animation import FuncAnimation
     eye, faces = stage(ax, 1.0, [label("x"), label("y"), label("z")]), solid(motion.scene)
@@ -86,7 +87,7 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     return FuncAnimation(ax.figure, show, frames=len(turns), **{"interval": 40, **kwargs})
 
 
-def turning(motion: Motion, times: Any) -> tuple[Array, Array, int]:
+def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int]:
     """The rotations from the body to space, shape (n, 3, 3), the path of the axis that is followed, and its
     points to a step.
     """

@@ -21,9 +21,8 @@ MEETINGS = {tilt_leaves(E1): "^", tilt_leaves(E2): "v", "fold at fixed rate": "D
 CLEARANCE = 0.11                                           # of the names, in k3
 
 
-def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter: str, ends: tuple[Any, Any],
-                             ax: Any = None,
-                             **kwargs: Any) -> Any:
+def draw_bifurcation_diagram(scene: System, parameter: str, values: Mapping[str, Any], ends: tuple[Any, Any],
+                             ax: Any = None, **kwargs: Any) -> Any:
     """Draw k3 of every E1, E2 and E3 at fixed rotor and rate about the vertical against one parameter.
 
     Solid: stable; dashed: unstable; dotted: undecided; E3 modulo the spin about the axis of the body. A full
@@ -35,10 +34,10 @@ def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter
     ----------
     scene : System
         body of revolution in a U rational in k3
-    values : mapping of name to number
-        the moments, l, the parameters of U and omega, without the one that is free
     parameter : str
-        "omega", or another name of these
+        the one that is free: "omega", or another name of these
+    values : mapping of name to number
+        the moments, l, the parameters of U and omega, without it
     ends : pair of numbers
         of its range
     ax : matplotlib Axes
@@ -64,9 +63,10 @@ def draw_bifurcation_diagram(scene: System, values: Mapping[str, Any], parameter
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> ax = draw_bifurcation_diagram(top, {"I1": 2, "I3": 1, "l": 0, "m0": -1}, "omega", (0, 3), Figure().subplots())
-    >>> ax.get_xlabel(), [text.get_text() for text in ax.get_legend().get_texts()]
-    ('$\\\\omega$', ['stable (E3: modulo the spin)', 'unstable', 'E3 leaves E1', 'changes: precessions leave E2'])
+    >>> numbers = {"I1": 2, "I3": 1, "l": 0, "m0": -1}
+    >>> ax = draw_bifurcation_diagram(top, "omega", numbers, (0, 3), Figure().subplots())
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['stable (E3: modulo the spin)', 'unstable', 'E3 leaves E1', 'changes: precessions leave E2']
     """
     found = continuation(scene, parameter, ends, values)
     ax = axes_of(ax)

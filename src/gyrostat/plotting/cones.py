@@ -58,7 +58,8 @@ def cones(inertia: Sequence[Any], transverse: Any, axial: Any) -> tuple[Cone, Co
     Examples
     --------
     >>> space, body, vectors = cones((2, 1), 1, 1)
-    >>> bool(np.isclose(space.angle + body.angle, np.arccos(vectors["M"] @ vectors["e3"])))      # the body cone rolls outside
+    >>> between = np.arccos(vectors["M"] @ vectors["e3"])
+    >>> bool(np.isclose(space.angle + body.angle, between))                  # the body cone rolls outside
     True
     """
     motion = free_precession(inertia, transverse, axial)

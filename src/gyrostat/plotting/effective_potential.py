@@ -34,7 +34,7 @@ class Well:
     theta, height : arrays, shape (n,)
         V at angles inside (0, π), close together beside what is special; NaN where U is infinite
     equilibria : list of (theta, V, Branch)
-    turning : list of Expr
+    turning_points : list of Expr
         exact k3 at which V is the energy
     reach : list of (Expr, Expr)
         from which to which k3 the energy lets the body go
@@ -45,7 +45,7 @@ class Well:
     theta: Array
     height: Array
     equilibria: list[tuple[float, float, Branch]]
-    turning: list[Expr]
+    turning_points: list[Expr]
     reach: list[tuple[Expr, Expr]]
     level: bool
 
@@ -66,8 +66,10 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> found = well(top, {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}, energy=10)
-    >>> [branch.decision.verdict.name for _, _, branch in found.equilibria], [round(float(k3), 4) for k3 in found.turning]
-    (['STABLE'], [0.2843, 0.7957])
+    >>> [branch.decision.verdict.name for _, _, branch in found.equilibria]
+    ['STABLE']
+    >>> [round(float(k3), 4) for k3 in found.turning_points]
+    [0.2843, 0.7957]
     """
     require(scene, System, "the scene")
     names_of(scene)                                    # in U(k3), given: or refused
@@ -88,14 +90,15 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
             at = motion.axial + motion.system.potential.expression if pole else motion.effective_potential()  # type: ignore[union-attr]
             height = in_floats(at.xreplace({**numbers, K3: branch.k3}), np, {})
             found.append((float(np.arccos(float(branch.k3))), float(height), branch))
-    turning, reach = [], []
+    turning_points, reach = [], []
     if energy is not None:
         g = motion.square().xreplace(dict(numbers)).xreplace({ENERGY: exact_number(energy, "energy")})
-        turning = real_roots(g, K3, S.NegativeOne, S.One) or []
-        ends = [S.NegativeOne, *in_order([*turning, *infinite]), S.One]
+        turning_points = real_roots(g, K3, S.NegativeOne, S.One) or []
+        ends = [S.NegativeOne, *in_order([*turning_points, *infinite]), S.One]
         reach = [(a, b) for a, b in zip(ends, ends[1:])
                  if sign_of_constant(g.xreplace({K3: between(a, b)})) == 1]
-    beside = [float(np.arccos(float(k3))) for k3 in (*turning, *infinite)] + [theta for theta, _, _ in found]
+    beside = [float(np.arccos(float(k3))) for k3 in (*turning_points, *infinite)]
+    beside += [theta for theta, _, _ in found]
     theta = _angles(n, [0.0, np.pi, *beside])
     height = np.array(np.broadcast_to(in_floats(potential, np, {THETA: theta}), theta.shape), dtype=float)
     for k3 in infinite:
@@ -103,7 +106,7 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
         place = np.searchsorted(theta, at_pole)
         place += int(place < len(theta) and theta[place] == at_pole)
         theta, height = np.insert(theta, place, at_pole), np.insert(height, place, np.nan)
-    return Well(theta, height, found, turning, reach, any(branch.k3 is None for branch in branches))
+    return Well(theta, height, found, turning_points, reach, any(branch.k3 is None for branch in branches))
 
 
 def _angles(n: int, special: Sequence[float]) -> Array:
@@ -162,7 +165,7 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     '$\\\\theta$'
     """
     found = well(scene, values, energy)
-    if energy is not None and not found.reach and not found.turning:
+    if energy is not None and not found.reach and not found.turning_points:
         raise ValuesError(f"energy = {energy}: no motion has it on this level of p_phi and p_psi, V is "
                           "nowhere so low; give at least "
                           f"{np.nanmin(found.height):.6g}")
@@ -203,7 +206,7 @@ def _energy(ax: Any, found: Well, energy: float) -> dict[str, Any]:
         inside = (found.theta >= a) & (found.theta <= b)
         ax.fill_between(found.theta[inside], np.minimum(found.height[inside], energy), energy,
                         color="#e9edf2", zorder=0, linewidth=0)
-    turns = [float(np.arccos(float(k3))) for k3 in found.turning]
+    turns = [float(np.arccos(float(k3))) for k3 in found.turning_points]
     ax.plot(turns, [energy] * len(turns), marker="|", markersize=11, markeredgewidth=2.2, linestyle="none",
             color=BLUE, zorder=3)
     return style

@@ -12,9 +12,8 @@ from .looks import DARK, GREY, axes_of, label, legend, named
 SHAPES = {"Hamiltonian Hopf": "x", "zero eigenvalue": "+", "real pairs meet": "1"}
 
 
-def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str, samples: Sequence[float],
-                     ax: Any = None,
-                     **kwargs: Any) -> Any:
+def draw_eigenvalues(eq: Equilibrium, parameter: str, values: Mapping[str, Any], samples: Sequence[float],
+                     ax: Any = None, **kwargs: Any) -> Any:
     """Draw the eigenvalues of the linearised field in the complex plane, along a parameter.
 
     The colour is the parameter, arrows point the way the samples go. Where eigenvalues collide there is a
@@ -23,9 +22,10 @@ def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
     Parameters
     ----------
     eq : Equilibrium
-    values : mapping of name to number
-        for every other name in the spectrum
     parameter : str
+        a name in the spectrum
+    values : mapping of name to number
+        for every other one
     samples : sequence of float
         of the parameter, from one end to the other
     ax : matplotlib Axes
@@ -53,8 +53,8 @@ def draw_eigenvalues(eq: Equilibrium, values: Mapping[str, Any], parameter: str,
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
-    >>> samples = np.linspace(2, 0, 80)
-    >>> ax = draw_eigenvalues(top, {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, "omega3_0", samples, Figure().subplots())
+    >>> numbers, samples = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, np.linspace(2, 0, 80)
+    >>> ax = draw_eigenvalues(top, "omega3_0", numbers, samples, Figure().subplots())
     >>> ax.get_xlabel()
     '$\\\\mathrm{Re}\\\\,\\\\lambda$'
     """

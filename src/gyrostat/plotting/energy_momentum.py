@@ -39,8 +39,10 @@ def energy_momentum(scene: System, values: Mapping[str, Any]) -> EnergyMomentum:
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> found = energy_momentum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1})
-    >>> {curve.verdict.name for curve in found.curves}, [(v, h, pole.decision.verdict.name) for v, h, pole in found.poles]
-    ({'STABLE'}, [(1.0, 1.5, 'UNSTABLE'), (-1.0, -0.5, 'STABLE')])
+    >>> {curve.verdict.name for curve in found.curves}
+    {'STABLE'}
+    >>> [(v, h, pole.decision.verdict.name) for v, h, pole in found.poles]
+    [(1.0, 1.5, 'UNSTABLE'), (-1.0, -0.5, 'STABLE')]
     """
     require(scene, System, "the scene")
     names_of(scene)                                    # in U(k3), given: or refused
@@ -102,7 +104,8 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> ax = draw_energy_momentum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1}, ax=Figure().subplots())
+    >>> numbers = {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1}
+    >>> ax = draw_energy_momentum(top, numbers, ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable (curves: modulo the spin)', 'unstable', 'one band of $k_3$']
     """

@@ -6,7 +6,7 @@ import numpy as np
 from ..algebra.floats import Array
 from ..errors import optional
 from ..trajectories import Motion
-from .animation import turning
+from .animation import attitudes
 from .looks import BLUE
 from .solids import Face, solid
 
@@ -39,7 +39,7 @@ def view_motion(motion: Motion, times: Any) -> Any:
         pip install "gyrostat[interactive]"
     """
     go = optional("plotly.graph_objects", "interactive")
-    turns, path, fine = turning(motion, times)
+    turns, path, fine = attitudes(motion, times)
     faces = solid(motion.scene)
     frames = [go.Frame(name=f"{t:.4g}", data=[_body(go, faces, R), _path(go, path[:fine * n + 1])],
                        traces=[1, 2])

@@ -19,7 +19,7 @@ from .numbers import body_at, numbers_of
 BAND = 5                                                   # polhodes between two critical energies
 
 
-def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any,
+def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any] | None = None,
                          energies: Sequence[float] | None = None, ax: Any = None,
                          **kwargs: Any) -> Any:
     """Draw the sphere abs(M) = const of a free body or gyrostat, M = π + l, seen as ax.view_init says.
@@ -33,10 +33,10 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
     ----------
     scene : System
         without a potential
-    values : mapping of name to number
-        for its parameters
     momentum : number
         abs(M) [M L²/T]
+    values : mapping of name to number, or None
+        for its parameters
     energies : sequence of float or None
         of the polhodes [M L²/T²]; None: a few between each two critical ones
     ax : axes of mplot3d
@@ -67,7 +67,8 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
     --------
     >>> from matplotlib.figure import Figure
     >>> from gyrostat import Gyrostat, assemble
-    >>> ax = draw_momentum_sphere(assemble(Gyrostat((1, 2, 3), (0, 0, 0))), {}, 1, ax=Figure().add_subplot(projection="3d"))
+    >>> body = assemble(Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> ax = draw_momentum_sphere(body, 1, ax=Figure().add_subplot(projection="3d"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['polhode', 'separatrix', 'stable', 'unstable']
     """
@@ -76,7 +77,7 @@ def draw_momentum_sphere(scene: System, values: Mapping[str, Any], momentum: Any
         raise ScopeError("M keeps its length only in a free body, the scene has the potential "
                          f"{scene.potential.expression}: "
                          "assemble the body alone")
-    body, radius = body_at(scene, numbers_of(scene, values)), exact_number(momentum, "momentum")
+    body, radius = body_at(scene, numbers_of(scene, values or {})), exact_number(momentum, "momentum")
     if sign_of_constant(radius) != 1:
         raise ValuesError(f"momentum = {momentum} is not the radius of a sphere: give a positive number")
     points, size = permanent_rotations(body, radius), float(radius)
