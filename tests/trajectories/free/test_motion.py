@@ -224,7 +224,7 @@ def test_gyrostat_on_a_separatrix():
             < 2e-15
         )
         assert distance(motion.state(float(t)), middles(motion.ball_state(arb(float(t)), 60))) < 2e-15
-    for end in (side.length * sign for side, sign in zip(motion.turning.loops(6), (1, -1))):
+    for end in (side.length * sign for side, sign in zip(motion.rotation.loops(6), (1, -1))):
         # it turns by 4 · 10⁻⁸ · |M|
         assert np.abs(motion.attitude(end * (1 + 1e-9)) - motion.attitude(end * (1 - 1e-9))).max() < 1e-6
     for t in (30.0, -30.0):
@@ -262,7 +262,7 @@ def test_nearly_equal_moments_turn_as_slowly_as_they_should():
     """
     e = Fraction(1, 10**10)
     motion = free((1, 1 + e, 1 + 2 * e), (1, 2, 2))
-    assert 1e10 < motion.period < 1e11 and motion.turning.nodes < 100
+    assert 1e10 < motion.period < 1e11 and motion.rotation.nodes < 100
     sphere = free((1, 1, 1), (1, 2, 2))
     assert np.abs(motion.attitude(1.0) - sphere.attitude(1.0)).max() < 1e-9
 
