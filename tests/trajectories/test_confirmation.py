@@ -17,7 +17,8 @@ from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.stability.report import Verdict
 from gyrostat.stability.values import exact_values
 from gyrostat.trajectories import confirmation, models
-from gyrostat.trajectories.confirmation import _Distance, _rates, confirm, moved
+from gyrostat.trajectories.confirmation import _rates, confirm, moved
+from gyrostat.trajectories.excursions import Distance
 from gyrostat.trajectories.integrated import motion as integration
 
 TOP = {"I1": 1, "I3": 1, "l": 0, "m0": 1}
@@ -258,7 +259,7 @@ def test_distance_modulo_the_spin(quartic):
     report = quartic["inclined"]
     point = [Rational(x) for x in (1, 0, 2, "3/5", 0, "4/5")]
     decision = report.verdict({"a": 0, "b": 0, "c": 0, "I1": 1, "I3": 2, "omega": 1, "k3": 0})
-    modulo, itself = (_Distance(report.equilibrium, d, point)
+    modulo, itself = (Distance(report.equilibrium, d, point)
                       for d in (decision, replace(decision, modulo=())))
     c, s = np.cos(2.5), np.sin(2.5)
     turned = np.array([[c, s, 2, 0.6 * c, 0.6 * s, 0.8], [1, 0, 2, 0.6, 0, 0.8 + 1e-9]])

@@ -1,6 +1,6 @@
 """A verdict against the motion: how far the motions go that start close to an equilibrium."""
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,7 +8,6 @@ import numpy as np
 from sympy import Expr, ImmutableMatrix, Rational
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
-from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import AccuracyError, ValuesError, require
 from ..mechanics.equilibria import Equilibrium
@@ -17,21 +16,13 @@ from ..stability.boundary import Boundary
 from ..stability.conditions import holds, sign_at
 from ..stability.report import Decision, Report, Verdict, analyze
 from ..stability.values import exact_values
+from .excursions import SLOW, TURNED, Distance, excursion
 from .models import motion, with_numbers
-from .motion import Motion
 
 SIZES = tuple(Rational(1, 10**d) for d in range(2, 9))
 # directions with nothing special to them
 TURNS = tuple(ImmutableMatrix(v) / 60 for v in ([20, -24, 30], [26, 15, -20]))
 CHANGES = tuple(ImmutableMatrix(v) / 60 for v in ([-15, 30, 24], [30, 12, -25]))
-POINTS, LOOKS = 500, 4                                 # times of a motion; looks at its largest distance
-# turns of a motion without a period; times of growth after an escape
-TURNED, LATER = 20, 10
-# steps by which all motions of a confirmation may be integrated, half a minute of either method; steps that
-# tell how many a time takes
-AFFORDED, TRIED = {"heyoka": 3_000_000, "DOP853": 200_000}, 100
-# a growth that is smaller, in units of the rate, is none that can be waited for
-SLOW = 1e-6
 # 1/2, 1/3, 1/4, 1/6, … are told apart; of order one; like a definite form
 CLOSE, FLAT, STEEP = 0.12, 0.05, 0.9
 
@@ -156,7 +147,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     scene = with_numbers(eq.system, _scene_numbers(eq, numbers))
     rate, growth = _rates(report, numbers)
     share = len(steps) * 2 * len(TURNS)
-    distance = _Distance(eq, decision, point)
+    distance = Distance(eq, decision, point)
     far, routes, complete, failure = [], set(), True, ""
     for step in steps:
         here = []
@@ -166,7 +157,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
                     moving = motion(scene, moved(point, sign * step * turn, sign * step * change))
                     routes.add(moving.route)
                     complete = complete and moving.period is not None
-                    here.append(_excursion(moving, distance, rate, growth, float(step), share))
+                    here.append(excursion(moving, distance, rate, growth, float(step), share))
         except (AccuracyError, ValuesError) as error:
             failure = f"from a perturbation of size {float(step):.0e} a motion is not followed: {error}"
             break
@@ -198,34 +189,6 @@ def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix)
     return tuple(x.expand() for x in (*pi, *k))
 
 
-class _Distance:
-    """The distance of states from an equilibrium, modulo the rotations about an axis where the decision is.
-    """
-
-    def __init__(self, eq: Equilibrium, decision: Decision, point: Sequence[Expr]):
-        self.point = np.array([float(x) for x in point]).reshape(-1, 3)
-        axes = [np.array([float(x) for x in eq.system.space.gradient(integral)[:3]])
-                for integral in decision.modulo[:1]]
-        self.axes = [axis / np.linalg.norm(axis) for axis in axes]
-
-    def __call__(self, states: Array) -> Array:
-        vectors = states.reshape(len(states), -1, 3)
-        for axis in self.axes:
-            vectors = self.turned(vectors, axis)
-        return np.sqrt(((vectors - self.point) ** 2).sum(axis=(1, 2)))
-
-    def turned(self, vectors: Array, axis: Array) -> Array:
-        """Each state turned about the axis until it is closest.
-
-        The difference is then taken without cancellation.
-        """
-        along = (vectors @ axis)[..., None] * axis
-        across, side = vectors - along, np.cross(axis, vectors)
-        cosine, sine = ((part * self.point).sum(axis=(1, 2)) for part in (across, side))
-        angle = np.arctan2(sine, cosine)[:, None, None]
-        return along + np.cos(angle) * across + np.sin(angle) * side
-
-
 def _scene_numbers(eq: Equilibrium, numbers: Point) -> dict[str, Expr]:
     """The numbers of the body and of U, an eliminated one among them."""
     scene = eq.system
@@ -249,49 +212,6 @@ def _rates(report: Report, numbers: Point) -> tuple[float, float]:
         found.pop()
     roots = np.sqrt(np.roots([1.0, *map(float, found)]).astype(complex))
     return float(np.abs(roots).max(initial=0)), float(roots.real.max(initial=0))
-
-
-def _excursion(moving: Motion, distance: Callable[[Array], Array], rate: float, growth: float,
-               size: float, share: int) -> float:
-    """The largest distance on the way.
-
-    Over a period, with a closer and closer look at where it is largest.
-    """
-    if moving.period is None:
-        # no motion of the linearised field: any time is as good
-        rate = rate or 1.0
-        longest = TURNED * 2 * math.pi / rate
-        if growth > SLOW * rate:
-            longest = (math.log(1 / size) + LATER) / growth
-        if moving.route in AFFORDED:
-            _afford(moving, longest, AFFORDED[moving.route] // share)
-        return float(distance(moving(np.linspace(0, longest, max(POINTS, int(8 * longest * rate))))).max())
-    times, largest = np.linspace(0, float(moving.period), POINTS), []
-    # close to an unstable boundary an escape is short beside the period
-    for _ in range(LOOKS):
-        far = distance(moving(times))
-        largest.append(float(far.max()))
-        middle = times[far.argmax()]
-        times = np.linspace(middle - (times[1] - times[0]), middle + (times[1] - times[0]), POINTS // 10)
-    return max(largest)
-
-
-def _afford(moving: Motion, longest: float, steps: int) -> None:
-    """Refuse a time that takes more steps of an integration, as its first ones tell.
-
-    Raises
-    ------
-    AccuracyError
-        it does
-    """
-    time = longest * 2.0**-60
-    while time < longest and moving.nodes < TRIED:
-        time *= 2
-        moving(time)
-    if moving.nodes * (longest / time) > steps:
-        raise AccuracyError(f"until t = {longest:.3g} it takes about {moving.nodes * (longest / time):.0e} "
-                            f"steps of {moving.route}, more than {steps}: it leaves too slowly, or turns too "
-                            "fast on the way")
 
 
 def _expected(report: Report, decision: Decision, numbers: Point) -> float | None:

@@ -13,9 +13,10 @@ from ..mechanics.potential import Potential
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, assemble
 from ..stability.values import check_names
+from .digits import bits_of
 from .free.motion import FreeMotion
 from .integrated.motion import Integration
-from .motion import Motion, bits_of
+from .motion import Motion
 from .route import Route
 from .top.level import Level
 from .top.motion import AxialMotion

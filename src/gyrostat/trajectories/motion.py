@@ -1,5 +1,4 @@
 """Motion: the state, attitude, periods and invariants of a scene at any time."""
-from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
@@ -8,23 +7,19 @@ import numpy as np
 from flint import arb
 from sympy import Expr
 
-from ..algebra.balls import ball
 from ..algebra.floats import Array
-from ..algebra.numbers import exact_number, shown
-from ..algebra.precision import own_precision
-from ..errors import AccuracyError, ValuesError, optional
+from ..errors import ValuesError, optional
 from ..mechanics.system import System
 from ..stability.notes import state_note
 from ..version import __version__
 from .columns import columns, dataset, euler, turns_of
 from .conserved import conserved, lost
+from .digits import bits_of, in_digits, states_in_digits
 from .route import Route
 
 
 class Motion:
-    """The state of a scene at any time.
-
-    Calling it ----------
+    """The state of a scene at any time: motion(t) is the state at t.
 
     Attributes
     ----------
@@ -71,19 +66,7 @@ class Motion:
             states = np.array(self._route.state(times))
             states[times == 0] = [float(x) for x in self.state]        # as they were given
             return states
-        times = np.asarray(t, dtype=object)
-        found = np.empty((*times.shape, len(self.state)), dtype=object)
-        for place in np.ndindex(times.shape):
-            moment, bits = exact_number(times[place], "t"), bits_of(self._digits)
-            if moment == 0:                                # as it was given
-                found[place] = [self._shown(ball(x, bits)) for x in self.state]
-                continue
-            state = self._route.ball_state(ball(moment, 2 * bits), bits)
-            if not _known(state, self._digits):
-                raise AccuracyError(f"at t = {shown(moment)} the state is not known to {self._digits} "
-                                    "digits: so late, ask for more")
-            found[place] = [self._shown(x) for x in state]
-        return found
+        return states_in_digits(self._route, self.state, t, self._digits)
 
     def attitude(self, t: Any) -> Array:
         """R from the body to space, x_space = R x_body, in doubles; shape (..., 3, 3).
@@ -116,7 +99,7 @@ class Motion:
         if self._digits is None:
             return self._route.period
         period = self._route.exact_period(bits_of(self._digits))
-        return None if period is None else self._shown(period)
+        return None if period is None else in_digits(period, self._digits)
 
     @property
     def precession(self) -> Any:
@@ -139,7 +122,7 @@ class Motion:
         """The angles of precession and spin, in a period, or in a unit of time where there is none."""
         if self._digits is None:
             return self._route.precession, self._route.spin
-        precession, spin = (self._shown(x) if isinstance(x, arb) else x
+        precession, spin = (in_digits(x, self._digits) if isinstance(x, arb) else x
                             for x in self._route.exact_angles(bits_of(self._digits)))
         return precession, spin
 
@@ -256,22 +239,6 @@ class Motion:
             raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
         table = columns(self.scene, np.asarray(self(t), dtype=float), turns_of(self.attitude, times))
         return dataset(table, times, self.attributes)
-
-    def _shown(self, x: arb) -> mpmath.mpf:
-        mantissa, exponent = map(int, x.mid().man_exp())
-        return mpmath.mpf((mantissa, exponent), dps=self._digits)
-
-
-def _known(state: Sequence[arb], digits: int) -> bool:
-    """Whether every number is enclosed to so many digits of the largest, or of 1."""
-    with own_precision(64):
-        allowed = max([abs(x) for x in state] + [arb(1)], key=arb.mid) * arb(10) ** -digits
-        return all(x.is_finite() and x.rad() <= allowed for x in state)
-
-
-def bits_of(digits: int) -> int:
-    """Bits for so many decimal digits."""
-    return int(3.33 * digits) + 8
 
 
 def _times(t: Any) -> Array:

@@ -6,7 +6,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from flint import arb
 
-from ...algebra.exact import ball
+from ...algebra.balls import ball
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError
