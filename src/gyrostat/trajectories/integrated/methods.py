@@ -80,7 +80,8 @@ def floats(values: Mapping[Symbol, Callable[[Sequence[float]], float]], rounding
         value = rounding(number)
         return lambda x: value
 
-    return integrable(values, constant, lambda a, b: lambda x: a(x) + b(x), lambda a, b: lambda x: a(x) * b(x),
+    return integrable(values, constant, lambda a, b: lambda x: a(x) + b(x),
+                      lambda a, b: lambda x: a(x) * b(x),
                       lambda a, c: lambda x: math.pow(a(x), c), _function)
 
 
