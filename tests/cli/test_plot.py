@@ -56,7 +56,7 @@ def well(heavy):
 
 
 def branches(heavy):
-    return plotting.draw_bifurcation_diagram(heavy, "omega", BODY, ("-1/2", 3), flat())
+    return plotting.draw_bifurcation_diagram(heavy, "omega", ("-1/2", 3), BODY, flat())
 
 
 def diagram(heavy):
@@ -65,8 +65,8 @@ def diagram(heavy):
 
 def hopf(heavy):
     eq, samples = gs.upright(heavy, spin="omega3_0"), np.linspace(2.2, 0, 40)
-    return plotting.draw_eigenvalues(eq, "omega3_0", {"I1": 1, "I3": "1.6", "l": 0, "m0": 1},
-                                     samples.tolist(), flat())
+    return plotting.draw_eigenvalues(eq, "omega3_0", samples.tolist(),
+                                     {"I1": 1, "I3": "1.6", "l": 0, "m0": 1}, flat())
 
 
 def rolling(heavy):

@@ -110,7 +110,7 @@ def test_the_picture():
     E1 and E2 are named.
     """
     scene, values, name, ends, _ = CASES[1]
-    ax = draw_bifurcation_diagram(scene, name, values, ends, Figure().subplots(), linewidth=0.7)
+    ax = draw_bifurcation_diagram(scene, name, ends, values, Figure().subplots(), linewidth=0.7)
     found = continuation(scene, name, ends, values)
     lines = [line for line in ax.lines if line.get_marker() == "None"]
     assert len(lines) == len(found.pieces) and {line.get_linewidth() for line in lines} == {0.7}
@@ -132,25 +132,25 @@ def test_what_cannot_be_drawn_is_refused():
     values = {"I1": 2, "I3": 1, "l": 0, "m0": 1}
     with pytest.raises(ValuesError,
                        match="the range of omega is 2 to 1: give two numbers, the lower one first"):
-        draw_bifurcation_diagram(TOP, "omega", values, (2, 1))
+        draw_bifurcation_diagram(TOP, "omega", (2, 1), values)
     with pytest.raises(ValuesError, match="given were I1, I3, m0, free is l: give omega too"):
-        draw_bifurcation_diagram(TOP, "l", {"I1": 2, "I3": 1, "m0": 1}, (0, 1))
+        draw_bifurcation_diagram(TOP, "l", (0, 1), {"I1": 2, "I3": 1, "m0": 1})
     for name, ends in (("I1", (-2, 2)), ("I3", (0, 1)), ("I1", ("-1", "-1/2"))):
         rest = {n: x for n, x in {**values, "omega": 1}.items() if n != name}
         with pytest.raises(ValuesError,
                            match=f"{name} is a moment of inertia: give a range in which it is positive"):
-            draw_bifurcation_diagram(TOP, name, rest, ends)
+            draw_bifurcation_diagram(TOP, name, ends, rest)
     with pytest.raises(ValuesError, match="free is speed"):
-        draw_bifurcation_diagram(TOP, "speed", {**values, "omega": 1}, (0, 1))
+        draw_bifurcation_diagram(TOP, "speed", (0, 1), {**values, "omega": 1})
     with pytest.raises(ScopeError, match="give a field that is rational in k3"):
         transcendental = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: exp(k3)))
-        draw_bifurcation_diagram(transcendental, "omega", {"I1": 2, "I3": 1, "l": 0}, (0, 1))
+        draw_bifurcation_diagram(transcendental, "omega", (0, 1), {"I1": 2, "I3": 1, "l": 0})
     with pytest.raises(ScopeError, match="give a field of lower degree"):
         high = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**60 - k3**2 + k3))
-        draw_bifurcation_diagram(high, "omega", {"I1": 2, "I3": 1, "l": 1}, (0, 1))
+        draw_bifurcation_diagram(high, "omega", (0, 1), {"I1": 2, "I3": 1, "l": 1})
     with pytest.raises(ScopeError, match="given U"):
         draw_bifurcation_diagram(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()),
-                                 "omega", {"I1": 2, "I3": 1, "l": 0}, (0, 1))
+                                 "omega", (0, 1), {"I1": 2, "I3": 1, "l": 0})
 
 
 def test_the_pitchfork_of_the_double_well():
@@ -162,7 +162,7 @@ def test_the_pitchfork_of_the_double_well():
     assert [(m.kind, m.value, m.k3, m.changes) for m in found.marks] == [
         ("pitchfork at fixed rate", -1, 0, False), ("fold on a level", -sqrt(2) / 2, 0, True),
         ("fold on a level", sqrt(2) / 2, 0, True), ("pitchfork at fixed rate", 1, 0, False)]
-    ax = draw_bifurcation_diagram(QUARTIC, "omega", {"I1": 2, "I3": 1, "l": 0}, (-2, 2), Figure().subplots())
+    ax = draw_bifurcation_diagram(QUARTIC, "omega", (-2, 2), {"I1": 2, "I3": 1, "l": 0}, Figure().subplots())
     assert [text.get_text() for text in ax.get_legend().get_texts()] == [
         "stable (E3: modulo the spin)", "unstable", "pitchfork at fixed rate", "changes: fold on a level"]
 

@@ -131,7 +131,7 @@ def style(line):
 
 def check(seed):
     values, pole, name, ends = drawn_at_random(seed)
-    ax = draw_bifurcation_diagram(scene_of(values, pole, name), name, values, ends, Figure().subplots())
+    ax = draw_bifurcation_diagram(scene_of(values, pole, name), name, ends, values, Figure().subplots())
     handles = dict(zip((text.get_text() for text in ax.get_legend().get_texts()),
                        ax.get_legend().legend_handles))
     marks = {}

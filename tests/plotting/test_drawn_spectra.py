@@ -168,7 +168,7 @@ def located(spectrum, low, high):
 @workdps(50)
 def check(seed):
     eq, spectrum, values, name, samples = scene_at_random(seed)
-    ax = draw_eigenvalues(eq, name, {n: x for n, x in values.items() if n != name}, samples,
+    ax = draw_eigenvalues(eq, name, samples, {n: x for n, x in values.items() if n != name},
                           Figure().subplots())
     (curves,) = [c for c in ax.collections if isinstance(c, LineCollection)]
     size = 4 if len(spectrum(Fraction(samples[0]))) == 2 else 2

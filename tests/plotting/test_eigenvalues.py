@@ -100,7 +100,7 @@ def test_columns_are_continuous():
 
 def test_the_picture():
     """One curve for each eigenvalue, coloured by the parameter, crosses at the collisions, axes named."""
-    ax = draw_eigenvalues(TOP, "omega3_0", SLEEPING, np.linspace(2.3, 0.1, 60), Figure().subplots(),
+    ax = draw_eigenvalues(TOP, "omega3_0", np.linspace(2.3, 0.1, 60), SLEEPING, Figure().subplots(),
                           linewidths=1.5)
     (lines,) = [c for c in ax.collections if isinstance(c, LineCollection)]
     found = spectrum(TOP, "omega3_0", np.linspace(2.3, 0.1, 60), SLEEPING)
@@ -120,8 +120,8 @@ def test_the_picture():
 def test_what_cannot_be_drawn_is_refused():
     """A name that is missing, samples that go back and forth, a scene in the place of an equilibrium."""
     with pytest.raises(ValuesError, match="the spectrum of E1 needs I3"):
-        draw_eigenvalues(TOP, "omega3_0", {"I1": 1, "l": 0, "m0": 1}, [1, 2])
+        draw_eigenvalues(TOP, "omega3_0", [1, 2], {"I1": 1, "l": 0, "m0": 1})
     with pytest.raises(ValuesError, match="increasing or decreasing"):
-        draw_eigenvalues(TOP, "omega3_0", SLEEPING, [1, 2, 1])
+        draw_eigenvalues(TOP, "omega3_0", [1, 2, 1], SLEEPING)
     with pytest.raises(ArgumentError, match="the equilibrium is a System"):
-        draw_eigenvalues(TOP.system, "omega3_0", SLEEPING, [1, 2])
+        draw_eigenvalues(TOP.system, "omega3_0", [1, 2], SLEEPING)

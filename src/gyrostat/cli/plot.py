@@ -54,7 +54,7 @@ def _effective_potential(given: argparse.Namespace, numbers: Numbers, figure: An
 def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     name, low, high, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
     _free(name, numbers)
-    plotting.draw_bifurcation_diagram(scene := _revolving(given), name, numbers, (low, high),
+    plotting.draw_bifurcation_diagram(scene := _revolving(given), name, (low, high), numbers,
                                       figure.subplots())
     return _unusual(scene, numbers)
 
@@ -69,7 +69,7 @@ def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> st
     _free(name, numbers)
     one_spin(names := {**numbers, name: low})
     eq = report_for("picture", given.potential, given.equilibrium, names).equilibrium
-    plotting.draw_eigenvalues(eq, name, numbers, np.linspace(float(low), float(high), count).tolist(),
+    plotting.draw_eigenvalues(eq, name, np.linspace(float(low), float(high), count).tolist(), numbers,
                               figure.subplots())
     return _unusual(eq.system, numbers)
 

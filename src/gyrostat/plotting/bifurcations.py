@@ -21,7 +21,7 @@ MEETINGS = {tilt_leaves(E1): "^", tilt_leaves(E2): "v", "fold at fixed rate": "D
 CLEARANCE = 0.11                                           # of the names, in k3
 
 
-def draw_bifurcation_diagram(scene: System, parameter: str, values: Mapping[str, Any], ends: tuple[Any, Any],
+def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], values: Mapping[str, Any],
                              ax: Any = None, **kwargs: Any) -> Any:
     """Draw k3 of every E1, E2 and E3 at fixed rotor and rate about the vertical against one parameter.
 
@@ -34,12 +34,12 @@ def draw_bifurcation_diagram(scene: System, parameter: str, values: Mapping[str,
     ----------
     scene : System
         body of revolution in a U rational in k3
-    parameter : str
-        the one that is free: "omega", or another name of these
-    values : mapping of name to number
-        the moments, l, the parameters of U and omega, without it
+    name : str
+        what is free: "omega", or another one of these names
     ends : pair of numbers
         of its range
+    values : mapping of name to number
+        the moments, l, the parameters of U and omega, without it
     ax : matplotlib Axes
         a new one where it is left out
     kwargs
@@ -64,11 +64,11 @@ def draw_bifurcation_diagram(scene: System, parameter: str, values: Mapping[str,
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> numbers = {"I1": 2, "I3": 1, "l": 0, "m0": -1}
-    >>> ax = draw_bifurcation_diagram(top, "omega", numbers, (0, 3), Figure().subplots())
+    >>> ax = draw_bifurcation_diagram(top, "omega", (0, 3), numbers, Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable (E3: modulo the spin)', 'unstable', 'E3 leaves E1', 'changes: precessions leave E2']
     """
-    found = continuation(scene, parameter, ends, values)
+    found = continuation(scene, name, ends, values)
     ax = axes_of(ax)
     for piece in found.pieces:
         alone = len(piece.parameter) == 1
@@ -81,10 +81,10 @@ def draw_bifurcation_diagram(scene: System, parameter: str, values: Mapping[str,
             ax.plot([float(mark.value) for mark in marks], [float(mark.k3) for mark in marks], zorder=4,
                     clip_on=False, **style)
             handles.append(named(style, f"changes: {kind}" if kind in CHANGES else kind))
-    low, high = (float(exact_number(end, parameter)) for end in ends)
+    low, high = (float(exact_number(end, name)) for end in ends)
     ax.set(xlim=(low, high), ylim=(-1.1, 1.1))
-    for name, height in _names(found, high):
-        ax.annotate(name, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(),
+    for text, height in _names(found, high):
+        ax.annotate(text, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(),
                     textcoords="offset points", va="center")
     for piece in _unnamed(found, high):
         n = int(np.argmin(np.abs(piece.parameter - piece.parameter.mean())))
@@ -92,7 +92,7 @@ def draw_bifurcation_diagram(scene: System, parameter: str, values: Mapping[str,
         ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5 if above else -5),
                     textcoords="offset points",
                     va="bottom" if above else "top")
-    ax.set_xlabel(label(parameter))
+    ax.set_xlabel(label(name))
     ax.set_ylabel(label("k3"))
     legend(ax, handles, 2)
     return ax

@@ -12,7 +12,7 @@ from .looks import DARK, GREY, axes_of, label, legend, named
 SHAPES = {"Hamiltonian Hopf": "x", "zero eigenvalue": "+", "real pairs meet": "1"}
 
 
-def draw_eigenvalues(eq: Equilibrium, parameter: str, values: Mapping[str, Any], samples: Sequence[float],
+def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], values: Mapping[str, Any],
                      ax: Any = None, **kwargs: Any) -> Any:
     """Draw the eigenvalues of the linearised field in the complex plane, along a parameter.
 
@@ -22,12 +22,12 @@ def draw_eigenvalues(eq: Equilibrium, parameter: str, values: Mapping[str, Any],
     Parameters
     ----------
     eq : Equilibrium
-    parameter : str
-        a name in the spectrum
+    name : str
+        in the spectrum
+    samples : sequence of float, shape (n,)
+        of that name, from one end to the other
     values : mapping of name to number
         for every other one
-    samples : sequence of float
-        of the parameter, from one end to the other
     ax : matplotlib Axes
         a new one where it is left out
     kwargs
@@ -54,11 +54,11 @@ def draw_eigenvalues(eq: Equilibrium, parameter: str, values: Mapping[str, Any],
     >>> from matplotlib.figure import Figure
     >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
     >>> numbers, samples = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, np.linspace(2, 0, 80)
-    >>> ax = draw_eigenvalues(top, "omega3_0", numbers, samples, Figure().subplots())
+    >>> ax = draw_eigenvalues(top, "omega3_0", samples, numbers, Figure().subplots())
     >>> ax.get_xlabel()
     '$\\\\mathrm{Re}\\\\,\\\\lambda$'
     """
-    found = spectrum(eq, parameter, samples, values)
+    found = spectrum(eq, name, samples, values)
     ax = axes_of(ax)
     from matplotlib.collections import LineCollection
     points = np.stack([found.eigenvalues.real, found.eigenvalues.imag], axis=-1).transpose(1, 0, 2)
@@ -83,12 +83,12 @@ def draw_eigenvalues(eq: Equilibrium, parameter: str, values: Mapping[str, Any],
         ax.plot(at.real, at.imag, zorder=4, **style)
         where = ", ".join(f"{collision.value:.4g}" for collision in these)
         handles.append(named(style,
-                             f"{'changes: ' if changes else ''}{kind} at {label(parameter)} = {where}"))
+                             f"{'changes: ' if changes else ''}{kind} at {label(name)} = {where}"))
     if handles:
         legend(ax, handles, 1)
     ax.set_xlabel(rf"$\mathrm{{Re}}\,{label('lamda')[1:-1]}$")
     ax.set_ylabel(rf"$\mathrm{{Im}}\,{label('lamda')[1:-1]}$")
-    ax.figure.colorbar(lines, ax=ax, label=label(parameter))
+    ax.figure.colorbar(lines, ax=ax, label=label(name))
     return ax
 
 
