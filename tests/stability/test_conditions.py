@@ -14,9 +14,10 @@ from gyrostat.algebra.polynomials import Ring
 from gyrostat.errors import BodyError, ScopeError
 from gyrostat.mechanics.attitude import angle_rates
 from gyrostat.notation import NOTATION
-from gyrostat.stability.conditions import Condition, Criterion, holds, independent
+from gyrostat.stability.conditions import Condition, Criterion, independent
 from gyrostat.stability.implication import Item, eliminate, merge, reduced
 from gyrostat.stability.linearization import Linearization
+from gyrostat.stability.truth import holds
 
 I1, I2, I3, l, pi3, w3, dU, d2U, k3, omega, m0, m1 = map(gs.symbol, (
     "I1", "I2", "I3", "l", "pi3_0", "omega3_0", "dU", "d2U", "k3", "omega", "m0", "m1"))

@@ -12,8 +12,9 @@ from sympy import CRootOf, GoldenRatio, Rational, asin, atan, exp, expand, log, 
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, EquilibriumError, GyrostatError, ValuesError
-from gyrostat.stability.conditions import Condition, Criterion, holds
+from gyrostat.stability.conditions import Condition, Criterion
 from gyrostat.stability.report import Verdict
+from gyrostat.stability.truth import holds
 
 # 0: on the boundary, the next derivative of U not given
 SIGNS = {1: Verdict.STABLE, -1: Verdict.UNSTABLE, 0: Verdict.UNDECIDED}

@@ -1,11 +1,12 @@
 """Published conditions and verdicts beside the criteria the library derives, both in margin normal form."""
+import operator
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
 from typing import Any
 
-from sympy import Expr, S, Symbol
+from sympy import Expr, Symbol
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.margins import Signs
@@ -15,6 +16,7 @@ from ..notation import symbol
 from ..stability.conditions import Condition, Criterion
 from ..stability.implication import Item, reduced
 from ..stability.report import Report, analyze
+from ..stability.truth import Relation, truth
 from .scenes import Scene
 
 K3 = symbol("k3")
@@ -212,14 +214,14 @@ def free_symbols(given: Criterion) -> set[Symbol]:
 
 def holds(given: Criterion, values: dict[Symbol, Expr]) -> bool:
     """Whether a criterion holds at rational values."""
-    return any(all(_holds(c, values) for c in alternative) for alternative in given.alternatives)
+    def compare(expression: Expr, relation: Relation) -> bool:
+        value = expression.xreplace(values)
+        if relation in (operator.eq, operator.ne):
+            return bool(relation(value, 0))
+        # where it divides by zero or is not real it says nothing
+        if not value.is_finite or not value.is_real:
+            return False
+        sign = sign_of_constant(value)
+        return sign is not None and bool(relation(sign, 0))
 
-
-def _holds(condition: Condition, values: dict[Symbol, Expr]) -> bool:
-    value = condition.margin.xreplace(values)
-    if any(e.xreplace(values) == 0 for e in condition.degenerate):
-        value = S.Zero
-    # where it divides by zero or is not real it says nothing
-    if not value.is_finite or not value.is_real:
-        return False
-    return sign_of_constant(value) in ((1,) if condition.strict else (0, 1))
+    return truth(given, compare, all, any)

@@ -15,7 +15,8 @@ from ..algebra.polynomials import Ring
 from ..mechanics.equilibria import Equilibrium, once
 from ..mechanics.reduction import expansion, reducible
 from ..notation import Shown, Stored, jet, symbol
-from .conditions import Condition, sign_at
+from .conditions import Condition
+from .truth import sign_at
 
 # power of x up to which the ladder of a transcendental U goes
 HIGHEST = 24

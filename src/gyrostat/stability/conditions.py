@@ -2,12 +2,11 @@
 
 The spectral and the formal test as inequalities, reduced to what is independent.
 """
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from sympy import Expr, S, Symbol
 
-from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.margins import Signs
 from ..algebra.polynomials import Ring
 from ..mechanics.equilibria import Equilibrium
@@ -163,57 +162,6 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
         criterion = replace(criterion, alternatives=kept)
         conditions = [c for alternative in kept for c in alternative]
     return criterion
-
-
-def sign_at(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
-    """Sign of the margin at exact numbers, 0 where an even factor vanishes, None where it is not proved.
-
-    Values go into margins.
-    """
-    if 0 in (factors := _factor_signs(condition, numbers)):
-        return 0
-    return None if None in factors else _margin_sign(condition, numbers, margins)
-
-
-def holds(criterion: Criterion, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> bool | None:
-    """Truth of a criterion at exact numbers, None where it is not proved.
-
-    The values of its margins are entered.
-    """
-    answers = [_all(_condition_holds(c, numbers, margins) for c in alternative)
-               for alternative in criterion.alternatives]
-    return True if True in answers else None if None in answers else False
-
-
-def _all(answers: Iterable[bool | None]) -> bool | None:
-    given = list(answers)
-    return False if False in given else None if None in given else True
-
-
-def _condition_holds(condition: Condition, numbers: Mapping[Symbol, Expr],
-                     margins: dict[Expr, Expr]) -> bool | None:
-    sign = _margin_sign(condition, numbers, margins)
-    factors = _factor_signs(condition, numbers)
-    if 0 in factors:
-        sign = 0
-    if sign is None:
-        return None
-    if None in factors:                                # the sign is this one, or 0
-        return None if (sign > 0) == condition.strict and sign else not condition.strict
-    return sign > 0 if condition.strict else sign >= 0
-
-
-def _margin_sign(condition: Condition, numbers: Mapping[Symbol, Expr],
-                 margins: dict[Expr, Expr]) -> int | None:
-    if condition.margin not in margins:
-        margins[condition.margin] = evaluate(condition.margin, numbers)
-    if (found := sign_of_constant(margins[condition.margin])) == 0:
-        margins[condition.margin] = S.Zero              # in whatever terms it came out
-    return found
-
-
-def _factor_signs(condition: Condition, numbers: Mapping[Symbol, Expr]) -> list[int | None]:
-    return [sign_of_constant(evaluate(factor, numbers)) for factor in condition.degenerate]
 
 
 def _inserted(signs: Signs, condition: Condition, values: Callable[[Expr], Expr]) -> Item:

@@ -13,7 +13,7 @@ from ..mechanics.standard import Seen, seen, seen_at
 from ..mechanics.system import System
 from ..notation import Shown, Stored, jet, symbol
 from .boundary import Boundary, boundary_of
-from .conditions import Criterion, formal_criterion, holds, independent, spectral_criterion
+from .conditions import Criterion, formal_criterion, independent, spectral_criterion
 from .decision import Between, Decider, Decision, Verdict
 from .drift import Drift
 from .elementary import Elementary
@@ -21,6 +21,7 @@ from .energy_casimir import SecondVariation, second_variation
 from .linearization import Linearization, linearize
 from .notes import scene_note
 from .sphere import sphere_of
+from .truth import holds
 from .values import exact_values, names_in
 
 

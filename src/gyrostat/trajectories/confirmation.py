@@ -13,8 +13,8 @@ from ..errors import AccuracyError, ValuesError, require
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.standard import seen_at
 from ..stability.boundary import Boundary
-from ..stability.conditions import holds, sign_at
 from ..stability.report import Decision, Report, Verdict, analyze
+from ..stability.truth import holds, sign_at
 from ..stability.values import exact_values
 from .excursions import SLOW, TURNED, Distance, excursion
 from .models import motion, with_numbers
