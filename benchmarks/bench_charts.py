@@ -22,8 +22,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import gyrostat as gs
-from gyrostat.charts.arrays import CODES, certified_chart
+from gyrostat.charts.boxes import certified_chart
 from gyrostat.charts.chart import stability_chart
+from gyrostat.charts.codes import CODE_OF
 from gyrostat.plotting import caption, draw_chart
 
 BODY = gs.symmetric_gyrostat()
@@ -55,7 +56,7 @@ def wrong_in_chart(report, chart, rng, count):
     wrong = 0
     for i, j in places:
         values = fixed | {up: float(chart[up][i]), across: float(chart[across][j])}
-        wrong += codes[i, j] != CODES[report.verdict(values).verdict]
+        wrong += codes[i, j] != CODE_OF[report.verdict(values).verdict]
     return wrong, len(places)
 
 
@@ -67,7 +68,7 @@ def wrong_in_boxes(report, chart, rng, count):
         share = [Fraction(int(k), 1000) for k in rng.integers(0, 1001, len(chart.axes))]
         point = {name: Fraction(float(low)) + t * (Fraction(float(high)) - Fraction(float(low)))
                  for name, low, high, t in zip(chart.axes, chart.low[n], chart.high[n], share)}
-        wrong += chart.code[n] != CODES[report.verdict(point | {"I1": 1, "m0": 1}).verdict]
+        wrong += chart.code[n] != CODE_OF[report.verdict(point | {"I1": 1, "m0": 1}).verdict]
     return wrong, min(count, len(decided))
 
 

@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from sympy import Rational, chebyshevt, cos, exp, log, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.charts import arrays as certify
+from gyrostat.charts import arrays, deciding, verdicts
 from gyrostat.charts import signs as arraysigns
-from gyrostat.charts.arrays import CODES, INVALID, STABLE, UNDECIDED, UNSTABLE, verdicts
+from gyrostat.charts.codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
 from gyrostat.errors import ArgumentError, GyrostatError, MissingExtraError, ValuesError
 from gyrostat.stability.conditions import Condition, Criterion
 from gyrostat.stability.report import Verdict
@@ -66,7 +66,7 @@ def one_by_one(report, values):
     result = np.empty(np.broadcast_shapes(*(v.shape for v in given_arrays)), dtype=np.int8)
     for index in np.ndindex(result.shape):
         try:
-            result[index] = CODES[report.verdict({n: v[index] for n, v in full.items()}).verdict]
+            result[index] = CODE_OF[report.verdict({n: v[index] for n, v in full.items()}).verdict]
         except ValuesError:
             result[index] = INVALID
     return result
@@ -88,8 +88,8 @@ def check(report, values, **options):
 @pytest.fixture
 def tiny_blocks(monkeypatch):
     """Blocks of seven points."""
-    monkeypatch.setattr(certify, "NUMPY_BLOCK", 7)
-    monkeypatch.setattr(certify, "NUMBA_BLOCK", 7)
+    monkeypatch.setattr(arrays, "NUMPY_BLOCK", 7)
+    monkeypatch.setattr(arrays, "NUMBA_BLOCK", 7)
 
 
 def on_axes(**sides):
@@ -416,7 +416,7 @@ def test_names_as_keywords(reports):
     values = {"I1": 1, "dU": 1, "l": 3, "pi3_0": 0}
     found = verdicts(reports["E1"], {"I1": 1, "dU": 1}, l=3, pi3_0=0)
     assert found == verdicts(reports["E1"], values) and found.shape == () and found.dtype == np.int8
-    assert CODES == {Verdict.STABLE: 1, Verdict.UNDECIDED: 0, Verdict.UNSTABLE: -1} and INVALID == -2
+    assert CODE_OF == {Verdict.STABLE: 1, Verdict.UNDECIDED: 0, Verdict.UNSTABLE: -1} and INVALID == -2
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -507,7 +507,7 @@ def test_no_points_no_verdicts(reports, shape, backend):
 def test_the_filter_decides_ordinary_grids(reports, monkeypatch, backend):
     """No point of an ordinary grid needs balls or rationals, also with one outlier among the numbers."""
     monkeypatch.setattr(arraysigns, "ExactSign", None)
-    monkeypatch.setattr(certify, "CODES", None)
+    monkeypatch.setattr(deciding, "CODE_OF", None)
     for outlier in (1.0, 1e140):
         omega = np.append(np.linspace(0.1, 2, 150), outlier)[:, None]
         found = verdicts(reports["E3"], I1=1.0, I3=0.5, l=0.123, omega=omega, k3=np.linspace(-0.9, 0.9, 200),

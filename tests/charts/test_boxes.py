@@ -15,7 +15,7 @@ from sympy import Rational, cos, exp, log, pi, sqrt
 
 import gyrostat as gs
 from gyrostat.charts.boxes import certified_chart, certify_box
-from gyrostat.charts.paving import KINDS
+from gyrostat.charts.codes import KINDS
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.stability.report import Verdict
 

@@ -11,7 +11,8 @@ from sympy import exp
 
 import gyrostat as gs
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.datasets import CODES, coordinate_attributes
+from gyrostat.charts.codes import FLAGS
+from gyrostat.charts.datasets import coordinate_attributes
 from gyrostat.errors import ArgumentError, MissingExtraError, ValuesError
 
 LETTER = {1: "STABLE", 0: "UNDECIDED", -1: "UNSTABLE"}
@@ -46,9 +47,9 @@ axis = st.lists(st.integers(-16, 16), min_size=2, max_size=6,
 def said(report, numbers):
     """What a verdict says there, in the code of a chart."""
     try:
-        return CODES[report.verdict(numbers).verdict.name.lower()]
+        return FLAGS[report.verdict(numbers).verdict.name.lower()]
     except ValuesError:
-        return CODES["no_equilibrium"]
+        return FLAGS["no_equilibrium"]
 
 
 @pytest.mark.parametrize("case", range(8))
@@ -82,7 +83,7 @@ def test_the_examples_reach_every_answer(scenes):
         fixed = {n: v for n, v in fixed.items() if n in report.parameters or n == "d2U"}
         found |= set(np.unique(stability_chart(report, x=(x, grids[x]), y=(y, grids[y]),
                                                fixed=fixed).verdict))
-    assert found == set(CODES.values())
+    assert found == set(FLAGS.values())
 
 
 def test_coordinates_are_exact_and_explained(e1):

@@ -13,9 +13,8 @@ import xarray as xr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gyrostat.charts import arrays as certify
-from gyrostat.charts import numeric
-from gyrostat.charts.arrays import certify_box, verdicts
+from gyrostat.charts import arrays, numeric, verdicts
+from gyrostat.charts.boxes import certify_box
 from gyrostat.charts.chart import stability_chart
 from gyrostat.charts.numeric import compile_margin
 from gyrostat.errors import ArgumentError, ValuesError
@@ -78,7 +77,7 @@ def test_labels_that_differ_are_refused(e1, pair):
 def blocks_of(points):
     """Many blocks, one written before the next is read."""
     with pytest.MonkeyPatch.context() as patched:
-        for module, name in product((numeric, certify), ("NUMPY_BLOCK", "NUMBA_BLOCK")):
+        for module, name in product((numeric, arrays), ("NUMPY_BLOCK", "NUMBA_BLOCK")):
             patched.setattr(module, name, points)
         yield
 

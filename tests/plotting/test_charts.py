@@ -11,12 +11,12 @@ from matplotlib.figure import Figure
 
 import gyrostat as gs
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.datasets import CODES
+from gyrostat.charts.codes import FLAGS
 from gyrostat.errors import MissingExtraError, ValuesError
 from gyrostat.plotting import caption, charts, draw_chart
 from gyrostat.plotting.looks import LOOKS
 
-NAMES = {code: name for name, code in CODES.items()}
+NAMES = {code: name for name, code in FLAGS.items()}
 
 
 @pytest.fixture(scope="module")

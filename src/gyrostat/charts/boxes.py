@@ -11,13 +11,14 @@ from typing import Any
 import numpy as np
 
 from ..algebra.exact import sign_of_constant
+from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
 from ..errors import ValuesError
 from ..stability.report import Report, Verdict
-from .intervals import Array
+from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
 from .paving import CertifiedChart, covered
 from .progress import Told, telling
-from .proofs import ABSENT, STABLE, UNDECIDED, UNSTABLE, Proof
+from .proofs import Proof
 from .regions import region_of
 
 DEEPEST = 1100                                             # bisections after which two floats are neighbours
@@ -108,12 +109,11 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
     region = region_of(report, box)
     if not region.axes:
         decision = report.verdict({s.name: number for s, number in region.fixed.items()})
-        code = {Verdict.STABLE: STABLE, Verdict.UNSTABLE: UNSTABLE}.get(decision.verdict, UNDECIDED)
         chart = CertifiedChart((), region.fixed_numbers, np.empty((1, 0)), np.empty((1, 0)),
-                               np.array([code], np.int8), True)
+                               np.array([CODE_OF[decision.verdict]], np.int8), True)
         return BoxDecision(decision.verdict, decision.reason, chart)
     chart = covered(Proof(report, region), region, DEEPEST, depth, limit, None)
-    found = set(chart.code.tolist()) - {ABSENT}
+    found = set(chart.code.tolist()) - {INVALID}
     if not found:
         raise ValuesError(f"{report.equilibrium.label} exists at no point of the box: choose a box in "
                           "which its domain is positive")

@@ -18,11 +18,11 @@ from ..notation import NOTATION, jet, symbol, typeset, units
 from ..printing.latex import tex
 from ..stability.report import Report
 from ..version import __version__
-from .arrays import INVALID, STABLE, UNDECIDED, UNSTABLE, verdicts
+from .arrays import verdicts
+from .codes import FLAGS
 from .contours import boundary, thinned
 from .numeric import compile_margin
 
-CODES = {"unstable": UNSTABLE, "undecided": UNDECIDED, "stable": STABLE, "no_equilibrium": INVALID}
 OWN = ("verdict", "margin", "boundary_x", "boundary_y", "vertex", "complete")    # names of the dataset itself
 
 
@@ -135,8 +135,8 @@ def variable_attributes(name: str, chart: Chart) -> dict[str, Any]:
         return {"long_name": str(margin), "latex": tex(readable(margin), eq.at)}
     modulo = ", ".join(map(str, chart.report.sufficient.modulo))
     return {"long_name": f"stability of {eq.label}",
-            "flag_values": np.array(list(CODES.values()), dtype=np.int8),
-            "flag_meanings": " ".join(CODES), "notion": "Lyapunov where stable, spectral where unstable"} | (
+            "flag_values": np.array(list(FLAGS.values()), dtype=np.int8),
+            "flag_meanings": " ".join(FLAGS), "notion": "Lyapunov where stable, spectral where unstable"} | (
                 {"modulo": f"the flow of {modulo}"} if modulo else {})
 
 

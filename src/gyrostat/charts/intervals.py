@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any
 
 import numpy as np
 from flint import arb
@@ -15,10 +14,10 @@ from sympy import Expr, Pow, Rational, Symbol, diff
 from ..algebra.balls import ball
 from ..algebra.double_double import two_sum
 from ..algebra.exact import sign_of_constant
+from ..algebra.floats import Array
 from ..algebra.precision import own_precision
 from .straightline import program_of
 
-Array = np.ndarray[Any, Any]
 # bits of the enclosures that are rounded to float64
 PRECISION = 64
 # Functions that are monotone between two points of their domain; all others are enclosed as balls.

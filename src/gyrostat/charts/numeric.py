@@ -1,7 +1,6 @@
 """Margins and criteria as functions of named arrays: NumPy in blocks, Numba, or any array namespace."""
 import operator
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterable, Mapping
 from functools import reduce
 from itertools import chain
 from types import ModuleType
@@ -11,19 +10,27 @@ import numpy as np
 from sympy import Expr
 
 from ..algebra.floats import Array, in_floats
-from ..errors import ArgumentError, ValuesError, optional, require
+from ..errors import ArgumentError, optional
 from ..notation import own
 from ..stability.conditions import Condition, Criterion
+from ..stability.truth import Relation, truth
 from ..stability.values import check_names, names_in
-from .grids import Block, Grid, cut, grid_of
-from .kernels import Finish, Kernel
+from .grids import Block, Grid, grid_of
+from .kernels import Finish
 from .labels import check_plain
 from .rounding import rounded
 from .straightline import program_of
-from .tiles import Tiles
-
-# points: a few buffers fit a core's cache; a call is short beside the loop
-NUMPY_BLOCK, NUMBA_BLOCK = 2**17, 2**20
+from .writing import (
+    NUMBA_BLOCK,
+    NUMPY_BLOCK,
+    Writer,
+    every_of,
+    factor_writer,
+    in_threads,
+    prepared,
+    some_of,
+    writer,
+)
 
 
 class CompiledMargin:
@@ -47,12 +54,11 @@ class CompiledMargin:
         blocks are shared out among them
     """
 
-    def __init__(self, conditions: Sequence[Sequence[Condition]], margin: Expr | None,
-                 backend: str | ModuleType):
-        self._conditions, self._margin = conditions, margin
-        parts = [margin] if margin is not None else [x for group in conditions for c in group
-                                                     for x in (c.margin, *c.degenerate)]
-        self.names = names_in(parts)
+    def __init__(self, what: Criterion | Expr, backend: str | ModuleType):
+        self._what = what
+        self.names = names_in([what] if isinstance(what, Expr) else
+                              [e for alternative in what.alternatives for c in alternative
+                               for e in (c.margin, *c.degenerate)])
         self.backend = backend if isinstance(backend, str) else backend.__name__
         self._spent: list[float] = []
         self._namespace = None if isinstance(backend, str) else backend
@@ -63,7 +69,7 @@ class CompiledMargin:
         return sum(self._spent)
 
     def __call__(self, *, out: Array | None = None, threads: int = 1, **arrays: Any) -> Any:
-        check_names(arrays, self.names, "this margin" if self._margin is not None else "this criterion")
+        check_names(arrays, self.names, "this margin" if isinstance(self._what, Expr) else "this criterion")
         if self._namespace is not None:
             if out is not None:
                 raise ArgumentError(f"out is written to by NumPy and Numba, not by {self.backend}: leave "
@@ -76,7 +82,7 @@ class CompiledMargin:
         kind = np.float32 if single and any(np.ndim(a) for a in used.values()) else np.float64
         with np.errstate(all="ignore"):
             grid = grid_of(used, kind)
-        result = prepared(out, grid.shape, kind if self._margin is not None else np.bool_)
+        result = prepared(out, grid.shape, kind if isinstance(self._what, Expr) else np.bool_)
         grid = grid.apart_from(result)
         merged = result.reshape(grid.merged)
         blocks = grid.blocks(NUMBA_BLOCK if self.backend == "numba" else NUMPY_BLOCK)
@@ -90,43 +96,18 @@ class CompiledMargin:
         in_threads(work, blocks, threads)
         return result if grid.shape or out is not None else result[()]
 
-    def _writer(self, grid: Grid, kind: Any) -> Callable[[Block, Array], None]:
+    def _writer(self, grid: Grid, kind: Any) -> Writer:
         """What fills a block."""
-        if self._margin is not None:
-            return filler(self._margin, grid, "value", self.backend, kind, self._spent)
-        groups = [[self._condition(c, grid, kind) for c in group] for group in self._conditions]
-        if len(groups) == 1 and len(groups[0]) == 1:
-            return groups[0][0]
+        if isinstance(self._what, Expr):
+            return writer(self._what, grid, "value", self.backend, kind, self._spent)
 
-        def write(block: Block, out: Array) -> None:
-            each, some = np.empty_like(out), np.empty_like(out)
-            out[...] = False
-            for group in groups:
-                some[...] = True
-                for fill in group:
-                    fill(block, each)
-                    np.logical_and(some, each, out=some)
-                np.logical_or(out, some, out=out)
+        def compare(expression: Expr, relation: Relation) -> Writer:
+            if relation in (operator.gt, operator.ge):
+                finish: Finish = "positive" if relation is operator.gt else "nonnegative"
+                return writer(expression, grid, finish, self.backend, kind, self._spent)
+            return factor_writer(expression, grid, relation, kind)
 
-        return write
-
-    def _condition(self, condition: Condition, grid: Grid, kind: Any) -> Callable[[Block, Array], None]:
-        finish: Finish = "positive" if condition.strict else "nonnegative"
-        fill = filler(condition.margin, grid, finish, self.backend, kind, self._spent)
-        if not condition.degenerate:
-            return fill
-        factors = [tiles_of(x, grid, kind) for x in condition.degenerate]
-
-        def write(block: Block, out: Array) -> None:
-            fill(block, out)
-            for factor in factors:
-                value = factor.value(block)
-                if condition.strict:
-                    np.logical_and(out, value != 0, out=out)
-                else:
-                    np.logical_or(out, value == 0, out=out)
-
-        return write
+        return truth(self._what, compare, every_of, some_of)
 
     def _everywhere(self, xp: ModuleType, arrays: Mapping[str, Any]) -> Any:
         """The whole result at once, in another namespace."""
@@ -134,19 +115,17 @@ class CompiledMargin:
                  and xp.isdtype(a.dtype, "real floating")]
         kind = xp.result_type(*kinds) if kinds else xp.asarray(1.0).dtype
         given = {name: xp.asarray(arrays[name], dtype=kind) for name in self.names}
-        if self._margin is not None:
-            return _in_namespace(self._margin, xp, given)
-        groups = []
-        for group in self._conditions:
-            each = []
-            for c in group:
-                margin = _in_namespace(c.margin, xp, given)
-                each.append(reduce(operator.and_ if c.strict else operator.or_, [
-                    _in_namespace(x, xp, given) != 0 if c.strict else _in_namespace(x, xp, given) == 0
-                    for x in c.degenerate],
-                    margin > 0 if c.strict else margin >= 0))
-            groups.append(reduce(operator.and_, each, xp.asarray(True)))
-        return reduce(operator.or_, groups, xp.asarray(False))
+        if isinstance(self._what, Expr):
+            return _in_namespace(self._what, xp, given)
+
+        def joined(answers: Iterable[Any], operation: Relation, none: bool) -> Any:
+            return reduce(operation, answers, xp.asarray(none))
+
+        def compare(expression: Expr, relation: Relation) -> Any:
+            return relation(_in_namespace(expression, xp, given), 0)
+
+        return truth(self._what, compare, lambda answers: joined(answers, operator.and_, True),
+                     lambda answers: joined(answers, operator.or_, False))
 
 
 def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType = "numpy") -> CompiledMargin:
@@ -187,41 +166,13 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
     if backend == "numba":
         optional("numba", "fast")
     if isinstance(what, Condition):
-        return CompiledMargin((), what.margin, backend)
+        return CompiledMargin(what.margin, backend)
     if isinstance(what, Criterion):
-        return CompiledMargin(what.alternatives, None, backend)
+        return CompiledMargin(what, backend)
     if isinstance(what, Expr):
-        return CompiledMargin((), own(what), backend)
+        return CompiledMargin(own(what), backend)
     raise ArgumentError(f"what to compile is a {type(what).__name__}, not a Condition or a Criterion: pass "
                         "report.sufficient, say")
-
-
-def filler(margin: Expr, grid: Grid, finish: Finish, backend: str, kind: Any,
-           spent: list[float]) -> Callable[[Block, Array], None]:
-    """What writes the value of a margin, or a test of it, into a block of the result."""
-    tiles = tiles_of(margin, grid, kind)
-    if backend == "numba" and tiles.inner:
-        return Kernel(tiles, finish, spent)
-
-    def write(block: Block, out: Array) -> None:
-        if finish == "value":
-            value = tiles.value(block, out)
-            if value is not out:
-                out[...] = value
-        else:
-            (np.greater if finish == "positive" else np.greater_equal)(tiles.value(block), 0, out=out)
-
-    return write
-
-
-def tiles_of(margin: Expr, grid: Grid, kind: Any = np.float64) -> Tiles:
-    """The program of a margin over a grid."""
-    def read(leaf: Expr, block: Block) -> Array:
-        here = {s: cut(grid.values[s], block) for s in leaf.free_symbols}
-        return np.asarray(in_floats(leaf, np, here), dtype=kind)
-
-    full = frozenset(i for i, n in enumerate(grid.merged) if n > 1)
-    return Tiles(program_of(margin, grid.axes), full, read, kind)
 
 
 def _in_namespace(margin: Expr, xp: ModuleType, given: Mapping[str, Any]) -> Any:
@@ -232,25 +183,3 @@ def _in_namespace(margin: Expr, xp: ModuleType, given: Mapping[str, Any]) -> Any
             for s, a in arrays.items()}
     return program_of(margin, axes).run(lambda leaf: in_floats(leaf, xp, arrays),
                                         lambda c: xp.asarray(rounded(c)[0], dtype=kind), xp)[-1]
-
-
-def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
-    """The array to write to: the one given, if it fits, or a new one."""
-    if out is None:
-        return np.empty(shape, dtype=kind)
-    require(out, np.ndarray, "out")
-    if out.shape != shape or out.dtype != kind or not out.flags.carray:
-        kept = "" if out.flags.carray else ", and is read-only or not C-contiguous"
-        raise ValuesError(f"out has shape {out.shape}, type {out.dtype}{kept}; the result has shape "
-                          f"{shape}, type {np.dtype(kind)}: "
-                          "pass an array made by np.empty")
-    return out
-
-
-def in_threads(work: Callable[[Iterable[Any]], Any], tasks: Sequence[Any], threads: int) -> list[Any]:
-    """The results of the work on equal shares of the tasks."""
-    require(threads, int, "threads")
-    if threads <= 1 or len(tasks) <= 1:
-        return [work(tasks)]
-    with ThreadPoolExecutor(threads) as pool:
-        return list(pool.map(work, [tasks[i::threads] for i in range(threads)]))

@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
+from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError
 from ..stability.report import Verdict
-from .intervals import Array, rounded
-from .proofs import ABSENT, STABLE, UNDECIDED, UNSTABLE, Proof
+from .codes import INVALID, KINDS, STABLE, UNSTABLE
+from .intervals import rounded
+from .proofs import Proof
 from .regions import Region
 
-KINDS = {"stable": STABLE, "unstable": UNSTABLE, "undecided": UNDECIDED, "no equilibrium": ABSENT}
 BLOCK = 8192                                               # boxes at a time
 
 
@@ -75,7 +76,7 @@ class CertifiedChart:
         codes = set(self.code[inside].tolist())
         if not codes:
             raise ValuesError(f"{_point(point)} is outside the chart: choose a point in the region")
-        if ABSENT in codes:
+        if INVALID in codes:
             raise ValuesError(f"there is no equilibrium at {_point(point)}: choose a point where it exists")
         return (
             Verdict.STABLE

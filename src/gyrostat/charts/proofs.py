@@ -2,53 +2,42 @@
 
 A sufficient condition holds, a necessary one fails, or nothing exists.
 """
+import operator
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
+from functools import reduce
+from itertools import chain
 from typing import Any
 
 import numpy as np
 from sympy import Expr
 
 from ..algebra.exact import evaluate
+from ..algebra.floats import Array
 from ..algebra.margins import Signs
 from ..notation import symbol
 from ..stability.conditions import Condition, Criterion
 from ..stability.report import Report
-from .intervals import Array, Enclosure, derivative, enclosure, sharpened
+from ..stability.truth import Relation, condition_truth, truth
+from .answers import answered, every, some
+from .codes import INVALID, STABLE, UNDECIDED, UNSTABLE
+from .intervals import Enclosure, derivative, enclosure, sharpened
 from .regions import Region
 
-STABLE, UNDECIDED, UNSTABLE, ABSENT = 1, 0, -1, -2
-
-
-@dataclass(frozen=True)
-class Sign:
-    """What decides a condition.
-
-    A margin and even factors, by their places among the expressions that are enclosed.
-    """
-
-    margin: int
-    degenerate: tuple[int, ...]
-    strict: bool = True
-
-    def holds(self, bounds: Sequence[Enclosure]) -> Array:
-        """Where the condition is proved at every point of the box."""
-        if not self.strict:
-            return bounds[self.margin].low >= 0
-        return np.logical_and.reduce([bounds[self.margin].low > 0,
-                                      *(_apart(bounds[n]) for n in self.degenerate)])
-
-    def fails(self, bounds: Sequence[Enclosure]) -> Array:
-        """Where the condition is disproved at every point of the box."""
-        if self.strict:
-            return bounds[self.margin].high <= 0
-        return np.logical_and.reduce([bounds[self.margin].high < 0,
-                                      *(_apart(bounds[n]) for n in self.degenerate)])
-
+Bounds = dict[Expr, Enclosure]
 
 def _apart(bounds: Enclosure) -> Array:
     """Where 0 is excluded."""
     return (bounds.low > 0) | (bounds.high < 0)
+
+
+def _compared(bounds: Enclosure, relation: Relation) -> Array:
+    """Whether a relation to 0 is proved or disproved at every point of a box."""
+    if relation in (operator.ne, operator.eq):
+        apart = _apart(bounds)
+        never = np.zeros_like(apart)
+        return answered(apart, never) if relation is operator.ne else answered(never, apart)
+    return answered(relation(bounds.low, 0), ~relation(bounds.high, 0))
 
 
 class Proof:
@@ -67,27 +56,25 @@ class Proof:
         self.positive = [place for place, name in enumerate(self.names) if name.is_positive]
         self.separate = separate
         self._fixed = region.fixed
-        self._places: dict[Expr, int] = {}
         domain = [evaluate(e, region.fixed) for e in report.equilibrium.existence()]
-        self.existence = [self._sign(e, (), True, ()) for e in domain]
+        self.existence = [self._normal(Condition(e, True, "", (), report.equilibrium.at), ())
+                          for e in report.equilibrium.existence()]
         self.sufficient = self._criterion(report.sufficient, domain)
         self.necessary = self._criterion(report.necessary, domain)
-        self.expressions = tuple(self._places)
+        conditions = [*self.existence, *chain.from_iterable(chain(self.sufficient.alternatives,
+                                                                  self.necessary.alternatives))]
+        self.expressions = tuple(dict.fromkeys(e for c in conditions for e in (c.margin, *c.degenerate)))
 
-    def _criterion(self, criterion: Criterion, domain: Sequence[Expr]) -> list[list[Sign]]:
-        def condition(c: Condition) -> Sign:
-            margin, *even = (evaluate(e, self._fixed) for e in (c.margin, *c.degenerate))
-            return self._sign(margin, even, c.strict, domain)
+    def _criterion(self, criterion: Criterion, domain: Sequence[Expr]) -> Criterion:
+        return replace(criterion, alternatives=tuple(
+            tuple(self._normal(condition, domain) for condition in alternative)
+            for alternative in criterion.alternatives))
 
-        return [[condition(c) for c in alternative] for alternative in criterion.alternatives]
-
-    def _sign(self, margin: Expr, even: Sequence[Expr], strict: bool, domain: Sequence[Expr]) -> Sign:
+    def _normal(self, condition: Condition, domain: Sequence[Expr]) -> Condition:
         """In normal form once more: what is positive in the region is left out, squares are taken out."""
+        margin, *even = (evaluate(e, self._fixed) for e in (condition.margin, *condition.degenerate))
         top, squares = Signs.over([margin, *even], domain).normal_form(margin)
-        return Sign(self._place(top), tuple(map(self._place, (*even, *squares))), strict)
-
-    def _place(self, expression: Expr) -> int:
-        return self._places.setdefault(expression, len(self._places))
+        return replace(condition, margin=top, degenerate=(*even, *squares))
 
     def judge(self, low: Array, high: Array) -> tuple[Array, Array]:
         """A code for each box, and how much each axis contributes to what is open there.
@@ -104,19 +91,19 @@ class Proof:
         """
         with np.errstate(all="ignore"):
             box = self._box(low, high)
-            bounds = [self._whole(enclosure(e, box), len(low)) for e in self.expressions]
+            bounds = {e: self._whole(enclosure(e, box), len(low)) for e in self.expressions}
             code = self._codes(bounds, high)
             partly = self._partly(bounds, low, high)
             influence = np.zeros(low.shape)
             left = np.flatnonzero((code == UNDECIDED) | partly.any(axis=0))
             if len(left):
-                bounds = [Enclosure(b.low[left], b.high[left]) for b in bounds]
+                bounds = {e: Enclosure(b.low[left], b.high[left]) for e, b in bounds.items()}
                 code[left], influence[left] = self._judge_sharply(
                     bounds, low[left], high[left], partly[:, left]
                 )
         return code, influence
 
-    def _partly(self, bounds: Sequence[Enclosure], low: Array, high: Array) -> Array:
+    def _partly(self, bounds: Bounds, low: Array, high: Array) -> Array:
         """Where the equilibrium exists in a part of the box, shape (conditions, boxes).
 
         What separates it from the rest.
@@ -125,12 +112,12 @@ class Proof:
         """
         if not self.separate:
             return np.zeros((0, len(low)), bool)
-        margins = [bounds[sign.margin] for sign in self.existence]
+        margins = [bounds[condition.margin] for condition in self.existence]
         sides = [(low[:, place], high[:, place]) for place in self.positive]
         return np.array([(a < -1e-9 * b) & (b > 0) for a, b in [*((m.low, m.high) for m in margins),
                                                                 *sides]]).reshape(-1, len(low))
 
-    def _judge_sharply(self, bounds: list[Enclosure], low: Array, high: Array,
+    def _judge_sharply(self, bounds: Bounds, low: Array, high: Array,
                        partly: Array) -> tuple[Array, Array]:
         """As judge, where the natural enclosures leave something open.
 
@@ -140,21 +127,21 @@ class Proof:
         if len(partly):
             influence[:, self.positive] = partly[len(self.existence):].T
         undecided, divided = self._codes(bounds, high) == UNDECIDED, partly.any(axis=0)
-        domain = {sign.margin for sign in self.existence}
-        for n, expression in enumerate(self.expressions):
-            rows = np.flatnonzero((undecided | divided if n in domain else undecided) & ~_apart(bounds[n]))
+        domain = {condition.margin for condition in self.existence}
+        for expression, natural in bounds.items():
+            open_ = undecided | divided if expression in domain else undecided
+            rows = np.flatnonzero(open_ & ~_apart(natural))
             if not len(rows) or not expression.free_symbols:
                 continue
-            box, natural = self._box(low[rows],
-                                     high[rows]), Enclosure(bounds[n].low[rows], bounds[n].high[rows])
+            box = self._box(low[rows], high[rows])
             slopes = {name: self._whole(enclosure(derivative(expression, name), box), len(rows))
                       for name in self.names if name in expression.free_symbols}
-            sharp = sharpened(expression, natural, box, slopes)
-            bounds[n].low[rows], bounds[n].high[rows] = sharp.low, sharp.high
+            sharp = sharpened(expression, Enclosure(natural.low[rows], natural.high[rows]), box, slopes)
+            natural.low[rows], natural.high[rows] = sharp.low, sharp.high
             parts = np.where(_apart(sharp)[:, None], 0, self._contributions(slopes, high[rows] - low[rows]))
             influence[rows] = np.maximum(influence[rows], parts)
         code = self._codes(bounds, high)
-        influence[(code == ABSENT) | (code != UNDECIDED) & ~divided] = 0
+        influence[(code == INVALID) | (code != UNDECIDED) & ~divided] = 0
         return code, influence
 
     def _contributions(self, slopes: Mapping[Any, Enclosure], widths: Array) -> Array:
@@ -170,16 +157,17 @@ class Proof:
         top = parts.max(axis=1, keepdims=True)
         return np.where(top == np.inf, parts == np.inf, np.where(top > 0, parts / top, 0))
 
-    def _codes(self, bounds: Sequence[Enclosure], high: Array) -> Array:
-        nowhere, always = np.zeros(len(high), bool), np.ones(len(high), bool)
-        hold = [np.logical_and.reduce([always, *(sign.holds(bounds) for sign in a)]) for a in self.sufficient]
-        fail = [np.logical_or.reduce([nowhere, *(sign.fails(bounds) for sign in a)]) for a in self.necessary]
+    def _codes(self, bounds: Bounds, high: Array) -> Array:
+        def compare(expression: Expr, relation: Relation) -> Array:
+            return _compared(bounds[expression], relation)
+
+        stable = truth(self.sufficient, compare, every, some) > 0
+        unstable = truth(self.necessary, compare, every, some) < 0
         none = [*(high[:, place] <= 0 for place in self.positive),
-                *(sign.fails(bounds) for sign in self.existence)]
-        stable, unstable = np.logical_or.reduce([nowhere, *hold]), np.logical_and.reduce([always, *fail])
-        absent = np.logical_or.reduce([nowhere, *none])
+                *(condition_truth(condition, compare, every, some) < 0 for condition in self.existence)]
         code = np.where(stable, STABLE, np.where(unstable, UNSTABLE, UNDECIDED))
-        return np.where(absent, ABSENT, code).astype(np.int8)
+        absent = reduce(np.logical_or, none, np.zeros(len(high), bool))
+        return np.where(absent, INVALID, code).astype(np.int8)
 
     def _box(self, low: Array, high: Array) -> dict[Any, Enclosure]:
         return {name: Enclosure(low[:, place], high[:, place]) for place, name in enumerate(self.names)}

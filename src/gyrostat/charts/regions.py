@@ -8,13 +8,14 @@ from sympy import Expr, S
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, evaluate, is_identically_zero, sign_of_constant
+from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
 from ..errors import ScopeError, ValuesError, require
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from ..stability.report import Report
 from ..stability.values import check_family
-from .intervals import Array, rounded
+from .intervals import rounded
 
 
 @dataclass(frozen=True, eq=False)

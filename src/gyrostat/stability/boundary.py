@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
+from typing import Any
 
 from sympy import Expr, Mul, S, Symbol
 
@@ -38,6 +39,10 @@ class Rung:
     power: int
     condition: Condition
     escapes: bool
+
+    def stable(self, sign: Any) -> Any:
+        """Whether the equilibrium is stable where the sign of the condition, one or an array, is not 0."""
+        return (sign > 0) & (not self.escapes)
 
 
 @dataclass(frozen=True, repr=False)
@@ -89,6 +94,7 @@ class Boundary(Shown, Stored):
         Examples
         --------
         >>> from itertools import islice
+from typing import Any
         >>> from gyrostat import analyze, assemble, axial_potential, symmetric_gyrostat, upright
         >>> boundary = analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).boundary
         >>> [rung.condition.margin for rung in islice(boundary.rungs(), 3)]
@@ -165,7 +171,7 @@ class Boundary(Shown, Stored):
         return False, "on the boundary g vanishes identically: motions leave the point"
 
     def _decided(self, rung: Rung, sign: int) -> tuple[bool, str]:
-        stable = sign > 0 and not rung.escapes
+        stable = bool(rung.stable(sign))
         kind = (": supercritical" if stable else ": subcritical") if self.pole else ""
         where = "on the boundary " if rung.power > 2 else ""
         compared = "<" if sign > 0 else ">"

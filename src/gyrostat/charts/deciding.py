@@ -1,0 +1,166 @@
+"""Verdicts in the blocks of a grid: proved signs of margins, and the ladder between the two criteria."""
+from collections.abc import Iterable, Sequence
+from functools import reduce
+from itertools import chain
+
+import numpy as np
+from sympy import Expr
+
+from ..algebra.floats import Array
+from ..algebra.polynomials import Ring
+from ..algebra.precision import ONE_AT_A_TIME
+from ..stability.boundary import Boundary
+from ..stability.conditions import Condition, Criterion
+from ..stability.report import Report
+from ..stability.truth import Relation, truth
+from .answers import answered, every, some
+from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
+from .grids import Block, Grid, cut, last, places
+from .signs import UNKNOWN, ArraySigns, exact_number
+
+
+class Decided:
+    """The verdicts of a report over a grid, written block by block on one thread."""
+
+    def __init__(self, report: Report, grid: Grid, backend: str):
+        self.report, self.grid, self.backend = report, grid, backend
+        self.known: dict[Expr, ArraySigns] = {}
+        eq = report.equilibrium
+        self.positive = [self._signs(e) for e in (*eq.existence(),
+                                                  *(s for s in grid.values if s.is_positive))]
+        self.nonzero = [self._signs(e) for e in _denominators(eq.field_values)
+                        if e.free_symbols <= grid.values.keys()]
+        self.zero = [self._signs(e) for e in eq.constraints]
+        self.unsafe = [a for a in map(grid.strange, grid.values) if a is not None]
+        alone = _single(report.sufficient)
+        self.alone = alone if alone == _single(report.necessary) else None
+
+    def _signs(self, expression: Expr) -> ArraySigns:
+        if expression not in self.known:
+            self.known[expression] = ArraySigns(expression, self.grid, self.backend, [])
+        return self.known[expression]
+
+    def fill(self, tiles: Iterable[Sequence[Block]], result: Array) -> tuple[int, ...] | None:
+        """Write the verdicts; the first place where the equilibrium does not exist."""
+        first: tuple[int, ...] | None = None
+        for block in chain.from_iterable(tiles):
+            out = result[block][(0,) * (result.ndim - 2)]
+            with np.errstate(all="ignore"):            # overflow is a value here
+                nowhere = self._nowhere(block)
+                self._decide(block, out, nowhere)
+                out[np.broadcast_to(self._doubtful(block), out.shape)] = UNDECIDED
+            if nowhere is not None:
+                out[np.broadcast_to(nowhere, out.shape)] = INVALID
+                here = _place(block, *np.argwhere(out == INVALID)[0])
+                first = here if first is None else min(first, here)
+        return first
+
+    def _nowhere(self, block: Block) -> Array | None:
+        """Where the equilibrium does not exist, or a number is not finite; None: nowhere in the block."""
+        wrong = [last(cut(a, block)) for a in self.unsafe]
+        wrong += [signs(block) < 1 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
+        wrong += [abs(signs(block)) == 1 for signs in self.zero]
+        found = [w for w in wrong if w.any()]
+        return reduce(np.logical_or, found) if found else None
+
+    def _doubtful(self, block: Block) -> Array:
+        """Where it is not proved that the equilibrium exists."""
+        return reduce(np.logical_or, [signs(block) == UNKNOWN for signs in (*self.positive, *self.zero)],
+                      np.zeros((1, 1), bool))
+
+    def _decide(self, block: Block, out: Array, nowhere: Array | None) -> None:
+        """Write the verdicts in a block."""
+        if self.alone is not None:
+            signs = self._signs(self.alone)
+            if (found := signs(block, out)) is not out:
+                out[...] = found
+            if signs.sufficed:
+                return
+            between = out == 0
+            out[out == UNKNOWN] = UNDECIDED
+        else:
+            sufficient, necessary = (self._holds(c, block)
+                                     for c in (self.report.sufficient, self.report.necessary))
+            out[...] = np.where(sufficient > 0, STABLE, np.where(necessary < 0, UNSTABLE, UNDECIDED))
+            between = np.broadcast_to((sufficient < 0) & (necessary > 0), out.shape)
+        if nowhere is not None:
+            between = between & ~nowhere
+        if between.any():
+            rows, columns = places(between)
+            with ONE_AT_A_TIME:
+                out[rows, columns] = self._between(self.grid.at(block, rows, columns))
+
+    def _between(self, grid: Grid) -> Array | list[int]:
+        """Verdicts at points between the two criteria.
+
+        By the ladder of the boundary, or one by one where there is none.
+        """
+        boundary = self.report.boundary
+        if boundary is not None:
+            return _climbed(boundary, grid)
+        names = [s.name for s in grid.values]
+        return [CODE_OF[self.report.verdict(dict(zip(names, map(exact_number, numbers)))).verdict]
+                for numbers in grid.numbers(grid.values)]
+
+    def _holds(self, criterion: Criterion, block: Block) -> Array:
+        """1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
+        def compare(expression: Expr, relation: Relation) -> Array:
+            signs = self._signs(expression)(block)
+            known, holds = signs != UNKNOWN, relation(signs, 0)
+            return answered(known & holds, known & ~holds)
+
+        return truth(criterion, compare, every, some)
+
+
+def _climbed(boundary: Boundary, grid: Grid) -> Array:
+    """Verdicts at points in a row by the ladder, each rung at the points where all below it vanish."""
+    found = np.full(grid.shape, UNDECIDED, dtype=np.int8)
+    left = np.arange(len(found))
+    for rung in boundary.decisive():
+        if not rung.condition.symbols <= grid.values.keys():
+            return found
+        signs = _signs_of(rung.condition,
+                          grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))
+        unknown = (signs == UNKNOWN) | (signs == 0)
+        found[left] = np.where(unknown, UNDECIDED, np.where(rung.stable(signs), STABLE, UNSTABLE))
+        left = left[signs == 0]
+        if not len(left):
+            return found
+    if boundary.last is not None:
+        found[left] = UNSTABLE
+    return found
+
+
+def _signs_of(condition: Condition, grid: Grid) -> Array:
+    """The sign of a condition at points in a row, 0 where an even factor vanishes."""
+    whole = (slice(0, 1), slice(0, grid.shape[0]))
+    signs, *factors = (np.broadcast_to(ArraySigns(e, grid, "numpy", [])(whole)[0], grid.shape)
+                       for e in (condition.margin, *condition.degenerate))
+    for factor in factors:
+        signs = np.where(factor == 0, 0, np.where((factor == UNKNOWN) & (signs != 0), UNKNOWN, signs))
+    return signs
+
+
+def _place(block: Block, row: int, column: int) -> tuple[int, ...]:
+    """The place in the merged grid of a row and column of a block."""
+    return (*(s.start for s in block[:-2]), block[-2].start + int(row), block[-1].start + int(column))
+
+
+def _single(criterion: Criterion) -> Expr | None:
+    """The margin that decides alone, None if there is no such."""
+    conditions = list(chain.from_iterable(criterion.alternatives))
+    if len(criterion.alternatives) != 1 or len(conditions) != 1 or conditions[0].degenerate:
+        return None
+    return conditions[0].margin
+
+
+def _denominators(values: Sequence[Expr]) -> list[Expr]:
+    """What must not vanish for U and its derivatives to be finite."""
+    found = []
+    for value in values:
+        ring = Ring([value])
+        bottom = ring.fraction(value)[1]
+        if not bottom.is_constant():
+            found.append(ring.expression(bottom))
+    return list(dict.fromkeys(found))
+
