@@ -21,7 +21,8 @@ from ..stability.report import Report
 from ..stability.truth import Relation, condition_truth, truth
 from .answers import answered, every, some
 from .codes import INVALID, STABLE, UNDECIDED, UNSTABLE
-from .intervals import Enclosure, derivative, enclosure, sharpened
+from .enclosures import derivative, enclosure, sharpened
+from .intervals import Enclosure
 from .regions import Region
 
 Bounds = dict[Expr, Enclosure]
