@@ -9,9 +9,9 @@ the boundary:
     E3        p = I1 (1 − k3²) U'' − 2 I1 k3 U' + I1² ω² + ((I1 − I3) ω k3 − l)², U' = ω l − ω² k3 (I1 − I3)
 
 with b the part that has U' at E1 and E2, U'' at E3. The relative distance to the boundary is abs(a + b) /
-max(abs(a), abs(b)), its rounding the only one. Where the margin is 0, the first coefficient of the reduced motion
-that does not vanish decides. In U = b exp(50 k3) the sign is that of an enclosure with 480 digits, which has
-to leave out 0.
+max(abs(a), abs(b)), its rounding the only one. Where the margin is 0, the first coefficient of the reduced
+motion that does not vanish decides. In U = b exp(50 k3) the sign is that of an enclosure with 480 digits,
+which has to leave out 0.
 """
 from collections.abc import Iterator
 from math import perm

@@ -108,7 +108,8 @@ def grown(chance, depth):
     if kind < 0.7:
         return f"-{inner}"
     if kind < 0.85:
-        return f"({inner})**{chance.choice(['2', '3', '-1', '(1/2)', '0.5', '(-2/3)', '12', '100', '101', '(1/7)', number(chance)])}"
+        powers = ["2", "3", "-1", "(1/2)", "0.5", "(-2/3)", "12", "100", "101", "(1/7)", number(chance)]
+        return f"({inner})**{chance.choice(powers)}"
     return f"{chance.choice(FUNCTIONS)}({inner})"
 
 
@@ -123,9 +124,12 @@ def tower(chance):
         if kind < 0.6:
             text = f"{chance.choice(FUNCTIONS)}({text})"
         elif kind < 0.8:
-            text = f"({text})**{chance.choice(['2', '99', '100', '(1/2)', '(1/12)', '(11/12)', '-1', '-99', number(chance)])}"
+            powers = ["2", "99", "100", "(1/2)", "(1/12)", "(11/12)", "-1", "-99", number(chance)]
+            text = f"({text})**{chance.choice(powers)}"
         else:
-            text = f"({text}{chance.choice('+-*/')}{chance.choice([number(chance), text, chance.choice(FUNCTIONS) + '(' + text + ')'])})"
+            operation = chance.choice("+-*/")
+            other = chance.choice([number(chance), text, f"{chance.choice(FUNCTIONS)}({text})"])
+            text = f"({text}{operation}{other})"
     return text[:6000]
 
 

@@ -101,9 +101,9 @@ def nutation_period(inertia, rotor, m0, state):
     """Time between two passages of k3 through its lowest value for a body of revolution in U = m0 k3, 30
     digits.
 
-    I1² k̇3² = 2 I1 (abs(k)² − k3²)(E − m0 k3) − (C − P k3)², with P = π3 + l, C = (π + l)·k and E the energy but
-    for the spin: a cubic with roots a < b < c, and the period is 4 K/√(2 m0 (c − a)/I1) with the parameter (b
-    − a)/(c − a).
+    I1² k̇3² = 2 I1 (abs(k)² − k3²)(E − m0 k3) − (C − P k3)², with P = π3 + l, C = (π + l)·k and E the energy
+    but for the spin: a cubic with roots a < b < c, and the period is 4 K/√(2 m0 (c − a)/I1) with the
+    parameter (b − a)/(c − a).
     """
     with workdps(40):
         I1, g, P, k3 = mpf(inertia[0]), mpf(m0), mpf(state[2]) + mpf(rotor), mpf(state[5])

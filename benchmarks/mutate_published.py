@@ -83,10 +83,8 @@ def mutants_of(text):
     for match in re.finditer(r"\*\*(\d+)", text):
         yield "exponent", f"{text[:match.start(1)]}{int(match[1]) + 1}{text[match.end(1):]}"
     for match in re.finditer(r"\bd(\d?)U\b", text):
-        yield (
-            "prime",
-            f"{text[: match.start()]}d{2 if not match[1] else 3 if match[1] == '2' else ''}U{text[match.end() :]}",
-        )
+        following = {"": "2", "2": "3"}.get(match[1], "")
+        yield "prime", f"{text[:match.start()]}d{following}U{text[match.end():]}"
     for match in re.finditer(r"(?<![A-Za-z0-9_.*])(\d+)(?![.\d])(?=\*[^*]|/)", text):
         yield "coefficient", f"{text[:match.start()]}{int(match[1]) + 1}{text[match.end():]}"
     for match in re.finditer(r"(?<![A-Za-z0-9_])\d*\.\d+", text):

@@ -215,9 +215,8 @@ def starts(seed, count, kinds, precision=None):
             try:
                 off, route = deviation_of(case, precision)
             except Exception as error:
-                failed.append(
-                    f"{n}: {type(error).__name__}{'' if isinstance(error, GyrostatError) else ' (not ours)'}: {error}: {case}"
-                )
+                whose = "" if isinstance(error, GyrostatError) else " (not ours)"
+                failed.append(f"{n}: {type(error).__name__}{whose}: {error}: {case}")
                 continue
             routes[route] += 1
             worst = max(worst, (off, (n, case)), key=lambda pair: pair[0])

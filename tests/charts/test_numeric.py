@@ -441,8 +441,9 @@ first = compiled.compile_seconds
 compiled(x=np.arange(4.0)[:, None], y=np.arange(5.0))
 import gc, numba
 compile_margin(x*y - x, "numba")(x=np.arange(4.0)[:, None], y=np.arange(5.0))
-hits = sum(sum(f.stats.cache_hits.values()) for f in gc.get_objects() if isinstance(f, numba.core.registry.CPUDispatcher)
-           and f.py_func.__module__.startswith("gyrostat_kernel"))
+kernels = [f for f in gc.get_objects() if isinstance(f, numba.core.registry.CPUDispatcher)
+           and f.py_func.__module__.startswith("gyrostat_kernel")]
+hits = sum(sum(f.stats.cache_hits.values()) for f in kernels)
 print(before, first > 0, compiled.compile_seconds == first, hits, float(value.sum()))
 """
 

@@ -28,10 +28,11 @@ SCRIPT = """
 import os, signal, sys
 import numpy as np
 import gyrostat as gs
-from gyrostat import stores
+from gyrostat.charts import stores
 from gyrostat.charts.chart import stability_chart
 report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
-grid = {"x": ("pi3_0", np.linspace(-4, 4, 90)), "y": ("l", np.linspace(-2, 2, 70)), "fixed": {"I1": "1/3", "dU": 1}}
+grid = {"x": ("pi3_0", np.linspace(-4, 4, 90)), "y": ("l", np.linspace(-2, 2, 70)),
+        "fixed": {"I1": "1/3", "dU": 1}}
 """
 
 
@@ -436,11 +437,11 @@ def peak():
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 plane = np.linspace(-4, 4, 1000)
 fixed = {{"I1": "1/3"}}
-first = stability_chart(report, x=("pi3_0", plane[:9]), y=("l", plane), axes={{"dU": [1.0]}}, fixed=fixed, margins=True,
-                        store={path!r} + "1.zarr")
+first = stability_chart(report, x=("pi3_0", plane[:9]), y=("l", plane), axes={{"dU": [1.0]}}, fixed=fixed,
+                        margins=True, store={path!r} + "1.zarr")
 before = peak()
-chart = stability_chart(report, x=("pi3_0", plane), y=("l", plane), axes={{"dU": np.linspace(0, 1, {n})}}, fixed=fixed, margins=True,
-                        store={path!r} + ".zarr")
+chart = stability_chart(report, x=("pi3_0", plane), y=("l", plane), axes={{"dU": np.linspace(0, 1, {n})}},
+                        fixed=fixed, margins=True, store={path!r} + ".zarr")
 assert int((chart.verdict[:, 0] == -128).sum()) == 0
 print(before, peak(), chart.nbytes / 2**20)
 """

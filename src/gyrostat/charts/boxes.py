@@ -103,7 +103,8 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
     >>> certify_box(report, {"I1": (1, "1.1"), "m0": 1, "l": (2, 3), "pi3_0": (1, 2)}).verdict.name
     'STABLE'
     >>> from fractions import Fraction
-    >>> certify_box(report, {"I1": 1, "m0": 1, "l": 0, "pi3_0": (0, 4)}).measure["undecided"] < Fraction(1, 10**6)
+    >>> share = certify_box(report, {"I1": 1, "m0": 1, "l": 0, "pi3_0": (0, 4)}).measure
+    >>> share["undecided"] < Fraction(1, 10**6)
     True
     """
     region = region_of(report, box)

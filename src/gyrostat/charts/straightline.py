@@ -62,9 +62,10 @@ class Program:
         >>> import operator
         >>> from fractions import Fraction
         >>> x = symbol("x")
-        >>> multiply = {"add": operator.add, "subtract": operator.sub, "multiply": operator.mul, "negative": operator.neg}
         >>> from types import SimpleNamespace
-        >>> program_of(x**3 - 2, {}).run(lambda _: Fraction(3, 2), int, SimpleNamespace(**multiply))[-1]
+        >>> fractions = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
+        ...                             negative=operator.neg)
+        >>> program_of(x**3 - 2, {}).run(lambda _: Fraction(3, 2), int, fractions)[-1]
         Fraction(11, 8)
         """
         results: list[Value] = []
