@@ -8,13 +8,11 @@ import pytest
 from draw import moments, numbers, tilts
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sympy import CRootOf, GoldenRatio, Rational, asin, atan, exp, expand, log, pi, sqrt, symbols
+from sympy import CRootOf, GoldenRatio, Rational, asin, exp, expand, log, sqrt, symbols
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, EquilibriumError, GyrostatError, ValuesError
-from gyrostat.stability.conditions import Condition, Criterion
 from gyrostat.stability.report import Verdict
-from gyrostat.stability.truth import holds
 
 # 0: on the boundary, the next derivative of U not given
 SIGNS = {1: Verdict.STABLE, -1: Verdict.UNSTABLE, 0: Verdict.UNDECIDED}
@@ -112,26 +110,6 @@ def test_neighbouring_floats_at_the_boundary(e1, scale, l):
         margin = P * P - 4 * Fraction(I1) * Fraction(u)
         assert got is SIGNS[(margin > 0) - (margin < 0)]
     assert got is Verdict.UNDECIDED
-
-
-@pytest.mark.parametrize(("strict", "margin", "factor", "expected"), [
-    (True, 1, 1, True), (True, 1, 0, False), (True, -1, 0, False), (False, -1, 0, True),
-    (False, -1, 1, False), (False, 1, 0, True),
-    (True, 1, None, None), (False, 1, None, True), (False, -1, None, None), (True, -1, None, False),
-    (True, None, 1, None),
-    (False, None, 0, True), (True, None, 0, False), (True, 0, None, False), (False, 0, None, True)])
-def test_conditions_are_three_valued(strict, margin, factor, expected):
-    """The sign is 0 where an even factor vanishes.
-
-    None, a sign that is not proved, decides nothing by itself.
-    """
-    x, y = gs.symbol("x"), gs.symbol("y")
-    # zero, by Machin, but not to this library
-    hidden = 16 * atan(Rational(1, 5)) - 4 * atan(Rational(1, 239)) - pi
-    number = {1: Rational(5), 0: Rational(0), -1: Rational(-2), None: hidden}
-    criterion = Criterion("formal" if strict else "spectral", ((Condition(x, strict, "", (y,), Rational(1)),),
-                          ))
-    assert holds(criterion, {x: number[margin], y: number[factor]}, {}) is expected
 
 
 def test_nearly_equal_moments_and_nearly_upright(e3):
