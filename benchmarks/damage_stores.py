@@ -96,7 +96,7 @@ def called(chart, path, flushed=None):
                 with open(flushed, "a") as file:
                     file.write(os.readlink(f"/proc/self/fd/{descriptor}") + "\n")
             os.fsync = noted
-        stores.BLOCK = POINTS[chart.get("margins", False)]
+        stores.POINTS = POINTS[chart.get("margins", False)]
         try:
             stability_chart(TOP, **chart, store=path, progress=False, threads=2)
             status = 0

@@ -15,7 +15,7 @@ from sympy import Rational, cos, exp, log, pi, sqrt
 
 import gyrostat as gs
 from gyrostat.charts.boxes import certified_chart, certify_box
-from gyrostat.charts.codes import KINDS
+from gyrostat.charts.codes import BOX_KINDS
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.stability.report import Verdict
 
@@ -259,7 +259,7 @@ def test_boxes_tile_the_region(reports, name):
     """Shares sum to 1, every point lies in a box, and a point that is on no edge lies in one only."""
     report, region = reports[name]
     chart = certified_chart(report, region, resolution="1/8")
-    assert sum(chart.measure.values()) == 1 and set(chart.measure) == set(KINDS)
+    assert sum(chart.measure.values()) == 1 and set(chart.measure) == set(BOX_KINDS)
     draw = random.Random(name)
     low, high = chart.low.min(axis=0), chart.high.max(axis=0)
     for axis, ends in enumerate(region[n] for n in chart.axes):

@@ -18,7 +18,7 @@ import xarray as xr
 from sympy import exp
 
 import gyrostat as gs
-from gyrostat.charts import layout, marks, stores
+from gyrostat.charts import frame, marks, stores
 from gyrostat.charts.chart import stability_chart
 from gyrostat.errors import MissingExtraError, StoreError
 
@@ -39,7 +39,7 @@ grid = {"x": ("pi3_0", np.linspace(-4, 4, 90)), "y": ("l", np.linspace(-2, 2, 70
 @pytest.fixture
 def small(monkeypatch):
     """Blocks of seven rows: ten of them."""
-    monkeypatch.setattr(stores, "BLOCK", 7 * 90)
+    monkeypatch.setattr(stores, "POINTS", 7 * 90)
 
 
 @pytest.fixture
@@ -58,7 +58,7 @@ def contents(path):
 @pytest.mark.parametrize("margins", [False, True])
 def test_a_store_is_the_chart_in_memory(e1, monkeypatch, tmp_path, margins):
     """Values, coordinates, attributes, boundary; lazily, for whoever opens it; every block is counted."""
-    monkeypatch.setattr(stores, "BLOCK", 7 * 90 * (8 if margins else 1))
+    monkeypatch.setattr(stores, "POINTS", 7 * 90 * (8 if margins else 1))
     seen = []
     memory = stability_chart(e1, **GRID, margins=margins)
     chart = stability_chart(e1, **GRID, margins=margins, store=tmp_path / "chart.zarr", threads=2,
@@ -89,7 +89,7 @@ def test_further_axes_and_a_chart_without_a_boundary(e1, small, tmp_path):
     ((5, 70, 90), 100, (1, 1, 90)), ((31623, 31623), 2**22, (132, 31623))])
 def test_blocks_are_whole_rows(shape, points, block):
     """As many whole rows as there are points for, then whole planes."""
-    assert layout.Layout(Path(), None, tuple(map(np.empty, shape)), points).block == block
+    assert frame.Frame(Path(), None, tuple(map(np.empty, shape)), points).block == block
 
 
 def test_another_chart_is_refused(e1, e2, small, tmp_path, monkeypatch):
@@ -115,11 +115,11 @@ def test_another_chart_is_refused(e1, e2, small, tmp_path, monkeypatch):
     stability_chart(one, **grid, store=tmp_path / "field.zarr")
     with pytest.raises(StoreError, match="differ in equilibrium:"):
         stability_chart(other, **grid, store=tmp_path / "field.zarr")
-    monkeypatch.setattr(stores, "BLOCK", 9 * 90)
+    monkeypatch.setattr(stores, "POINTS", 9 * 90)
     with pytest.raises(StoreError, match="differ in block"):
         stability_chart(e1, **GRID, store=path)
-    monkeypatch.setattr(stores, "BLOCK", 7 * 90)
-    monkeypatch.setattr(layout, "FORMAT", 3)
+    monkeypatch.setattr(stores, "POINTS", 7 * 90)
+    monkeypatch.setattr(frame, "FORMAT", 3)
     with pytest.raises(StoreError, match="differ in format"):
         stability_chart(e1, **GRID, store=path)
     assert contents(path) == before
@@ -316,8 +316,8 @@ def test_what_killed_processes_left_is_removed(e1, small, tmp_path):
 
 def test_a_mark_comes_after_its_chunks(e1, small, tmp_path, monkeypatch):
     """Where the computation of a block fails, its mark is not there, and what went before is kept."""
-    from gyrostat.charts.datasets import Chart
-    compute = Chart.variables
+    from gyrostat.charts.request import Request
+    compute = Request.variables
 
     def failing(self, arrays, threads=1):
         if len(arrays[0]) == 7 and arrays[0][0] == GRID["y"][1][28]:
@@ -325,11 +325,11 @@ def test_a_mark_comes_after_its_chunks(e1, small, tmp_path, monkeypatch):
         return compute(self, arrays, threads)
 
     monkeypatch.setattr(stores, "WAVE", 1)             # one after the other
-    monkeypatch.setattr(Chart, "variables", failing)
+    monkeypatch.setattr(Request, "variables", failing)
     with pytest.raises(MemoryError):
         stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
     assert sorted(int(p.name) for p in (tmp_path / "chart.zarr" / "complete" / "c").iterdir()) == [0, 1, 2, 3]
-    monkeypatch.setattr(Chart, "variables", compute)
+    monkeypatch.setattr(Request, "variables", compute)
     xr.testing.assert_identical(stability_chart(e1, **GRID, store=tmp_path / "chart.zarr").compute(),
                                 stability_chart(e1, **GRID))
 
@@ -350,7 +350,7 @@ def test_a_killed_run_is_continued(e1, small, written, tmp_path):
     path = tmp_path / "chart.zarr"
     run = python(f"""
 from gyrostat.charts.marks import Marks
-stores.BLOCK, write = 7 * 90, Marks.write
+stores.POINTS, write = 7 * 90, Marks.write
 done = []
 def killing(self, number):
     if len(done) == 4:
@@ -380,7 +380,7 @@ def test_a_store_is_moved_into_place_whole(e1, small, tmp_path, monkeypatch):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(layout.os, "rename", interrupted)
+        patched.setattr(frame.os, "rename", interrupted)
         with pytest.raises(KeyboardInterrupt):
             stability_chart(e1, **GRID, store=path)
     assert list(tmp_path.iterdir()) == []
@@ -392,7 +392,7 @@ def test_a_store_is_moved_into_place_whole(e1, small, tmp_path, monkeypatch):
             rename(tmp_path / "first.zarr", place)
         rename(new, place)
 
-    monkeypatch.setattr(layout.os, "rename",
+    monkeypatch.setattr(frame.os, "rename",
                         lambda new, place: (second if place == path else rename)(new, place))
     xr.testing.assert_identical(stability_chart(e1, **GRID, store=path).compute(),
                                 stability_chart(e1, **GRID))
@@ -432,7 +432,7 @@ def test_a_cluster_that_loses_a_worker(e1, small, written, tmp_path, monkeypatch
 
 MEMORY = """
 import resource
-stores.BLOCK = 2**20
+stores.POINTS = 2**20
 def peak():
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 plane = np.linspace(-4, 4, 1000)
@@ -483,7 +483,7 @@ def test_a_store_says_what_it_is_of(e1, small, tmp_path):
     own = json.loads(xr.open_zarr(tmp_path / "chart.zarr", consolidated=False).complete.attrs["chart"])
     assert own["axes"] == ["l", "pi3_0"]
     assert own["value of I1"] == "1/3"
-    assert own["format"] == layout.FORMAT
+    assert own["format"] == frame.FORMAT
     assert own["block"] == [7, 90]
 
 

@@ -1,11 +1,12 @@
 """The verdict over ranges of parameters.
 
 A margin becomes a program ordered by the axes of a grid (`straightline`), with a proved bound of its
-`rounding` error; it runs over the blocks of a grid (`grids`, `tiles`, `kernels`, `numeric`; `labels` guards
-what arrays carry). `signs` and `arrays` decide every point, exactly where floats do not. Over boxes it runs
-in `intervals`: `regions`, `proofs`, `paving` and `boxes` cover them by bisection. `contours` follow the
-curves between verdicts; a `chart` is all of it as one labelled dataset (`datasets`), larger than memory in
-`stores` (`layout`, `marks`), with a bar of `progress`.
+`rounding` error; it runs over the blocks of a grid (`entries`, `grids`, `tiles`, `kernels`, `writing`,
+`numeric`; `labels` guards what arrays carry). `signs` and `deciding` decide every point, exactly where floats
+do not, and `arrays` asks them. Over boxes it runs in `intervals` and `enclosures`: `regions`, `proofs`,
+`paving` and `boxes` cover them by bisection; `answers` are three-valued, `codes` stand for verdicts.
+`contours` follow the curves between verdicts; a `chart` is all of it, a `request` as one labelled dataset
+(`datasets`), larger than memory in `stores` (`frame`, `marks`), with a bar of `progress`.
 """
 from .arrays import verdicts
 from .boxes import BoxDecision, CertifiedChart, certified_chart, certify_box

@@ -15,9 +15,10 @@ from ..errors import ArgumentError, ValuesError, optional, require
 from ..notation import symbol
 from ..stability.report import Report
 from ..stability.values import check_family
-from .datasets import OWN, Chart, described
+from .datasets import OWN, described
 from .labels import check_plain
 from .progress import Told
+from .request import Request
 from .stores import filled
 
 Axis = tuple[str, Any]
@@ -86,13 +87,13 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     given = [*(axes or {}).items(), _pair(y, "y"), _pair(x, "x")]
     _check_names(report, [name for name, _ in given], list(fixed or {}))
     arrays = [_axis(name, values) for name, values in given]
-    chart = Chart(report, tuple(name for name, _ in given),
+    request = Request(report, tuple(name for name, _ in given),
                   tuple(_number(name, value) for name, value in (fixed or {}).items()),
                   bool(margins), backend)
     if store is not None:
-        return filled(Path(store), chart, arrays, threads, progress)
-    found = chart.variables(arrays, threads)
-    return described(chart, arrays, found, found["verdict"])
+        return filled(Path(store), request, arrays, threads, progress)
+    found = request.variables(arrays, threads)
+    return described(request, arrays, found, found["verdict"])
 
 
 def _pair(axis: Any, which: str) -> Axis:

@@ -6,4 +6,4 @@ CODE_OF = {Verdict.STABLE: STABLE, Verdict.UNDECIDED: UNDECIDED, Verdict.UNSTABL
 # the values of a flag variable, in the order in which a dataset declares them
 FLAGS = {"unstable": UNSTABLE, "undecided": UNDECIDED, "stable": STABLE, "no_equilibrium": INVALID}
 # the kinds of boxes, in the order in which shares are told
-KINDS = {"stable": STABLE, "unstable": UNSTABLE, "undecided": UNDECIDED, "no equilibrium": INVALID}
+BOX_KINDS = {"stable": STABLE, "unstable": UNSTABLE, "undecided": UNDECIDED, "no equilibrium": INVALID}

@@ -1,122 +1,39 @@
-"""The labelled dataset of a chart.
-
-What is asked of a grid, and coordinates and variables with meaning, units and LaTeX.
-"""
+"""The labelled dataset of a chart: coordinates and variables with meaning, units and LaTeX."""
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from sympy import Expr
 
 from ..algebra.floats import Array
-from ..algebra.polynomials import Ring
 from ..algebra.readable import readable
 from ..errors import optional
 from ..mechanics.equilibria import Equilibrium
-from ..notation import NOTATION, jet, symbol, typeset, units
+from ..notation import NOTATION, jet, typeset, units
 from ..printing.latex import tex
-from ..stability.report import Report
 from ..version import __version__
-from .arrays import verdicts
 from .codes import FLAGS
-from .contours import boundary, thinned
-from .numeric import compile_margin
+from .request import Request
 
 OWN = ("verdict", "margin", "boundary_x", "boundary_y", "vertex", "complete")    # names of the dataset itself
 
 
-@dataclass(frozen=True)
-class Chart:
-    """What is asked of a grid of parameters.
-
-    Parameters
-    ----------
-    report : Report
-    names : tuple of str
-        of the axes, outermost first
-    fixed : tuple of (str, Expr, str)
-        name, exact number, and the number as it was given
-    margins : bool
-        whether the values of the margins are wanted besides
-    backend : str
-        "numpy" or "numba"
-    """
-
-    report: Report
-    names: tuple[str, ...]
-    fixed: tuple[tuple[str, Expr, str], ...]
-    margins: bool
-    backend: str
-
-    @property
-    def all_margins(self) -> list[Expr]:
-        """The margins of both criteria, each once."""
-        criteria = (self.report.necessary, self.report.sufficient)
-        return list(dict.fromkeys(c.margin for criterion in criteria
-                                  for alternative in criterion.alternatives for c in alternative))
-
-    @property
-    def deciding(self) -> list[Expr]:
-        """What changes its sign between two verdicts.
-
-        The margins, and what is positive where the equilibrium exists.
-        """
-        ring = Ring(existence := list(self.report.equilibrium.existence()))
-        return [*self.all_margins, *(ring.expression(top * bottom)
-                                     for top, bottom in map(ring.fraction, existence))]
-
-    def variables(self, arrays: Sequence[Array], threads: int = 1) -> dict[str, Array]:
-        """Verdicts, and margins if they are wanted, over the grid of the arrays, one for each axis."""
-        grid = {name: array.reshape(-1, *(1,) * (len(arrays) - 1 - i))
-                for i, (name, array) in enumerate(zip(self.names, arrays))}
-        numbers = {name: number for name, number, _ in self.fixed} | grid
-        found = {"verdict": verdicts(self.report, numbers, invalid="mark", backend=self.backend,
-                                     threads=threads)}
-        if self.margins:
-            shape = tuple(map(len, arrays))
-            for n, margin in enumerate(self.all_margins):
-                compiled = compile_margin(margin, self.backend)
-                with np.errstate(all="ignore"):        # outside of the domain of U
-                    values = compiled(**{name: numbers[name] for name in compiled.names}, threads=threads)
-                found[f"margin_{n}"] = np.ascontiguousarray(np.broadcast_to(values, shape))
-        return found
-
-    def curves(self, arrays: Sequence[Array], verdict: Array | None = None) -> tuple[Array, Array]:
-        """x and y of the boundary between the verdicts of two axes.
-
-        Followed on some 2000 values of each, where there are more.
-        """
-        rows, columns = map(thinned, map(len, arrays))
-        y, x = arrays[0][rows], arrays[1][columns]
-        seen = self.variables([y, x])["verdict"] if verdict is None else verdict[np.ix_(rows, columns)]
-        up, across = map(symbol, self.names)
-        numbers = {name: number for name, number, _ in self.fixed}
-
-        def verdict_at(at_x: Array, at_y: Array) -> Array:
-            return verdicts(self.report, numbers | {across.name: at_x, up.name: at_y}, invalid="mark")
-
-        return boundary(self.deciding, {symbol(name): number for name, number in numbers.items()},
-                        (across, x), (up, y), seen, verdict_at)
-
-
-def described(chart: Chart, arrays: Sequence[Array], found: Mapping[str, Array],
+def described(request: Request, arrays: Sequence[Array], found: Mapping[str, Array],
               verdict: Array | None = None) -> Any:
     """The dataset of what was found.
 
     The boundary from the verdicts, or from some 2000 values of each axis where they are not given.
     """
     xarray = optional("xarray", "charts")
-    eq = chart.report.equilibrium
+    eq = request.report.equilibrium
     coordinates: dict[str, Any] = {name: (name, array, coordinate_attributes(name, eq))
-                                   for name, array in zip(chart.names, arrays)}
+                                   for name, array in zip(request.names, arrays)}
     coordinates |= {name: ((), float(number), coordinate_attributes(name, eq) | {"exact": text})
-                    for name, number, text in chart.fixed}
-    variables: dict[str, Any] = {name: (chart.names, values, variable_attributes(name, chart))
+                    for name, number, text in request.fixed}
+    variables: dict[str, Any] = {name: (request.names, values, variable_attributes(name, request))
                                  for name, values in found.items()}
     if len(arrays) == 2 and min(map(len, arrays)) > 1:
-        for axis, points in zip("xy", chart.curves(arrays, verdict)):
-            name = chart.names["yx".index(axis)]
+        for axis, points in zip("xy", request.curves(arrays, verdict)):
+            name = request.names["yx".index(axis)]
             variables[f"boundary_{axis}"] = "vertex", points, {
                 "long_name": f"{name} on the boundary between the verdicts, NaN between its pieces",
                 "parameter": name}
@@ -127,13 +44,13 @@ def described(chart: Chart, arrays: Sequence[Array], found: Mapping[str, Array],
     return dataset
 
 
-def variable_attributes(name: str, chart: Chart) -> dict[str, Any]:
+def variable_attributes(name: str, request: Request) -> dict[str, Any]:
     """What a verdict or a margin means."""
-    eq = chart.report.equilibrium
+    eq = request.report.equilibrium
     if name != "verdict":
-        margin = chart.all_margins[int(name.removeprefix("margin_"))]
+        margin = request.all_margins[int(name.removeprefix("margin_"))]
         return {"long_name": str(margin), "latex": tex(readable(margin), eq.at)}
-    modulo = ", ".join(map(str, chart.report.sufficient.modulo))
+    modulo = ", ".join(map(str, request.report.sufficient.modulo))
     return {"long_name": f"stability of {eq.label}",
             "flag_values": np.array(list(FLAGS.values()), dtype=np.int8),
             "flag_meanings": " ".join(FLAGS), "notion": "Lyapunov where stable, spectral where unstable"} | (

@@ -15,7 +15,7 @@ from ..stability.report import Report
 from ..stability.truth import Relation, truth
 from .answers import answered, every, some
 from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
-from .grids import Block, Grid, cut, last, places
+from .grids import Slices, Grid, cut, last, places
 from .signs import UNKNOWN, ArraySigns, exact_number
 
 
@@ -40,7 +40,7 @@ class Decided:
             self.known[expression] = ArraySigns(expression, self.grid, self.backend, [])
         return self.known[expression]
 
-    def fill(self, tiles: Iterable[Sequence[Block]], result: Array) -> tuple[int, ...] | None:
+    def fill(self, tiles: Iterable[Sequence[Slices]], result: Array) -> tuple[int, ...] | None:
         """Write the verdicts; the first place where the equilibrium does not exist."""
         first: tuple[int, ...] | None = None
         for block in chain.from_iterable(tiles):
@@ -55,7 +55,7 @@ class Decided:
                 first = here if first is None else min(first, here)
         return first
 
-    def _nowhere(self, block: Block) -> Array | None:
+    def _nowhere(self, block: Slices) -> Array | None:
         """Where the equilibrium does not exist, or a number is not finite; None: nowhere in the block."""
         wrong = [last(cut(a, block)) for a in self.unsafe]
         wrong += [signs(block) < 1 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
@@ -63,12 +63,12 @@ class Decided:
         found = [w for w in wrong if w.any()]
         return reduce(np.logical_or, found) if found else None
 
-    def _doubtful(self, block: Block) -> Array:
+    def _doubtful(self, block: Slices) -> Array:
         """Where it is not proved that the equilibrium exists."""
         return reduce(np.logical_or, [signs(block) == UNKNOWN for signs in (*self.positive, *self.zero)],
                       np.zeros((1, 1), bool))
 
-    def _decide(self, block: Block, out: Array, nowhere: Array | None) -> None:
+    def _decide(self, block: Slices, out: Array, nowhere: Array | None) -> None:
         """Write the verdicts in a block."""
         if self.alone is not None:
             signs = self._signs(self.alone)
@@ -102,7 +102,7 @@ class Decided:
         return [CODE_OF[self.report.verdict(dict(zip(names, map(exact_number, numbers)))).verdict]
                 for numbers in grid.numbers(grid.values)]
 
-    def _holds(self, criterion: Criterion, block: Block) -> Array:
+    def _holds(self, criterion: Criterion, block: Slices) -> Array:
         """1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
         def compare(expression: Expr, relation: Relation) -> Array:
             signs = self._signs(expression)(block)
@@ -141,7 +141,7 @@ def _signs_of(condition: Condition, grid: Grid) -> Array:
     return signs
 
 
-def _place(block: Block, row: int, column: int) -> tuple[int, ...]:
+def _place(block: Slices, row: int, column: int) -> tuple[int, ...]:
     """The place in the merged grid of a row and column of a block."""
     return (*(s.start for s in block[:-2]), block[-2].start + int(row), block[-1].start + int(column))
 

@@ -19,7 +19,7 @@ from .entries import all_finite, read_entry
 from .labels import check_plain
 from .straightline import Axes
 
-Block = tuple[slice, ...]
+Slices = tuple[slice, ...]                            # of a block, one for each axis
 COLUMNS, ROWS = 16384, 256                              # up to which short neighbouring axes are joined
 
 
@@ -69,7 +69,7 @@ class Grid:
         flat = np.ravel_multi_index(tuple(place), self.merged)
         return tuple(int(i) for i in np.unravel_index(flat, self.shape)) if self.shape else ()
 
-    def blocks(self, points: int) -> list[list[Block]]:
+    def blocks(self, points: int) -> list[list[Slices]]:
         """Tiles of the last two axes, each with its blocks along the others: about so many points a block."""
         *outer, rows, columns = self.merged
         if 0 in self.merged:
@@ -82,7 +82,7 @@ class Grid:
                  for place in places] for column in range(0, columns, width)
                 for row in range(0, rows, height)]
 
-    def at(self, block: Block, rows: Array, columns: Array) -> "Grid":
+    def at(self, block: Slices, rows: Array, columns: Array) -> "Grid":
         """The points at these rows and columns of a block, in a row."""
         def gathered(array: Array) -> Array:
             here = last(cut(array, block))
@@ -105,7 +105,7 @@ class Grid:
                      for s in symbols))
 
 
-def cut(array: Array, block: Block) -> Array:
+def cut(array: Array, block: Slices) -> Array:
     """The part of an array in a block."""
     return array[tuple(s if n > 1 else slice(None) for s, n in zip(block, array.shape))]
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import optional
-from .grids import Block
+from .grids import Slices
 from .tiles import Tiles
 
 Finish = Literal["value", "positive", "nonnegative", "sign"]
@@ -41,7 +41,7 @@ class Kernel:
         self.tiles, self.finish, self.spent = tiles, finish, spent
         self.functions: dict[str, Any] = {}
 
-    def __call__(self, block: Block, out: Array, bound: float = 0.0) -> None:
+    def __call__(self, block: Slices, out: Array, bound: float = 0.0) -> None:
         """Write a block of results."""
         operands = [self.tiles.small(i, block) for i in self.tiles.operands]
         kinds = "".join(map(_kind, operands))

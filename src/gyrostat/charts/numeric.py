@@ -15,7 +15,7 @@ from ..notation import own
 from ..stability.conditions import Condition, Criterion
 from ..stability.truth import Relation, truth
 from ..stability.values import check_names, names_in
-from .grids import Block, Grid, grid_of
+from .grids import Slices, Grid, grid_of
 from .kernels import Finish
 from .labels import check_plain
 from .rounding import rounded
@@ -87,7 +87,7 @@ class CompiledMargin:
         merged = result.reshape(grid.merged)
         blocks = grid.blocks(NUMBA_BLOCK if self.backend == "numba" else NUMPY_BLOCK)
 
-        def work(some: Iterable[list[Block]]) -> None:
+        def work(some: Iterable[list[Slices]]) -> None:
             write = self._writer(grid, kind)
             with np.errstate(all="ignore"):            # overflow is a value here
                 for block in chain.from_iterable(some):

@@ -12,12 +12,12 @@ from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError
 from ..stability.report import Verdict
-from .codes import INVALID, KINDS, STABLE, UNSTABLE
+from .codes import INVALID, BOX_KINDS, STABLE, UNSTABLE
 from .intervals import rounded
 from .proofs import Proof
 from .regions import Region
 
-BLOCK = 8192                                               # boxes at a time
+BATCH = 8192                                               # boxes at a time
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +55,8 @@ class CertifiedChart:
         for low, high in zip(self.low.T, self.high.T):
             volumes = volumes * _exact_widths(low, high)
         total = int(volumes.sum())
-        return {kind: Fraction(int(volumes[self.code == code].sum()), total) for kind, code in KINDS.items()}
+        return {kind: Fraction(int(volumes[self.code == code].sum()), total)
+                for kind, code in BOX_KINDS.items()}
 
     def at(self, **point: Any) -> Verdict:
         """What the boxes that contain a point prove of it.
@@ -115,7 +116,7 @@ def covered(proof: Proof, region: Region, deepest: int, bisections: int, limit: 
     done: list[tuple[Array, Array, Array]] = []
     count, level, complete = 0, 0, True
     while len(low):
-        judged = [proof.judge(low[n:n + BLOCK], high[n:n + BLOCK]) for n in range(0, len(low), BLOCK)]
+        judged = [proof.judge(low[n:n + BATCH], high[n:n + BATCH]) for n in range(0, len(low), BATCH)]
         code, influence = (np.concatenate(parts) for parts in zip(*judged))
         axis, end, middle = _halving(low, high, depth, influence, deepest)
         end |= level >= bisections

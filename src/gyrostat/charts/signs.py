@@ -13,7 +13,7 @@ from ..algebra.balls import ball
 from ..algebra.exact import compiled, sign
 from ..algebra.floats import Array
 from ..algebra.precision import ONE_AT_A_TIME, own_precision
-from .grids import Block, Grid, cut, places
+from .grids import Slices, Grid, cut, places
 from .kernels import Kernel
 from .rounding import error_bound, rounded
 from .straightline import Program, program_of
@@ -56,7 +56,7 @@ class ArraySigns:
         self.whole = program.steps[-1].axes == full
         self.shape = tuple(n if i in program.steps[-1].axes else 1 for i, n in enumerate(grid.merged))
 
-    def _read(self, leaf: Expr, block: Block) -> Array:
+    def _read(self, leaf: Expr, block: Slices) -> Array:
         with ONE_AT_A_TIME:
             return _floats(leaf, {s: cut(array, block) for s, array in _arrays(leaf, self.grid).items()})
 
@@ -78,7 +78,7 @@ class ArraySigns:
             else 0.0
         )
 
-    def __call__(self, block: Block, out: Array | None = None) -> Array:
+    def __call__(self, block: Slices, out: Array | None = None) -> Array:
         """The signs in a block, of as many rows and columns as the expression varies along.
 
         What does not change is kept.
@@ -96,12 +96,12 @@ class ArraySigns:
         self.kept = (key, signs) if key is not None else None
         return signs
 
-    def empty(self, block: Block) -> Array:
+    def empty(self, block: Slices) -> Array:
         """An array for the signs in a block."""
         return np.empty([s.stop - s.start if n > 1 else 1 for s, n in zip(block[-2:], self.shape[-2:])],
                         dtype=np.int8)
 
-    def filtered(self, block: Block, out: Array) -> None:
+    def filtered(self, block: Slices, out: Array) -> None:
         """Write the signs that floats prove with one bound for the whole grid, and 0 elsewhere."""
         with np.errstate(all="ignore"):
             if self.kernel is not None:
@@ -111,7 +111,7 @@ class ArraySigns:
             above, below = value > self.bound, value < -self.bound
         np.subtract(above.view(np.int8), below.view(np.int8), out=out)
 
-    def _decide(self, block: Block, signs: Array, unsure: int) -> None:
+    def _decide(self, block: Slices, signs: Array, unsure: int) -> None:
         """Decide what is 0 in a block: with a bound for each point, and exactly where that is too wide."""
         leaves = {step.value: self.tiles.small(i, block)
                   for i, step in enumerate(self.tiles.program.steps) if step.operation == "leaf"}

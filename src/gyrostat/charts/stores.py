@@ -19,18 +19,18 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import StoreError, ValuesError, optional
-from .datasets import Chart
-from .layout import Layout
+from .frame import Frame
 from .marks import Marks, summed
 from .progress import Told, telling
+from .request import Request
 
-BLOCK = 2**22                                              # points of a block, an eighth of it with margins
+POINTS = 2**22                                              # points of a block, an eighth of it with margins
 # seconds after which a file that was not moved into place is nobody's
 ABANDONED = 3600
 WAVE = 1024                                                # blocks that are handed out at a time
 
 
-def filled(path: Path, chart: Chart, arrays: Sequence[Array], threads: int,
+def filled(path: Path, request: Request, arrays: Sequence[Array], threads: int,
            progress: Told | bool | None) -> Any:
     """The dataset of a store after its missing blocks are computed, opened lazily.
 
@@ -54,11 +54,11 @@ def filled(path: Path, chart: Chart, arrays: Sequence[Array], threads: int,
     if not (path := path.resolve()).parent.is_dir():
         raise StoreError(f"there is no folder {path.parent} for the store: make it, or give another path")
     try:
-        marks = Layout(path, chart, tuple(arrays), BLOCK // 8 if chart.margins else BLOCK).ready()
+        marks = Frame(path, request, tuple(arrays), POINTS // 8 if request.margins else POINTS).ready()
         missing = [n for n in range(prod(marks.counts)) if not marks.fits(n)]
         numbers = count(prod(marks.counts) - len(missing) + 1)
         with telling(progress, "chart") as tell:
-            _run(marks, chart, arrays, missing, threads, lambda: tell(next(numbers), prod(marks.counts)))
+            _run(marks, request, arrays, missing, threads, lambda: tell(next(numbers), prod(marks.counts)))
         _tidy(path)
     except OSError as error:
         raise StoreError(f"{path} cannot be written: {error.strerror or error}; the blocks that are done "
@@ -79,7 +79,7 @@ def _tidy(path: Path) -> None:
                 shutil.rmtree(left) if left.is_dir() else left.unlink()
 
 
-def _run(marks: Marks, chart: Chart, arrays: Sequence[Array], missing: Sequence[int], threads: int,
+def _run(marks: Marks, request: Request, arrays: Sequence[Array], missing: Sequence[int], threads: int,
          tick: Callable[[], object]) -> None:
     """Write every missing block, on the workers of a cluster if there is a client of one, else on threads."""
     distributed = sys.modules.get("distributed")       # where it is not loaded there is no client
@@ -89,9 +89,9 @@ def _run(marks: Marks, chart: Chart, arrays: Sequence[Array], missing: Sequence[
         client = None
     if client is not None:
         sums = [summed(array.tobytes()) for array in arrays]
-        _on_cluster(client, pickle.dumps((marks, chart, sums)), iter(missing), tick)
+        _on_cluster(client, pickle.dumps((marks, request, sums)), iter(missing), tick)
     else:
-        _on_threads(partial(write_block, marks, chart, arrays), iter(missing), threads, tick)
+        _on_threads(partial(write_block, marks, request, arrays), iter(missing), threads, tick)
 
 
 def _on_threads(write: Callable[[int], None], missing: Iterator[int], threads: int,
@@ -124,21 +124,21 @@ def write_pickled(problem: bytes, number: int) -> None:
 
 
 @lru_cache(maxsize=4)
-def _unpickled(problem: bytes) -> tuple[Marks, Chart, list[Array]]:
+def _unpickled(problem: bytes) -> tuple[Marks, Request, list[Array]]:
     """What a worker derives of a report it derives once.
 
     The axes it reads from the store, and compares with those of the call.
     """
     import zarr
-    marks, chart, sums = pickle.loads(problem)
-    arrays = [np.asarray(zarr.open_array(str(marks.path / name), mode="r")[:]) for name in chart.names]
+    marks, request, sums = pickle.loads(problem)
+    arrays = [np.asarray(zarr.open_array(str(marks.path / name), mode="r")[:]) for name in request.names]
     if [summed(array.tobytes()) for array in arrays] != sums:
         raise StoreError(f"the axes in {marks.path} are not those of the call: call again, which makes "
                          "them again")
-    return marks, chart, arrays
+    return marks, request, arrays
 
 
-def write_block(marks: Marks, chart: Chart, arrays: Sequence[Array], number: int) -> None:
+def write_block(marks: Marks, request: Request, arrays: Sequence[Array], number: int) -> None:
     """Compute and write the block of that number: its chunks, then its mark."""
     import zarr
     shape = tuple(map(len, arrays))
@@ -146,7 +146,7 @@ def write_block(marks: Marks, chart: Chart, arrays: Sequence[Array], number: int
     place = np.unravel_index(number, marks.counts)
     part = tuple(slice(int(i) * size, min((int(i) + 1) * size, n))
                  for i, size, n in zip(place, verdict.chunks, shape))
-    for name, values in chart.variables([array[here] for array, here in zip(arrays, part)]).items():
+    for name, values in request.variables([array[here] for array, here in zip(arrays, part)]).items():
         array: Any = zarr.open_array(str(marks.path / name), mode="r+")
         array[part] = values
     marks.write(number)

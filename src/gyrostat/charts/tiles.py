@@ -10,11 +10,11 @@ import numpy as np
 from sympy import Expr
 
 from ..algebra.floats import Array
-from .grids import Block, last
+from .grids import Slices, last
 from .rounding import rounded
 from .straightline import Axes, Program, Step
 
-Read = Callable[[Expr, Block], Array]
+Read = Callable[[Expr, Slices], Array]
 
 
 class Tiles:
@@ -48,7 +48,7 @@ class Tiles:
         """Steps done at each point."""
         return [(i, step) for i, step in enumerate(self.program.steps) if self.whole[i] and step.arguments]
 
-    def small(self, place: int, block: Block) -> Array:
+    def small(self, place: int, block: Slices) -> Array:
         """A step that is not done at each point, or a leaf, in a block."""
         step = self.program.steps[place]
         if self.whole[place]:
@@ -59,7 +59,7 @@ class Tiles:
             self.kept[place] = key, self._small(step, block)
         return self.kept[place][1]
 
-    def _small(self, step: Step, block: Block) -> Array:
+    def _small(self, step: Step, block: Slices) -> Array:
         if step.operation == "leaf":
             assert step.value is not None
             return self._read(step.value, block)
@@ -67,10 +67,10 @@ class Tiles:
             return np.full((1, 1), rounded(step.value)[0], dtype=self.kind)
         return getattr(np, step.operation)(*(self.small(i, block) for i in step.arguments))
 
-    def _read(self, leaf: Expr, block: Block) -> Array:
+    def _read(self, leaf: Expr, block: Slices) -> Array:
         return last(self.read(leaf, block))
 
-    def value(self, block: Block, out: Array | None = None) -> Array:
+    def value(self, block: Slices, out: Array | None = None) -> Array:
         """The program's result in a block, into out where it is given, else into a buffer that the next block
         uses again.
         """

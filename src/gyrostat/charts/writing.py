@@ -10,14 +10,14 @@ from sympy import Expr
 from ..algebra.floats import Array, in_floats
 from ..errors import ValuesError, require
 from ..stability.truth import Relation
-from .grids import Block, Grid, cut
+from .grids import Grid, Slices, cut
 from .kernels import Finish, Kernel
 from .straightline import program_of
 from .tiles import Tiles
 
 # points: a few buffers fit a core's cache; a call is short beside the loop
 NUMPY_BLOCK, NUMBA_BLOCK = 2**17, 2**20
-Writer = Callable[[Block, Array], None]                # writes a block of a result
+Writer = Callable[[Slices, Array], None]                # writes a block of a result
 
 
 def writer(margin: Expr, grid: Grid, finish: Finish, backend: str, kind: Any,
@@ -27,7 +27,7 @@ def writer(margin: Expr, grid: Grid, finish: Finish, backend: str, kind: Any,
     if backend == "numba" and tiles.inner:
         return Kernel(tiles, finish, spent)
 
-    def write(block: Block, out: Array) -> None:
+    def write(block: Slices, out: Array) -> None:
         if finish == "value":
             value = tiles.value(block, out)
             if value is not out:
@@ -43,7 +43,7 @@ def factor_writer(factor: Expr, grid: Grid, relation: Relation, kind: Any) -> Wr
     tiles = tiles_of(factor, grid, kind)
     compared = np.not_equal if relation is operator.ne else np.equal
 
-    def write(block: Block, out: Array) -> None:
+    def write(block: Slices, out: Array) -> None:
         compared(tiles.value(block), 0, out=out)
 
     return write
@@ -63,7 +63,7 @@ def _joined(writers: Sequence[Writer], operation: np.ufunc, none: bool) -> Write
     if len(writers) == 1:
         return writers[0]
 
-    def write(block: Block, out: Array) -> None:
+    def write(block: Slices, out: Array) -> None:
         if not writers:
             out[...] = none
             return
@@ -78,7 +78,7 @@ def _joined(writers: Sequence[Writer], operation: np.ufunc, none: bool) -> Write
 
 def tiles_of(margin: Expr, grid: Grid, kind: Any = np.float64) -> Tiles:
     """The program of a margin over a grid."""
-    def read(leaf: Expr, block: Block) -> Array:
+    def read(leaf: Expr, block: Slices) -> Array:
         here = {s: cut(grid.values[s], block) for s in leaf.free_symbols}
         return np.asarray(in_floats(leaf, np, here), dtype=kind)
 

@@ -1,4 +1,4 @@
-"""What of a store is not computed block by block.
+"""The frame of a store: what is not computed block by block.
 
 Moved into place whole, compared with the call, made again where it is damaged.
 """
@@ -18,7 +18,7 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import StoreError
-from .datasets import Chart, described, variable_attributes
+from .datasets import described, variable_attributes
 from .marks import (
     DESCRIPTION,
     Marks,
@@ -31,19 +31,20 @@ from .marks import (
     unharmed,
     vouched,
 )
+from .request import Request
 
 # of what a store holds; another one is not continued
 FORMAT = 2
 
 
 @dataclass(frozen=True)
-class Layout:
-    """A store but for its blocks.
+class Frame:
+    """A store but for its blocks: folders, axes, attributes, and the marks of what is done.
 
     Parameters
     ----------
     path : Path
-    chart : Chart
+    request : Request
     arrays : tuple of array
         the axes, outermost first
     points : int
@@ -51,7 +52,7 @@ class Layout:
     """
 
     path: Path
-    chart: Chart
+    request: Request
     arrays: tuple[Array, ...]
     points: int
 
@@ -66,14 +67,14 @@ class Layout:
     @cached_property
     def identity(self) -> dict[str, Any]:
         """What makes two charts the same, in words and sums of their data."""
-        chart, eq = self.chart, self.chart.report.equilibrium
+        request, eq = self.request, self.request.report.equilibrium
         scene = [eq.label, eq.system.hamiltonian, eq.system.space.tensor.tolist(), eq.point, eq.relations,
                  eq.domain, eq.eliminated]
-        return {"format": FORMAT, "equilibrium": summed(str(scene).encode()), "axes": list(chart.names),
+        return {"format": FORMAT, "equilibrium": summed(str(scene).encode()), "axes": list(request.names),
                 **{f"values of {name}": summed(array.astype("<f8").tobytes())
-                   for name, array in zip(chart.names, self.arrays)},
-                **{f"value of {name}": str(number) for name, number, _ in chart.fixed},
-                "margins": chart.margins, "block": list(self.block)}
+                   for name, array in zip(request.names, self.arrays)},
+                **{f"value of {name}": str(number) for name, number, _ in request.fixed},
+                "margins": request.margins, "block": list(self.block)}
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -83,7 +84,9 @@ class Layout:
     @property
     def names(self) -> tuple[str, ...]:
         """The variables that are written block by block."""
-        return ("verdict", *(f"margin_{n}" for n in range(len(self.chart.all_margins)) if self.chart.margins))
+        if not self.request.margins:
+            return ("verdict",)
+        return ("verdict", *(f"margin_{n}" for n in range(len(self.request.all_margins))))
 
     def ready(self) -> Marks:
         """The marks, after the store is made where there is none, and all that is not computed block by block
@@ -150,7 +153,7 @@ class Layout:
         from zarr.codecs import Crc32cCodec, ZstdCodec
         checked = [ZstdCodec(), Crc32cCodec()]         # whoever reads it is told of a chunk that is damaged
         new = self.path.with_name(f"{self.path.name}.{uuid4().hex}.new")
-        dataset = described(self.chart, self.arrays, {})
+        dataset = described(self.request, self.arrays, {})
         try:
             os.mkdir(new)
             dataset.to_zarr(str(new), mode="w", zarr_format=3, consolidated=False,
@@ -159,14 +162,14 @@ class Layout:
             group = zarr.open_group(str(new), mode="r+")
             for name in self.names:
                 attributes = {key: value.tolist() if isinstance(value, np.ndarray) else value
-                              for key, value in variable_attributes(name, self.chart).items()}
-                if self.chart.fixed:
-                    attributes["coordinates"] = " ".join(name for name, _, _ in self.chart.fixed)
+                              for key, value in variable_attributes(name, self.request).items()}
+                if self.request.fixed:
+                    attributes["coordinates"] = " ".join(name for name, _, _ in self.request.fixed)
                 group.create_array(name, shape=tuple(map(len, self.arrays)), chunks=self.block,
                                    compressors=checked,
                                    dtype="int8" if name == "verdict" else "float64",
                                    fill_value=-128 if name == "verdict" else 0.0,
-                                   dimension_names=self.chart.names, attributes=attributes)
+                                   dimension_names=self.request.names, attributes=attributes)
             group.create_array("complete", shape=(prod(self.counts),), chunks=(1,), dtype="uint64",
                                fill_value=0, compressors=None,
                                dimension_names=("block",),

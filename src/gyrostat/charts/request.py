@@ -1,0 +1,88 @@
+"""What is asked of a grid of parameters: verdicts, margins, and the curves between the verdicts."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from sympy import Expr
+
+from ..algebra.floats import Array
+from ..algebra.polynomials import Ring
+from ..notation import symbol
+from ..stability.report import Report
+from .arrays import verdicts
+from .contours import boundary, thinned
+from .numeric import compile_margin
+
+
+@dataclass(frozen=True)
+class Request:
+    """A report over a grid of parameters.
+
+    Parameters
+    ----------
+    report : Report
+    names : tuple of str
+        of the axes, outermost first
+    fixed : tuple of (str, Expr, str)
+        name, exact number, and the number as it was given
+    margins : bool
+        whether the values of the margins are wanted besides
+    backend : str
+        "numpy" or "numba"
+    """
+
+    report: Report
+    names: tuple[str, ...]
+    fixed: tuple[tuple[str, Expr, str], ...]
+    margins: bool
+    backend: str
+
+    @property
+    def all_margins(self) -> list[Expr]:
+        """The margins of both criteria, each once."""
+        criteria = (self.report.necessary, self.report.sufficient)
+        return list(dict.fromkeys(c.margin for criterion in criteria
+                                  for alternative in criterion.alternatives for c in alternative))
+
+    @property
+    def deciding(self) -> list[Expr]:
+        """What changes its sign between two verdicts.
+
+        The margins, and what is positive where the equilibrium exists.
+        """
+        ring = Ring(existence := list(self.report.equilibrium.existence()))
+        return [*self.all_margins, *(ring.expression(top * bottom)
+                                     for top, bottom in map(ring.fraction, existence))]
+
+    def variables(self, arrays: Sequence[Array], threads: int = 1) -> dict[str, Array]:
+        """Verdicts, and margins if they are wanted, over the grid of the arrays, one for each axis."""
+        grid = {name: array.reshape(-1, *(1,) * (len(arrays) - 1 - i))
+                for i, (name, array) in enumerate(zip(self.names, arrays))}
+        numbers = {name: number for name, number, _ in self.fixed} | grid
+        found = {"verdict": verdicts(self.report, numbers, invalid="mark", backend=self.backend,
+                                     threads=threads)}
+        if self.margins:
+            shape = tuple(map(len, arrays))
+            for n, margin in enumerate(self.all_margins):
+                compiled = compile_margin(margin, self.backend)
+                with np.errstate(all="ignore"):        # outside of the domain of U
+                    values = compiled(**{name: numbers[name] for name in compiled.names}, threads=threads)
+                found[f"margin_{n}"] = np.ascontiguousarray(np.broadcast_to(values, shape))
+        return found
+
+    def curves(self, arrays: Sequence[Array], verdict: Array | None = None) -> tuple[Array, Array]:
+        """x and y of the boundary between the verdicts of two axes.
+
+        Followed on some 2000 values of each, where there are more.
+        """
+        rows, columns = map(thinned, map(len, arrays))
+        y, x = arrays[0][rows], arrays[1][columns]
+        seen = self.variables([y, x])["verdict"] if verdict is None else verdict[np.ix_(rows, columns)]
+        up, across = map(symbol, self.names)
+        numbers = {name: number for name, number, _ in self.fixed}
+
+        def verdict_at(at_x: Array, at_y: Array) -> Array:
+            return verdicts(self.report, numbers | {across.name: at_x, up.name: at_y}, invalid="mark")
+
+        return boundary(self.deciding, {symbol(name): number for name, number in numbers.items()},
+                        (across, x), (up, y), seen, verdict_at)
