@@ -10,7 +10,7 @@ from ..stability.report import Report
 from ..stability.values import check_family
 from .deciding import Decided
 from .grids import Grid, grid_of
-from .signs import exact_number
+from .signs import dyadic
 from .writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 
 
@@ -27,8 +27,9 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     ----------
     report : Report
     values, arrays : name to number or array
-        float64, float32, integers, or objects: Fraction, SymPy numbers; they broadcast. Arrays of shapes (n,
-        1) and (m,) make a grid, which is fastest. The eliminated name is omitted
+        in one system of units, with the dimensions of the notation table; float64, float32, integers, or
+        objects: Fraction, SymPy numbers; they broadcast. Arrays of shapes (n, 1) and (m,) make a grid, which
+        is fastest. The eliminated name is omitted
     invalid : str
         "raise", or "mark": where the equilibrium does not exist, or a number is not finite
     backend : str
@@ -39,7 +40,7 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
 
     Returns
     -------
-    array of int8
+    array of int8, the shape to which the values broadcast
         STABLE = 1, UNSTABLE = −1, UNDECIDED = 0, INVALID = −2
 
     Raises
@@ -47,6 +48,15 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     ValuesError
         names are missing or unknown, shapes disagree, a number is not finite, or the equilibrium does not
         exist at a point: the first such index is named
+    ArgumentError
+        invalid or backend is none of those
+    MissingExtraError
+        Numba is not installed
+
+    References
+    ----------
+    Rounding: Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2002), chapter 3. Balls:
+    Johansson, IEEE Trans. Comput. 66 (2017) 1281-1292.
 
     Examples
     --------
@@ -77,7 +87,7 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
         (numbers,) = grid.at(block, np.zeros(1, int), np.zeros(1, int)).numbers(grid.values)
         why = f"{report.equilibrium.label} does not exist there"
         try:
-            report.verdict(dict(zip((s.name for s in grid.values), map(exact_number, numbers))))
+            report.verdict(dict(zip((s.name for s in grid.values), map(dyadic, numbers))))
         except ValuesError as error:
             why = str(error)
         raise ValuesError(f"at index {grid.index(place)}: {why}; or ask for such points to be marked, "

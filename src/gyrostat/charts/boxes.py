@@ -67,13 +67,15 @@ class BoxDecision:
 
 def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
                 limit: int = 200_000) -> BoxDecision:
-    """A verdict on all points of a box, by bisection into parts on which margins have a proved sign.
+    """A verdict on all points of a box, by branch and bound with interval arithmetic.
+
+    The box is bisected into parts on which margins have a proved sign.
 
     Parameters
     ----------
     report : Report
     box : mapping of name to number or (low, high)
-        numbers as Report.verdict takes them
+        numbers as Report.verdict takes them, with the dimensions of the notation table
     depth : int
         bisections of one part, at most
     limit : int
@@ -135,7 +137,7 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
 def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: Any = Fraction(1, 8192),
                     limit: int = 1_000_000,
                     progress: Told | bool | None = None) -> CertifiedChart:
-    """A region covered by boxes, each with a proved verdict; the undecided ones lie along the boundary.
+    """A region paved by boxes, each with a proved verdict; the undecided ones lie along the boundary.
 
     Parameters
     ----------
@@ -157,6 +159,10 @@ def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: An
     ------
     ValuesError, ScopeError
         as in certify_box; and where no name varies, or a resolution is not in (0, 1]
+
+    References
+    ----------
+    Paving by interval analysis: Jaulin & Walter, Automatica 29 (1993) 1053-1064.
 
     Examples
     --------

@@ -38,7 +38,8 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     ----------
     report : Report
     x, y : pairs (name, values)
-        values: floats, strictly increasing or decreasing
+        values: floats, shape (n,), strictly increasing or decreasing, with the dimension of the name in the
+        notation table
     fixed : mapping of name to number
         the other parameters, exact: "1/3", Fraction, int; a float is the dyadic rational it is
     axes : mapping of name to values
@@ -69,8 +70,14 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
         or not positive where the parameter is
     StoreError
         the store holds another chart
+    ArgumentError
+        x or y is no pair
     MissingExtraError
         pip install "gyrostat[charts]"
+
+    References
+    ----------
+    Curves: marching squares, then bisection in twofold arithmetic, Dekker, Numer. Math. 18 (1971) 224-242.
 
     Examples
     --------

@@ -15,8 +15,8 @@ from ..stability.report import Report
 from ..stability.truth import Relation, truth
 from .answers import answered, every, some
 from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
-from .grids import Slices, Grid, cut, last, places
-from .signs import UNKNOWN, ArraySigns, exact_number
+from .grids import Grid, Slices, cut, last, places
+from .signs import UNKNOWN, ArraySigns, dyadic
 
 
 class Decided:
@@ -99,7 +99,7 @@ class Decided:
         if boundary is not None:
             return _climbed(boundary, grid)
         names = [s.name for s in grid.values]
-        return [CODE_OF[self.report.verdict(dict(zip(names, map(exact_number, numbers)))).verdict]
+        return [CODE_OF[self.report.verdict(dict(zip(names, map(dyadic, numbers)))).verdict]
                 for numbers in grid.numbers(grid.values)]
 
     def _holds(self, criterion: Criterion, block: Slices) -> Array:

@@ -34,6 +34,11 @@ class Enclosure:
         low, high = np.asarray(self.low), np.asarray(self.high)
         return (low.astype(np.float32) == low) & (high.astype(np.float32) == high)
 
+    @property
+    def apart(self) -> Array:
+        """Where 0 is excluded."""
+        return (self.low > 0) | (self.high < 0)
+
     def __and__(self, other: "Enclosure") -> "Enclosure":
         """What two enclosures of one quantity say together."""
         return Enclosure(np.maximum(self.low, other.low), np.minimum(self.high, other.high))
@@ -94,8 +99,7 @@ class Outward:
         if a is b:
             one, other = a.low * a.low, a.high * a.high
             square = outward(np.minimum(one, other), np.maximum(one, other), exact, exact)
-            return Enclosure(np.where((a.low > 0) | (a.high < 0), np.maximum(square.low, 0), 0.0),
-                             square.high)
+            return Enclosure(np.where(a.apart, np.maximum(square.low, 0), 0.0), square.high)
         products = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
         low, high = (bound(bound(*products[:2]), bound(*products[2:])) for bound in (np.minimum, np.maximum))
         return outward(low, high, exact, exact)
@@ -104,7 +108,7 @@ class Outward:
     def reciprocal(a: Enclosure) -> Enclosure:
         """1/x, the whole line where 0 is not excluded."""
         inverse = outward(1 / a.high, 1 / a.low)
-        apart = (a.low > 0) | (a.high < 0)
+        apart = a.apart
         return Enclosure(np.where(apart, inverse.low, -np.inf), np.where(apart, inverse.high, np.inf))
 
 

@@ -15,7 +15,7 @@ from ..notation import own
 from ..stability.conditions import Condition, Criterion
 from ..stability.truth import Relation, truth
 from ..stability.values import check_names, names_in
-from .grids import Slices, Grid, grid_of
+from .grids import Grid, Slices, grid_of
 from .kernels import Finish
 from .labels import check_plain
 from .rounding import rounded
@@ -36,7 +36,12 @@ from .writing import (
 class CompiledMargin:
     """A margin or criterion as a function of named arrays.
 
-    Calling it ----------
+    Parameters
+    ----------
+    what : Criterion or Expr
+        a criterion gives booleans, a margin its values
+    backend : str or module
+        "numpy", "numba", or a namespace of the array API standard
 
     Attributes
     ----------
@@ -44,14 +49,6 @@ class CompiledMargin:
         the arrays that it takes
     backend : str
         "numpy", "numba", or the name of the namespace
-    **arrays : array-like
-        one for each name; they broadcast as in NumPy. Arrays of shapes (n, 1) and (m,) make a grid, and
-        nothing is computed again along an axis on which it does not depend. float32 throughout gives float32
-    out : array or None
-        where to write; C-contiguous, of the shape of the result; it may overlap the arrays given. Of NumPy
-        and Numba
-    threads : int
-        blocks are shared out among them
     """
 
     def __init__(self, what: Criterion | Expr, backend: str | ModuleType):
@@ -69,6 +66,30 @@ class CompiledMargin:
         return sum(self._spent)
 
     def __call__(self, *, out: Array | None = None, threads: int = 1, **arrays: Any) -> Any:
+        """The values of the margin, or where the criterion holds, in the shape to which the arrays broadcast.
+
+        Parameters
+        ----------
+        **arrays : array-like
+            one for each name; they broadcast as in NumPy. Arrays of shapes (n, 1) and (m,) make a grid, and
+            nothing is computed again along an axis on which it does not depend. float32 throughout gives
+            float32
+        out : array or None
+            where to write; C-contiguous, of the shape of the result; it may overlap the arrays given. Of
+            NumPy and Numba
+        threads : int
+            blocks are shared out among them
+
+        Returns
+        -------
+        array
+            floats [the dimension of the margin], or bool of a criterion
+
+        Raises
+        ------
+        ValuesError
+            names are missing or unknown, an array is not of finite real numbers, shapes disagree
+        """
         check_names(arrays, self.names, "this margin" if isinstance(self._what, Expr) else "this criterion")
         if self._namespace is not None:
             if out is not None:
@@ -141,13 +162,18 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
     Returns
     -------
     CompiledMargin
+        names, and calling it with arrays
 
     Raises
     ------
-    ValuesError, when it is called
-        names are missing or unknown, an array is not of finite real numbers, shapes disagree
+    ArgumentError
+        nothing that can be compiled, or no such backend
     MissingExtraError
         Numba is not installed
+
+    References
+    ----------
+    Straight-line programs: Bürgisser, Clausen & Shokrollahi, Algebraic Complexity Theory (1997), chapter 4.
 
     Examples
     --------

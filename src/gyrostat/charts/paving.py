@@ -12,12 +12,12 @@ from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError
 from ..stability.report import Verdict
-from .codes import INVALID, BOX_KINDS, STABLE, UNSTABLE
+from .codes import BOX_KINDS, INVALID, STABLE, UNSTABLE
 from .intervals import rounded
 from .proofs import Proof
 from .regions import Region
 
-BATCH = 8192                                               # boxes at a time
+BATCH = 8192                                            # boxes at a time
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +61,15 @@ class CertifiedChart:
     def at(self, **point: Any) -> Verdict:
         """What the boxes that contain a point prove of it.
 
+        Parameters
+        ----------
+        **point : number
+            for each axis
+
+        Returns
+        -------
+        Verdict
+
         Raises
         ------
         ValuesError
@@ -79,13 +88,9 @@ class CertifiedChart:
             raise ValuesError(f"{_point(point)} is outside the chart: choose a point in the region")
         if INVALID in codes:
             raise ValuesError(f"there is no equilibrium at {_point(point)}: choose a point where it exists")
-        return (
-            Verdict.STABLE
-            if STABLE in codes
-            else Verdict.UNSTABLE
-            if UNSTABLE in codes
-            else Verdict.UNDECIDED
-        )
+        if STABLE in codes:
+            return Verdict.STABLE
+        return Verdict.UNSTABLE if UNSTABLE in codes else Verdict.UNDECIDED
 
     def __repr__(self) -> str:
         shares = ", ".join(f"{kind} {float(share):.6g}" for kind, share in self.measure.items() if share)

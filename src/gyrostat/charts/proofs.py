@@ -27,15 +27,10 @@ from .regions import Region
 
 Bounds = dict[Expr, Enclosure]
 
-def _apart(bounds: Enclosure) -> Array:
-    """Where 0 is excluded."""
-    return (bounds.low > 0) | (bounds.high < 0)
-
-
 def _compared(bounds: Enclosure, relation: Relation) -> Array:
     """Whether a relation to 0 is proved or disproved at every point of a box."""
     if relation in (operator.ne, operator.eq):
-        apart = _apart(bounds)
+        apart = bounds.apart
         never = np.zeros_like(apart)
         return answered(apart, never) if relation is operator.ne else answered(never, apart)
     return answered(relation(bounds.low, 0), ~relation(bounds.high, 0))
@@ -131,7 +126,7 @@ class Proof:
         domain = {condition.margin for condition in self.existence}
         for expression, natural in bounds.items():
             open_ = undecided | divided if expression in domain else undecided
-            rows = np.flatnonzero(open_ & ~_apart(natural))
+            rows = np.flatnonzero(open_ & ~natural.apart)
             if not len(rows) or not expression.free_symbols:
                 continue
             box = self._box(low[rows], high[rows])
@@ -139,7 +134,7 @@ class Proof:
                       for name in self.names if name in expression.free_symbols}
             sharp = sharpened(expression, Enclosure(natural.low[rows], natural.high[rows]), box, slopes)
             natural.low[rows], natural.high[rows] = sharp.low, sharp.high
-            parts = np.where(_apart(sharp)[:, None], 0, self._contributions(slopes, high[rows] - low[rows]))
+            parts = np.where(sharp.apart[:, None], 0, self._contributions(slopes, high[rows] - low[rows]))
             influence[rows] = np.maximum(influence[rows], parts)
         code = self._codes(bounds, high)
         influence[(code == INVALID) | (code != UNDECIDED) & ~divided] = 0

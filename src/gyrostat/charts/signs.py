@@ -13,7 +13,7 @@ from ..algebra.balls import ball
 from ..algebra.exact import compiled, sign
 from ..algebra.floats import Array
 from ..algebra.precision import ONE_AT_A_TIME, own_precision
-from .grids import Slices, Grid, cut, places
+from .grids import Grid, Slices, cut, places
 from .kernels import Kernel
 from .rounding import error_bound, rounded
 from .straightline import Program, program_of
@@ -163,14 +163,14 @@ class ExactSign:
         if enclosure > 0 or enclosure < 0:
             return 1 if enclosure > 0 else -1
         if self.polynomial is None or not all(isinstance(x, (float, Rational)) for x in numbers):
-            found = sign(self.expression, dict(zip(self.symbols, map(exact_number, numbers))))
+            found = sign(self.expression, dict(zip(self.symbols, map(dyadic, numbers))))
             return UNKNOWN if found is None else found
         given = dict(zip(self.symbols, map(_rational, numbers)))
         value = self.polynomial[1](*(given[s] for s in self.polynomial[0]))
         return 1 if value > 0 else -1 if value < 0 else 0
 
 
-def exact_number(x: float | Expr) -> Expr:
+def dyadic(x: float | Expr) -> Expr:
     """The number that a double is."""
     return Rational(*x.as_integer_ratio()) if isinstance(x, float) else x
 
