@@ -10,7 +10,7 @@ from ..stability.report import Report
 from ..stability.values import check_family
 from .deciding import Decided
 from .grids import Grid, grid_of
-from .signs import dyadic
+from .signs import dyadic_rational
 from .writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 
 
@@ -87,7 +87,7 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
         (numbers,) = grid.at(block, np.zeros(1, int), np.zeros(1, int)).numbers(grid.values)
         why = f"{report.equilibrium.label} does not exist there"
         try:
-            report.verdict(dict(zip((s.name for s in grid.values), map(dyadic, numbers))))
+            report.verdict(dict(zip((s.name for s in grid.values), map(dyadic_rational, numbers))))
         except ValuesError as error:
             why = str(error)
         raise ValuesError(f"at index {grid.index(place)}: {why}; or ask for such points to be marked, "

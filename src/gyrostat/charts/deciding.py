@@ -16,7 +16,7 @@ from ..stability.truth import Relation, truth
 from .answers import answered, every, some
 from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
 from .grids import Grid, Slices, cut, last, places
-from .signs import UNKNOWN, ArraySigns, dyadic
+from .signs import UNKNOWN, ArraySigns, dyadic_rational
 
 
 class Decided:
@@ -99,7 +99,7 @@ class Decided:
         if boundary is not None:
             return _climbed(boundary, grid)
         names = [s.name for s in grid.values]
-        return [CODE_OF[self.report.verdict(dict(zip(names, map(dyadic, numbers)))).verdict]
+        return [CODE_OF[self.report.verdict(dict(zip(names, map(dyadic_rational, numbers)))).verdict]
                 for numbers in grid.numbers(grid.values)]
 
     def _holds(self, criterion: Criterion, block: Slices) -> Array:

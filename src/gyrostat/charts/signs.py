@@ -163,14 +163,14 @@ class ExactSign:
         if enclosure > 0 or enclosure < 0:
             return 1 if enclosure > 0 else -1
         if self.polynomial is None or not all(isinstance(x, (float, Rational)) for x in numbers):
-            found = sign(self.expression, dict(zip(self.symbols, map(dyadic, numbers))))
+            found = sign(self.expression, dict(zip(self.symbols, map(dyadic_rational, numbers))))
             return UNKNOWN if found is None else found
         given = dict(zip(self.symbols, map(_rational, numbers)))
         value = self.polynomial[1](*(given[s] for s in self.polynomial[0]))
         return 1 if value > 0 else -1 if value < 0 else 0
 
 
-def dyadic(x: float | Expr) -> Expr:
+def dyadic_rational(x: float | Expr) -> Expr:
     """The number that a double is."""
     return Rational(*x.as_integer_ratio()) if isinstance(x, float) else x
 
