@@ -64,9 +64,11 @@ def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: flo
     scene, inertia, rotor = assemble(body), floats(body.inertia), floats(body.gyrostatic_momentum)
     values = [float(point.energy) for point in points]
     near = SHIFT * (max(values) - min(values))
-    passes = any(point.decision.verdict is Verdict.UNSTABLE and point.circle is None and abs(value - energy) <= near
-                 for point, value in zip(points, values))
-    around = [floats(p.momentum) for p in points if p.circle is None and p.decision.verdict is not Verdict.UNSTABLE]
+    isolated = [(point, value) for point, value in zip(points, values) if point.circle is None]
+    passes = any(point.decision.verdict is Verdict.UNSTABLE and abs(value - energy) <= near
+                 for point, value in isolated)
+    around = [floats(point.momentum) for point, _ in isolated
+              if point.decision.verdict is not Verdict.UNSTABLE]
     left = [(normal, seed) for other in around[1:]
             for normal, seeds in [_on_arc(around[0], other, inertia, rotor,
                                           energy - near if passes else energy)] for seed in seeds]

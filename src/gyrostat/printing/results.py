@@ -189,8 +189,8 @@ def _branch(branch: Branch) -> list[Block]:
 def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
     circle = "" if rotation.circle is None else f", and on the circle about axis {rotation.circle + 1}"
     verdict = rotation.decision.verdict.name.lower()
-    return [sentence("permanent rotation at ", Word("M", "M"), " = (", *listed(map(number, rotation.momentum)),
-                     f"){circle}: {verdict}")]
+    place = listed(map(number, rotation.momentum))
+    return [sentence("permanent rotation at ", Word("M", "M"), " = (", *place, f"){circle}: {verdict}")]
 
 
 @result_blocks.register
