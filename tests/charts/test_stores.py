@@ -119,7 +119,7 @@ def test_another_chart_is_refused(e1, e2, small, tmp_path, monkeypatch):
     with pytest.raises(StoreError, match="differ in block"):
         stability_chart(e1, **GRID, store=path)
     monkeypatch.setattr(stores, "POINTS", 7 * 90)
-    monkeypatch.setattr(frame, "FORMAT", 3)
+    monkeypatch.setattr(frame, "STORE_FORMAT", 3)
     with pytest.raises(StoreError, match="differ in format"):
         stability_chart(e1, **GRID, store=path)
     assert contents(path) == before
@@ -483,7 +483,7 @@ def test_a_store_says_what_it_is_of(e1, small, tmp_path):
     own = json.loads(xr.open_zarr(tmp_path / "chart.zarr", consolidated=False).complete.attrs["chart"])
     assert own["axes"] == ["l", "pi3_0"]
     assert own["value of I1"] == "1/3"
-    assert own["format"] == frame.FORMAT
+    assert own["format"] == frame.STORE_FORMAT
     assert own["block"] == [7, 90]
 
 

@@ -190,7 +190,7 @@ def test_verify_text(capsys):
 def test_verify_json(capsys):
     """The documented keys; a misprint has its counterexample."""
     _, out, _ = verify(capsys, "AR", "--format", "json")
-    data = json.loads(out)
+    data = json.loads(out)["statements"]
     assert set(data[0]) == {"source", "key", "where", "quantity", "kind", "printed", "derived", "status",
                             "expected", "difference",
                             "counterexample", "not_sharp", "remark", "note"}

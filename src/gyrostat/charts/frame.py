@@ -18,6 +18,7 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import StoreError
+from ..version import STORE_FORMAT
 from .datasets import described, variable_attributes
 from .marks import (
     DESCRIPTION,
@@ -32,9 +33,6 @@ from .marks import (
     vouched,
 )
 from .request import Request
-
-# of what a store holds; another one is not continued
-FORMAT = 2
 
 
 @dataclass(frozen=True)
@@ -70,7 +68,7 @@ class Frame:
         request, eq = self.request, self.request.report.equilibrium
         scene = [eq.label, eq.system.hamiltonian, eq.system.space.tensor.tolist(), eq.point, eq.relations,
                  eq.domain, eq.eliminated]
-        return {"format": FORMAT, "equilibrium": summed(str(scene).encode()), "axes": list(request.names),
+        return {"format": STORE_FORMAT, "equilibrium": summed(str(scene).encode()), "axes": list(request.names),
                 **{f"values of {name}": summed(array.astype("<f8").tobytes())
                    for name, array in zip(request.names, self.arrays)},
                 **{f"value of {name}": str(number) for name, number, _ in request.fixed},

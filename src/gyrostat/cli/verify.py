@@ -18,7 +18,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
 
     findings = check(given.sources or SOURCES, shown)
     if given.format == "json":
-        out(json_text(listing.to_json(findings)))
+        out(json_text({"statements": listing.to_json(findings)}))
     elif given.format == "latex":
         out(errata.latex(findings, given.fragment))
     else:

@@ -4,6 +4,7 @@ Expressions are strings in the grammar of the command line.
 """
 import json
 import math
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -13,6 +14,7 @@ from ..mechanics.system import System
 from ..stability.conditions import Condition, Criterion
 from ..stability.drift import Drift
 from ..stability.report import Decision, Report
+from ..version import DOCUMENT_FORMAT
 from .boundary import ladder, undecided
 
 
@@ -103,10 +105,11 @@ def double(number: Expr) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def json_text(data: Any) -> str:
-    """JSON that every reader reads: without NaN or Infinity."""
-    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+def json_text(data: Mapping[str, Any]) -> str:
+    """A document that every reader reads: its format first, and neither NaN nor Infinity."""
+    return json.dumps({"format": DOCUMENT_FORMAT, **data}, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def strings(expressions: Any) -> list[str]:
+    """Expressions in the grammar of the command line."""
     return [str(expression) for expression in expressions]

@@ -1,0 +1,26 @@
+"""Documents as JSON."""
+import json
+
+import pytest
+
+from gyrostat.cli.parser import main
+from gyrostat.printing.data import json_text
+from gyrostat.version import DOCUMENT_FORMAT
+
+TOP = ("--potential", "m0*k3", "--equilibrium", "E1")
+
+
+@pytest.mark.parametrize("words", [
+    ("report", *TOP), ("conditions", *TOP), ("conditions", *TOP, "--solve-for", "l"),
+    ("decide", *TOP, *(w for x in ("I1=1", "m0=1", "l=0", "pi3_0=3") for w in ("--set", x))), ("verify", "AR")],
+    ids=" ".join)
+def test_every_document_says_its_format(words, capsys):
+    """The format is the first key of what any verb prints as JSON."""
+    assert main([*words, "--format", "json"]) == 0
+    assert next(iter(json.loads(capsys.readouterr().out).items())) == ("format", DOCUMENT_FORMAT)
+
+
+def test_no_document_holds_what_json_lacks():
+    """NaN and Infinity are refused, not written."""
+    with pytest.raises(ValueError, match="JSON compliant"):
+        json_text({"x": float("nan")})
