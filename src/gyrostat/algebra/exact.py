@@ -41,8 +41,8 @@ def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
 
     Examples
     --------
-    >>> from gyrostat.notation import symbol
-    >>> x = symbol("x")
+    >>> import gyrostat as gs
+    >>> x = gs.symbol("x")
     >>> sign(x**2 - 2, {x: Rational(3, 2)}), sign(x**2 - 2, {x: sympy.sqrt(2)})
     (1, 0)
     >>> sign(sympy.exp(x) - 3, {x: sympy.S.One})

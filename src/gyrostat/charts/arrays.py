@@ -62,7 +62,7 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     --------
     >>> import gyrostat as gs
     >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> verdicts(top, I1=1, m0=1, l=np.array([[0.0], [0.5]]), pi3_0=np.array([-2.0, 1.0, 1.5, 2.0]))
+    >>> gs.charts.verdicts(top, I1=1, m0=1, l=np.array([[0.0], [0.5]]), pi3_0=np.array([-2.0, 1.0, 1.5, 2.0]))
     array([[ 1, -1, -1,  1],
            [-1, -1,  1,  1]], dtype=int8)
     """

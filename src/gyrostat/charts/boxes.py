@@ -102,11 +102,11 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
     --------
     >>> import gyrostat as gs
     >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> certify_box(report, {"I1": (1, "1.1"), "m0": 1, "l": (2, 3), "pi3_0": (1, 2)}).verdict.name
+    >>> gs.charts.certify_box(report, {"I1": (1, "1.1"), "m0": 1, "l": (2, 3), "pi3_0": (1, 2)}).verdict.name
     'STABLE'
     >>> from fractions import Fraction
-    >>> share = certify_box(report, {"I1": 1, "m0": 1, "l": 0, "pi3_0": (0, 4)}).measure
-    >>> share["undecided"] < Fraction(1, 10**6)
+    >>> across = gs.charts.certify_box(report, {"I1": 1, "m0": 1, "l": 0, "pi3_0": (0, 4)})
+    >>> across.measure["undecided"] < Fraction(1, 10**6)
     True
     """
     region = region_of(report, box)
@@ -168,7 +168,8 @@ def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: An
     --------
     >>> import gyrostat as gs
     >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> chart = certified_chart(report, {"I1": 1, "m0": 1, "l": (-4, 4), "pi3_0": (-4, 4)}, resolution="1/64")
+    >>> chart = gs.charts.certified_chart(report, {"I1": 1, "m0": 1, "l": (-4, 4), "pi3_0": (-4, 4)},
+    ...                                   resolution="1/64")
     >>> chart.at(l=1, pi3_0=2).name, chart.at(l=1, pi3_0=-2).name, chart.at(l=1, pi3_0=1).name
     ('STABLE', 'UNSTABLE', 'UNDECIDED')
     """

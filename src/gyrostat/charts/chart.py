@@ -83,8 +83,8 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     --------
     >>> import gyrostat as gs
     >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> chart = stability_chart(top, x=("pi3_0", [-2, 1, 1.5, 2]), y=("l", [0, 0.5]),
-    ...                         fixed={"I1": 1, "m0": "1"})
+    >>> chart = gs.charts.stability_chart(top, x=("pi3_0", [-2, 1, 1.5, 2]), y=("l", [0, 0.5]),
+    ...                                   fixed={"I1": 1, "m0": "1"})
     >>> chart.verdict.values
     array([[ 1, -1, -1,  1],
            [-1, -1,  1,  1]], dtype=int8)

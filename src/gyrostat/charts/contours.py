@@ -58,8 +58,8 @@ def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[S
 
     Examples
     --------
-    >>> from gyrostat.notation import symbol
-    >>> a, b = symbol("a"), symbol("b")
+    >>> import gyrostat as gs
+    >>> a, b = gs.symbol("a"), gs.symbol("b")
     >>> across, up = np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0])
     >>> stable = np.array([[-1, -1, 1], [-1, -1, 1]])
     >>> boundary([a**2 - 2], {}, (a, across), (b, up), stable)

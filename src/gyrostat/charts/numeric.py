@@ -179,7 +179,7 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
     --------
     >>> import gyrostat as gs
     >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> stable = compile_margin(report.sufficient)
+    >>> stable = gs.charts.compile_margin(report.sufficient)
     >>> stable.names
     ('I1', 'l', 'm0', 'pi3_0')
     >>> stable(I1=1, m0=1, l=np.array([[-1.0], [1.0]]), pi3_0=np.array([0.0, 1.0, 2.0]))

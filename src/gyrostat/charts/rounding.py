@@ -49,9 +49,9 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
 
     Examples
     --------
-    >>> from gyrostat.notation import symbol
+    >>> import gyrostat as gs
     >>> from gyrostat.charts.straightline import program_of
-    >>> x, y = symbol("x"), symbol("y")
+    >>> x, y = gs.symbol("x"), gs.symbol("y")
     >>> program = program_of(x**2 - y, {})
     >>> bool(2.0**-51 < error_bound(program, {x: 1.0, y: 1.0}, {}) < 2.0**-49)
     True

@@ -59,9 +59,12 @@ class Program:
 
         Examples
         --------
+        >>> import gyrostat as gs
         >>> import operator
         >>> from fractions import Fraction
-        >>> x = symbol("x")
+        >>> x = gs.symbol("x")
+        >>> multiply = {"add": operator.add, "subtract": operator.sub, "multiply": operator.mul,
+        ...             "negative": operator.neg}
         >>> from types import SimpleNamespace
         >>> fractions = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
         ...                             negative=operator.neg)

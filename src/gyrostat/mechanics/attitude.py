@@ -48,7 +48,8 @@ def rotation(convention: str = "zxz") -> ImmutableMatrix:
 
     Examples
     --------
-    >>> rotation("zxz").row(2)
+    >>> import gyrostat as gs
+    >>> gs.mechanics.rotation("zxz").row(2)
     Matrix([[sin(psi)*sin(theta), sin(theta)*cos(psi), cos(theta)]])
     """
     if convention not in CONVENTIONS:
@@ -82,7 +83,8 @@ def angular_velocity(convention: str = "zxz") -> ImmutableMatrix:
 
     Examples
     --------
-    >>> angular_velocity("zxz")[2]
+    >>> import gyrostat as gs
+    >>> gs.mechanics.angular_velocity("zxz")[2]
     phi_dot*cos(theta) + psi_dot
     """
     return nodes(convention) * ImmutableMatrix(RATES)
@@ -93,7 +95,9 @@ def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix
 
     Examples
     --------
-    >>> angular_momentum(Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, 0)))[2]
+    >>> import gyrostat as gs
+    >>> gs.mechanics.angular_momentum(gs.Gyrostat((gs.symbol("I1"), gs.symbol("I1"), gs.symbol("I3")),
+    ...                                           (0, 0, 0)))[2]
     I3*(phi_dot*cos(theta) + psi_dot)
     """
     require(body, Gyrostat, "the body")
@@ -121,8 +125,9 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
 
     Examples
     --------
-    >>> from gyrostat import Gyrostat, uniform_field
-    >>> lagrangian(Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, 0)), uniform_field())
+    >>> import gyrostat as gs
+    >>> gs.mechanics.lagrangian(gs.Gyrostat((gs.symbol("I1"), gs.symbol("I1"), gs.symbol("I3")), (0, 0, 0)),
+    ...                         gs.uniform_field())
     I1*phi_dot**2*sin(theta)**2/2 + I1*theta_dot**2/2 + I3*(phi_dot*cos(theta) + psi_dot)**2/2 - m0*cos(theta)
     """
     require(body, Gyrostat, "the body")
@@ -148,8 +153,8 @@ def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
 
     Examples
     --------
-    >>> from gyrostat import symmetric_gyrostat
-    >>> momenta(symmetric_gyrostat())[2]
+    >>> import gyrostat as gs
+    >>> gs.mechanics.momenta(gs.symmetric_gyrostat())[2]
     I3*(phi_dot*cos(theta) + psi_dot) + l
     """
     p_phi, p_theta, p_psi = nodes(convention).T * angular_momentum(body, convention)
@@ -174,8 +179,8 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
 
     Examples
     --------
-    >>> from gyrostat import symmetric_gyrostat, uniform_field
-    >>> effective_potential(symmetric_gyrostat(), uniform_field())
+    >>> import gyrostat as gs
+    >>> gs.mechanics.effective_potential(gs.symmetric_gyrostat(), gs.uniform_field())
     m0*cos(theta) + (-l + p_psi)**2/(2*I3) + (p_phi - p_psi*cos(theta))**2/(2*I1*sin(theta)**2)
     """
     require(body, Gyrostat, "the body")

@@ -35,8 +35,9 @@ class Gyrostat(Shown, Stored):
 
     Examples
     --------
-    >>> body = Gyrostat(inertia=(2, 2, 1), gyrostatic_momentum=(0, 0, 0))
-    >>> body.kinetic_energy((symbol("pi1"), 0, symbol("pi3")))
+    >>> import gyrostat as gs
+    >>> body = gs.Gyrostat(inertia=(2, 2, 1), gyrostatic_momentum=(0, 0, 0))
+    >>> body.kinetic_energy((gs.symbol("pi1"), 0, gs.symbol("pi3")))
     pi1**2/4 + pi3**2/2
     """
 
@@ -74,7 +75,8 @@ def symmetric_gyrostat() -> Gyrostat:
 
     Examples
     --------
-    >>> symmetric_gyrostat().inertia
+    >>> import gyrostat as gs
+    >>> gs.symmetric_gyrostat().inertia
     (I1, I1, I3)
     """
     return Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, symbol("l")))

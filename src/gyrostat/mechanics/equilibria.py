@@ -226,10 +226,9 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import symmetric_gyrostat
-    >>> from gyrostat.mechanics.fields import uniform_field
-    >>> from gyrostat.mechanics.system import assemble
-    >>> equilibrium(assemble(symmetric_gyrostat(), uniform_field()), (0, 0, 0, 1, 0, 0))  # doctest: +ELLIPSIS
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> gs.equilibrium(top, (0, 0, 0, 1, 0, 0))  # doctest: +ELLIPSIS
     Traceback (most recent call last):
     gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, ...
     """

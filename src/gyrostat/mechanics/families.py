@@ -36,10 +36,8 @@ def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import symmetric_gyrostat
-    >>> from gyrostat.mechanics.potential import axial_potential
-    >>> from gyrostat.mechanics.system import assemble
-    >>> upright(assemble(symmetric_gyrostat(), axial_potential())).point
+    >>> import gyrostat as gs
+    >>> gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point
     (0, 0, pi3_0, 0, 0, 1)
     """
     return _vertical(E1, scene, spin)
@@ -78,9 +76,8 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import Gyrostat
-    >>> from gyrostat.mechanics.system import assemble
-    >>> principal_rotation(assemble(Gyrostat(gyrostatic_momentum=(0, 0, 0))), 2).point
+    >>> import gyrostat as gs
+    >>> gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))), 2).point
     (0, I2*omega2_0, 0)
     """
     require(scene, System, "the scene")
@@ -122,10 +119,8 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import symmetric_gyrostat
-    >>> from gyrostat.mechanics.fields import uniform_field
-    >>> from gyrostat.mechanics.system import assemble
-    >>> inclined(assemble(symmetric_gyrostat(), uniform_field()), eliminate="k3").relations[-1]
+    >>> import gyrostat as gs
+    >>> gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), eliminate="k3").relations[-1]
     (k3, (l*omega - m0)/(omega**2*(I1 - I3)))
     """
     return _tilted(E3.label, scene, OMEGA, eliminate)
@@ -136,10 +131,8 @@ def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import symmetric_gyrostat
-    >>> from gyrostat.mechanics.potential import axial_potential
-    >>> from gyrostat.mechanics.system import assemble
-    >>> static_tilt(assemble(symmetric_gyrostat(), axial_potential())).point
+    >>> import gyrostat as gs
+    >>> gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point
     (0, 0, 0, sqrt(1 - k3**2), 0, k3)
     """
     return _tilted(E3_AT_REST.label, scene, S.Zero, eliminate)

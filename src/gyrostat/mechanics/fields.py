@@ -18,7 +18,8 @@ def uniform_field() -> Potential:
 
     Examples
     --------
-    >>> uniform_field().expression
+    >>> import gyrostat as gs
+    >>> gs.uniform_field().expression
     k3*m0
     """
     return newtonian_field(1)
@@ -28,13 +29,12 @@ def newtonian_field(order: int) -> Potential:
     """Attraction by a distant centre below, to any order in 1/r: 1 is uniform, 2 adds the gravity gradient.
 
     U⁽ᴺ⁾ = Σ (−1)ⁿ⁺¹ g Jₙ/rⁿ⁻¹ Pₙ(k3) over n = 1, …, N, with Legendre's Pₙ, up to a constant that makes U = 0
-        at k3 = 0:
+    at k3 = 0:
     U⁽¹⁾ = m0 k3,  U⁽²⁾ = U⁽¹⁾ + (m1/2) (I3 − I1) k3²,  U⁽³⁾ = U⁽²⁾ + (m1/3) (J3/r) P₃(k3), …
 
     The centre is at the distance r [L] from the fixed point, in the direction −k; g is its attraction there
-        [L/T²].
-    J₁ = m z0 and J₂ = I1 − I3 enter through m0 = m g z0 [M L²/T²] and m1 = 3 g/r [1/T²]; from n = 3 on,
-    Jₙ = ∫ abs(x)ⁿ Pₙ(x3/abs(x)) dm [M Lⁿ] is a parameter, J3, J4, …, and the mass has to be distributed
+    [L/T²]. J₁ = m z0 and J₂ = I1 − I3 enter through m0 = m g z0 [M L²/T²] and m1 = 3 g/r [1/T²]; from n = 3
+    on, Jₙ = ∫ abs(x)ⁿ Pₙ(x3/abs(x)) dm [M Lⁿ] is a parameter, J3, J4, …, and the mass has to be distributed
     alike about axis 3: I1 = I2 is not enough. Each Jₙ vanishes for odd n where the body is its own mirror
     image in x3.
 
@@ -54,9 +54,10 @@ def newtonian_field(order: int) -> Potential:
 
     Examples
     --------
-    >>> newtonian_field(2).expression
+    >>> import gyrostat as gs
+    >>> gs.newtonian_field(2).expression
     k3**2*m1*(-I1 + I3)/2 + k3*m0
-    >>> newtonian_field(3).expression - newtonian_field(2).expression
+    >>> gs.newtonian_field(3).expression - gs.newtonian_field(2).expression
     J3*m1*(5*k3**3 - 3*k3)/(6*r)
     """
     if isinstance(order, bool) or not isinstance(order, SupportsIndex) or index(order) < 1:
@@ -77,7 +78,7 @@ def ideal_fluid() -> Potential:
     """Body of revolution in an ideal fluid at rest at infinity: Kirchhoff's equations.
 
     U = ½ p0² (1/mass3 − 1/mass1) k3², the energy ½ (p1² + p2²)/mass1 + ½ p3²/mass3 of the impulse p = p0 k,
-        up to a constant.
+    up to a constant.
 
     k is the direction of the impulse seen from the body, p0 > 0 its constant magnitude [M L/T]; mass1 across
     and mass3 along the axis, positive, are the mass of the body with the added mass of the fluid [M]. The
@@ -90,7 +91,8 @@ def ideal_fluid() -> Potential:
 
     Examples
     --------
-    >>> print(ideal_fluid())
+    >>> import gyrostat as gs
+    >>> print(gs.ideal_fluid())
     U = p₀² k₃² (1/mass₃ − 1/mass₁)/2
     """
     k3, p0, mass1, mass3 = map(symbol, ("k3", "p0", "mass1", "mass3"))

@@ -40,7 +40,8 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
 
     Examples
     --------
-    >>> torque_equations(Gyrostat(gyrostatic_momentum=(0, 0, 0)))[2].factor()
+    >>> import gyrostat as gs
+    >>> gs.mechanics.torque_equations(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)))[2].factor()
     (I1*I2*tau3 + I1*pi1*pi2 - I2*pi1*pi2)/(I1*I2)
     """
     require(body, Gyrostat, "the body")
@@ -60,7 +61,8 @@ def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
 
     Examples
     --------
-    >>> momentum_limits(Gyrostat((1, 2, 3), (0, 0, 0)), 5)
+    >>> import gyrostat as gs
+    >>> gs.mechanics.momentum_limits(gs.Gyrostat((1, 2, 3), (0, 0, 0)), 5)
     (10, 30)
     """
     require(body, Gyrostat, "the body")
@@ -105,7 +107,8 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
 
     Examples
     --------
-    >>> polhode_period((1, 2, 3), ("0.3", "0.2", "0.9"))
+    >>> import gyrostat as gs
+    >>> gs.mechanics.polhode_period((1, 2, 3), ("0.3", "0.2", "0.9"))
     22.8986475506197
     """
     if len(inertia) != 3 or len(momentum) != 3 or not isinstance(digits, int) or digits < 1:
@@ -194,7 +197,8 @@ def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> Free
 
     Examples
     --------
-    >>> motion = free_precession((1, 2), 3, 3)
+    >>> import gyrostat as gs
+    >>> motion = gs.mechanics.free_precession((1, 2), 3, 3)
     >>> motion.body_rate, motion.precession, motion.body_cone
     (-3, 3*sqrt(5), pi/4)
     """

@@ -90,8 +90,9 @@ class LiePoisson(Shown, Stored):
 
         Examples
         --------
-        >>> space = lie_poisson(directions=("k",))
-        >>> pi1, pi2, k3 = map(symbol, ("pi1", "pi2", "k3"))
+        >>> import gyrostat as gs
+        >>> space = gs.lie_poisson(directions=("k",))
+        >>> pi1, pi2, k3 = map(gs.symbol, ("pi1", "pi2", "k3"))
         >>> space.bracket(pi1, pi2), space.bracket(pi1, k3)
         (-l3 - pi3, k2)
         """
@@ -157,7 +158,8 @@ def lie_poisson(directions: Sequence[str] = ("k",),
 
     Examples
     --------
-    >>> lie_poisson(directions=()).casimirs
+    >>> import gyrostat as gs
+    >>> gs.lie_poisson(directions=()).casimirs
     ((l1 + pi1)**2 + (l2 + pi2)**2 + (l3 + pi3)**2,)
     """
     if tuple(directions) not in ((), ("k",)):

@@ -36,11 +36,8 @@ def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import symmetric_gyrostat
-    >>> from gyrostat.mechanics.families import upright
-    >>> from gyrostat.mechanics.potential import axial_potential
-    >>> from gyrostat.mechanics.system import assemble
-    >>> orbit_tangent(upright(assemble(symmetric_gyrostat(), axial_potential()))).T.tolist()
+    >>> import gyrostat as gs
+    >>> gs.orbit_tangent(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))).T.tolist()
     [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0]]
     """
     return _kernel(eq, regular_differentials(eq))

@@ -157,9 +157,10 @@ def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -
 
     Examples
     --------
-    >>> axial_potential(lambda k3: k3**2 / 2).expression
+    >>> import gyrostat as gs
+    >>> gs.axial_potential(lambda k3: k3**2 / 2).expression
     k3**2/2
-    >>> axial_potential().expression
+    >>> gs.axial_potential().expression
     U(k3)
     """
     return _potential(DIRECTIONS[2:], expression)

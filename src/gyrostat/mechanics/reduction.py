@@ -55,8 +55,8 @@ class Reduction(Shown, Stored):
 
         Examples
         --------
-        >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
-        >>> reduce(assemble(symmetric_gyrostat(), uniform_field())).effective_potential()
+        >>> import gyrostat as gs
+        >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())).effective_potential()
         k3*m0 + (-l + p_psi)**2/(2*I3) + (-k3*p_psi + p_phi)**2/(2*I1*(1 - k3**2))
         """
         return (
@@ -77,8 +77,8 @@ class Reduction(Shown, Stored):
 
         Examples
         --------
-        >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat
-        >>> reduce(assemble(symmetric_gyrostat(), axial_potential())).precession()
+        >>> import gyrostat as gs
+        >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).precession()
         I1*k3*omega**2 + dU - omega*p_psi
         """
         return symbol("dU") + self._at_rate((self.twist * self.rate / 2).diff(K3))
@@ -90,8 +90,8 @@ class Reduction(Shown, Stored):
 
         Examples
         --------
-        >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat
-        >>> reduce(assemble(symmetric_gyrostat(), axial_potential())).restoring()
+        >>> import gyrostat as gs
+        >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).restoring()
         3*I1**2*k3**2*omega**2 + I1**2*omega**2 - I1*d2U*k3**2 + I1*d2U - 4*I1*k3*omega*p_psi + p_psi**2
         """
         return self._at_rate(self.system.body.inertia[0] * self.across
@@ -132,8 +132,8 @@ def reduce(scene: System) -> Reduction:
 
     Examples
     --------
-    >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat
-    >>> reduce(assemble(symmetric_gyrostat(), axial_potential())).twist
+    >>> import gyrostat as gs
+    >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).twist
     -k3*p_psi + p_phi
     """
     require(scene, System, "the scene")
@@ -172,8 +172,8 @@ def expansion(eq: Equilibrium, order: int) -> list[Expr]:
 
     Examples
     --------
-    >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat, upright
-    >>> expansion(upright(assemble(symmetric_gyrostat(), axial_potential())), 3)[2:]
+    >>> import gyrostat as gs
+    >>> gs.mechanics.expansion(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())), 3)[2:]
     [4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2, -2*I1*d2U - 2*I1*dU]
     """
     motion, scene = reduce(eq.system), eq.system

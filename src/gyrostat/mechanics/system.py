@@ -63,8 +63,8 @@ class System(Shown, Stored):
 
         Examples
         --------
-        >>> from gyrostat.mechanics.body import symmetric_gyrostat
-        >>> assemble(symmetric_gyrostat()).vector_field()[2]
+        >>> import gyrostat as gs
+        >>> gs.assemble(gs.symmetric_gyrostat()).vector_field()[2]
         0
         """
         if self.potential is None:
@@ -134,9 +134,8 @@ def assemble(body: Gyrostat, potential: Potential | None = None) -> System:
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import symmetric_gyrostat
-    >>> from gyrostat.mechanics.potential import axial_potential
-    >>> assemble(symmetric_gyrostat(), axial_potential()).integrals
+    >>> import gyrostat as gs
+    >>> gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()).integrals
     (pi3,)
     """
     require(body, Gyrostat, "the body")

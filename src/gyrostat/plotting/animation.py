@@ -58,12 +58,11 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     >>> import tempfile
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> from gyrostat.trajectories import motion
-    >>> box = motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
-    >>> ax = Figure(figsize=(2, 2)).add_subplot(projection="3d")
-    >>> animation = animate_top(box, np.linspace(0, 60, 4), ax, interval=50)
+    >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
+    >>> animation = gs.plotting.animate_top(box, np.linspace(0, 60, 4),
+    ...                                     Figure(figsize=(2, 2)).add_subplot(projection="3d"), interval=50)
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     save_animation(animation, f"{folder}/box.gif")
+    ...     gs.plotting.save_animation(animation, f"{folder}/box.gif")
     """
     turns, path, fine = attitudes(motion, times)
     ax = axes_of(ax, three=True)

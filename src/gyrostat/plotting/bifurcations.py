@@ -63,10 +63,10 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> numbers = {"I1": 2, "I3": 1, "l": 0, "m0": -1}
-    >>> ax = draw_bifurcation_diagram(top, "omega", (0, 3), numbers, Figure().subplots())
-    >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['stable (E3: modulo the spin)', 'unstable', 'E3 leaves E1', 'changes: precessions leave E2']
+    >>> ax = gs.plotting.draw_bifurcation_diagram(top, {"I1": 2, "I3": 1, "l": 0, "m0": -1}, "omega", (0, 3),
+    ...                                           Figure().subplots())
+    >>> ax.get_xlabel(), [text.get_text() for text in ax.get_legend().get_texts()]
+    ('$\\\\omega$', ['stable (E3: modulo the spin)', 'unstable', 'E3 leaves E1', 'changes: precessions leave E2'])
     """
     found = continuation(scene, name, ends, values)
     ax = axes_of(ax)

@@ -44,12 +44,11 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     Examples
     --------
     >>> import gyrostat as gs
-    >>> from gyrostat.charts.chart import stability_chart
     >>> from matplotlib.figure import Figure
     >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> spins, rotors = np.linspace(-4, 4, 80), np.linspace(-2, 2, 60)
-    >>> chart = stability_chart(top, x=("pi3_0", spins), y=("l", rotors), fixed={"I1": 1, "m0": 1})
-    >>> draw_chart(chart, Figure().subplots()).get_xlabel()
+    >>> chart = gs.charts.stability_chart(top, x=("pi3_0", np.linspace(-4, 4, 80)),
+    ...                                   y=("l", np.linspace(-2, 2, 60)), fixed={"I1": 1, "m0": 1})
+    >>> gs.plotting.draw_chart(chart, Figure().subplots()).get_xlabel()
     '$\\\\pi_3^0$'
     """
     if ds.verdict.ndim != 2:

@@ -58,8 +58,8 @@ def cones(inertia: Sequence[Any], transverse: Any, axial: Any) -> tuple[Cone, Co
     Examples
     --------
     >>> space, body, vectors = cones((2, 1), 1, 1)
-    >>> between = np.arccos(vectors["M"] @ vectors["e3"])
-    >>> bool(np.isclose(space.angle + body.angle, between))                  # the body cone rolls outside
+    >>> bool(np.isclose(space.angle + body.angle,
+    ...                 np.arccos(vectors["M"] @ vectors["e3"])))      # the body cone rolls outside
     True
     """
     motion = free_precession(inertia, transverse, axial)
@@ -116,8 +116,9 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
 
     Examples
     --------
+    >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = draw_cones((2, 1), 1, 2, ax=Figure().add_subplot(projection="3d"))
+    >>> ax = gs.plotting.draw_cones((2, 1), 1, 2, ax=Figure().add_subplot(projection="3d"))
     >>> [text.get_text() for text in ax.texts]
     ['$M$', '$\\\\omega$', '$e_{3}$']
     """

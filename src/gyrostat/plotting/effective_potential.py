@@ -68,7 +68,7 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     >>> found = well(top, {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}, energy=10)
     >>> [branch.decision.verdict.name for _, _, branch in found.equilibria]
     ['STABLE']
-    >>> [round(float(k3), 4) for k3 in found.turning_points]
+    >>> [round(float(k3), 4) for k3 in found.turning]
     [0.2843, 0.7957]
     """
     require(scene, System, "the scene")
@@ -161,7 +161,7 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> values = {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}
-    >>> draw_effective_potential(top, values, energy=10, ax=Figure().subplots()).get_xlabel()
+    >>> gs.plotting.draw_effective_potential(top, values, energy=10, ax=Figure().subplots()).get_xlabel()
     '$\\\\theta$'
     """
     found = well(scene, values, energy)

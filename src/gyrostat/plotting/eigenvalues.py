@@ -53,8 +53,9 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
-    >>> numbers, samples = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, np.linspace(2, 0, 80)
-    >>> ax = draw_eigenvalues(top, "omega3_0", samples, numbers, Figure().subplots())
+    >>> samples = np.linspace(2, 0, 80)
+    >>> ax = gs.plotting.draw_eigenvalues(top, {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, "omega3_0", samples,
+    ...                                   Figure().subplots())
     >>> ax.get_xlabel()
     '$\\\\mathrm{Re}\\\\,\\\\lambda$'
     """

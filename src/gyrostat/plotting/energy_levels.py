@@ -54,10 +54,9 @@ def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: flo
 
     Examples
     --------
-    >>> from sympy import S
-    >>> from gyrostat.stability.permanent_rotations import permanent_rotations
-    >>> body = Gyrostat((1, 2, 3), (0, 0, 0))
-    >>> M = level_curve(body, permanent_rotations(body, S.One), 1.0, 0.3)
+    >>> import gyrostat as gs
+    >>> body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
+    >>> M = level_curve(body, rest_points(body, Rational(1)), 1.0, 0.3)
     >>> bool(np.nanmax(abs((M**2 / [1, 2, 3]).sum(axis=1) / 2 - 0.3)) < 1e-15), int(np.isnan(M[:, 0]).sum())
     (True, 1)
     """

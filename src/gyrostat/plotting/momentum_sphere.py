@@ -65,10 +65,10 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
 
     Examples
     --------
+    >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> from gyrostat import Gyrostat, assemble
-    >>> body = assemble(Gyrostat((1, 2, 3), (0, 0, 0)))
-    >>> ax = draw_momentum_sphere(body, 1, ax=Figure().add_subplot(projection="3d"))
+    >>> ax = gs.plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), {}, 1,
+    ...                                       ax=Figure().add_subplot(projection="3d"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['polhode', 'separatrix', 'stable', 'unstable']
     """

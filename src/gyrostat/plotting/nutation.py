@@ -52,10 +52,11 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> from gyrostat.trajectories import motion
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> released = motion(top, (0, 0, 3, "0.6", 0, "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
-    >>> ax = draw_nutation(released, np.linspace(0, 10, 500), Figure().add_subplot(projection="3d"))
+    >>> released = gs.trajectories.motion(top, (0, 0, 3, "0.6", 0, "0.8"),
+    ...                                   {"I1": 1, "I3": 1, "l": 0, "m0": 1})
+    >>> ax = gs.plotting.draw_nutation(released, np.linspace(0, 10, 500),
+    ...                                Figure().add_subplot(projection="3d"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['axis of the body', 'limits of $k_3$']
     """

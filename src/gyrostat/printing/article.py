@@ -177,8 +177,9 @@ def to_latex(obj: Any) -> str:
 
     Examples
     --------
-    >>> from gyrostat import analyze, assemble, axial_potential, symmetric_gyrostat, upright
-    >>> print(to_latex(analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).sufficient))
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> print(gs.to_latex(gs.analyze(gs.upright(top)).sufficient))
     \\left(\\pi_3^0 + l\\right)^{2} > 4 I_1 U'(1)
     """
     if isinstance(obj, Report):

@@ -14,8 +14,8 @@ def inequality(condition: Condition) -> tuple[Expr, Expr]:
 
     Examples
     --------
-    >>> from gyrostat import analyze, assemble, axial_potential, hanging, symmetric_gyrostat
-    >>> report = analyze(hanging(assemble(symmetric_gyrostat(), axial_potential())))
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.hanging(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
     >>> inequality(report.sufficient.alternatives[0][0])
     ((l + pi3_0)**2, -4*I1*dU)
     """

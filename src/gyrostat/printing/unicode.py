@@ -67,8 +67,8 @@ def unicode(expression: Expr, at: Any = None) -> str:
 
     Examples
     --------
-    >>> from gyrostat.notation import symbol
-    >>> unicode((symbol("pi3_0") + symbol("l"))**2 - 4*symbol("I1")*symbol("dU"), at=1)
+    >>> import gyrostat as gs
+    >>> unicode((gs.symbol("pi3_0") + gs.symbol("l"))**2 - 4*gs.symbol("I1")*gs.symbol("dU"), at=1)
     '(π₃⁰ + l)² − 4 I₁ U′(1)'
     """
     return _Unicode(at)._print(expression)

@@ -66,7 +66,8 @@ def check(sources: Iterable[str | Path] = SOURCES,
 
     Examples
     --------
-    >>> wrong = [f.statement.key for f in check(["AR"]) if f.status == "misprint"]
+    >>> import gyrostat as gs
+    >>> wrong = [f.statement.key for f in gs.published.check(["AR"]) if f.status == "misprint"]
     >>> wrong
     ['Omega-1', 'Omega-2', 'Omega-3', '2K-dot', 'ellipsoid']
     """

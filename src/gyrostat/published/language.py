@@ -120,8 +120,8 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
 
     Examples
     --------
-    >>> from gyrostat.notation import symbol
-    >>> read(["2*a", "1"], {"a": symbol("a")}).T
+    >>> import gyrostat as gs
+    >>> read(["2*a", "1"], {"a": gs.symbol("a")}).T
     Matrix([[2*a, 1]])
     """
     if isinstance(printed, list):

@@ -58,7 +58,8 @@ def load(source: str | Path) -> Source:
 
     Examples
     --------
-    >>> statement = load("VV2003").statements[0]
+    >>> import gyrostat as gs
+    >>> statement = gs.published.load("VV2003").statements[0]
     >>> statement.kind, statement.where
     ('equilibrium', '§1, first display')
     """

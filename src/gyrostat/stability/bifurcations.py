@@ -83,8 +83,8 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
 
     Examples
     --------
-    >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat
-    >>> for b in bifurcations(assemble(symmetric_gyrostat(), axial_potential()))[:5]:
+    >>> import gyrostat as gs
+    >>> for b in gs.bifurcations(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))[:5]:
     ...     print(b.kind, *b.equations, sep=": ")
     E3 leaves E1: I1*omega**2 - I3*omega**2 + dU - l*omega
     E3 leaves E2: -I1*omega**2 + I3*omega**2 + dU - l*omega
@@ -132,11 +132,11 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
 
     Examples
     --------
-    >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
-    >>> top = assemble(symmetric_gyrostat(), uniform_field())
-    >>> [(b.kind, b.value) for b in bifurcation_points(top, "l", {"I1": 2, "I3": 1, "m0": 3, "omega": 1})]
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> [(b.kind, b.value) for b in gs.bifurcation_points(top, "l", {"I1": 2, "I3": 1, "m0": 3, "omega": 1})]
     [('E3 leaves E2', 2), ('E3 leaves E1', 4)]
-    >>> [(b.kind, b.value) for b in bifurcation_points(top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})]
+    >>> [(b.kind, b.value) for b in gs.bifurcation_points(top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})]
     [('precessions leave E1', -2), ('precessions leave E1', 2)]
     """
     known = names_of(scene) | {"omega", "pi3_0", "C1"}

@@ -93,10 +93,10 @@ class Boundary(Shown, Stored):
 
         Examples
         --------
+        >>> import gyrostat as gs
         >>> from itertools import islice
-from typing import Any
-        >>> from gyrostat import analyze, assemble, axial_potential, symmetric_gyrostat, upright
-        >>> boundary = analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).boundary
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+        >>> boundary = gs.analyze(gs.upright(top)).boundary
         >>> [rung.condition.margin for rung in islice(boundary.rungs(), 3)]
         [d2U + dU, -3*d2U - 2*d3U, 2*d3U + d4U]
         """

@@ -84,9 +84,9 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
 
     Examples
     --------
-    >>> from gyrostat import assemble, axial_potential, linearize, symmetric_gyrostat, upright
-    >>> eq = upright(assemble(symmetric_gyrostat(), axial_potential()))
-    >>> p, q, discriminant = spectral_criterion(linearize(eq)).alternatives[0]
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> ((p, q, discriminant),) = gs.spectral_criterion(gs.linearize(gs.upright(top))).alternatives
     >>> discriminant.margin, discriminant.degenerate
     (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
     """
@@ -120,9 +120,10 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
 
     Examples
     --------
-    >>> from gyrostat import assemble, axial_potential, second_variation, symmetric_gyrostat, upright
-    >>> variation = second_variation(upright(assemble(symmetric_gyrostat(), axial_potential())))
-    >>> formal_criterion(variation).alternatives[0][0].margin
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> variation = gs.second_variation(gs.upright(top))
+    >>> gs.formal_criterion(variation).alternatives[0][0].margin
     -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
     """
     eq = variation.equilibrium

@@ -57,8 +57,8 @@ class Drift(Shown, Stored):
 
         Examples
         --------
-        >>> from gyrostat import assemble, axial_potential, inclined, symmetric_gyrostat
-        >>> Drift(inclined(assemble(symmetric_gyrostat(), axial_potential()))).rates[0]
+        >>> import gyrostat as gs
+        >>> Drift(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))).rates[0]
         (I1*omega**2 - I3*omega**2 + d2U)/(I3*omega)
         """
         scene = self.equilibrium.system
@@ -78,8 +78,8 @@ class Drift(Shown, Stored):
 
         Examples
         --------
-        >>> from gyrostat import assemble, axial_potential, static_tilt, symmetric_gyrostat
-        >>> Drift(static_tilt(assemble(symmetric_gyrostat(), axial_potential()))).defect
+        >>> import gyrostat as gs
+        >>> Drift(gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))).defect
         -I1*d2U*k3**2 + I1*d2U + I3*d2U*k3**2 + l**2
         """
         eq = self.equilibrium

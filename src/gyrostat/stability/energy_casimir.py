@@ -92,12 +92,9 @@ def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMa
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import symmetric_gyrostat
-    >>> from gyrostat.mechanics.families import upright
-    >>> from gyrostat.mechanics.potential import axial_potential
-    >>> from gyrostat.mechanics.system import assemble
-    >>> scene = assemble(symmetric_gyrostat(), axial_potential())
-    >>> augmented_hessian(upright(scene), scene.space.casimirs)[0, 3]
+    >>> import gyrostat as gs
+    >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.augmented_hessian(gs.upright(scene), scene.space.casimirs)[0, 3]
     -pi3_0/I3
     """
     space = eq.system.space
@@ -131,11 +128,9 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import symmetric_gyrostat
-    >>> from gyrostat.mechanics.families import inclined
-    >>> from gyrostat.mechanics.potential import axial_potential
-    >>> from gyrostat.mechanics.system import assemble
-    >>> variation = second_variation(inclined(assemble(symmetric_gyrostat(), axial_potential())))
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> variation = gs.second_variation(gs.inclined(top))
     >>> variation.matrix.shape, variation.modulo
     ((2, 2), (pi3,))
     """

@@ -86,9 +86,10 @@ class Linearization(Shown, Stored):
 
         Examples
         --------
-        >>> from gyrostat import Gyrostat, assemble, axial_potential, hanging
-        >>> scene = assemble(Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)), axial_potential())
-        >>> linearize(hanging(scene)).eigenvalues()[0]
+        >>> import gyrostat as gs
+        >>> scene = gs.assemble(gs.Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)),
+        ...                     gs.axial_potential())
+        >>> gs.linearize(gs.hanging(scene)).eigenvalues()[0]
         I*(pi3_0/2 + sqrt(4*dU + pi3_0**2)/2)
         """
         parts = self.frequencies()
@@ -133,11 +134,8 @@ def linearize(eq: Equilibrium) -> Linearization:
 
     Examples
     --------
-    >>> from gyrostat.mechanics.body import symmetric_gyrostat
-    >>> from gyrostat.mechanics.families import inclined
-    >>> from gyrostat.mechanics.potential import axial_potential
-    >>> from gyrostat.mechanics.system import assemble
-    >>> linearize(inclined(assemble(symmetric_gyrostat(), axial_potential()))).coefficients[1]
+    >>> import gyrostat as gs
+    >>> gs.linearize(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))).coefficients[1]
     0
     """
     basis = orbit_tangent(eq)

@@ -146,8 +146,8 @@ class Report(Shown, Stored):
 
         Examples
         --------
-        >>> from gyrostat import assemble, axial_potential, symmetric_gyrostat, upright
-        >>> report = analyze(upright(assemble(symmetric_gyrostat(), axial_potential())))
+        >>> import gyrostat as gs
+        >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
         >>> report.verdict({"I1": 1, "I3": "1/2", "l": 2, "pi3_0": 1, "dU": 2}).verdict
         <Verdict.STABLE: 'a sufficient condition for stability is proved to hold'>
         """
@@ -171,8 +171,8 @@ class Report(Shown, Stored):
 
         Examples
         --------
-        >>> from gyrostat import assemble, axial_potential, inclined, symmetric_gyrostat
-        >>> report = analyze(inclined(assemble(symmetric_gyrostat(), axial_potential())))
+        >>> import gyrostat as gs
+        >>> report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
         >>> values = {"I1": 4, "I3": 5, "l": 2, "omega": 1, "k3": 0, "d2U": 0}
         >>> report.verdict(values).verdict.name, report.itself(values).verdict.name
         ('STABLE', 'UNSTABLE')
@@ -228,8 +228,8 @@ def analyze(eq: Equilibrium) -> Report:
 
     Examples
     --------
-    >>> from gyrostat import assemble, axial_potential, inclined, symmetric_gyrostat
-    >>> report = analyze(inclined(assemble(symmetric_gyrostat(), axial_potential())))
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
     >>> report.necessary.alternatives[0][0].margin == report.sufficient.alternatives[0][0].margin
     True
     """

@@ -48,9 +48,9 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
 
     Examples
     --------
-    >>> from gyrostat import analyze, assemble, symmetric_gyrostat, uniform_field, upright
-    >>> report = analyze(upright(assemble(symmetric_gyrostat(), uniform_field())))
-    >>> for case in solve_condition(report.sufficient.alternatives[0][0], "l", report.boundary).cases:
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> for case in gs.solve_condition(report.sufficient.alternatives[0][0], "l", report.boundary).cases:
     ...     print(case.when, [(i.low, i.low_if, i.high, i.high_if) for i in case.intervals])
     ((m0, '<'),) [(-oo, (), oo, ())]
     ((m0, '='),) [(-oo, (), -pi3_0, ()), (-pi3_0, (), oo, ())]

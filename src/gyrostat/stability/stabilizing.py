@@ -59,10 +59,10 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
 
     Examples
     --------
-    >>> from gyrostat import analyze, assemble, symmetric_gyrostat, uniform_field, upright
-    >>> report = analyze(upright(assemble(symmetric_gyrostat(), uniform_field())))
-    >>> (part,) = stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5}).parts
-    >>> ((interval, other),) = (case.intervals for case in part.cases)
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
+    >>> ((interval, other),) = (case.intervals for case in solution.parts[0].cases)
     >>> interval.high, interval.high_if, other.low
     (-7, (1,), -3)
     """

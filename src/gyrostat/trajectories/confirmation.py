@@ -131,7 +131,8 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     --------
     >>> import gyrostat as gs
     >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> sleeping = confirm(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "pi3_0": 2})     # (π3 + l)² = 4 I1 m0
+    >>> critical = {"I1": 1, "I3": 1, "l": 0, "m0": 1, "pi3_0": 2}             # (π3 + l)² = 4 I1 m0
+    >>> sleeping = gs.trajectories.confirm(top, critical)
     >>> sleeping.decision.verdict.name, sleeping.expected, round(sleeping.slope, 3), sleeping.agrees
     ('STABLE', 0.5, 0.5, True)
     """

@@ -61,11 +61,11 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
 
     Examples
     --------
+    >>> import gyrostat as gs
     >>> import numpy as np
-    >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
-    >>> scene = assemble(symmetric_gyrostat(), uniform_field())
-    >>> numbers = {"I1": 1, "I3": "0.6", "l": "0.4", "m0": 1}
-    >>> top = motion(scene, ("0.3", "-0.2", "1.5", "0.6", 0, "0.8"), numbers)
+    >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> top = gs.trajectories.motion(scene, ("0.3", "-0.2", "1.5", "0.6", 0, "0.8"),
+    ...                              {"I1": 1, "I3": "0.6", "l": "0.4", "m0": 1})
     >>> top.route, round(top.period, 12), top(np.linspace(0, 1e6, 5)).shape
     ('elliptic', 5.82463951502, (5, 6))
     >>> max(top.drift(np.linspace(0, 1e12, 100)).values()) < 1e-14

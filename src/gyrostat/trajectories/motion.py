@@ -81,10 +81,9 @@ class Motion:
 
         Examples
         --------
-        >>> from gyrostat import assemble, symmetric_gyrostat, uniform_field
-        >>> from gyrostat.trajectories import motion
-        >>> scene = assemble(symmetric_gyrostat(), uniform_field())
-        >>> top = motion(scene, (0, 1, 5, 0, "0.6", "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
+        >>> import gyrostat as gs
+        >>> top = gs.trajectories.motion(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()),
+        ...                              (0, 1, 5, 0, "0.6", "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
         >>> top.angles(0.0).round(6)
         array([0.      , 0.643501, 0.      ])
         """

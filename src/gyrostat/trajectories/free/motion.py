@@ -61,8 +61,8 @@ class FreeMotion:
 
     Examples
     --------
-    >>> from gyrostat import Gyrostat, assemble
-    >>> motion = FreeMotion(assemble(Gyrostat((3, 5, 9), (0, 0, 0))), (0, 2, "0.01"))
+    >>> import gyrostat as gs
+    >>> motion = FreeMotion(gs.assemble(gs.Gyrostat((3, 5, 9), (0, 0, 0))), (0, 2, "0.01"))
     >>> motion.name, round(motion.period / 4, 10)
     ('free body', 29.5277217616)
     """

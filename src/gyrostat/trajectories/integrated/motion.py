@@ -63,11 +63,10 @@ class Integration:
 
     Examples
     --------
+    >>> import gyrostat as gs
     >>> from sympy import S
-    >>> from gyrostat.mechanics.body import Gyrostat
-    >>> from gyrostat.mechanics.system import assemble
-    >>> scene = assemble(Gyrostat((1, 2, 3), (0, 0, 0)))
-    >>> tumbling = Integration(scene, (S.Zero, S(2), S.One / 100), method="DOP853")
+    >>> tumbling = Integration(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), (S.Zero, S(2), S.One / 100),
+    ...                        method="DOP853")
     >>> tumbling.state([0.0, -9.0]).round(6)
     array([[0.      , 2.      , 0.01    ],
            [0.488121, 1.745552, 0.845509]])
