@@ -11,6 +11,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from . import errors
+from .algebra.precision import own_precision
 from .cli import start as _start  # noqa: F401 (what Ctrl-C does while the rest is loaded)
 from .mechanics.body import Gyrostat, symmetric_gyrostat
 from .mechanics.equilibria import Equilibrium, equilibrium
@@ -48,18 +49,13 @@ _LATER = {"relative_equilibria": "stability.relative_equilibria", "stabilizing_s
 
 __all__ = [
     "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "bifurcation_points",
-    "bifurcations", "charts",
-    "Condition", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors", "formal_criterion",
-    "general_potential", "Gyrostat",
-    "hanging", "ideal_fluid", "inclined", "independent", "lie_poisson", "LiePoisson", "Linearization",
-    "linearize", "mechanics",
-    "multipliers", "newtonian_field", "orbit_tangent", "plotting", "Potential", "principal_rotation",
-    "published", "reduce",
+    "bifurcations", "charts", "Condition", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors",
+    "formal_criterion", "general_potential", "Gyrostat", "hanging", "ideal_fluid", "inclined", "independent",
+    "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field",
+    "orbit_tangent", "own_precision", "plotting", "Potential", "principal_rotation", "published", "reduce",
     "relative_equilibria", "Report", "second_variation", "SecondVariation", "solve_condition",
-    "spectral_criterion", "stabilizing_set",
-    "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories",
-    "uniform_field", "upright",
-    "Verdict",
+    "spectral_criterion", "stabilizing_set", "static_tilt", "symbol", "symmetric_gyrostat",
+    "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
 ]
 
 

@@ -102,7 +102,23 @@ def of_the_motion(symbols: Iterable[Symbol]) -> list[str]:
 
 @lru_cache(maxsize=4096)                                # a second symbol of one name is equal to the first
 def symbol(name: str) -> Symbol:
-    """The one symbol of that name; names that are not in the table are real parameters."""
+    """The one symbol of that name; names that are not in the table are real parameters.
+
+    Parameters
+    ----------
+    name : str
+        those of the table of notation have its assumptions: a moment of inertia is positive
+
+    Returns
+    -------
+    Symbol
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.symbol("I1").is_positive, gs.symbol("a").is_positive, gs.symbol("a").is_real
+    (True, None, True)
+    """
     return (
         Symbol(name, positive=True)
         if name in NOTATION and NOTATION[name].positive

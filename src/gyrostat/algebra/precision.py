@@ -15,9 +15,19 @@ def own_precision(bits: int) -> Iterator[None]:
     A computation of ours waits for those of other threads. Whoever calls python-flint besides has to hold
     ONE_AT_A_TIME as well.
 
+    Parameters
+    ----------
+    bits : int
+
+    Returns
+    -------
+    context manager
+
     Examples
     --------
-    >>> with own_precision(100):
+    >>> import gyrostat as gs
+    >>> from flint import ctx
+    >>> with gs.own_precision(100):
     ...     ctx.prec
     100
     """

@@ -13,5 +13,5 @@ from .boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
 from .chart import stability_chart
 from .numeric import compile_margin
 
-__all__ = ["BoxDecision", "CertifiedChart", "certified_chart", "certify_box", "compile_margin",
+__all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "compile_margin",
            "stability_chart", "verdicts"]

@@ -26,21 +26,22 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     Parameters
     ----------
     report : Report
-    values, arrays : name to number or array
-        in one system of units, with the dimensions of the notation table; float64, float32, integers, or
-        objects: Fraction, SymPy numbers; they broadcast. Arrays of shapes (n, 1) and (m,) make a grid, which
-        is fastest. The eliminated name is omitted
+    values : mapping of name to number or array, any shape
+        float64, float32, integers, or objects: Fraction, SymPy numbers; they broadcast. Arrays of shapes
+        (n, 1) and (m,) make a grid, which is fastest. The eliminated name is omitted
     invalid : str
         "raise", or "mark": where the equilibrium does not exist, or a number is not finite
     backend : str
         "numpy", or "numba" (extra fast)
     threads : int
-    out : array or None
-        of int8, to write to; it may overlap the arrays given
+    out : array of int8 or None, of the common shape
+        to write to; it may overlap the arrays given
+    **arrays : number or array, any shape
+        the same as values, by keyword
 
     Returns
     -------
-    array of int8, the shape to which the values broadcast
+    array of int8, of the common shape
         STABLE = 1, UNSTABLE = −1, UNDECIDED = 0, INVALID = −2
 
     Raises
@@ -49,18 +50,12 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
         names are missing or unknown, shapes disagree, a number is not finite, or the equilibrium does not
         exist at a point: the first such index is named
     ArgumentError
-        invalid or backend is none of those
-    MissingExtraError
-        Numba is not installed
-
-    References
-    ----------
-    Rounding: Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2002), chapter 3. Balls:
-    Johansson, IEEE Trans. Comput. 66 (2017) 1281-1292.
+        there is no such backend, or no such way with what is invalid
 
     Examples
     --------
     >>> import gyrostat as gs
+    >>> import numpy as np
     >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
     >>> gs.charts.verdicts(top, I1=1, m0=1, l=np.array([[0.0], [0.5]]), pi3_0=np.array([-2.0, 1.0, 1.5, 2.0]))
     array([[ 1, -1, -1,  1],

@@ -35,6 +35,14 @@ class BoxDecision:
     reason : str
     chart : CertifiedChart
         the parts of the box, and what is proved of each
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> decision = gs.charts.certify_box(report, {"I1": 1, "m0": 1, "l": 0, "pi3_0": (3, 4)})
+    >>> decision.verdict.name, decision.measure["stable"]
+    ('STABLE', Fraction(1, 1))
     """
 
     verdict: Verdict

@@ -167,7 +167,10 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
     Raises
     ------
     ArgumentError
-        nothing that can be compiled, or no such backend
+        there is no such backend, or this is no margin and no criterion
+    ValuesError
+        when it is called: names are missing or unknown, an array is not of finite real numbers, shapes
+        disagree
     MissingExtraError
         Numba is not installed
 
@@ -178,6 +181,7 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
     Examples
     --------
     >>> import gyrostat as gs
+    >>> import numpy as np
     >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
     >>> stable = gs.charts.compile_margin(report.sufficient)
     >>> stable.names

@@ -39,6 +39,15 @@ class CertifiedChart:
     code : int8 array, shape (boxes,)
     complete : bool
         False: the limit on boxes was reached before the resolution
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> region = {"I1": 1, "m0": 1, "l": 0, "pi3_0": (0, 4)}
+    >>> chart = gs.charts.certified_chart(report, region, resolution="1/64")
+    >>> chart.axes, chart.at(pi3_0=3).name, sum(chart.measure.values())
+    (('pi3_0',), 'STABLE', Fraction(1, 1))
     """
 
     axes: tuple[str, ...]

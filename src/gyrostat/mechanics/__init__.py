@@ -20,7 +20,6 @@ from .attitude import (
 from .freebody import FreePrecession, free_precession, momentum_limits, polhode_period, torque_equations
 from .reduction import Reduction, expansion
 
-__all__ = ["FreePrecession", "Reduction", "angle_rates", "angular_momentum", "angular_velocity",
-           "effective_potential", "expansion",
-           "free_precession", "lagrangian", "momenta", "momentum_limits", "polhode_period", "rotation",
-           "torque_equations"]
+__all__ = ["angle_rates", "angular_momentum", "angular_velocity", "effective_potential", "expansion",
+           "free_precession", "FreePrecession", "lagrangian", "momenta", "momentum_limits", "polhode_period",
+           "Reduction", "rotation", "torque_equations"]

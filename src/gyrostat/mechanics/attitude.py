@@ -75,7 +75,22 @@ def nodes(convention: str = "zxz") -> ImmutableMatrix:
 
 
 def angular_velocity(convention: str = "zxz") -> ImmutableMatrix:
-    """ω in body components, in the angles and their rates phi_dot, theta_dot, psi_dot, shape (3, 1).
+    """ω in body components, in the angles and their rates phi_dot, theta_dot, psi_dot.
+
+    Parameters
+    ----------
+    convention : "zxz" or "zyz"
+        of Euler's angles, as in rotation
+
+    Returns
+    -------
+    ImmutableMatrix, shape (3, 1)
+        [1/T]
+
+    Raises
+    ------
+    ScopeError
+        another convention
 
     References
     ----------
@@ -91,7 +106,23 @@ def angular_velocity(convention: str = "zxz") -> ImmutableMatrix:
 
 
 def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix:
-    """M = I ω + l in body components, in the angles and their rates, shape (3, 1).
+    """M = I ω + l in body components, in the angles and their rates.
+
+    Parameters
+    ----------
+    body : Gyrostat
+    convention : "zxz" or "zyz"
+        of Euler's angles, as in rotation
+
+    Returns
+    -------
+    ImmutableMatrix, shape (3, 1)
+        [M L²/T]
+
+    Raises
+    ------
+    ScopeError
+        another convention
 
     Examples
     --------
@@ -118,6 +149,18 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     body : Gyrostat
     potential : Potential or None
         U(k) of the scene; None for the free body
+    convention : "zxz" or "zyz"
+        of Euler's angles, as in rotation
+
+    Returns
+    -------
+    Expr
+        [M L²/T²]
+
+    Raises
+    ------
+    ScopeError
+        another convention
 
     References
     ----------
@@ -147,9 +190,24 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
 def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
     """(p_φ, p_θ, p_ψ) = ∂L/∂(φ̇, θ̇, ψ̇).
 
-    p_φ = M·k is the Casimir C1 of e(3)*, conserved in every field U(k); p_ψ = M3 = π3 + l3 is the integral of
-        a body of
-    revolution in U(k3).
+    p_φ = M·k is the Casimir C1 of e(3)*, conserved in every field U(k); p_ψ = M3 = π3 + l3 is the integral
+    of a body of revolution in U(k3).
+
+    Parameters
+    ----------
+    body : Gyrostat
+    convention : "zxz" or "zyz"
+        of Euler's angles, as in rotation
+
+    Returns
+    -------
+    tuple of Expr, shape (3,)
+        [M L²/T]
+
+    Raises
+    ------
+    ScopeError
+        another convention
 
     Examples
     --------
@@ -167,6 +225,18 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     ½ I1 θ̇² + V = energy, in the momenta p_phi = C1 and p_psi = π3 + l.
 
     V = (p_φ − p_ψ cos θ)² / (2 I1 sin² θ) + (p_ψ − l)² / (2 I3) + U(cos θ)
+
+    Parameters
+    ----------
+    body : Gyrostat
+        of revolution
+    potential : Potential
+        U(k3)
+
+    Returns
+    -------
+    Expr
+        in theta, p_phi and p_psi [M L²/T²]
 
     Raises
     ------
@@ -196,7 +266,38 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
 
 
 def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz") -> tuple[Expr, ...]:
-    """(φ̇, θ̇, ψ̇) of an angular velocity in body components, where sin θ ≠ 0."""
+    """(φ̇, θ̇, ψ̇) of an angular velocity in body components, where sin θ ≠ 0.
+
+    Parameters
+    ----------
+    omega : sequence of Expr or ImmutableMatrix, shape (3,) or (3, 1)
+        angular velocity in body components [1/T]
+    convention : "zxz" or "zyz"
+        of Euler's angles, as in rotation
+
+    Returns
+    -------
+    tuple of Expr, shape (3,)
+        in phi, theta, psi and the components [1/T]
+
+    Raises
+    ------
+    BodyError
+        there are not three components
+    ScopeError
+        another convention
+
+    References
+    ----------
+    Landau & Lifshitz, Mechanics, §35.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> rates = gs.mechanics.angle_rates([gs.symbol(f"omega{i}") for i in (1, 2, 3)])
+    >>> rates[1]
+    omega1*cos(psi) - omega2*sin(psi)
+    """
     axes, given = nodes(convention), ImmutableMatrix(omega)
     if given.shape != (3, 1):
         raise BodyError(f"the angular velocity has the shape {given.shape}: give three components, along "

@@ -62,7 +62,18 @@ class Gyrostat(Shown, Stored):
                                 "mass off every axis; give three positive moments")
 
     def kinetic_energy(self, momentum: Sequence[Expr]) -> Expr:
-        """T = ½ Σ πᵢ²/Iᵢ, with the rotor locked."""
+        """T = ½ Σ πᵢ²/Iᵢ, with the rotor locked.
+
+        Parameters
+        ----------
+        momentum : sequence of Expr, shape (3,)
+            π [M L²/T]
+
+        Returns
+        -------
+        Expr
+            [M L²/T²]
+        """
         return Add(*(Rational(1, 2) * p**2 / moment for p, moment in zip(momentum, self.inertia)))
 
     def is_of_revolution(self) -> bool:
@@ -72,6 +83,10 @@ class Gyrostat(Shown, Stored):
 
 def symmetric_gyrostat() -> Gyrostat:
     """Gyrostat of revolution: I1 = I2, l = (0, 0, l).
+
+    Returns
+    -------
+    Gyrostat
 
     Examples
     --------

@@ -39,6 +39,13 @@ class Equilibrium(Shown, Stored):
     ------
     EquilibriumError
         a component of the field does not vanish; the message names it
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> eq = gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))
+    >>> eq.label, eq.relations
+    ('E3', ((dU, -k3*omega**2*(I1 - I3) + l*omega),))
     """
 
     label: str
@@ -129,7 +136,16 @@ class Equilibrium(Shown, Stored):
         return self.point[-1]
 
     def at_point(self, expression: Any) -> Any:
-        """An expression or matrix in the coordinates and the jet of U, at the point and on the family."""
+        """An expression or matrix in the coordinates and the jet of U, at the point and on the family.
+
+        Parameters
+        ----------
+        expression : Expr or ImmutableMatrix, any shape
+
+        Returns
+        -------
+        Expr or ImmutableMatrix, of the same shape
+        """
         placed = expression.xreplace(dict(zip(self.system.space.coordinates, self.point)))
         potential = self.system.potential
         for relation in self.relations:
@@ -138,8 +154,17 @@ class Equilibrium(Shown, Stored):
         return self.insert(placed) if potential and potential.given and not potential.axial else placed
 
     def insert(self, expression: Any) -> Any:
-        """The jet of a given U replaced by its values at the point, then the eliminated parameter by its
-        value.
+        """An expression with the values of a given U and of its derivatives at the point.
+
+        The eliminated parameter is replaced by its value then.
+
+        Parameters
+        ----------
+        expression : Expr or ImmutableMatrix, any shape
+
+        Returns
+        -------
+        Expr or ImmutableMatrix, of the same shape
         """
         expression = self.insert_field(expression)
         for name, value in self.relations:
@@ -148,7 +173,16 @@ class Equilibrium(Shown, Stored):
         return expression
 
     def insert_field(self, expression: Any) -> Any:
-        """The jet of a given U replaced by its values at the point."""
+        """The jet of a given U replaced by its values at the point.
+
+        Parameters
+        ----------
+        expression : Expr or ImmutableMatrix, any shape
+
+        Returns
+        -------
+        Expr or ImmutableMatrix, of the same shape
+        """
         potential = self.system.potential
         if not potential or not potential.given:
             return expression
@@ -220,9 +254,14 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
         positive on the family
     label : str
 
+    Returns
+    -------
+    Equilibrium
+
     Raises
     ------
     EquilibriumError
+        a component of the field does not vanish; the message names it
 
     Examples
     --------

@@ -30,6 +30,17 @@ def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
     spin : str
         "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
 
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    ScopeError
+        the scene has no field
+    EquilibriumError
+        another spin; or the point is none, in a field that is not axial
+
     References
     ----------
     Vera & Viguera (2003), §3.
@@ -44,8 +55,37 @@ def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
 
 
 def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
-    """E2: spinning about the downward vertical, k3 = -1; arguments as in upright."""
-    return _vertical(E2, scene, spin)
+    """E2: spinning about the downward vertical, k3 = -1.
+
+    Parameters
+    ----------
+    scene : System
+        on e(3)*
+    spin : str
+        "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    ScopeError
+        the scene has no field
+    EquilibriumError
+        another spin; or the point is none, in a field that is not axial
+
+    References
+    ----------
+    Vera & Viguera (2003), §3.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.hanging(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point
+    (0, 0, pi3_0, 0, 0, -1)
+    """
+    return _vertical("E2", scene, spin, -1)
 
 
 def _vertical(family: "Family", scene: System, spin: str) -> Equilibrium:
@@ -69,6 +109,17 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
         on so(3)*
     axis : int
         1, 2 or 3; the body rate about it is omega1_0, omega2_0 or omega3_0 [1/T]
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    ScopeError
+        the scene has a field
+    EquilibriumError
+        there is no such axis, or it does not carry l
 
     References
     ----------
@@ -106,6 +157,11 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
         unspecified; else l; else k3, or a parameter of U; else none, and the relation is checked at every
         point asked for
 
+    Returns
+    -------
+    Equilibrium
+        a family in k3 and omega
+
     Raises
     ------
     ScopeError
@@ -127,7 +183,26 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
 
 
 def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
-    """The body at rest at a tilt where U'(k3) = 0, for every l; arguments as in inclined.
+    """The body at rest at a tilt where U'(k3) = 0, for every l.
+
+    Parameters
+    ----------
+    scene : System
+        body of revolution in U(k3)
+    eliminate : str or None
+        as in inclined
+
+    Returns
+    -------
+    Equilibrium
+        a family in k3
+
+    Raises
+    ------
+    ScopeError
+        the body is not of revolution, or U is not U(k3)
+    EquilibriumError
+        the relation is not affine in the name
 
     Examples
     --------

@@ -12,6 +12,10 @@ from .potential import Potential, axial_potential
 def uniform_field() -> Potential:
     """Uniform field, U = m0 k3 with m0 = m g z0; z0 > 0: the centre of mass is above the support at k3 = 1.
 
+    Returns
+    -------
+    Potential
+
     References
     ----------
     Vera & Viguera (2003), §1.
@@ -42,6 +46,10 @@ def newtonian_field(order: int) -> Potential:
     ----------
     order : int
         N, at least 1
+
+    Returns
+    -------
+    Potential
 
     Raises
     ------
@@ -84,6 +92,10 @@ def ideal_fluid() -> Potential:
     and mass3 along the axis, positive, are the mass of the body with the added mass of the fluid [M]. The
     moments I1, I3 contain the added ones. No weight acts (neutral buoyancy, centres of mass and of buoyancy
     at the origin), and no term of the energy couples p with π.
+
+    Returns
+    -------
+    Potential
 
     References
     ----------

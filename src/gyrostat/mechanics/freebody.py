@@ -34,6 +34,11 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
     ImmutableMatrix, shape (3, 1)
         in pi1, pi2, pi3 and the torque
 
+    Raises
+    ------
+    BodyError
+        the torque has not three components
+
     References
     ----------
     Landau & Lifshitz, Mechanics, §36.
@@ -54,10 +59,33 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
 
 
 def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
-    """The values of abs(M)² between which the sphere abs(M)² = const meets the ellipsoid Σ Mᵢ²/Iᵢ = 2E of a
-    free body.
+    """The least and the largest abs(M)² of a free body at an energy.
 
-    They are 2 E I for the smallest and the largest moment, reached by the rotations about those axes.
+    Between them the sphere abs(M)² = const meets the ellipsoid Σ Mᵢ²/Iᵢ = 2E. They are 2 E I for the smallest
+    and the largest moment, reached by the rotations about those axes.
+
+    Parameters
+    ----------
+    body : Gyrostat
+        without a rotor
+    energy : Expr or number
+        E [M L²/T²]
+
+    Returns
+    -------
+    (Expr, Expr)
+        [M² L⁴/T²]
+
+    Raises
+    ------
+    ScopeError
+        the body has a rotor
+    ValuesError
+        the energy is negative
+
+    References
+    ----------
+    Landau & Lifshitz, Mechanics, §37.
 
     Examples
     --------
@@ -162,6 +190,12 @@ class FreePrecession:
         half-angle between ω and e3
     space_cone : Expr
         half-angle between ω and M
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.mechanics.free_precession((2, 1), 1, 2).space_cone.evalf(6)
+    0.321751
     """
 
     body_rate: Expr
@@ -183,6 +217,10 @@ def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> Free
         ω0 = √(ω1² + ω2²) [1/T]
     axial : Expr
         ω3 [1/T]
+
+    Returns
+    -------
+    FreePrecession
 
     Raises
     ------

@@ -42,6 +42,16 @@ class LiePoisson(Shown, Stored):
     ------
     StructureError
         the tensor or a Casimir fails; the message says where
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> space = gs.lie_poisson(directions=())
+    >>> space.tensor
+    Matrix([
+    [        0, -l3 - pi3,  l2 + pi2],
+    [ l3 + pi3,         0, -l1 - pi1],
+    [-l2 - pi2,  l1 + pi1,         0]])
     """
 
     coordinates: tuple[Symbol, ...]
@@ -65,13 +75,33 @@ class LiePoisson(Shown, Stored):
                 raise StructureError(f"{casimir} is not a Casimir: B ∇C = {entry}, not 0")
 
     def gradient(self, f: Expr) -> ImmutableMatrix:
-        """∇f, shape (n, 1); computed once for each f."""
+        """∇f, computed once for each f.
+
+        Parameters
+        ----------
+        f : Expr
+            in the coordinates
+
+        Returns
+        -------
+        ImmutableMatrix, shape (n, 1)
+        """
         if f not in self._gradients:
             self._gradients[f] = ImmutableMatrix(derivatives(f, self.coordinates))
         return self._gradients[f]
 
     def hessian(self, f: Expr) -> ImmutableMatrix:
-        """D²f, shape (n, n); computed once for each f."""
+        """D²f, computed once for each f.
+
+        Parameters
+        ----------
+        f : Expr
+            in the coordinates
+
+        Returns
+        -------
+        ImmutableMatrix, shape (n, n)
+        """
         if f not in self._hessians:
             self._hessians[f] = ImmutableMatrix([derivatives(g, self.coordinates) for g in self.gradient(f)])
         return self._hessians[f]
@@ -83,6 +113,10 @@ class LiePoisson(Shown, Stored):
         ----------
         f, g : Expr
             smooth functions of the coordinates; symbols are matched by name
+
+        Returns
+        -------
+        Expr
 
         References
         ----------
@@ -100,7 +134,17 @@ class LiePoisson(Shown, Stored):
         return expand((self.gradient(f).T * self.tensor * self.gradient(g))[0, 0])
 
     def jacobiator(self, i: int, j: int, k: int) -> Expr:
-        """{xᵢ, {xⱼ, xₖ}} + cyclic, which is 0 for every Poisson tensor."""
+        """{xᵢ, {xⱼ, xₖ}} + cyclic, which is 0 for every Poisson tensor.
+
+        Parameters
+        ----------
+        i, j, k : int
+            places of coordinates, from 0
+
+        Returns
+        -------
+        Expr
+        """
         ring, tensor, place = self._polynomials
         total = ring.zero
         for a, b, c in ((i, j, k), (j, k, i), (k, i, j)):

@@ -20,6 +20,10 @@ def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
 
     On e(3)*: δπ·k + M·δk = 0 and δk·k = 0. The free coordinates of the basis form a diagonal.
 
+    Parameters
+    ----------
+    eq : Equilibrium
+
     Returns
     -------
     ImmutableMatrix, shape (n, n - r)
@@ -73,20 +77,37 @@ def critical_integrals(eq: Equilibrium) -> tuple[tuple[Expr, ...], tuple[Expr, .
 
 
 def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:
-    """Basis of the tangent space of the level set of Casimirs and integrals, modulo the flows of the
-    integrals.
+    """Basis of the symplectic slice.
 
-    At E1 and E2 it is the whole tangent space; at E3 it has dimension 2: dπ3(δx) = 0, modulo the rotation
-    about the axis of the body.
+    The tangent space of the level set of Casimirs and integrals, modulo the flows of the integrals. At E1
+    and E2 it is the whole tangent space of the orbit; at E3 it has dimension 2: dπ3(δx) = 0, modulo the
+    rotation about the axis of the body.
+
+    Parameters
+    ----------
+    eq : Equilibrium
 
     Returns
     -------
     ImmutableMatrix, shape (n, m)
+        one column for each vector
+
+    Raises
+    ------
+    SingularOrbitError
+        the differentials of the Casimirs are dependent there
 
     References
     ----------
     Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59; Ortega & Ratiu, Nonlinearity 12 (1999)
     693-720.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.symplectic_slice(gs.upright(top)).shape, gs.symplectic_slice(gs.inclined(top)).shape
+    ((6, 4), (6, 2))
     """
     return slice_and_symmetries(eq)[0]
 

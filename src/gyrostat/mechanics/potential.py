@@ -40,6 +40,13 @@ class Potential(Shown, Stored):
         U [M L²/T²]
     revolution : bool
         whether the formula holds only for a body with I1 = I2
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> U = gs.uniform_field()
+    >>> U.variables, U.expression, U.parameters
+    ((k3,), k3*m0, (m0,))
     """
 
     variables: tuple[Symbol, ...]
@@ -84,6 +91,10 @@ class Potential(Shown, Stored):
     def check_size(self, numbers: Mapping[Symbol, Expr]) -> None:
         """Refuse numbers at which a function in U would be asked at one of more than 4000 bits.
 
+        Parameters
+        ----------
+        numbers : mapping of Symbol to Expr
+
         Raises
         ------
         ValuesError
@@ -113,14 +124,35 @@ class Potential(Shown, Stored):
         )
 
     def following(self, derivative: Symbol) -> tuple[Expr, ...]:
-        """Derivatives along k1, k2, k3 of a symbol of the jet, shape (3,)."""
+        """Derivatives along k1, k2, k3 of a symbol of the jet.
+
+        Parameters
+        ----------
+        derivative : Symbol
+            dU, say
+
+        Returns
+        -------
+        tuple of Expr, shape (3,)
+        """
         order, axes = jet(derivative.name) or (0, "")
         if self.axial:
             return Rational(0), Rational(0), symbol(jet_name(order + 1))
         return tuple(symbol(jet_name(order + 1, "".join(sorted(axes + a)))) for a in "123")
 
     def value(self, derivative: Symbol) -> Expr:
-        """What a symbol of the jet stands for, as an expression in k."""
+        """What a symbol of the jet stands for, as an expression in k.
+
+        Parameters
+        ----------
+        derivative : Symbol
+            dU, say
+
+        Returns
+        -------
+        Expr
+            [M L²/T²]
+        """
         order, axes = jet(derivative.name) or (0, "")
         along = self.variables * order if self.axial else tuple(DIRECTIONS[int(a) - 1] for a in axes)
         return self.expression.diff(*along)
@@ -146,6 +178,10 @@ def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -
         U in k3 and real parameters [M L²/T²]; a function of the symbol k3; or None, U left unspecified.
         Symbols are matched by name, floats are the dyadic rationals they are.
 
+    Returns
+    -------
+    Potential
+
     Raises
     ------
     PotentialError
@@ -169,7 +205,26 @@ def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -
 def general_potential(expression: Expr | Callable[..., Expr] | None = None) -> Potential:
     """Potential U(k1, k2, k3).
 
-    An expression, a function of the three symbols, or None for U left unspecified.
+    Parameters
+    ----------
+    expression : Expr, callable or None
+        U in k1, k2, k3 and real parameters [M L²/T²]; a function of the three symbols; or None, U left
+        unspecified
+
+    Returns
+    -------
+    Potential
+
+    Raises
+    ------
+    PotentialError
+        U has parameters but no component of k, or depends on a name of the motion
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.general_potential(lambda k1, k2, k3: k1 * k2 + k3).gradient()
+    (dU_1, dU_2, dU_3)
     """
     return _potential(DIRECTIONS, expression)
 

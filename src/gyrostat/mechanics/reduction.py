@@ -32,6 +32,12 @@ class Reduction(Shown, Stored):
         k1² + k2² = 1 − z²
     twist : Expr
         π1 k1 + π2 k2 = v − P z
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())).rate
+    (-k3*p_psi + p_phi)/(I1*(1 - k3**2))
     """
 
     system: System
@@ -40,18 +46,33 @@ class Reduction(Shown, Stored):
     twist: Expr
 
     def square(self, U: Expr | None = None) -> Expr:
-        """g as a function of k3 and the levels [M² L⁴/T²]; U in place of the scene's potential, if given."""
+        """I1² k̇3² = g, a function of k3 and the levels.
+
+        Parameters
+        ----------
+        U : Expr or None
+            in place of the scene's potential [M L²/T²]
+
+        Returns
+        -------
+        Expr
+            [M² L⁴/T²]
+        """
         return (
             2 * self.system.body.inertia[0] * (ENERGY - self.axial - self._field(U)) * self.across
             - self.twist**2
         )
 
     def effective_potential(self) -> Expr:
-        """V(k3) with g = 2 I1 (1 − k3²) (energy − V) [M L²/T²].
+        """V(k3) with g = 2 I1 (1 − k3²) (energy − V).
 
-        Its critical points are the regular precessions.
+        Its critical points are the regular precessions. With k3 = cos θ it is
+        gyrostat.mechanics.effective_potential, which comes from the Lagrangian.
 
-        With k3 = cos θ it is that of gyrostat.mechanics.attitude, which comes from the Lagrangian.
+        Returns
+        -------
+        Expr
+            [M L²/T²]
 
         Examples
         --------
@@ -75,6 +96,11 @@ class Reduction(Shown, Stored):
 
         It is the slope of the effective potential. At σ = 0, P = I3 W k3 + l, it is the relation of E3.
 
+        Returns
+        -------
+        Expr
+            [M L²/T²]
+
         Examples
         --------
         >>> import gyrostat as gs
@@ -87,6 +113,11 @@ class Reduction(Shown, Stored):
         """I1 (1 − k3²) V'' = −g''/2 on the regular precessions, with d2U for U''.
 
         Positive where they are stable.
+
+        Returns
+        -------
+        Expr
+            [M² L⁴/T²]
 
         Examples
         --------
@@ -117,6 +148,10 @@ def reduce(scene: System) -> Reduction:
     ----------
     scene : System
         a body of revolution in U(k3)
+
+    Returns
+    -------
+    Reduction
 
     Raises
     ------
@@ -164,11 +199,26 @@ def reducible(scene: System) -> bool:
 
 
 def expansion(eq: Equilibrium, order: int) -> list[Expr]:
-    """Coefficients of x⁰ … x^order in g on the levels of an equilibrium, where k3 = ±(1 − x) at a pole, else
-    k3 + x.
+    """Coefficients of x⁰ … x^order in g on the levels of an equilibrium.
 
-    U is expanded in its derivatives dU, d2U, … at the equilibrium, and a relation on them is inserted. The
-    first two vanish.
+    k3 = ±(1 − x) at a pole, else k3 + x. U is expanded in its derivatives dU, d2U, … at the equilibrium,
+    and a relation on them is inserted. The first two vanish.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+        of a body of revolution in U(k3)
+    order : int
+
+    Returns
+    -------
+    list of Expr
+        order + 1 of them
+
+    Raises
+    ------
+    ScopeError
+        the body is not of revolution, or U is not U(k3)
 
     Examples
     --------

@@ -18,8 +18,9 @@ from .potential import Potential
 
 @dataclass(frozen=True, repr=False)
 class System(Shown, Stored):
-    """A scene: a body and, if there is a field, a potential, in the smallest Lie-Poisson space that holds
-    them.
+    """A scene: a body and, if there is a field, a potential.
+
+    In the smallest Lie-Poisson space that holds them.
 
     Parameters
     ----------
@@ -35,6 +36,13 @@ class System(Shown, Stored):
     ------
     StructureError
         an integral does not commute with the Hamiltonian
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> scene.hamiltonian, scene.integrals
+    (k3*m0 + pi3**2/(2*I3) + pi1**2/(2*I1) + pi2**2/(2*I1), (pi3,))
     """
 
     body: Gyrostat

@@ -14,5 +14,5 @@ from .momentum_sphere import draw_momentum_sphere
 from .nutation import draw_nutation
 
 __all__ = ["animate_top", "caption", "draw_bifurcation_diagram", "draw_chart", "draw_cones",
-           "draw_effective_potential", "draw_eigenvalues",
-           "draw_energy_momentum", "draw_momentum_sphere", "draw_nutation", "save_animation", "view_motion"]
+           "draw_effective_potential", "draw_eigenvalues", "draw_energy_momentum", "draw_momentum_sphere",
+           "draw_nutation", "save_animation", "view_motion"]

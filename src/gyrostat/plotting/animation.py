@@ -36,7 +36,7 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
         evenly spaced, for even motion [T]
     ax : axes of mplot3d
         new ones where they are left out
-    kwargs
+    **kwargs : Any
         of matplotlib.animation.FuncAnimation, interval = 40 ms, say
 
     Returns
@@ -55,8 +55,9 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
 
     Examples
     --------
-    >>> import tempfile
     >>> import gyrostat as gs
+    >>> import numpy as np
+    >>> import tempfile
     >>> from matplotlib.figure import Figure
     >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
     >>> animation = gs.plotting.animate_top(box, np.linspace(0, 60, 4),
@@ -105,6 +106,15 @@ def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int]:
 def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> None:
     """Write an animation: .gif by Pillow, .mp4 by ffmpeg, where that program is installed.
 
+    Parameters
+    ----------
+    animation : matplotlib.animation.Animation
+        of animate_top
+    path : str or Path
+        that ends in .gif or .mp4
+    fps : int
+        pictures a second
+
     Raises
     ------
     ValuesError
@@ -113,6 +123,16 @@ def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> 
         ffmpeg is not there
     OSError
         the file cannot be written; what was there is still there
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> import tempfile
+    >>> from matplotlib.figure import Figure
+    >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
+    >>> ax = Figure(figsize=(1, 1)).add_subplot(projection="3d")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     gs.plotting.save_animation(gs.plotting.animate_top(box, [0, 1], ax), f"{folder}/box.gif")
     """
     optional("matplotlib", "plot")
     from matplotlib.animation import FFMpegWriter, PillowWriter

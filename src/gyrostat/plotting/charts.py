@@ -26,7 +26,7 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
         a new one where it is left out
     title : str or None
         caption(ds), say
-    kwargs
+    **kwargs : Any
         of the image of the verdicts: of Axes.imshow, or of Axes.pcolormesh where the values of an axis are
         not evenly spaced
 
@@ -44,6 +44,7 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     Examples
     --------
     >>> import gyrostat as gs
+    >>> import numpy as np
     >>> from matplotlib.figure import Figure
     >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
     >>> chart = gs.charts.stability_chart(top, x=("pi3_0", np.linspace(-4, 4, 80)),
@@ -81,7 +82,27 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
 
 
 def caption(ds: Any) -> str:
-    """The equilibrium, U where it is short, and what is fixed, as a title."""
+    """The equilibrium, U where it is short, and what is fixed, as a title.
+
+    Parameters
+    ----------
+    ds : xarray.Dataset
+        of stability_chart
+
+    Returns
+    -------
+    str
+        with formulas as Matplotlib sets them
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> chart = gs.charts.stability_chart(report, x=("pi3_0", [1, 2]), y=("l", [0, 1]),
+    ...                                   fixed={"I1": 1, "m0": 1})
+    >>> print(gs.plotting.caption(chart))
+    E1, $U = m_0 k_3$: $I_1 = 1$, $m_0 = 1$
+    """
     field = ds.attrs.get("potential_latex", "")
     name = ds.attrs["equilibrium"] + (f", $U = {field}$" if 0 < len(field) <= 60 and "dfrac" not in field
                                       else "")

@@ -92,7 +92,7 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
         √(ω1² + ω2²) and ω3 [1/T]
     ax : axes of mplot3d
         new ones where they are left out
-    kwargs
+    **kwargs : Any
         of the surfaces: of Poly3DCollection
 
     Returns

@@ -135,7 +135,7 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
         [M L²/T²]
     ax : matplotlib Axes
         a new one where it is left out
-    kwargs
+    **kwargs : Any
         of the curve: of Axes.plot
 
     Returns

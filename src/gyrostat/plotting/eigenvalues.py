@@ -30,7 +30,7 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
         for every other one
     ax : matplotlib Axes
         a new one where it is left out
-    kwargs
+    **kwargs : Any
         of the curves: of matplotlib.collections.LineCollection
 
     Returns
@@ -51,6 +51,7 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
     Examples
     --------
     >>> import gyrostat as gs
+    >>> import numpy as np
     >>> from matplotlib.figure import Figure
     >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
     >>> samples = np.linspace(2, 0, 80)

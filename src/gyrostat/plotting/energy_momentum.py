@@ -78,7 +78,7 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
         lower and upper ends of the axes; None: around what is critical
     ax : matplotlib Axes
         a new one where it is left out
-    kwargs
+    **kwargs : Any
         of the curves: of Axes.plot
 
     Returns

@@ -12,10 +12,10 @@ from .solids import Face, solid
 
 
 def view_motion(motion: Motion, times: Any) -> Any:
-    """The body at the given times as a figure of Plotly, with a slider and the path of one of its axes on the
-    unit sphere.
+    """The body at the given times as a figure of Plotly, with a slider.
 
-    Drag to turn it. The body is that of animate_top. It needs the extra interactive.
+    The path of one of its axes on the unit sphere is shown too. Drag to turn it. The body is that of
+    animate_top. It needs the extra interactive.
 
     Parameters
     ----------
@@ -37,6 +37,12 @@ def view_motion(motion: Motion, times: Any) -> Any:
         the times are so far apart that the path between them is lost
     MissingExtraError
         pip install "gyrostat[interactive]"
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
+    >>> figure = gs.plotting.view_motion(box, [0, 1, 2])  # doctest: +SKIP
     """
     go = optional("plotly.graph_objects", "interactive")
     turns, path, fine = attitudes(motion, times)

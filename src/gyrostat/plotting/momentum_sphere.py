@@ -41,7 +41,7 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
         of the polhodes [M L²/T²]; None: a few between each two critical ones
     ax : axes of mplot3d
         new ones where they are left out
-    kwargs
+    **kwargs : Any
         of the polhodes: of Axes3D.plot
 
     Returns

@@ -28,7 +28,7 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
         increasing, close enough for a smooth curve [T]
     ax : axes of mplot3d
         new ones where they are left out
-    kwargs
+    **kwargs : Any
         of the path: of Axes3D.plot
 
     Returns
@@ -51,6 +51,7 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
     Examples
     --------
     >>> import gyrostat as gs
+    >>> import numpy as np
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> released = gs.trajectories.motion(top, (0, 0, 3, "0.6", 0, "0.8"),

@@ -161,9 +161,8 @@ def to_latex(obj: Any) -> str:
 
     Parameters
     ----------
-    obj : Expr, matrix or an object of the library
-        a Report, or a sequence of them, becomes one document; LiePoisson, System, Equilibrium, Gyrostat,
-        Potential, Linearization, SecondVariation, Condition, Criterion, Decision, or a result of theirs
+    obj : Expr, Condition, Criterion, Linearization, SecondVariation, System, Equilibrium, Report, …
+        or a matrix, LiePoisson, Gyrostat, Potential, Decision; or a sequence of Report, for one document
 
     Returns
     -------

@@ -107,7 +107,8 @@ def double(number: Expr) -> float | None:
 
 def json_text(data: Mapping[str, Any]) -> str:
     """A document that every reader reads: its format first, and neither NaN nor Infinity."""
-    return json.dumps({"format": DOCUMENT_FORMAT, **data}, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    document = {"format": DOCUMENT_FORMAT, **data}
+    return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def strings(expressions: Any) -> list[str]:

@@ -10,4 +10,4 @@ from .checks import Finding, check
 from .sources import SOURCES, Source, load
 from .statements import Counterexample, Outcome, Statement
 
-__all__ = ["SOURCES", "Counterexample", "Finding", "Outcome", "Source", "Statement", "check", "load"]
+__all__ = ["check", "Counterexample", "Finding", "load", "Outcome", "Source", "SOURCES", "Statement"]

@@ -27,6 +27,13 @@ class Finding:
     expected : str
     outcome : Outcome
         printed, derived, difference and counterexample
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> finding = gs.published.check(["AR"])[0]
+    >>> finding.statement.source, finding.status, finding.expected
+    ('AR', 'confirmed', 'confirmed')
     """
 
     statement: Statement
@@ -45,8 +52,9 @@ def source_of(finding: Finding) -> Source:
 
 def check(sources: Iterable[str | Path] = SOURCES,
           progress: Callable[[str, int, int], None] | None = None) -> list[Finding]:
-    """Check every statement of the sources against what the library derives from the bracket and the
-    Hamiltonian.
+    """Check every statement of the sources against what the library derives.
+
+    It derives from the bracket and the Hamiltonian.
 
     Parameters
     ----------

@@ -35,6 +35,13 @@ class Source:
     statements : tuple of Statement
     expected : mapping of key to status
         "misprint" or "unchecked"; everything else is expected to be confirmed
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> source = gs.published.load("AR")
+    >>> source.name, len(source.statements), source.expected["2K-dot"]
+    ('AR', 46, 'misprint')
     """
 
     name: str
@@ -50,6 +57,10 @@ def load(source: str | Path) -> Source:
     ----------
     source : str or Path
         VV2003, N2025, EA, AR, literature; or a path ending in .toml
+
+    Returns
+    -------
+    Source
 
     Raises
     ------

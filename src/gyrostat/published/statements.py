@@ -54,6 +54,13 @@ class Statement:
         what a misprint should read; checked as if it were printed
     file : str
         where it was read
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> statement = gs.published.load("VV2003").statements[0]
+    >>> statement.source, statement.kind
+    ('VV2003', 'equilibrium')
     """
 
     source: str
@@ -76,7 +83,22 @@ class Statement:
 class Counterexample:
     """Numbers at which a claim fails.
 
-    What it says there, what is true, and what confirms that without either formula.
+    Parameters
+    ----------
+    values : tuple of (str, Expr)
+    printed : Any
+        what the claim says there
+    derived : Any
+        what is true
+    confirmation : str
+        what confirms that without either formula
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> finding = next(f for f in gs.published.check(["AR"]) if f.statement.key == "2K-dot")
+    >>> finding.outcome.counterexample.printed != finding.outcome.counterexample.derived
+    True
     """
 
     values: tuple[tuple[str, Expr], ...]
@@ -97,9 +119,17 @@ class Outcome:
         the claim fails there
     not_sharp : Counterexample or None
         it does not fail there, and leaves the point out: no counterexample
-    corrected : as printed, or None
+    corrected : Any
+        what a misprint should read, None without one
     remark : str
         what is known where there are no such numbers
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> outcome = gs.published.check(["AR"])[0].outcome
+    >>> outcome.agrees, outcome.counterexample
+    (True, None)
     """
 
     agrees: bool | None

@@ -28,10 +28,10 @@ class Amended:
     """U_c(k) = U(k) + (c − l·k)²/(2 k·Ik) near an equilibrium at given numbers, c the value of C1 = M·k
     there.
 
-    On the orbit h is U_c plus a positive square in π, so h has a strict minimum where U_c has one on abs(k) =
-    1: Lyapunov stable (Lagrange, Dirichlet). Where U_c has none, only a motion at rest with l = 0 is decided:
-    there the system is a natural one, and an expansion that begins with a form which takes negative values
-    makes it unstable (Chetaev; Kozlov).
+    On the orbit h is U_c plus a positive square in π, so h has a strict minimum where U_c has one on abs(k)
+    = 1: Lyapunov stable (Lagrange, Dirichlet). Where U_c has none, only a motion at rest with l = 0 is
+    decided: there the system is a natural one, and an expansion that begins with a form which takes
+    negative values makes it unstable (Chetaev; Kozlov).
 
     Parameters
     ----------

@@ -77,6 +77,21 @@ class BifurcationPoint(Shown, Stored):
 def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     """The bifurcations of the relative equilibria of a body of revolution in U(k3), as equations.
 
+    Parameters
+    ----------
+    scene : System
+        a body of revolution in U(k3)
+
+    Returns
+    -------
+    tuple of Bifurcation
+        each with what vanishes there, in the names of the scene and the derivatives of U
+
+    Raises
+    ------
+    ScopeError
+        the body is not of revolution, or U is not U(k3)
+
     References
     ----------
     Lewis, Ratiu, Simo & Marsden, Nonlinearity 5 (1992) 1-48, for the heavy top; else derived.

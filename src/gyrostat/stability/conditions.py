@@ -34,6 +34,14 @@ class Condition(Shown, Stored):
         the k3 at which derivatives of U are taken: 1, -1 or k3
     implies : tuple
         conditions dropped because they follow from this one, each with the identity that proves it
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> ((condition,),) = gs.analyze(gs.upright(top)).sufficient.alternatives
+    >>> condition.margin, condition.strict
+    (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, True)
     """
 
     margin: Expr
@@ -61,6 +69,14 @@ class Criterion(Shown, Stored):
         of tuples of Condition; () never holds, ((),) always
     modulo : tuple of Expr
         integrals whose flow is divided out
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> criterion = gs.analyze(gs.upright(top)).sufficient
+    >>> criterion.notion, len(criterion.alternatives), criterion.modulo
+    ('formal', 1, ())
     """
 
     notion: str
@@ -72,6 +88,15 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     """Necessary for stability: no eigenvalue has a positive real part.
 
     λ⁴ + pλ² + q: p ≥ 0, q ≥ 0, p² − 4q ≥ 0, each as it is; λ² + q: q ≥ 0.
+
+    Parameters
+    ----------
+    linearization : Linearization
+
+    Returns
+    -------
+    Criterion
+        of the notion "spectral", with one alternative
 
     Raises
     ------
@@ -107,12 +132,20 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
 
 
 def formal_criterion(variation: SecondVariation) -> Criterion:
-    """Sufficient for stability.
+    """Sufficient for stability: the second variation is definite.
 
-    The second variation is definite, of either sign, for some value of the free multiplier.
+    Of either sign, for some value of the free multiplier. The leading principal minors decide; a free
+    multiplier enters one margin, quadratically, and is eliminated: a ν² + b ν + c takes a positive value
+    iff a > 0 or b² > 4ac.
 
-    The leading principal minors decide; a free multiplier enters one margin, quadratically, and is
-    eliminated: a ν² + b ν + c takes a positive value iff a > 0 or b² > 4ac.
+    Parameters
+    ----------
+    variation : SecondVariation
+
+    Returns
+    -------
+    Criterion
+        of the notion "formal", modulo what the variation is
 
     References
     ----------
@@ -147,8 +180,28 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
 
 
 def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
-    """The same criterion without the conditions that follow from the others, given U and the relations
-    inserted.
+    """The same criterion without the conditions that follow from the others.
+
+    What follows is proved with U and the relations of the equilibrium inserted.
+
+    Parameters
+    ----------
+    criterion : Criterion
+    eq : Equilibrium
+
+    Returns
+    -------
+    Criterion
+        with what was dropped, and why, in Condition.implies
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> eq = gs.upright(top)
+    >>> criterion = gs.spectral_criterion(gs.linearize(eq))
+    >>> len(criterion.alternatives[0]), len(gs.independent(criterion, eq).alternatives[0])
+    (3, 1)
     """
     conditions = [c for alternative in criterion.alternatives for c in alternative]
     for values, domain in ((lambda e: e, eq.domain), (eq.insert, eq.existence())):

@@ -29,6 +29,14 @@ class SecondVariation(Shown, Stored):
         multipliers that the first variation leaves free
     modulo : tuple of Expr
         integrals whose flow is divided out
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> variation = gs.second_variation(gs.inclined(top))
+    >>> variation.minors[0], variation.modulo
+    (1/I1, (pi3,))
     """
 
     equilibrium: Equilibrium
@@ -53,10 +61,30 @@ class SecondVariation(Shown, Stored):
 def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
     """ν with ∇h + Σ νⱼ ∇Fⱼ = 0 at the equilibrium.
 
-    Those left free are the symbols nu1, nu2, … of their functions.
+    Those left free are the symbols nu1, nu2, … of their functions. The last functions are determined first:
+    where an integral is critical, the multiplier of the first Casimir is free.
 
-    The last functions are determined first: where an integral is critical, the multiplier of the first
-    Casimir is free.
+    Parameters
+    ----------
+    eq : Equilibrium
+    functions : sequence of Expr
+        Casimirs, then integrals
+
+    Returns
+    -------
+    tuple of Expr
+        one for each function
+
+    References
+    ----------
+    Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.multipliers(gs.upright(top), top.space.casimirs)
+    (-pi3_0/I3, (-I3*dU/2 + l*pi3_0/2 + pi3_0**2/2)/I3)
     """
     columns = differentials(eq, functions)
     energy = list(eq.at_point(eq.system.energy_gradient))
@@ -121,6 +149,7 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     Raises
     ------
     SingularOrbitError
+        the differentials of the Casimirs are dependent there
 
     References
     ----------

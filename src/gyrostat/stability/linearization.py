@@ -28,6 +28,13 @@ class Linearization(Shown, Stored):
         columns span T
     matrix : ImmutableMatrix, shape (d, d)
         J on T in that basis [1/T]
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.linearize(gs.inclined(top)).matrix.shape, gs.linearize(gs.inclined(top)).factors()[1]
+    ((4, 4), (lamda, 2))
     """
 
     equilibrium: Equilibrium
@@ -66,8 +73,12 @@ class Linearization(Shown, Stored):
                                   S.Zero)
 
     def factors(self) -> tuple[tuple[Expr, int], ...]:
-        """The factors of the characteristic polynomial that contain λ, over the rationals, with
-        multiplicities.
+        """The factors of the characteristic polynomial that contain λ, over the rationals.
+
+        Returns
+        -------
+        tuple of (Expr, int)
+            each with its multiplicity
         """
         ring = Ring([polynomial := self.characteristic_polynomial()])
         _, factors = ring.fraction(polynomial)[0].factor()
@@ -77,8 +88,13 @@ class Linearization(Shown, Stored):
     def eigenvalues(self) -> tuple[Expr, ...]:
         """The d roots of the characteristic polynomial, d = 2 or 4, in closed form.
 
-        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2 (frequencies); at E1 and E2 p + 2r is
-            a square too.
+        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2 (frequencies); at E1 and E2 p + 2r
+        is a square too.
+
+        Returns
+        -------
+        tuple of Expr
+            with multiplicities [1/T]
 
         References
         ----------

@@ -27,7 +27,19 @@ from .values import exact_values, names_in
 
 @dataclass(frozen=True, repr=False)
 class Report(Shown, Stored):
-    """The stability analysis of one equilibrium; each part is derived when it is first asked for."""
+    """The stability analysis of one equilibrium; each part is derived when it is first asked for.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> report.required
+    ('I1', 'l', 'm0', 'pi3_0')
+    """
 
     equilibrium: Equilibrium
 
@@ -92,8 +104,9 @@ class Report(Shown, Stored):
 
     @cached_property
     def recognised(self) -> Seen | None:
-        """The equilibrium in the standard axes, where the scene is recognised as a body of revolution that is
-        not entered in them.
+        """The equilibrium in the standard axes of a body of revolution, else None.
+
+        Where the scene is recognised as one that is not entered in them.
         """
         return seen(self.equilibrium)
 
@@ -169,6 +182,21 @@ class Report(Shown, Stored):
         equilibria near it drift along its orbit (Drift). margins has D, which is not 0 where the linearised
         flow grows too, by a Jordan block.
 
+        Parameters
+        ----------
+        values : mapping of name to number
+            as in verdict
+
+        Returns
+        -------
+        Decision
+            not modulo anything
+
+        Raises
+        ------
+        ValuesError
+            as in verdict
+
         Examples
         --------
         >>> import gyrostat as gs
@@ -225,6 +253,15 @@ def _kept(eq: Equilibrium) -> Report:
 
 def analyze(eq: Equilibrium) -> Report:
     """The stability analysis of an equilibrium.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+
+    Returns
+    -------
+    Report
+        its parts are derived when they are first asked for
 
     Examples
     --------

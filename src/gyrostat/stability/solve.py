@@ -18,9 +18,10 @@ CLOSED = Closed()
 
 
 def solve_condition(condition: Condition, name: str, boundary: Ends | None = None,
-                    domain: Sequence[Expr] = ()) -> SolvedCondition:
-    """The exact set of one parameter where a strict condition holds, and of its ends those that the boundary
-    criterion calls stable.
+                    domain: Sequence[Expr] = ()) -> Part:
+    """The exact set of one parameter where a strict condition holds.
+
+    Of its ends those belong to it that the boundary criterion calls stable.
 
     Parameters
     ----------

@@ -27,12 +27,11 @@ from .values import unknown
 
 
 def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None = None) -> Solution:
-    """The exact set of one parameter for which an equilibrium exists and is stable, boundary points as the
-    boundary criterion says.
+    """The exact set of one parameter for which an equilibrium exists and is stable.
 
-    Where nothing decides between the necessary and the sufficient condition, as for an asymmetric body in a
-    field, the set is given as far as it is proved: parts that are sufficient, parts that are necessary,
-    values that are undecided (SolvedCondition.meaning).
+    Boundary points are in it as the boundary criterion says. Where nothing decides between the necessary
+    and the sufficient condition, as for an asymmetric body in a field, the set is given as far as it is
+    proved: parts that are sufficient, parts that are necessary, values that are undecided (Part.meaning).
 
     Without numbers, or with some: in closed form, with the cases of the other names. With a number for every
     other name: a union of intervals, whose ends are exact numbers. On E3 with the name eliminated

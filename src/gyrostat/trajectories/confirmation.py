@@ -49,7 +49,15 @@ class Confirmation:
     complete : bool
         whether every motion was followed over a whole orbit
     failure : str
-        why a motion could not be followed, or not for long enough, if one could not
+        why a motion could not be followed, if one could not; the sizes end there
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> fallen = gs.trajectories.confirm(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "pi3_0": 1})
+    >>> fallen.decision.verdict.name, fallen.expected, fallen.agrees
+    ('UNSTABLE', 0.0, True)
     """
 
     decision: Decision

@@ -19,42 +19,30 @@ from .route import Route
 
 
 class Motion:
-    """The state of a scene at any time: motion(t) is the state at t.
+    """The state of a scene at any time: call it with times.
 
-    Attributes
+    motion(t) has the shape (..., n) for t [T] of any shape, in the order of scene.space.coordinates; in
+    doubles, or, with precision, of mpmath.mpf at exact numbers t. It is made by
+    gyrostat.trajectories.motion.
+
+    Parameters
     ----------
     scene : System
         with its numbers
     state : tuple of Expr
         at the time 0
-    route : str
-        "equilibrium", "steady precession", "elliptic", "quadrature", "separatrix", "free body", "free
-        gyrostat", "heyoka" or "DOP853"
-    period : float or None
-        of the nutation, or of the momentum in a free body [T]; with precision, mpmath.mpf
-    precession : float or None
-        angle gained about the vertical in a period, over 2π the rotation number, a half the apsidal angle;
-        None of a motion without period
-    precession_rate : float or None
-        mean rate of the precession; on a separatrix, in which it ends [1/T]
-    spin, spin_rate : float or None
-        the same about the axis of a body of revolution
-    limits : (float, float) or None
-        lowest and highest component of k along the axis of a body of revolution in a field
-    axis : array, shape (3,)
-        of a body of revolution; else e3
-    recognised : str
-        what the scene is, where it is not entered as a body of revolution in U(k3) but is one; else ""
-    nodes : int
-        of the quadrature, or steps of the integration
-    error : float
-        of the state, estimated
-    note : str
-        what is unusual about the numbers, if anything
-    t : array-like [T]
-        any shape; with precision, exact numbers
-    returns
-        array of shape (..., n), in the order of scene.space.coordinates; with precision, of mpmath.mpf
+    route : Any
+        the model that computes it
+    digits : int or None
+        decimal, asked for as precision; None: doubles
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> rigid = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> turning = gs.trajectories.motion(rigid, (0, 0, 3))
+    >>> turning.route, turning(10.0)
+    ('equilibrium', array([0., 0., 3.]))
     """
 
     def __init__(self, scene: System, state: tuple[Expr, ...], route: Route, digits: int | None):
@@ -69,15 +57,33 @@ class Motion:
         return states_in_digits(self._route, self.state, t, self._digits)
 
     def attitude(self, t: Any) -> Array:
-        """R from the body to space, x_space = R x_body, in doubles; shape (..., 3, 3).
+        """R from the body to space, x_space = R x_body, in doubles.
 
-        The vertical e_z is the direction of the field, R e_z = k/abs(k) in the rows' sense; of a free body,
-        that of M. At the time 0 the Euler angle φ is 0, and ψ as well where sin θ = 0.
+        The vertical is the direction of the field, k/abs(k) seen from the body; of a free body, that of M.
+        At the time 0 the Euler angle φ is 0, and ψ as well where sin θ = 0.
+
+        Parameters
+        ----------
+        t : array-like, any shape
+            [T]
+
+        Returns
+        -------
+        array, shape (..., 3, 3)
         """
         return np.asarray(self._route.attitude(_times(t)))
 
     def angles(self, t: Any) -> Array:
-        """Euler angles φ, θ, ψ (z-x-z), shape (..., 3), φ and ψ between −π and π; where sin θ = 0, ψ = 0.
+        """Euler's angles φ, θ, ψ (z-x-z), φ and ψ between −π and π; where sin θ = 0, ψ = 0.
+
+        Parameters
+        ----------
+        t : array-like, any shape
+            [T]
+
+        Returns
+        -------
+        array, shape (..., 3)
 
         Examples
         --------
@@ -95,6 +101,10 @@ class Motion:
 
     @property
     def period(self) -> Any:
+        """Of the nutation, or of the momentum in a free body [T]; with precision, mpmath.mpf.
+
+        None where there is none.
+        """
         if self._digits is None:
             return self._route.period
         period = self._route.exact_period(bits_of(self._digits))
@@ -144,6 +154,7 @@ class Motion:
 
     @property
     def limits(self) -> tuple[float, float] | None:
+        """Lowest and highest component of k along the axis of a body of revolution in a field, or None."""
         return self._route.limits
 
     @property
@@ -164,6 +175,7 @@ class Motion:
 
     @cached_property
     def note(self) -> str:
+        """What is unusual about the numbers, if anything."""
         return state_note(self.scene, self.state)
 
     def __repr__(self) -> str:
@@ -204,8 +216,17 @@ class Motion:
         return tuple(float(value) for name, value in self.invariants.items() if name.startswith("F"))
 
     def drift(self, t: Any) -> dict[str, float]:
-        """How far energy, Casimirs C1, C2 and integrals F1, … are off at these times, at most, relative to
-        the largest of their terms.
+        """How far the integrals are off at these times, at most, relative to the largest of their terms.
+
+        Parameters
+        ----------
+        t : array-like, any shape
+            [T]
+
+        Returns
+        -------
+        dict of str to float
+            of energy, the Casimirs C1, C2 and the integrals F1, …
         """
         return lost(self.scene, self.state, np.asarray(self(t), dtype=float))
 
@@ -227,10 +248,21 @@ class Motion:
 
         State, ω, quaternion and Euler's angles over the times, with units; the rest as attributes.
 
+        Parameters
+        ----------
+        t : array-like, shape (times,)
+            [T]
+
+        Returns
+        -------
+        xarray.Dataset
+
         Raises
         ------
         MissingExtraError
             pip install "gyrostat[charts]"
+        ValuesError
+            the times are not a row
         """
         optional("xarray", "charts")
         times = _times(t)
