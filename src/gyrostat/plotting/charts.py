@@ -15,7 +15,7 @@ SHOWN = 2000
 
 
 def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: Any) -> Any:
-    """Draw a stability chart of two axes.
+    r"""Draw a stability chart of two axes.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     >>> chart = gs.charts.stability_chart(top, x=("pi3_0", np.linspace(-4, 4, 80)),
     ...                                   y=("l", np.linspace(-2, 2, 60)), fixed={"I1": 1, "m0": 1})
     >>> gs.plotting.draw_chart(chart, Figure().subplots()).get_xlabel()
-    '$\\\\pi_3^0$'
+    '$\\pi_3^0$'
     """
     if ds.verdict.ndim != 2:
         raise ValuesError(f"the verdict has the axes {', '.join(ds.verdict.dims) or '(none)'}, two are "

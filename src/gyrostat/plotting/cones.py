@@ -78,7 +78,7 @@ def _tilted(angle: float) -> Array:
 
 
 def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = None, **kwargs: Any) -> Any:
-    """Draw the cones of a free body of revolution, seen as ax.view_init says.
+    r"""Draw the cones of a free body of revolution, seen as ax.view_init says.
 
     The body cone rolls on the space cone.
 
@@ -120,7 +120,7 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
     >>> from matplotlib.figure import Figure
     >>> ax = gs.plotting.draw_cones((2, 1), 1, 2, ax=Figure().add_subplot(projection="3d"))
     >>> [text.get_text() for text in ax.texts]
-    ['$M$', '$\\\\omega$', '$e_{3}$']
+    ['$M$', '$\\omega$', '$e_{3}$']
     """
     space, body, vectors = cones(inertia, transverse, axial)
     ax = axes_of(ax, three=True)

@@ -120,7 +120,7 @@ def _angles(n: int, special: Sequence[float]) -> Array:
 
 def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: Any = None, ax: Any = None,
                              **kwargs: Any) -> Any:
-    """Draw V(θ) of a body of revolution on a level of its momenta: ½ I1 θ̇² + V = energy.
+    r"""Draw V(θ) of a body of revolution on a level of its momenta: ½ I1 θ̇² + V = energy.
 
     Filled, open and half-filled circles are the regular precessions, E1 and E2 on the level: stable,
     unstable, undecided. At an energy, a line where θ can be, between the turning points.
@@ -162,7 +162,7 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> values = {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}
     >>> gs.plotting.draw_effective_potential(top, values, energy=10, ax=Figure().subplots()).get_xlabel()
-    '$\\\\theta$'
+    '$\\theta$'
     """
     found = well(scene, values, energy)
     if energy is not None and not found.reach and not found.turning_points:

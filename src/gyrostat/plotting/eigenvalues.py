@@ -58,7 +58,7 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
     >>> ax = gs.plotting.draw_eigenvalues(top, {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, "omega3_0", samples,
     ...                                   Figure().subplots())
     >>> ax.get_xlabel()
-    '$\\\\mathrm{Re}\\\\,\\\\lambda$'
+    '$\\mathrm{Re}\\,\\lambda$'
     """
     found = spectrum(eq, name, samples, values)
     ax = axes_of(ax)

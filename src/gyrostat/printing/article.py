@@ -157,7 +157,7 @@ def _words(text: str) -> str:
 
 
 def to_latex(obj: Any) -> str:
-    """LaTeX of a public object: a formula for everything but a report, which becomes a whole document.
+    r"""LaTeX of a public object: a formula for everything but a report, which becomes a whole document.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def to_latex(obj: Any) -> str:
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
     >>> print(gs.to_latex(gs.analyze(gs.upright(top)).sufficient))
-    \\left(\\pi_3^0 + l\\right)^{2} > 4 I_1 U'(1)
+    \left(\pi_3^0 + l\right)^{2} > 4 I_1 U'(1)
     """
     if isinstance(obj, Report):
         return document([obj])

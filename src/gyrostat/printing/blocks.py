@@ -6,7 +6,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Word:
-    """A name in both typesettings, such as π̇₁ and \\dot\\pi_1."""
+    r"""A name in both typesettings, such as π̇₁ and \dot\pi_1."""
 
     text: str
     latex: str

@@ -101,7 +101,7 @@ class _Typesetter(Formula):
 
 
 def formula_of(printed: str, at: Any = None) -> str:
-    """LaTeX of a printed text: an expression, or comparisons joined by "and".
+    r"""LaTeX of a printed text: an expression, or comparisons joined by "and".
 
     Raises
     ------
@@ -111,7 +111,7 @@ def formula_of(printed: str, at: Any = None) -> str:
     Examples
     --------
     >>> print(formula_of("omega**2*I1/2 - k3*dU > 0", at=1))
-    \\frac{\\omega^{2} I_1}{2} - k_3 U'(1) > 0
+    \frac{\omega^{2} I_1}{2} - k_3 U'(1) > 0
     """
     words = []
     for part in re.split(r"\band\b", printed):

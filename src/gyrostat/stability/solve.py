@@ -78,7 +78,7 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
 
 
 def _coefficients(margin: Expr, x: Symbol) -> list[Expr]:
-    """Coefficients of x⁰, x¹, …"""
+    """Coefficients of x⁰, x¹ and so on."""
     ring = Ring([margin, x])
     if any(x in g.free_symbols for g in ring.generators if g != x):
         raise ScopeError(f"{margin} is not polynomial in {x}: give numbers for the other names")

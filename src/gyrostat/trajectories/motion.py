@@ -49,6 +49,7 @@ class Motion:
         self.scene, self.state, self._route, self._digits = scene, state, route, digits
 
     def __call__(self, t: Any) -> Array:
+        """The states at the times t [T], shape (..., n)."""
         if self._digits is None:
             times = _times(t)
             states = np.array(self._route.state(times))
