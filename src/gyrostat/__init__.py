@@ -42,18 +42,23 @@ Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(s
 Shown.plain = lambda shown: import_module("gyrostat.printing.text").plain(shown)
 
 _NAMESPACES = ("charts", "mechanics", "plotting", "published", "trajectories")
-_LATER = {"relative_equilibria": "stability.relative_equilibria", "stabilizing_set": "stability.stabilizing",
-          "solve_condition": "stability.solve",
-          "bifurcations": "stability.bifurcations", "bifurcation_points": "stability.bifurcations",
-          "to_latex": "printing.article"}
+_LATER = {
+    "Branch": "stability.branch", "relative_equilibria": "stability.branches",
+    "Bifurcation": "stability.bifurcations", "bifurcations": "stability.bifurcations",
+    "BifurcationPoint": "stability.bifurcations", "bifurcation_points": "stability.bifurcations",
+    "Solution": "stability.sets", "Part": "stability.sets", "Case": "stability.sets",
+    "Interval": "stability.sets", "solve_condition": "stability.solve",
+    "stabilizing_set": "stability.stabilizing", "to_latex": "printing.article",
+}
 
 __all__ = [
-    "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "bifurcation_points",
-    "bifurcations", "charts", "Condition", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors",
-    "formal_criterion", "general_potential", "Gyrostat", "hanging", "ideal_fluid", "inclined", "independent",
-    "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field",
-    "orbit_tangent", "own_precision", "plotting", "Potential", "principal_rotation", "published", "reduce",
-    "relative_equilibria", "Report", "second_variation", "SecondVariation", "solve_condition",
+    "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "Bifurcation",
+    "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch", "Case", "charts", "Condition",
+    "Criterion", "Decision", "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential",
+    "Gyrostat", "hanging", "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson", "LiePoisson",
+    "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field", "orbit_tangent",
+    "own_precision", "Part", "plotting", "Potential", "principal_rotation", "published", "reduce",
+    "relative_equilibria", "Report", "second_variation", "SecondVariation", "Solution", "solve_condition",
     "spectral_criterion", "stabilizing_set", "static_tilt", "symbol", "symmetric_gyrostat",
     "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
 ]

@@ -11,7 +11,7 @@ do not, and `arrays` asks them. Over boxes it runs in `intervals` and `enclosure
 from .arrays import verdicts
 from .boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
 from .chart import stability_chart
-from .numeric import compile_margin
+from .numeric import CompiledMargin, compile_margin
 
 __all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "compile_margin",
-           "stability_chart", "verdicts"]
+           "CompiledMargin", "stability_chart", "verdicts"]

@@ -34,21 +34,31 @@ from .writing import (
 
 
 class CompiledMargin:
-    """A margin or criterion as a function of named arrays.
+    """A margin or criterion as a function of named arrays, made by compile_margin.
+
+    It is called with out=None, threads=1 and an array for each of its names, float64; they broadcast as in
+    NumPy. Arrays of shapes (n, 1) and (m,) make a grid, and nothing is computed again along an axis on
+    which it does not depend. float32 throughout gives float32. out is where to write, for NumPy and Numba:
+    an array, C-contiguous, of the shape of the result, which may overlap the arrays given; blocks are
+    shared out among threads. names are the arrays that it takes; backend is "numpy", "numba", or the name
+    of the namespace.
 
     Parameters
     ----------
-    what : Criterion or Expr
-        a criterion gives booleans, a margin its values
+    conditions : sequence of sequences of Condition
+        of a criterion
+    margin : Expr or None
+        None for a criterion
     backend : str or module
-        "numpy", "numba", or a namespace of the array API standard
+        as in compile_margin
 
-    Attributes
-    ----------
-    names : tuple of str
-        the arrays that it takes
-    backend : str
-        "numpy", "numba", or the name of the namespace
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> margin = gs.charts.compile_margin(report.sufficient.alternatives[0][0])
+    >>> margin.names, margin(I1=1, l=0, m0=1, pi3_0=[1.0, 3.0])
+    (('I1', 'l', 'm0', 'pi3_0'), array([-3.,  5.]))
     """
 
     def __init__(self, what: Criterion | Expr, backend: str | ModuleType):

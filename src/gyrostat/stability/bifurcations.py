@@ -53,6 +53,14 @@ class Bifurcation(Shown, Stored):
         vanish there; omega is the rate about the vertical, p_psi is π3 + l
     at : Expr
         the k3 at which derivatives of U are taken
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> first = gs.bifurcations(top)[0]
+    >>> first.kind, first.equations
+    ('E3 leaves E1', (I1*omega**2 - I3*omega**2 + dU - l*omega,))
     """
 
     kind: str
@@ -64,8 +72,24 @@ class Bifurcation(Shown, Stored):
 class BifurcationPoint(Shown, Stored):
     """The value of the free name at which a bifurcation takes place, and the k3 where.
 
-    Its kind is a key of KINDS; where branches meet between the poles "at fixed rate" or "on a level", it
-    starts with a key of MEETINGS.
+    Its kind says what happens; where branches meet between the poles "at fixed rate" or "on a level", it
+    starts with "fold", "pitchfork", "crossing" or "isolated".
+
+    Parameters
+    ----------
+    kind : str
+    name : str
+        the one that is free
+    value : Expr
+    k3 : Expr
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> point = gs.bifurcation_points(top, values={"I1": 1, "l": 0, "m0": 1}, name="pi3_0")[0]
+    >>> point.kind, point.value, point.k3
+    ('precessions leave E1', -2, 1)
     """
 
     kind: str

@@ -38,6 +38,14 @@ class Branch(Shown, Stored):
         what k3 is in the coordinates of the scene; sigma, pi3 are along that axis as well
     point : tuple of Expr or None
         in the coordinates of a scene that was recognised; None of any other, and of a continuum
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> found = gs.relative_equilibria(top, {"I1": 2, "I3": 1, "l": 0, "m0": 3, "omega": 2})
+    >>> [(branch.label, branch.k3, branch.decision.verdict.name) for branch in found]
+    [('E1', 1, 'UNSTABLE'), ('E3', -3/4, 'STABLE'), ('E2', -1, 'STABLE')]
     """
 
     label: str

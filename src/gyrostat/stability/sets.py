@@ -33,6 +33,15 @@ class Interval:
         the end belongs to it iff the first of these that is not 0 is positive: () never, (1,) always
     tilt : (Expr, Expr) or None
         k3 at the ends, where the interval is that of a family of E3
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
+    >>> interval = solution.parts[0].cases[0].intervals[0]
+    >>> interval.low, interval.high, interval.high_if
+    (-oo, -7, (1,))
     """
 
     low: Expr
@@ -52,6 +61,15 @@ class Case:
         each compared with 0 by ">", "<", "=" or "!="
     intervals : tuple of Interval
         in increasing order; () is empty
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
+    >>> (case,) = solution.parts[0].cases
+    >>> case.when, len(case.intervals)
+    ((), 2)
     """
 
     when: tuple[tuple[Expr, str], ...]
@@ -72,6 +90,14 @@ class SolvedCondition:
     cases : tuple of Case
     at : Expr
         the k3 at which derivatives of U are taken
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
+    >>> [part.meaning for part in solution.parts]
+    ['stable']
     """
 
     meaning: str
@@ -87,7 +113,16 @@ class Solution(Shown, Stored):
     Parameters
     ----------
     name : str
-    parts : tuple of SolvedCondition
+    parts : tuple of Part
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
+    >>> given = {"I1": 1, "m0": 1, "pi3_0": 5}
+    >>> solution.contains(given | {"l": 0}), solution.contains(given | {"l": -5})
+    (True, False)
     """
 
     name: str
@@ -97,6 +132,15 @@ class Solution(Shown, Stored):
         """Whether the set contains a value, at numbers for all names.
 
         Exact, None where nothing is proved, or a sign is not.
+
+        Parameters
+        ----------
+        values : mapping of name to number
+            for the name that was solved for, and those that are left
+
+        Returns
+        -------
+        bool or None
 
         Raises
         ------
