@@ -22,7 +22,7 @@ from .mechanics.orbit import orbit_tangent, symplectic_slice
 from .mechanics.potential import Potential, axial_potential, general_potential
 from .mechanics.reduction import reduce
 from .mechanics.system import System, assemble
-from .notation import Shown, symbol
+from .notation import NOTATION, Shown, symbol
 from .stability.conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
 from .stability.energy_casimir import SecondVariation, augmented_hessian, multipliers, second_variation
 from .stability.linearization import Linearization, linearize
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from .stability.bifurcations import bifurcation_points, bifurcations
     from .stability.relative_equilibria import relative_equilibria
     from .stability.solve import solve_condition
+    from .stability.spectra import Spectrum, spectrum
     from .stability.stabilizing import stabilizing_set
 
 # loaded when something is shown
@@ -46,7 +47,8 @@ _LATER = {
     "Branch": "stability.branch", "relative_equilibria": "stability.branches",
     "Bifurcation": "stability.bifurcations", "bifurcations": "stability.bifurcations",
     "BifurcationPoint": "stability.bifurcations", "bifurcation_points": "stability.bifurcations",
-    "Solution": "stability.sets", "Part": "stability.sets", "Case": "stability.sets",
+    "Continuation": "stability.continuation", "continuation": "stability.continuation",
+    "Spectrum": "stability.spectra", "spectrum": "stability.spectra", "Solution": "stability.sets", "Part": "stability.sets", "Case": "stability.sets",
     "Interval": "stability.sets", "solve_condition": "stability.solve",
     "stabilizing_set": "stability.stabilizing", "to_latex": "printing.article",
 }
@@ -54,13 +56,14 @@ _LATER = {
 __all__ = [
     "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "Bifurcation",
     "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch", "Case", "charts", "Condition",
-    "Criterion", "Decision", "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential",
-    "Gyrostat", "hanging", "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson", "LiePoisson",
-    "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field", "orbit_tangent",
-    "own_precision", "Part", "plotting", "Potential", "principal_rotation", "published", "reduce",
-    "relative_equilibria", "Report", "second_variation", "SecondVariation", "Solution", "solve_condition",
-    "spectral_criterion", "stabilizing_set", "static_tilt", "symbol", "symmetric_gyrostat",
-    "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
+    "Continuation", "continuation", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors",
+    "formal_criterion", "general_potential", "Gyrostat", "hanging", "ideal_fluid", "inclined", "independent",
+    "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers",
+    "newtonian_field", "NOTATION", "orbit_tangent", "own_precision", "Part", "plotting", "Potential",
+    "principal_rotation", "published", "reduce", "relative_equilibria", "Report", "second_variation",
+    "SecondVariation", "Solution", "solve_condition", "spectral_criterion", "Spectrum", "spectrum",
+    "stabilizing_set", "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System",
+    "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
 ]
 
 

@@ -8,10 +8,11 @@ do not, and `arrays` asks them. Over boxes it runs in `intervals` and `enclosure
 `contours` follow the curves between verdicts; a `chart` is all of it, a `request` as one labelled dataset
 (`datasets`), larger than memory in `stores` (`frame`, `marks`), with a bar of `progress`.
 """
+from ..printing.files import save_netcdf
 from .arrays import verdicts
 from .boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
 from .chart import stability_chart
 from .numeric import CompiledMargin, compile_margin
 
 __all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "compile_margin",
-           "CompiledMargin", "stability_chart", "verdicts"]
+           "CompiledMargin", "save_netcdf", "stability_chart", "verdicts"]

@@ -90,9 +90,9 @@ def save_netcdf(dataset: Any, path: str | os.PathLike[str], **kwargs: Any) -> No
     Parameters
     ----------
     dataset : xarray.Dataset
-        of gyrostat.charts.chart, or Motion.to_xarray
-    path : str or PathLike
-    kwargs
+        of stability_chart, or Motion.to_xarray
+    path : str or Path
+    **kwargs : Any
         of Dataset.to_netcdf, encoding for example
 
     Raises
@@ -101,6 +101,17 @@ def save_netcdf(dataset: Any, path: str | os.PathLike[str], **kwargs: Any) -> No
         the file cannot be written
     MissingExtraError
         pip install "gyrostat[charts]"
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> import os
+    >>> import tempfile
+    >>> turning = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), (0, 0, 3))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     gs.charts.save_netcdf(turning.to_xarray([0, 1]), f"{folder}/turning.nc")
+    ...     os.listdir(folder)
+    ['turning.nc']
     """
     optional("netCDF4", "charts")
     with written(path) as new:

@@ -31,8 +31,22 @@ NODES, HALVINGS, LONGEST = 96, 12, 0.05
 
 @dataclass(frozen=True)
 class Continuation:
-    """Branches over a range of one parameter, and every change of stability, every meeting and every end on
-    them.
+    """Branches over a range of one parameter, and what happens on them.
+
+    Parameters
+    ----------
+    pieces : list of Piece
+        each of one verdict
+    marks : list of Mark
+        every change of stability, every meeting and every end
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> found = gs.continuation(top, {"I1": 2, "I3": 1, "l": 0, "m0": 1}, "omega", (1, 3))
+    >>> len(found.pieces) > 2
+    True
     """
 
     pieces: list[Piece]
@@ -56,7 +70,15 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     ends : pair of numbers
         of its range
     values : mapping of name to number
-        the moments, l, the parameters of U and omega, without the one that is followed
+        the moments, l, the parameters of U and omega, without the one that is free
+    parameter : str
+        the name that is free
+    ends : (number, number)
+        of its range
+
+    Returns
+    -------
+    Continuation
 
     Raises
     ------
@@ -70,7 +92,7 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     --------
     >>> import gyrostat as gs
     >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**4 - k3**2 / 2))
-    >>> found = continuation(scene, "omega", ("1/2", 2), {"I1": 2, "I3": 1, "l": 0})
+    >>> found = gs.continuation(scene, {"I1": 2, "I3": 1, "l": 0}, "omega", ("1/2", 2))
     >>> [(mark.kind, mark.value, mark.k3, mark.changes) for mark in found.marks]
     [('fold on a level', sqrt(2)/2, 0, True), ('pitchfork at fixed rate', 1, 0, False)]
     >>> [piece.verdict.name for piece in found.pieces if piece.label == "E3" and abs(piece.k3).max() < 0.1]
