@@ -50,8 +50,8 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
 
     Examples
     --------
-    >>> from gyrostat.notation import symbol
-    >>> x = symbol("x")
+    >>> import gyrostat as gs
+    >>> x = gs.symbol("x")
     >>> real_roots((x**2 - 2) * (3*x - 1) / (x + 5), x), real_roots(x**3 - x - 1, x)
     ([-sqrt(2), 1/3, sqrt(2)], [CRootOf(x**3 - x - 1, 0)])
     >>> real_roots(x**2 - sqrt(2), x, low=Rational(0))

@@ -220,7 +220,18 @@ class Equilibrium(Shown, Stored):
         return tuple(residual for residual in residuals if residual is not None)
 
     def derived(self, verb: Callable[["Equilibrium"], Derived]) -> Derived:
-        """What a verb derives from this equilibrium, the first time it is asked; then the same again."""
+        """What a verb derives from this equilibrium, the first time it is asked; then the same again.
+
+        Parameters
+        ----------
+        verb : callable
+            of an equilibrium
+
+        Returns
+        -------
+        Any
+            what the verb returns
+        """
         if verb not in self._derived:
             self._derived[verb] = verb(self)
         return self._derived[verb]

@@ -88,9 +88,9 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
 
     Examples
     --------
-    >>> from gyrostat import Gyrostat, assemble, general_potential
-    >>> field = general_potential(lambda k1, k2, k3: k1 - k2**2 - k3**2)
-    >>> found = recognise(assemble(Gyrostat((3, 1, 1), (0, 0, 0)), field))
+    >>> import gyrostat as gs
+    >>> field = gs.general_potential(lambda k1, k2, k3: k1 - k2**2 - k3**2)
+    >>> found = recognise(gs.assemble(gs.Gyrostat((3, 1, 1), (0, 0, 0)), field))
     >>> found.sentence, found.standard.potential.expression, found.standard.body.inertia
     ('recognised as a body of revolution about axis 1', k3**2 + k3 - 1, (1, 1, 3))
     """

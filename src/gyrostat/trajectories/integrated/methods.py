@@ -71,8 +71,8 @@ def floats(values: Mapping[Symbol, Callable[[Sequence[float]], float]], rounding
 
     Examples
     --------
-    >>> from gyrostat.notation import symbol
-    >>> x = symbol("x")
+    >>> import gyrostat as gs
+    >>> x = gs.symbol("x")
     >>> in_arithmetic(x**3 / 2 - 1, floats({x: lambda point: point[0]}, nearest))((2.0,))
     3.0
     """
