@@ -79,7 +79,6 @@ def test_dir_and_all_are_the_surface():
     assert len({id(what) for what in found}) == len(found)
 
 
-@pytest.mark.xfail(reason="bifurcation_points, draw_bifurcation_diagram and draw_eigenvalues are still to follow")
 def test_values_come_last():
     """Subject, name, values: where a verb takes a name and values, the name is first."""
     for name, what in public():

@@ -32,8 +32,12 @@ from .version import __version__
 if TYPE_CHECKING:
     from . import charts, mechanics, plotting, published, trajectories
     from .printing.article import to_latex
-    from .stability.bifurcations import bifurcation_points, bifurcations
+    from .stability.bifurcations import Bifurcation, BifurcationPoint, bifurcation_points, bifurcations
+    from .stability.branch import Branch
+    from .stability.continuation import Continuation, continuation
+    from .stability.permanent_rotations import PermanentRotation
     from .stability.relative_equilibria import relative_equilibria
+    from .stability.sets import Case, Interval, Solution, SolvedCondition
     from .stability.solve import solve_condition
     from .stability.spectra import Spectrum, spectrum
     from .stability.stabilizing import stabilizing_set
@@ -44,12 +48,13 @@ Shown.plain = lambda shown: import_module("gyrostat.printing.text").plain(shown)
 
 _NAMESPACES = ("charts", "mechanics", "plotting", "published", "trajectories")
 _LATER = {
-    "Branch": "stability.branch", "relative_equilibria": "stability.branches",
+    "Branch": "stability.branch", "relative_equilibria": "stability.relative_equilibria",
     "Bifurcation": "stability.bifurcations", "bifurcations": "stability.bifurcations",
     "BifurcationPoint": "stability.bifurcations", "bifurcation_points": "stability.bifurcations",
     "Continuation": "stability.continuation", "continuation": "stability.continuation",
-    "Spectrum": "stability.spectra", "spectrum": "stability.spectra", "Solution": "stability.sets", "Part": "stability.sets", "Case": "stability.sets",
-    "Interval": "stability.sets", "solve_condition": "stability.solve",
+    "Spectrum": "stability.spectra", "spectrum": "stability.spectra", "Solution": "stability.sets",
+    "SolvedCondition": "stability.sets", "Case": "stability.sets", "Interval": "stability.sets",
+    "PermanentRotation": "stability.permanent_rotations", "solve_condition": "stability.solve",
     "stabilizing_set": "stability.stabilizing", "to_latex": "printing.article",
 }
 
@@ -57,13 +62,14 @@ __all__ = [
     "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "Bifurcation",
     "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch", "Case", "charts", "Condition",
     "Continuation", "continuation", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors",
-    "formal_criterion", "general_potential", "Gyrostat", "hanging", "ideal_fluid", "inclined", "independent",
-    "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers",
-    "newtonian_field", "NOTATION", "orbit_tangent", "own_precision", "Part", "plotting", "Potential",
-    "principal_rotation", "published", "reduce", "relative_equilibria", "Report", "second_variation",
-    "SecondVariation", "Solution", "solve_condition", "spectral_criterion", "Spectrum", "spectrum",
-    "stabilizing_set", "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System",
-    "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
+    "formal_criterion", "general_potential", "Gyrostat", "hanging", "ideal_fluid", "inclined",
+    "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics",
+    "multipliers", "newtonian_field", "NOTATION", "orbit_tangent", "own_precision", "PermanentRotation",
+    "plotting", "Potential", "principal_rotation", "published", "reduce", "relative_equilibria", "Report",
+    "second_variation", "SecondVariation", "Solution", "SolvedCondition", "solve_condition",
+    "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt", "symbol",
+    "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field",
+    "upright", "Verdict",
 ]
 
 

@@ -1,9 +1,9 @@
 """Text becomes mathematics through a whitelist grammar, never by evaluation.
 
-    sum     := product (('+' | '-') product)*
-    product := factor (('*' | '/') factor)*
-    factor  := ('+' | '-') factor | atom ['**' factor]
-    atom    := number | name | function '(' sum ')' | '(' sum ')'
+sum     := product (('+' | '-') product)*
+product := factor (('*' | '/') factor)*
+factor  := ('+' | '-') factor | atom ['**' factor]
+atom    := number | name | function '(' sum ')' | '(' sum ')'
 """
 import operator
 import re

@@ -51,6 +51,13 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
         exist at a point: the first such index is named
     ArgumentError
         there is no such backend, or no such way with what is invalid
+    MissingExtraError
+        Numba is not installed
+
+    References
+    ----------
+    Rounding: Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2002), chapter 3. Balls:
+    Johansson, IEEE Trans. Comput. 66 (2017) 1281-1292.
 
     Examples
     --------

@@ -68,7 +68,8 @@ class Frame:
         request, eq = self.request, self.request.report.equilibrium
         scene = [eq.label, eq.system.hamiltonian, eq.system.space.tensor.tolist(), eq.point, eq.relations,
                  eq.domain, eq.eliminated]
-        return {"format": STORE_FORMAT, "equilibrium": summed(str(scene).encode()), "axes": list(request.names),
+        return {"format": STORE_FORMAT, "equilibrium": summed(str(scene).encode()),
+                "axes": list(request.names),
                 **{f"values of {name}": summed(array.astype("<f8").tobytes())
                    for name, array in zip(request.names, self.arrays)},
                 **{f"value of {name}": str(number) for name, number, _ in request.fixed},

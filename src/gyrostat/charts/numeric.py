@@ -45,10 +45,8 @@ class CompiledMargin:
 
     Parameters
     ----------
-    conditions : sequence of sequences of Condition
-        of a criterion
-    margin : Expr or None
-        None for a criterion
+    what : Criterion or Expr
+        a criterion gives booleans, a margin its values
     backend : str or module
         as in compile_margin
 

@@ -85,7 +85,7 @@ def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
     >>> gs.hanging(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point
     (0, 0, pi3_0, 0, 0, -1)
     """
-    return _vertical("E2", scene, spin, -1)
+    return _vertical(E2, scene, spin)
 
 
 def _vertical(family: "Family", scene: System, spin: str) -> Equilibrium:

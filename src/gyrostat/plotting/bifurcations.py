@@ -63,7 +63,7 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> ax = gs.plotting.draw_bifurcation_diagram(top, {"I1": 2, "I3": 1, "l": 0, "m0": -1}, "omega", (0, 3),
+    >>> ax = gs.plotting.draw_bifurcation_diagram(top, "omega", (0, 3), {"I1": 2, "I3": 1, "l": 0, "m0": -1},
     ...                                           Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()][2:]
     ['E3 leaves E1', 'changes: precessions leave E2']

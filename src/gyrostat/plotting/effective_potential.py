@@ -68,7 +68,7 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     >>> found = well(top, {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}, energy=10)
     >>> [branch.decision.verdict.name for _, _, branch in found.equilibria]
     ['STABLE']
-    >>> [round(float(k3), 4) for k3 in found.turning]
+    >>> [round(float(k3), 4) for k3 in found.turning_points]
     [0.2843, 0.7957]
     """
     require(scene, System, "the scene")

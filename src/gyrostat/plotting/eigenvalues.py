@@ -14,7 +14,7 @@ SHAPES = {"Hamiltonian Hopf": "x", "zero eigenvalue": "+", "real pairs meet": "1
 
 def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], values: Mapping[str, Any],
                      ax: Any = None, **kwargs: Any) -> Any:
-    """Draw the eigenvalues of the linearised field in the complex plane, along a parameter.
+    r"""Draw the eigenvalues of the linearised field in the complex plane, along a parameter.
 
     The colour is the parameter, arrows point the way the samples go. Where eigenvalues collide there is a
     mark, with the name of what happens and the value; "changes" says that spectral stability does.
@@ -54,9 +54,8 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
     >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
-    >>> samples = np.linspace(2, 0, 80)
-    >>> ax = gs.plotting.draw_eigenvalues(top, {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, "omega3_0", samples,
-    ...                                   Figure().subplots())
+    >>> numbers, samples = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, np.linspace(2, 0, 80)
+    >>> ax = gs.plotting.draw_eigenvalues(top, "omega3_0", samples, numbers, Figure().subplots())
     >>> ax.get_xlabel()
     '$\\mathrm{Re}\\,\\lambda$'
     """

@@ -56,7 +56,7 @@ def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: flo
     --------
     >>> import gyrostat as gs
     >>> body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
-    >>> M = level_curve(body, rest_points(body, Rational(1)), 1.0, 0.3)
+    >>> M = level_curve(body, gs.relative_equilibria(gs.assemble(body), {"M": 1}), 1.0, 0.3)
     >>> bool(np.nanmax(abs((M**2 / [1, 2, 3]).sum(axis=1) / 2 - 0.3)) < 1e-15), int(np.isnan(M[:, 0]).sum())
     (True, 1)
     """

@@ -67,7 +67,7 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = gs.plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), {}, 1,
+    >>> ax = gs.plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), 1,
     ...                                       ax=Figure().add_subplot(projection="3d"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['polhode', 'separatrix', 'stable', 'unstable']

@@ -81,7 +81,7 @@ class Scene:
 
     @cached_property
     def equilibrium(self) -> Equilibrium | None:
-        """Of the family that the table asks for: E1, E2, E3, axis 1, …"""
+        """Of the family that the table asks for: E1, E2, E3, axis 1 and so on."""
         asked = self.table.get("equilibrium")
         if asked is None:
             return None

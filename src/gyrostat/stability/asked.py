@@ -53,6 +53,7 @@ def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Po
 
 
 def asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...], Point]:
+    """By which names relative equilibria are asked for, and all numbers, exact."""
     needed, extra = names_of(scene), {name for names in ASKED for name in names}
     numbers = exact_point(scene, values, needed | extra)
     asked = next((names for names in ASKED if set(names) == values.keys() & extra), None)

@@ -44,7 +44,7 @@ class Continuation:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> found = gs.continuation(top, {"I1": 2, "I3": 1, "l": 0, "m0": 1}, "omega", (1, 3))
+    >>> found = gs.continuation(top, "omega", (1, 3), {"I1": 2, "I3": 1, "l": 0, "m0": 1})
     >>> len(found.pieces) > 2
     True
     """
@@ -71,10 +71,6 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
         of its range
     values : mapping of name to number
         the moments, l, the parameters of U and omega, without the one that is free
-    parameter : str
-        the name that is free
-    ends : (number, number)
-        of its range
 
     Returns
     -------
@@ -92,7 +88,7 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     --------
     >>> import gyrostat as gs
     >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**4 - k3**2 / 2))
-    >>> found = gs.continuation(scene, {"I1": 2, "I3": 1, "l": 0}, "omega", ("1/2", 2))
+    >>> found = gs.continuation(scene, "omega", ("1/2", 2), {"I1": 2, "I3": 1, "l": 0})
     >>> [(mark.kind, mark.value, mark.k3, mark.changes) for mark in found.marks]
     [('fold on a level', sqrt(2)/2, 0, True), ('pitchfork at fixed rate', 1, 0, False)]
     >>> [piece.verdict.name for piece in found.pieces if piece.label == "E3" and abs(piece.k3).max() < 0.1]

@@ -113,7 +113,7 @@ class Solution(Shown, Stored):
     Parameters
     ----------
     name : str
-    parts : tuple of Part
+    parts : tuple of SolvedCondition
 
     Examples
     --------

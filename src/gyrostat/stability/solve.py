@@ -18,7 +18,7 @@ CLOSED = Closed()
 
 
 def solve_condition(condition: Condition, name: str, boundary: Ends | None = None,
-                    domain: Sequence[Expr] = ()) -> Part:
+                    domain: Sequence[Expr] = ()) -> SolvedCondition:
     """The exact set of one parameter where a strict condition holds.
 
     Of its ends those belong to it that the boundary criterion calls stable.

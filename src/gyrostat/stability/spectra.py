@@ -59,7 +59,7 @@ class Spectrum:
     --------
     >>> import gyrostat as gs
     >>> top = gs.hanging(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()))
-    >>> found = gs.spectrum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1}, "pi3_0", (0, 1))
+    >>> found = gs.spectrum(top, "pi3_0", (0, 1), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
     >>> found.eigenvalues.shape[1], found.collisions
     (4, [])
     """
@@ -71,11 +71,11 @@ class Spectrum:
 
 def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
              values: Mapping[str, Any]) -> Spectrum:
-    """The roots of λ⁴ + p λ² + q, or λ² + p, at values of one parameter, and where p² − 4q or q, or p where q
-    is 0, changes its sign.
+    """The eigenvalues of an equilibrium at values of one parameter, and where they meet.
 
-    They are the roots of λ⁴ + p λ² + q, or λ² + p; they collide where p² − 4q or q, or p where q is 0, changes
-    its sign. Between two collisions λ² = (−p ± √(p² − 4q))/2 are two continuous functions, as p² − 4q keeps its sign;
+    They are the roots of λ⁴ + p λ² + q, or λ² + p; they collide where p² − 4q or q, or p where q is 0,
+    changes its sign. Between two collisions λ² = (−p ± √(p² − 4q))/2 are two continuous functions, as
+    p² − 4q keeps its sign;
     at a collision each column goes on as the one that has its value there.
 
     Parameters
@@ -102,7 +102,7 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     >>> import gyrostat as gs
     >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
     >>> import numpy as np
-    >>> found = gs.spectrum(top, {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, "omega3_0", np.linspace(2, 0, 80))
+    >>> found = gs.spectrum(top, "omega3_0", np.linspace(2, 0, 80), {"I1": 1, "I3": "8/5", "l": 0, "m0": 1})
     >>> [(collision.kind, collision.value, collision.changes) for collision in found.collisions]
     [('Hamiltonian Hopf', 1.25, True)]
     """

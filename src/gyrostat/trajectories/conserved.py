@@ -9,7 +9,7 @@ from ..mechanics.system import System
 
 
 def conserved(scene: System) -> dict[str, Expr]:
-    """Functions of the coordinates: energy, the Casimirs C1, … and the integrals F1, …"""
+    """Functions of the coordinates: energy, the Casimirs C1, C2 and the integrals F1, F2."""
     found = {"energy": scene.hamiltonian}
     for letter, functions in (("C", scene.space.casimirs), ("F", scene.integrals)):
         found |= {f"{letter}{i}": function for i, function in enumerate(functions, 1)}

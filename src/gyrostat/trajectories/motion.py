@@ -31,7 +31,7 @@ class Motion:
         with its numbers
     state : tuple of Expr
         at the time 0
-    route : Any
+    route : Route
         the model that computes it
     digits : int or None
         decimal, asked for as precision; None: doubles
