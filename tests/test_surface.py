@@ -121,7 +121,7 @@ def parameters(what):
     """The names of the parameters as numpydoc writes them."""
     stars = {inspect.Parameter.VAR_KEYWORD: "**", inspect.Parameter.VAR_POSITIONAL: "*"}
     given = inspect.signature(what).parameters.values()
-    return [stars.get(p.kind, "") + p.name for p in given if p.name != "self"]
+    return [stars.get(p.kind, "") + p.name for p in given if p.name not in ("self", "cls")]
 
 
 def prose(docstring):

@@ -10,7 +10,14 @@ from ..notation import Shown, Stored
 
 
 class Verdict(Enum):
-    """What is known of an equilibrium; each value says what the answer means."""
+    """What is known of an equilibrium; each value says what the answer means.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> [verdict.name for verdict in gs.Verdict]
+    ['STABLE', 'UNSTABLE', 'UNDECIDED']
+    """
 
     STABLE = "a sufficient condition for stability is proved to hold"
     UNSTABLE = "a necessary condition for stability is proved to fail"
@@ -18,7 +25,16 @@ class Verdict(Enum):
 
     @classmethod
     def of(cls, stable: bool | None) -> "Verdict":
-        """What it is called that something is stable, unstable, or, None, neither proved."""
+        """What it is called that something is stable, unstable, or neither proved.
+
+        Parameters
+        ----------
+        stable : bool or None
+
+        Returns
+        -------
+        Verdict
+        """
         if stable is None:
             return cls.UNDECIDED
         return cls.STABLE if stable else cls.UNSTABLE
@@ -40,6 +56,14 @@ class Decision(Shown, Stored):
         exact values of the margins that were used
     note : str
         what is unusual about the numbers, if anything
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> decision = report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 3})
+    >>> decision.verdict.name, decision.notion, decision.margins
+    ('STABLE', 'Lyapunov', ((-4*I1*m0 + l**2 + 2*l*pi3_0 + pi3_0**2, 5),))
     """
 
     verdict: Verdict

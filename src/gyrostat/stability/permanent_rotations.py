@@ -39,6 +39,14 @@ class PermanentRotation(Shown, Stored):
     decision : Decision
     circle : int or None
         the axis about which the point may be turned: a circle of equilibria
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> box = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> rotation = gs.relative_equilibria(box, {"M": 1})[0]
+    >>> rotation.momentum, rotation.energy, rotation.decision.verdict.name
+    ((0, 0, -1), 1/6, 'STABLE')
     """
 
     momentum: tuple[Expr, ...]

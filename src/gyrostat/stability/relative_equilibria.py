@@ -54,14 +54,14 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
 
     Examples
     --------
-    >>> from gyrostat import Gyrostat, assemble, symmetric_gyrostat, uniform_field
-    >>> top = assemble(symmetric_gyrostat(), uniform_field())
-    >>> for b in relative_equilibria(top, {"I1": 2, "I3": 1, "l": 0, "m0": 3, "k3": "1/2", "pi3_0": 6}):
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> for b in gs.relative_equilibria(top, {"I1": 2, "I3": 1, "l": 0, "m0": 3, "k3": "1/2", "pi3_0": 6}):
     ...     print(b.label, b.omega, b.decision.verdict.name)
     precession 3 - sqrt(6) STABLE
     precession sqrt(6) + 3 STABLE
-    >>> free = assemble(Gyrostat((1, 2, 3), (0, 0, 0)))
-    >>> [(b.momentum, b.decision.verdict.name) for b in relative_equilibria(free, {"M": 1})[::2]]
+    >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> [(b.momentum, b.decision.verdict.name) for b in gs.relative_equilibria(free, {"M": 1})[::2]]
     [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
     """
     require(scene, System, "the scene")

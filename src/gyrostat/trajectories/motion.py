@@ -98,6 +98,11 @@ class Motion:
 
     @property
     def route(self) -> str:
+        """Which model computes it.
+
+        "equilibrium", "steady precession", "elliptic", "quadrature", "separatrix", "free body", "free
+        gyrostat", "heyoka" or "DOP853".
+        """
         return self._route.name
 
     @property
@@ -113,18 +118,25 @@ class Motion:
 
     @property
     def precession(self) -> Any:
+        """Angle gained about the vertical in a period; None of a motion without one.
+
+        Over 2π it is the rotation number, a half of it the apsidal angle.
+        """
         return self._gained[0] if self._route.period else None
 
     @property
     def spin(self) -> Any:
+        """Angle gained about the axis of a body of revolution in a period; None without one."""
         return self._gained[1] if self._route.period else None
 
     @property
     def precession_rate(self) -> Any:
+        """Mean rate of the precession; on a separatrix, in which it ends [1/T]."""
         return self._rate(self._gained[0])
 
     @property
     def spin_rate(self) -> Any:
+        """Mean rate of the spin about the axis of a body of revolution [1/T]."""
         return self._rate(self._gained[1])
 
     @property
@@ -160,18 +172,22 @@ class Motion:
 
     @property
     def axis(self) -> Array:
+        """Of a body of revolution; else e3."""
         return np.array(self._route.axis)
 
     @property
     def recognised(self) -> str:
+        """What the scene is, where it is not entered as a body of revolution in U(k3) but is one."""
         return self._route.recognised
 
     @property
     def nodes(self) -> int:
+        """Of the quadrature, or steps of the integration."""
         return self._route.nodes
 
     @property
     def error(self) -> float:
+        """Of the state, estimated."""
         return self._route.error
 
     @cached_property
