@@ -8,9 +8,9 @@ import threading
 from argparse import Namespace
 
 import pytest
-from gyrostat.cli.lines import question
 
 import gyrostat
+from gyrostat.cli.batch_lines import question
 from gyrostat.cli.options import report_for
 from gyrostat.cli.parser import main
 from gyrostat.errors import PublishedError, ValuesError
