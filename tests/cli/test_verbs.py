@@ -776,7 +776,7 @@ def test_missing_extras_are_named(capsys, tmp_path, monkeypatch, missing, kind, 
 def test_progress_of_a_chart(capsys, tmp_path, monkeypatch):
     """A bar on a terminal, of the blocks of a store, wiped at the end."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    monkeypatch.setattr("gyrostat.charts.stores.BLOCK", 3 * 40)
+    monkeypatch.setattr("gyrostat.charts.stores.POINTS", 3 * 40)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     status, out, err = chart(capsys, *SPINS, "--output", str(tmp_path / "chart.zarr"))
     assert status == 0 and out == "" and "chart        [" in err and "] 10/10" in err and err.endswith(" \r")
