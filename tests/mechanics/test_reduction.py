@@ -14,7 +14,7 @@ from sympy import Rational, S, cancel, cos, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError
-from gyrostat.mechanics import attitude
+from gyrostat.mechanics import lagrange
 from gyrostat.mechanics.reduction import expansion, reduce
 from gyrostat.notation import jet_name
 from gyrostat.stability.linearization import linearize
@@ -181,7 +181,7 @@ def test_effective_potential_is_that_of_the_lagrangian(scene, polynomial):
     c = gs.symbol("c")
     for s in (scene, polynomial, gs.assemble(gs.Gyrostat((2, 2, 5), (0, 0, 3)), gs.uniform_field())):
         motion = reduce(s)
-        V, theirs = motion.effective_potential(), attitude.effective_potential(s.body, s.potential)
+        V, theirs = motion.effective_potential(), lagrange.effective_potential(s.body, s.potential)
         theta = gs.symbol("theta")
         theirs = theirs.subs(cos(theta), c).subs(sin(theta), sqrt(1 - c**2))
         assert cancel(V.subs(k3, c) - theirs) == 0

@@ -5,19 +5,12 @@ A `body` and a field (`potential`, named ones in `fields`) are a scene: the Lie-
 integrals (`system`). `equilibria` are checked when they are built; `families` name those of bodies of
 revolution, `relations` tie their names. At each the coadjoint orbit has a tangent space, in it the symplectic
 slice (`orbit`). A body of revolution has one degree of freedom (`reduction`); which scene is one, about which
-axis, is proved (`spherical`, `recognition`, `standard`). `attitude` and `freebody` hold Euler's angles, the
-Lagrangian and the classical formulas.
+axis, is proved (`spherical`, `recognition`, `standard`). Euler's angles are in `attitude`, the Lagrangian in
+them in `lagrange`, the classical formulas in `freebody`.
 """
-from .attitude import (
-    angle_rates,
-    angular_momentum,
-    angular_velocity,
-    effective_potential,
-    lagrangian,
-    momenta,
-    rotation,
-)
+from .attitude import angle_rates, angular_velocity, rotation
 from .freebody import FreePrecession, free_precession, momentum_limits, polhode_period, torque_equations
+from .lagrange import angular_momentum, effective_potential, lagrangian, momenta
 from .reduction import Reduction, expansion
 
 __all__ = ["angle_rates", "angular_momentum", "angular_velocity", "effective_potential", "expansion",

@@ -11,7 +11,7 @@ from ..algebra.floats import Array, in_floats
 from ..algebra.numbers import exact_number
 from ..algebra.roots import between, in_order, real_roots
 from ..errors import ValuesError, require
-from ..mechanics.attitude import effective_potential
+from ..mechanics.lagrange import effective_potential
 from ..mechanics.reduction import ENERGY, K3, P, V, reduce
 from ..mechanics.system import System
 from ..notation import symbol

@@ -5,16 +5,8 @@ from typing import Any
 
 from sympy import ImmutableMatrix
 
-from ..mechanics.attitude import (
-    ANGLES,
-    RATES,
-    angle_rates,
-    angular_velocity,
-    direction,
-    lagrangian,
-    nodes,
-    rotation,
-)
+from ..mechanics.attitude import ANGLES, RATES, angle_rates, angular_velocity, direction, nodes, rotation
+from ..mechanics.lagrange import lagrangian
 from ..notation import symbol
 from .scenes import Scene
 
