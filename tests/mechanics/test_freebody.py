@@ -1,17 +1,16 @@
-"""Free bodies: torque, limits of the motion, polhode period, precession."""
+"""Free bodies: torque, limits of the motion, polhode period."""
 import math
-from fractions import Fraction
 
 import numpy as np
 import oracle
 import pytest
 from draw import moments, numbers
 from hypothesis import assume, given
-from sympy import Rational, acos, cos, oo, sin, sqrt
+from sympy import Rational, cos, oo, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import BodyError, ScopeError, ValuesError
-from gyrostat.mechanics.freebody import free_precession, momentum_limits, polhode_period, torque_equations
+from gyrostat.mechanics.freebody import momentum_limits, polhode_period, torque_equations
 from gyrostat.notation import symbol
 
 
@@ -113,12 +112,9 @@ def test_polhode_refuses():
             polhode_period(inertia, M)
     with pytest.raises(ScopeError, match="rotor"):
         momentum_limits(gs.symmetric_gyrostat(), 1)
-    with pytest.raises(BodyError, match="transverse and the axial"):
-        free_precession((1, 2, 3), 1, 1)
     for call, error, why in ((lambda: polhode_period((1, 2, 3), (1, 1)), ValuesError, "three components"),
                              (lambda: polhode_period((1, 2, 3), (1, 1, 0), 0), ValuesError,
                               "number of digits"),
-                             (lambda: free_precession((1, 2), 0, 0), ScopeError, "at rest"),
                              (lambda: momentum_limits(gs.Gyrostat((1, 2, 3), (0, 0, 0)), -1), ValuesError,
                               "not negative"),
                              (lambda: torque_equations(5), TypeError, "not a Gyrostat"),
@@ -128,31 +124,6 @@ def test_polhode_refuses():
             call()
     with pytest.raises(BodyError, match="components"):
         torque_equations(gs.Gyrostat(), (1, 2))
-
-
-@given(I1=moments, I3=moments, across=moments, along=numbers)
-def test_precession_composes_the_angular_velocity(I1, I3, across, along):
-    """ω = φ̇ M/abs(M) + ψ̇ e3, and in the body ω̇ = −Ω e3 × ω is Euler's equation."""
-    motion = free_precession((I1, I3), across, along)
-    M = (Rational(I1 * across), Rational(I3 * along))
-    total = sqrt(M[0] ** 2 + M[1] ** 2)
-    assert motion.precession * M[0] / total == Rational(across)
-    assert (motion.precession * M[1] / total + motion.spin - Rational(along)).simplify() == 0
-    rates = oracle.free_field(oracle.exact([I1 * across, 0, I3 * along]), oracle.exact([I1, I1, I3]),
-                              oracle.exact([0, 0, 0]))
-    assert rates[1] / Fraction(I1) == -Fraction(str(motion.body_rate)) * across and rates[0] == rates[2] == 0
-    assert motion.body_rate == motion.spin
-
-
-@pytest.mark.parametrize(("inertia", "sign"), [((2, 1), 1), ((1, 2), -1)])
-def test_cones(inertia, sign):
-    """Prolate: the body cone rolls outside the space cone, θ is their sum.
-
-    Oblate: inside, θ is their difference.
-    """
-    motion = free_precession(inertia, 3, 4)
-    assert motion.body_cone == acos(Rational(4, 5))
-    assert float(motion.tilt) == pytest.approx(float(motion.body_cone + sign * motion.space_cone), rel=1e-14)
 
 
 @pytest.mark.parametrize("n", [36, 44, 98])

@@ -6,11 +6,12 @@ integrals (`system`). `equilibria` are checked when they are built; `families` n
 revolution, `relations` tie their names. At each the coadjoint orbit has a tangent space, in it the symplectic
 slice (`orbit`). A body of revolution has one degree of freedom (`reduction`); which scene is one, about which
 axis, is proved (`spherical`, `recognition`, `standard`). Euler's angles are in `attitude`, the Lagrangian in
-them in `lagrange`, the classical formulas in `freebody`.
+them in `lagrange`, the classical formulas in `freebody` and `precession`.
 """
 from .attitude import angle_rates, angular_velocity, rotation
-from .freebody import FreePrecession, free_precession, momentum_limits, polhode_period, torque_equations
+from .freebody import momentum_limits, polhode_period, torque_equations
 from .lagrange import angular_momentum, effective_potential, lagrangian, momenta
+from .precession import FreePrecession, free_precession
 from .reduction import Reduction, expansion
 
 __all__ = ["angle_rates", "angular_momentum", "angular_velocity", "effective_potential", "expansion",

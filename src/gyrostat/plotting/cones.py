@@ -10,7 +10,7 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import ScopeError
-from ..mechanics.freebody import free_precession
+from ..mechanics.precession import free_precession
 from .globe import across, arrow, circle, polygons, towards
 from .looks import BLUE, INK, LOOKS, axes_of, label, legend
 
