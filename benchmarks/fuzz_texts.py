@@ -182,7 +182,7 @@ def routes(folder):
     from gyrostat.algebra.inputs import json_object
     from gyrostat.algebra.numbers import exact_number
     from gyrostat.cli.options import axis_of, numbers_of
-    from gyrostat.mechanics.potential import axial_potential
+    from gyrostat.mechanics.potentials import axial_potential
     from gyrostat.notation import symbol
     from gyrostat.published import load
     from gyrostat.published.comparisons import comparisons

@@ -19,7 +19,8 @@ from .mechanics.families import hanging, inclined, principal_rotation, static_ti
 from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
 from .mechanics.liepoisson import LiePoisson, lie_poisson
 from .mechanics.orbit import orbit_tangent, symplectic_slice
-from .mechanics.potential import Potential, axial_potential, general_potential
+from .mechanics.potential import Potential
+from .mechanics.potentials import axial_potential, general_potential
 from .mechanics.reduction import reduce
 from .mechanics.system import System, assemble
 from .notation import NOTATION, Shown, symbol

@@ -1,56 +1,12 @@
-"""Potentials: unspecified, given, matched by name; their jets."""
+"""A potential: its jet, and the body it acts on."""
 import pytest
 import sympy
-from sympy import CRootOf, Function, Symbol, cos, exp
+from sympy import cos
 
 import gyrostat as gs
-from gyrostat.errors import ExpressionError, PotentialError, ScopeError
+from gyrostat.errors import PotentialError, ScopeError
 
-k1, k3, m0, m1, I1, I3 = map(gs.symbol, ("k1", "k3", "m0", "m1", "I1", "I3"))
-
-
-def test_a_plain_symbol_is_matched_by_name():
-    """A user's own Symbol("k3"), with any assumptions, gives the same potential and the same margins."""
-    for theirs in (Symbol("k3"), Symbol("k3", positive=True)):
-        potential = gs.axial_potential(Symbol("m0") * theirs)
-        assert potential == gs.uniform_field()
-        report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), potential)))
-        assert {s.name for s in report.sufficient.alternatives[0][0].margin.free_symbols} == {
-            "I1",
-            "l",
-            "m0",
-            "pi3_0",
-        }
-
-
-def test_callables_and_expressions_agree():
-    """axial_potential(f) is axial_potential(f(k3)), general_potential takes three arguments."""
-    assert gs.axial_potential(lambda z: exp(z) + m0) == gs.axial_potential(exp(k3) + m0)
-    assert gs.general_potential(lambda *k: k[0] * k[2]).expression == k1 * k3
-
-
-@pytest.mark.parametrize(("given", "why"), [
-    (m0**2, "does not depend"), (m0 * k1, "k1"), (gs.symbol("omega") * k3, "omega"),
-    (gs.symbol("pi3_0") * k3, "pi3_0"),
-    (gs.symbol("dU") * k3, "dU"), ("m0*k3", "not an expression"), (True, "not an expression"),
-    (Function("V")(k3), "unspecified"),
-    (sympy.I * 2, "finite real"), (sympy.oo, "finite real"),
-    (sympy.Abs(k3), "smooth"), (sympy.Piecewise((k3, k3 > 0), (0, True)), "smooth")])
-def test_what_is_no_potential_is_refused(given, why):
-    """Parameters without k3, names of the motion, text, other functions, numbers that are not real."""
-    with pytest.raises(ValueError, match=why):
-        gs.axial_potential(given)
-
-
-def test_floats_are_the_rationals_they_are():
-    """0.5 k3 is k3/2, exactly."""
-    assert gs.axial_potential(0.5 * k3) == gs.axial_potential(k3 / 2)
-
-
-def test_a_constant_is_a_field_without_force():
-    """U = 0 keeps the direction k but exerts no torque."""
-    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(0))
-    assert scene.vector_field()[:3] == gs.assemble(gs.symmetric_gyrostat()).vector_field()[:3]
+k1, k3, m0, m1 = map(gs.symbol, ("k1", "k3", "m0", "m1"))
 
 
 def test_jets_are_derivatives():
@@ -82,10 +38,3 @@ def test_the_body_enters_its_own_potential():
 def test_errors_are_builtins():
     """PotentialError is a ValueError, ScopeError a NotImplementedError."""
     assert issubclass(PotentialError, ValueError) and issubclass(ScopeError, NotImplementedError)
-
-
-def test_roots_in_a_name_of_ours_are_refused():
-    """A root of a polynomial in k3 inside U(k3) would be mistaken for a function of k3."""
-    k3 = gs.symbol("k3")
-    with pytest.raises(ExpressionError, match="write it in another symbol"):
-        gs.axial_potential(CRootOf(k3**3 + 7 * k3 - 5, 0) * k3)

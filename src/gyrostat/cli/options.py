@@ -13,7 +13,7 @@ from ..algebra.numbers import exact_number
 from ..errors import EquilibriumError, GyrostatError, ValuesError, brief
 from ..mechanics.body import Gyrostat, symmetric_gyrostat
 from ..mechanics.families import E3, E3_AT_REST, FAMILIES, PRINCIPAL, in_a_field
-from ..mechanics.potential import axial_potential, general_potential
+from ..mechanics.potentials import axial_potential, general_potential
 from ..mechanics.system import System, assemble
 from ..notation import jet, symbol
 from ..printing.blocks import Block, Heading, prose

@@ -6,7 +6,8 @@ from sympy import Rational, legendre
 
 from ..errors import PotentialError
 from ..notation import symbol
-from .potential import Potential, axial_potential
+from .potential import Potential
+from .potentials import axial_potential
 
 
 def uniform_field() -> Potential:

@@ -14,7 +14,8 @@ from sympy import Expr, ImmutableMatrix, Rational, S, count_ops, eye, sqrt
 from ..errors import PotentialError
 from .body import Gyrostat
 from .liepoisson import hat
-from .potential import DIRECTIONS, Potential, axial_potential
+from .potential import DIRECTIONS, Potential
+from .potentials import axial_potential
 from .reduction import reducible
 from .spherical import along_third, lowest, vanishes
 from .system import System, system_of

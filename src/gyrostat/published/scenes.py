@@ -15,7 +15,8 @@ from ..errors import PublishedError, brief
 from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import E3, FAMILIES
-from ..mechanics.potential import Potential, axial_potential, general_potential
+from ..mechanics.potential import Potential
+from ..mechanics.potentials import axial_potential, general_potential
 from ..mechanics.system import System, assemble
 from ..notation import jet, symbol
 

@@ -1,0 +1,101 @@
+"""Potentials U(k3) and U(k1, k2, k3), given as an expression or a function, or left unspecified."""
+from collections.abc import Callable
+from typing import Any
+
+import sympy
+from sympy import Expr, Symbol
+from sympy.core.function import AppliedUndef
+
+from ..algebra.numbers import exact_expression
+from ..errors import PotentialError, brief
+from .potential import DIRECTIONS, Potential, U
+
+_NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.Piecewise, sympy.Max,
+               sympy.Min, sympy.floor,
+               sympy.ceiling, sympy.frac, sympy.Mod, sympy.re, sympy.im, sympy.arg, sympy.conjugate)
+
+
+def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -> Potential:
+    """Axially symmetric potential U(k3).
+
+    Parameters
+    ----------
+    expression : Expr, number, callable or None
+        U in k3 and real parameters [M L²/T²]; a function of the symbol k3; or None, U left unspecified.
+        Symbols are matched by name, floats are the dyadic rationals they are.
+
+    Returns
+    -------
+    Potential
+
+    Raises
+    ------
+    PotentialError
+        U has parameters but no k3, or depends on k1, k2 or a name of the motion
+
+    References
+    ----------
+    Vera & Viguera, Monografías de la Real Academia de Ciencias de Zaragoza 22 (2003) 141-150, §1.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.axial_potential(lambda k3: k3**2 / 2).expression
+    k3**2/2
+    >>> gs.axial_potential().expression
+    U(k3)
+    """
+    return _potential(DIRECTIONS[2:], expression)
+
+
+def general_potential(expression: Expr | Callable[..., Expr] | None = None) -> Potential:
+    """Potential U(k1, k2, k3).
+
+    Parameters
+    ----------
+    expression : Expr, callable or None
+        U in k1, k2, k3 and real parameters [M L²/T²]; a function of the three symbols; or None, U left
+        unspecified
+
+    Returns
+    -------
+    Potential
+
+    Raises
+    ------
+    PotentialError
+        U has parameters but no component of k, or depends on a name of the motion
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.general_potential(lambda k1, k2, k3: k1 * k2 + k3).gradient()
+    (dU_1, dU_2, dU_3)
+    """
+    return _potential(DIRECTIONS, expression)
+
+
+def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
+    if given is None:
+        return Potential(variables, U(*variables))
+    if callable(given) and not isinstance(given, Expr):
+        try:
+            given = given(*variables)
+        except (AttributeError, TypeError, ValueError) as error:
+            names = ", ".join(map(str, variables))
+            raise PotentialError(f"U = {brief(given)} cannot be asked at the symbols {names} "
+                                 f"({brief(str(error))}): "
+                                 "give an expression, or a function that makes one, with sympy.cos for "
+                                 "numpy.cos") from error
+    if isinstance(given, (str, bool)):
+        raise PotentialError(f"U = {brief(given)} is not an expression: build it from symbol('k3'), or "
+                             "give a function of "
+                             f"{', '.join(map(str, variables))}")
+    expression = exact_expression(given, "U")
+    if rough := expression.atoms(*_NOT_SMOOTH):
+        raise PotentialError(f"U = {expression} is not smooth, it contains {', '.join(map(str, rough))}: "
+                             "stability needs two derivatives")
+    if expression.atoms(AppliedUndef):
+        raise PotentialError(f"U = {expression} contains an unspecified function: call without arguments "
+                             "to leave U unspecified")
+    return Potential(variables, expression)
