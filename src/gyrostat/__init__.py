@@ -15,14 +15,16 @@ from .algebra.precision import own_precision
 from .cli import start as _start  # noqa: F401 (what Ctrl-C does while the rest is loaded)
 from .mechanics.body import Gyrostat, symmetric_gyrostat
 from .mechanics.equilibria import Equilibrium, equilibrium
-from .mechanics.families import hanging, inclined, principal_rotation, static_tilt, upright
 from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
 from .mechanics.liepoisson import LiePoisson, lie_poisson
 from .mechanics.orbit import orbit_tangent, symplectic_slice
 from .mechanics.potential import Potential
 from .mechanics.potentials import axial_potential, general_potential
+from .mechanics.principal import principal_rotation
 from .mechanics.reduction import reduce
 from .mechanics.system import System, assemble
+from .mechanics.tilted import inclined, static_tilt
+from .mechanics.vertical import hanging, upright
 from .notation import NOTATION, Shown, symbol
 from .stability.conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
 from .stability.energy_casimir import SecondVariation, augmented_hessian, multipliers, second_variation

@@ -14,7 +14,8 @@ from gyrostat.cli.batch_lines import question
 from gyrostat.cli.options import report_for
 from gyrostat.cli.parser import main
 from gyrostat.errors import PublishedError, ValuesError
-from gyrostat.mechanics.families import FAMILIES, Family
+from gyrostat.mechanics.families import FAMILIES
+from gyrostat.mechanics.family import Family
 from gyrostat.published.scenes import Scene
 
 TOP = ["--set", "I1=1", "--set", "I3=1.6", "--set", "l=0", "--set", "m0=1"]

@@ -3,16 +3,10 @@ import pytest
 from sympy import Rational, S, Symbol, exp, sqrt
 
 import gyrostat as gs
-from gyrostat.errors import EquilibriumError, ScopeError
+from gyrostat.errors import EquilibriumError
 from gyrostat.mechanics.equilibria import Equilibrium
 
 m0, l, omega, k3, I1, I3 = map(gs.symbol, ("m0", "l", "omega", "k3", "I1", "I3"))
-
-
-def test_upright_and_hanging(scene):
-    """(0, 0, π3, 0, 0, ±1), also in the body rate ω3 = π3/I3."""
-    assert gs.upright(scene).point == (0, 0, gs.symbol("pi3_0"), 0, 0, 1)
-    assert gs.hanging(scene, spin="omega3_0").point == (0, 0, I3 * gs.symbol("omega3_0"), 0, 0, -1)
 
 
 def test_a_false_claim_is_refused_with_its_residual(scene):
@@ -55,29 +49,6 @@ def test_algebraic_points_are_recognised():
     assert gs.equilibrium(scene, (0, 0, 0, "1/2", 0, "sqrt(3)/2"))
     with pytest.raises(EquilibriumError):
         gs.equilibrium(scene, (0, 0, 0, S.Half, 0, sqrt(3) / 2 + Rational(1, 10**60)))
-
-
-def test_vertical_equilibria_need_their_scene(scene, free):
-    """No field, no vertical; l off the axis, no vertical rotation; an unknown spin parameter."""
-    with pytest.raises(ScopeError, match="principal_rotation"):
-        gs.upright(free)
-    with pytest.raises(EquilibriumError, match="E1 is not an equilibrium: dpi1/dt = l2"):
-        gs.upright(gs.assemble(gs.Gyrostat(), gs.axial_potential()))
-    with pytest.raises(EquilibriumError, match="spin = 'omega'"):
-        gs.upright(scene, spin="omega")
-
-
-def test_principal_rotations(free):
-    """About the axis that carries l; about any axis where l = 0; about no other."""
-    assert gs.principal_rotation(free, 3).point == (0, 0, I3 * gs.symbol("omega3_0"))
-    plain = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)))
-    assert [sum(bool(x) for x in gs.principal_rotation(plain, axis).point) for axis in (1, 2, 3)] == [1, 1, 1]
-    with pytest.raises(EquilibriumError, match="dpi2/dt = l"):
-        gs.principal_rotation(free, 1)
-    with pytest.raises(EquilibriumError, match="axis = 4"):
-        gs.principal_rotation(free, 4)
-    with pytest.raises(ScopeError, match="has a field"):
-        gs.principal_rotation(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), 3)
 
 
 def test_what_exists_is_true(scene):

@@ -5,8 +5,9 @@ from sympy import Expr, ImmutableMatrix, Pow, S, Symbol
 
 from ..algebra.readable import entries, readable, split
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import FAMILIES, solved_tilt
+from ..mechanics.families import FAMILIES
 from ..mechanics.system import System
+from ..mechanics.tilted import solved_tilt
 from ..notation import jet, symbol
 from ..stability.linearization import Linearization
 from ..stability.report import Report

@@ -14,9 +14,11 @@ from ..algebra.plane_curves import PlaneCurve
 from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import Place, critical_points, stations
 from ..errors import EquilibriumError, ValuesError
-from ..mechanics.families import E3, POLES, Family
+from ..mechanics.family import Family
 from ..mechanics.reduction import K3, OMEGA, P, V, expansion, reduce
 from ..mechanics.system import System
+from ..mechanics.tilted import E3
+from ..mechanics.vertical import POLES
 from ..notation import Shown, Stored, jet, symbol
 from .asked import exact_point, names_of
 from .values import unknown

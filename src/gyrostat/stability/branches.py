@@ -12,10 +12,12 @@ from ..algebra.roots import real_roots
 from ..errors import ValuesError
 from ..mechanics.body import symmetric_gyrostat
 from ..mechanics.equilibria import equilibrium
-from ..mechanics.families import E3, E3_AT_REST, POLES, Family
+from ..mechanics.family import Family
 from ..mechanics.potential import Potential
 from ..mechanics.reduction import K3, OMEGA, P, V, reduce, reducible
 from ..mechanics.system import System, assemble
+from ..mechanics.tilted import E3, E3_AT_REST
+from ..mechanics.vertical import POLES
 from ..notation import symbol
 from .asked import C1, PI3, asked_about, asked_for
 from .branch import PRECESSION, Branch, in_axes_of

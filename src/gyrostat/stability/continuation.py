@@ -17,8 +17,9 @@ from ..algebra.numbers import exact_number
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import Place, Station, beside, between, stations
 from ..errors import ScopeError
-from ..mechanics.families import E3, POLES
 from ..mechanics.system import System
+from ..mechanics.tilted import E3
+from ..mechanics.vertical import POLES
 from .bifurcations import AT_RATE, defined, kind_of, precessions_leave
 from .branches import branches_at, critical_tilt, pole_at
 from .critical import Critical, critical_of

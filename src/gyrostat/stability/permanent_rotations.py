@@ -9,7 +9,7 @@ from ..algebra.exact import proved_sign
 from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError
 from ..mechanics.body import Gyrostat
-from ..mechanics.families import principal_rotation
+from ..mechanics.principal import principal_rotation
 from ..mechanics.system import System, assemble, at_numbers, names_of_scene
 from ..notation import Shown, Stored, symbol
 from .asked import exact_point

@@ -15,7 +15,7 @@ from ..algebra.polynomials import Ring
 from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import inclined
+from ..mechanics.tilted import inclined
 from ..notation import jet, symbol
 from .conditions import Condition
 from .decomposition import cut, joined, stable_at

@@ -1,0 +1,91 @@
+"""Rotation about the vertical, k along the axis e3: upright E1 and hanging E2."""
+from ..errors import EquilibriumError, ScopeError, require
+from ..notation import symbol
+from .equilibria import Equilibrium, equilibrium
+from .family import Family
+from .system import System
+
+
+def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
+    """E1: spinning about the upward vertical, k3 = 1.
+
+    Parameters
+    ----------
+    scene : System
+        on e(3)*
+    spin : str
+        "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    ScopeError
+        the scene has no field
+    EquilibriumError
+        another spin; or the point is none, in a field that is not axial
+
+    References
+    ----------
+    Vera & Viguera (2003), §3.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point
+    (0, 0, pi3_0, 0, 0, 1)
+    """
+    return _vertical(E1, scene, spin)
+
+
+def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
+    """E2: spinning about the downward vertical, k3 = -1.
+
+    Parameters
+    ----------
+    scene : System
+        on e(3)*
+    spin : str
+        "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    ScopeError
+        the scene has no field
+    EquilibriumError
+        another spin; or the point is none, in a field that is not axial
+
+    References
+    ----------
+    Vera & Viguera (2003), §3.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.hanging(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point
+    (0, 0, pi3_0, 0, 0, -1)
+    """
+    return _vertical(E2, scene, spin)
+
+
+def _vertical(family: Family, scene: System, spin: str) -> Equilibrium:
+    require(scene, System, "the scene")
+    if scene.potential is None:
+        raise ScopeError(f"{family.label} needs a field, the scene has none: use principal_rotation(scene, "
+                         "3)")
+    if spin not in ("pi3_0", "omega3_0"):
+        raise EquilibriumError(f"spin = {spin!r} is not a parameter of {family.label}: use 'pi3_0' or "
+                               "'omega3_0'")
+    momentum = symbol(spin) if spin == "pi3_0" else scene.body.inertia[2] * symbol(spin)
+    return equilibrium(scene, (0, 0, momentum, 0, 0, family.pole), label=family.label)
+
+
+E1 = Family("E1", "upright", "spinning about the upward vertical", upright, "spin", 1, asked_for="E1")
+E2 = Family("E2", "hanging", "spinning about the downward vertical", hanging, "spin", -1, asked_for="E2")
+POLES = {1: E1, -1: E2}
