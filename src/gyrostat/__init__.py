@@ -14,7 +14,8 @@ from . import errors
 from .algebra.precision import own_precision
 from .cli import start as _start  # noqa: F401 (what Ctrl-C does while the rest is loaded)
 from .mechanics.body import Gyrostat, symmetric_gyrostat
-from .mechanics.equilibria import Equilibrium, equilibrium
+from .mechanics.claimed import equilibrium
+from .mechanics.equilibria import Equilibrium
 from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
 from .mechanics.liepoisson import LiePoisson, lie_poisson
 from .mechanics.orbit import orbit_tangent, symplectic_slice

@@ -1,16 +1,16 @@
 """Equilibria: points or families that are checked, when they are built, to satisfy their equations."""
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, wraps
+from functools import cached_property
 from typing import Any, TypeVar
 
 from sympy import Expr, S, Symbol
 
 from ..algebra.exact import is_identically_zero, plain, sign
-from ..algebra.numbers import exact_expression, shown
+from ..algebra.numbers import shown
 from ..algebra.polynomials import lowest_terms
 from ..errors import EquilibriumError, require
-from ..notation import INTERNAL, Shown, Stored, jet, symbol
+from ..notation import INTERNAL, Shown, Stored, jet
 from .potential import smooth_where_positive
 from .system import System
 
@@ -239,53 +239,6 @@ class Equilibrium(Shown, Stored):
     @cached_property
     def _derived(self) -> dict[Callable[..., Any], Any]:
         return {}
-
-
-def once(verb: Callable[[Equilibrium], Derived]) -> Callable[[Equilibrium], Derived]:
-    """The verb, derived once for each equilibrium."""
-    @wraps(verb)
-    def kept(eq: Equilibrium) -> Derived:
-        return eq.derived(verb)
-
-    return kept
-
-
-def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tuple[Any, Any]] = (),
-                domain: Sequence[Expr] = (), label: str = "E") -> Equilibrium:
-    """A point you claim; construction checks that the field vanishes there.
-
-    Parameters
-    ----------
-    scene : System
-    point : sequence, shape (n,)
-        numbers or expressions: momenta [M L²/T], then k [1]
-    relations : pairs (symbol, value)
-        what holds on the family, such as (dU, …)
-    domain : sequence of Expr
-        positive on the family
-    label : str
-
-    Returns
-    -------
-    Equilibrium
-
-    Raises
-    ------
-    EquilibriumError
-        a component of the field does not vanish; the message names it
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> gs.equilibrium(top, (0, 0, 0, 1, 0, 0))  # doctest: +ELLIPSIS
-    Traceback (most recent call last):
-    gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, ...
-    """
-    pairs = tuple((symbol(str(name)), exact_expression(value)) for name, value in relations)
-    return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs,
-                       tuple(map(exact_expression, domain)),
-                       next((name.name for name, _ in pairs[::-1] if not jet(name.name)), None))
 
 
 def _residual(rate: Expr, eq: Equilibrium) -> Expr | None:

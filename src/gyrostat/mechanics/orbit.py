@@ -7,7 +7,8 @@ from ..algebra.margins import Signs
 from ..algebra.matrices import null_space, row_reduce
 from ..algebra.polynomials import Ring
 from ..errors import SingularOrbitError
-from .equilibria import Equilibrium, once
+from .equilibria import Equilibrium
+from .once import once
 
 
 def differentials(eq: Equilibrium, functions: Sequence[Expr]) -> list[list[Expr]]:

@@ -3,7 +3,8 @@ from functools import partial
 
 from ..errors import EquilibriumError, ScopeError, require
 from ..notation import symbol
-from .equilibria import Equilibrium, equilibrium
+from .claimed import equilibrium
+from .equilibria import Equilibrium
 from .family import Family
 from .system import System
 

@@ -11,7 +11,8 @@ from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.margins import Signs
 from ..errors import EquilibriumError
 from ..notation import jet
-from .equilibria import Equilibrium, once
+from .equilibria import Equilibrium
+from .once import once
 from .recognition import Recognition, Vector, recognise
 from .reduction import reducible
 from .spherical import lowest, vanishes

@@ -1,7 +1,8 @@
 """Rotation about the vertical, k along the axis e3: upright E1 and hanging E2."""
 from ..errors import EquilibriumError, ScopeError, require
 from ..notation import symbol
-from .equilibria import Equilibrium, equilibrium
+from .claimed import equilibrium
+from .equilibria import Equilibrium
 from .family import Family
 from .system import System
 

@@ -13,7 +13,8 @@ from sympy import Expr, Mul, S, Symbol
 from ..algebra.exact import sign
 from ..algebra.margins import Signs
 from ..algebra.polynomials import Ring
-from ..mechanics.equilibria import Equilibrium, once
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.once import once
 from ..mechanics.reduction import expansion, reducible
 from ..notation import Shown, Stored, jet, symbol
 from .conditions import Condition

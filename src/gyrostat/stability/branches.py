@@ -11,7 +11,7 @@ from ..algebra.exact import Point, evaluate, proved_sign, sign_of_constant
 from ..algebra.roots import real_roots
 from ..errors import ValuesError
 from ..mechanics.body import symmetric_gyrostat
-from ..mechanics.equilibria import equilibrium
+from ..mechanics.claimed import equilibrium
 from ..mechanics.family import Family
 from ..mechanics.potential import Potential
 from ..mechanics.reduction import K3, OMEGA, P, V, reduce, reducible

@@ -7,7 +7,8 @@ from sympy import Expr, I, ImmutableMatrix, Mul, Pow, S, sqrt
 from ..algebra.matrices import characteristic_coefficients, multiply
 from ..algebra.polynomials import Ring
 from ..errors import ScopeError
-from ..mechanics.equilibria import Equilibrium, once
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.once import once
 from ..mechanics.orbit import orbit_tangent
 from ..notation import Shown, Stored, symbol
 

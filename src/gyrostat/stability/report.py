@@ -8,7 +8,8 @@ from sympy import Expr
 
 from ..algebra.exact import Point
 from ..errors import ArgumentError, require
-from ..mechanics.equilibria import Equilibrium, once
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.once import once
 from ..mechanics.standard import Seen, seen, seen_at
 from ..mechanics.system import System
 from ..notation import Shown, Stored, jet, symbol

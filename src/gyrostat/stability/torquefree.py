@@ -11,7 +11,8 @@ from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.matrices import cross
 from ..algebra.polynomials import Ring
 from ..mechanics.body import Gyrostat
-from ..mechanics.equilibria import Equilibrium, equilibrium
+from ..mechanics.claimed import equilibrium
+from ..mechanics.equilibria import Equilibrium
 from ..mechanics.system import assemble
 
 A, B = Dummy("a", real=True), Dummy("b", real=True)

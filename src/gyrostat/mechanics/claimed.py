@@ -1,0 +1,48 @@
+"""An equilibrium that is claimed: a point of your own, with the relations that hold on it."""
+from collections.abc import Sequence
+from typing import Any
+
+from sympy import Expr
+
+from ..algebra.numbers import exact_expression
+from ..notation import jet, symbol
+from .equilibria import Equilibrium
+from .system import System
+
+
+def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tuple[Any, Any]] = (),
+                domain: Sequence[Expr] = (), label: str = "E") -> Equilibrium:
+    """A point you claim; construction checks that the field vanishes there.
+
+    Parameters
+    ----------
+    scene : System
+    point : sequence, shape (n,)
+        numbers or expressions: momenta [M L²/T], then k [1]
+    relations : pairs (symbol, value)
+        what holds on the family, such as (dU, …)
+    domain : sequence of Expr
+        positive on the family
+    label : str
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    EquilibriumError
+        a component of the field does not vanish; the message names it
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> gs.equilibrium(top, (0, 0, 0, 1, 0, 0))  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, ...
+    """
+    pairs = tuple((symbol(str(name)), exact_expression(value)) for name, value in relations)
+    return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs,
+                       tuple(map(exact_expression, domain)),
+                       next((name.name for name, _ in pairs[::-1] if not jet(name.name)), None))
