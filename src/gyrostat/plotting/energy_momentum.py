@@ -13,7 +13,7 @@ from ..mechanics.reduction import K3, V
 from ..mechanics.system import System
 from ..stability.asked import names_of
 from ..stability.branch import Branch
-from ..stability.energy_momentum import EnergyMomentum, critical_values
+from ..stability.critical_values import EnergyMomentum, critical_values
 from ..stability.report import Verdict
 from .looks import DARK, axes_of, label, legend, line, marker, named
 from .numbers import numbers_of

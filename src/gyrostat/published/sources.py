@@ -86,7 +86,7 @@ def load(source: str | Path) -> Source:
 @cache
 def _own(name: str) -> Source:
     expected = toml_of(_HERE / "expected.toml")
-    return _read(_HERE / f"{name}.toml", expected[name])
+    return _read(_HERE / f"{name}.toml", expected.get(name, {}))
 
 
 def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Source:

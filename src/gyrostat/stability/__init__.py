@@ -8,6 +8,6 @@ without a torque `torquefree`); `drift` says what holds of the point itself. `re
 at numbers that `values` checks and `notes` comments, and gives a `decision`. Every relative equilibrium is
 found by `relative_equilibria`: in U(k3) by `branches` as it is `asked`, each a `branch`, of a free body by
 `permanent_rotations`; `bifurcations`, `critical`, `pieces` and `continuation` follow them along a parameter,
-`energy_momentum` (`precessions`) and `spectra` their levels and eigenvalues. `solve` (`cases`, `sets`) and
+`critical_values` (`precessions`) and `spectra` their levels and eigenvalues. `solve` (`cases`, `sets`) and
 `stabilizing` (`decomposition`, `tilts`) turn a verdict into values.
 """
