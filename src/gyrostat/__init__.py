@@ -27,10 +27,11 @@ from .mechanics.system import System, assemble
 from .mechanics.tilted import inclined, static_tilt
 from .mechanics.vertical import hanging, upright
 from .notation import NOTATION, Shown, symbol
+from .stability.analysis import analyze
 from .stability.conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
 from .stability.energy_casimir import SecondVariation, augmented_hessian, multipliers, second_variation
 from .stability.linearization import Linearization, linearize
-from .stability.report import Decision, Report, Verdict, analyze
+from .stability.report import Decision, Report, Verdict
 from .version import __version__
 
 if TYPE_CHECKING:

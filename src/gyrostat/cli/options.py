@@ -19,7 +19,8 @@ from ..mechanics.system import System, assemble
 from ..mechanics.tilted import E3, E3_AT_REST
 from ..notation import jet, symbol
 from ..printing.blocks import Block, Heading, prose
-from ..stability.report import Report, analyze
+from ..stability.analysis import analyze
+from ..stability.report import Report
 from ..stability.values import names_in, unknown
 
 ROTOR = ("l1", "l2", "l3")

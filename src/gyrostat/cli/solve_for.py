@@ -17,7 +17,8 @@ from ..printing.blocks import Block, Display, Heading, sentence
 from ..printing.data import json_text, strings
 from ..printing.results import result_blocks
 from ..printing.text import text
-from ..stability.report import Report, analyze
+from ..stability.analysis import analyze
+from ..stability.report import Report
 from ..stability.sets import Interval, Solution
 from ..stability.stabilizing import stabilizing_set
 from .options import of_each, report_of, scene_of, spin_of

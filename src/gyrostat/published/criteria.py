@@ -13,9 +13,10 @@ from ..algebra.margins import Signs
 from ..errors import PublishedError
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
+from ..stability.analysis import analyze
 from ..stability.conditions import Condition, Criterion
 from ..stability.implication import Item, reduced
-from ..stability.report import Report, analyze
+from ..stability.report import Report
 from ..stability.truth import Relation, truth
 from .scenes import Scene
 

@@ -19,10 +19,11 @@ from ..mechanics.system import System, assemble
 from ..mechanics.tilted import E3, E3_AT_REST
 from ..mechanics.vertical import POLES
 from ..notation import symbol
+from .analysis import analyze
 from .asked import C1, PI3, asked_about, asked_for
 from .branch import PRECESSION, Branch, in_axes_of
 from .decision import Verdict
-from .report import Report, analyze
+from .report import Report
 
 DU = symbol("dU")
 _BODY = frozenset(map(symbol, ("I1", "I2", "I3", "l", "l1", "l2", "l3")))

@@ -20,9 +20,9 @@ from ..mechanics.system import System
 from ..mechanics.tilted import E3
 from ..mechanics.vertical import POLES
 from ..notation import symbol
+from .analysis import analyze
 from .asked import exact_point, names_of
 from .bifurcations import bifurcations, insert, precessions_leave, relation_at_rate
-from .report import analyze
 
 # derivative of g; if all up to it vanish on a branch, g vanishes there
 HIGHEST = 24

@@ -12,9 +12,9 @@ from ..mechanics.body import Gyrostat
 from ..mechanics.principal import principal_rotation
 from ..mechanics.system import System, assemble, at_numbers, names_of_scene
 from ..notation import Shown, Stored, symbol
+from .analysis import analyze
 from .asked import exact_point
 from .decision import Decision, Verdict
-from .report import analyze
 from .sphere import DRIFTS
 
 MU, LENGTH = symbol("mu"), symbol("M")

@@ -1,4 +1,4 @@
-"""Report and analyze: the one call a newcomer needs."""
+"""Report: the stability analysis of one equilibrium, and its verdicts at numbers."""
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -12,7 +12,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.standard import Seen, seen, seen_at
 from ..mechanics.system import System
-from ..notation import Shown, Stored, jet, symbol
+from ..notation import Shown, Stored, symbol
 from .boundary import Boundary, boundary_of
 from .conditions import Criterion, formal_criterion, independent, spectral_criterion
 from .decision import Between, Decider, Decision, Verdict
@@ -23,7 +23,7 @@ from .linearization import Linearization, linearize
 from .notes import scene_note
 from .sphere import sphere_of
 from .truth import holds
-from .values import exact_values, names_in
+from .values import exact_values, names_accepted, names_needed
 
 
 @dataclass(frozen=True, repr=False)
@@ -119,23 +119,12 @@ class Report(Shown, Stored):
     @cached_property
     def required(self) -> tuple[str, ...]:
         """Names that a verdict needs."""
-        conditions = [c for criterion in (self.necessary, self.sufficient) for a in criterion.alternatives
-                      for c in a]
-        expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(
-            self.equilibrium.existence()
-        )
-        return names_in([*expressions, *self.equilibrium.constraints])
+        return names_needed(self.equilibrium, (self.necessary, self.sufficient))
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
         """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
-        eq = self.equilibrium
-        scene = [eq.system.hamiltonian, *eq.system.body.inertia, *eq.system.body.gyrostatic_momentum,
-                 *eq.point, *eq.existence()]
-        own = set(names_in([*scene, *(e for pair in eq.relations for e in pair)])) | set(self.required)
-        moving = set(map(str, eq.system.space.coordinates)) - set(names_in(eq.point))
-        return tuple(sorted(n for n in own - moving if n in self.required or n == eq.eliminated
-                            or not jet(n)))
+        return names_accepted(self.equilibrium, self.required)
 
     def verdict(self, values: Mapping[str, Any]) -> Decision:
         """The verdict at a point, exact, equality included.
@@ -249,26 +238,4 @@ class Report(Shown, Stored):
 @once
 def _kept(eq: Equilibrium) -> Report:
     """The report of an equilibrium in the standard axes, derived once."""
-    return Report(eq)
-
-
-def analyze(eq: Equilibrium) -> Report:
-    """The stability analysis of an equilibrium.
-
-    Parameters
-    ----------
-    eq : Equilibrium
-
-    Returns
-    -------
-    Report
-        its parts are derived when they are first asked for
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
-    >>> report.necessary.alternatives[0][0].margin == report.sufficient.alternatives[0][0].margin
-    True
-    """
     return Report(eq)

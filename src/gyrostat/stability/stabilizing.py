@@ -17,9 +17,10 @@ from ..errors import ScopeError, ValuesError
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.tilted import inclined
 from ..notation import jet, symbol
+from .analysis import analyze
 from .conditions import Condition
 from .decomposition import cut, joined, stable_at
-from .report import Report, analyze
+from .report import Report
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
 from .solve import CLOSED, solve_condition
 from .tilts import along_tilts

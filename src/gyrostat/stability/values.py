@@ -11,6 +11,7 @@ from ..algebra.numbers import exact_number, shown
 from ..errors import ValuesError
 from ..mechanics.equilibria import Equilibrium
 from ..notation import NOTATION, jet, symbol
+from .conditions import Criterion
 
 K3 = symbol("k3")
 
@@ -167,6 +168,22 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
                           f"{given}{off}; omit {name}, or "
                           "correct it")
     return doubt
+
+
+def names_needed(eq: Equilibrium, criteria: Iterable[Criterion]) -> tuple[str, ...]:
+    """Names that a verdict by these criteria needs."""
+    conditions = [c for criterion in criteria for a in criterion.alternatives for c in a]
+    expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(eq.existence())
+    return names_in([*expressions, *eq.constraints])
+
+
+def names_accepted(eq: Equilibrium, required: Sequence[str]) -> tuple[str, ...]:
+    """Names that a verdict accepts, those of the scene and the family beside those that it needs."""
+    scene = [eq.system.hamiltonian, *eq.system.body.inertia, *eq.system.body.gyrostatic_momentum,
+             *eq.point, *eq.existence()]
+    own = set(names_in([*scene, *(e for pair in eq.relations for e in pair)])) | set(required)
+    moving = set(map(str, eq.system.space.coordinates)) - set(names_in(eq.point))
+    return tuple(sorted(n for n in own - moving if n in required or n == eq.eliminated or not jet(n)))
 
 
 def names_in(expressions: Iterable[Expr]) -> tuple[str, ...]:

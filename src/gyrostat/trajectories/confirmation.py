@@ -12,8 +12,9 @@ from ..algebra.numbers import exact_number
 from ..errors import AccuracyError, ValuesError, require
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.standard import seen_at
+from ..stability.analysis import analyze
 from ..stability.boundary import Boundary
-from ..stability.report import Decision, Report, Verdict, analyze
+from ..stability.report import Decision, Report, Verdict
 from ..stability.truth import holds, sign_at
 from ..stability.values import exact_values
 from .excursions import SLOW, TURNED, Distance, excursion
