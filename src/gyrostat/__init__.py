@@ -37,9 +37,10 @@ from .version import __version__
 if TYPE_CHECKING:
     from . import charts, mechanics, plotting, published, trajectories
     from .printing.article import to_latex
-    from .stability.bifurcations import Bifurcation, BifurcationPoint, bifurcation_points, bifurcations
+    from .stability.bifurcations import Bifurcation, bifurcations
     from .stability.branch import Branch
     from .stability.continuation import Continuation, continuation
+    from .stability.meetings import BifurcationPoint, bifurcation_points
     from .stability.permanent_rotations import PermanentRotation
     from .stability.relative_equilibria import relative_equilibria
     from .stability.sets import Case, Interval, Solution, SolvedCondition
@@ -55,7 +56,7 @@ _NAMESPACES = ("charts", "mechanics", "plotting", "published", "trajectories")
 _LATER = {
     "Branch": "stability.branch", "relative_equilibria": "stability.relative_equilibria",
     "Bifurcation": "stability.bifurcations", "bifurcations": "stability.bifurcations",
-    "BifurcationPoint": "stability.bifurcations", "bifurcation_points": "stability.bifurcations",
+    "BifurcationPoint": "stability.meetings", "bifurcation_points": "stability.meetings",
     "Continuation": "stability.continuation", "continuation": "stability.continuation",
     "Spectrum": "stability.spectra", "spectrum": "stability.spectra", "Solution": "stability.sets",
     "SolvedCondition": "stability.sets", "Case": "stability.sets", "Interval": "stability.sets",

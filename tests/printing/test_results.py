@@ -6,7 +6,9 @@ import gyrostat as gs
 from gyrostat.mechanics.reduction import reduce
 from gyrostat.printing.article import to_latex
 from gyrostat.printing.results import result_blocks
-from gyrostat.stability.bifurcations import KINDS, bifurcation_points, bifurcations
+from gyrostat.stability.bifurcations import bifurcations
+from gyrostat.stability.kinds import KINDS
+from gyrostat.stability.meetings import bifurcation_points
 from gyrostat.stability.relative_equilibria import relative_equilibria
 from gyrostat.stability.sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
 from gyrostat.stability.stabilizing import stabilizing_set

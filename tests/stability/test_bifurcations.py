@@ -13,7 +13,9 @@ import gyrostat as gs
 from gyrostat.algebra.exact import sign
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.notation import jet, jet_name
-from gyrostat.stability.bifurcations import KINDS, bifurcation_points, bifurcations
+from gyrostat.stability.bifurcations import bifurcations
+from gyrostat.stability.kinds import KINDS
+from gyrostat.stability.meetings import bifurcation_points
 from gyrostat.stability.relative_equilibria import relative_equilibria
 
 k3, omega = gs.symbol("k3"), gs.symbol("omega")

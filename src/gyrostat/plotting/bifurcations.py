@@ -8,10 +8,8 @@ import numpy as np
 
 from ..algebra.numbers import exact_number
 from ..mechanics.system import System
-from ..mechanics.tilted import E3
-from ..mechanics.vertical import E1, E2
-from ..stability.bifurcations import precessions_leave, tilt_leaves
 from ..stability.continuation import Continuation, continuation
+from ..stability.kinds import precessions_leave, tilt_leaves
 from ..stability.pieces import INFINITE, Mark, Piece
 from ..stability.report import Verdict
 from .looks import DARK, axes_of, label, legend, line, marker, named

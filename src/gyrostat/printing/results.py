@@ -10,11 +10,13 @@ from sympy import Abs, CRootOf, Expr, Pow, S, oo, sqrt
 from ..algebra.readable import readable
 from ..mechanics.reduction import Reduction
 from ..notation import symbol
-from ..stability.bifurcations import KINDS, Bifurcation, BifurcationPoint
+from ..stability.bifurcations import Bifurcation
 from ..stability.boundary import Boundary
 from ..stability.branch import Branch
 from ..stability.drift import Drift
+from ..stability.kinds import KINDS
 from ..stability.linearization import rational_root
+from ..stability.meetings import BifurcationPoint
 from ..stability.permanent_rotations import PermanentRotation
 from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
 from .blocks import Block, Display, Word, equations, joined, listed, sentence

@@ -7,7 +7,8 @@ reduced motion decides (`boundary`, of a free body `sphere`), of any body what i
 without a torque `torquefree`); `drift` says what holds of the point itself. `report`, which `analysis` makes,
 asks them in this order, at numbers that `values` checks and `notes` comments, and gives a `decision`. Every
 relative equilibrium is found by `relative_equilibria`: in U(k3) by `branches` as it is `asked`, each a
-`branch`, of a free body by `permanent_rotations`; `bifurcations`, `critical`, `pieces` and `continuation`
-follow them along a parameter, `critical_values` (`precessions`) and `spectra` their levels and eigenvalues.
-`solve` (`cases`, `sets`) and `stabilizing` (`decomposition`, `tilts`) turn a verdict into values.
+`branch`, of a free body by `permanent_rotations`; where they meet, `bifurcations` say in equations and
+`meetings` in numbers, each of one of the `kinds`; `critical`, `pieces` and `continuation` follow them along a
+parameter, `critical_values` (`precessions`) and `spectra` their levels and eigenvalues. `solve` (`cases`,
+`sets`) and `stabilizing` (`decomposition`, `tilts`) turn a verdict into values.
 """

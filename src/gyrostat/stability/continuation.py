@@ -18,12 +18,10 @@ from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import Place, Station, beside, between, stations
 from ..errors import ScopeError
 from ..mechanics.system import System
-from ..mechanics.tilted import E3
-from ..mechanics.vertical import POLES
-from .bifurcations import AT_RATE, defined, kind_of, precessions_leave
 from .branches import branches_at, critical_tilt, pole_at
 from .critical import Critical, critical_of
 from .decision import Verdict
+from .kinds import AT_RATE, defined, kind_of, precessions_leave
 from .pieces import INFINITE, Mark, Piece, Span
 
 # between two stations; of steps in k3 that are longer

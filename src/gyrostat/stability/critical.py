@@ -22,7 +22,8 @@ from ..mechanics.vertical import POLES
 from ..notation import symbol
 from .analysis import analyze
 from .asked import exact_point, names_of
-from .bifurcations import bifurcations, insert, precessions_leave, relation_at_rate
+from .bifurcations import bifurcations, insert, relation_at_rate
+from .kinds import precessions_leave
 
 # derivative of g; if all up to it vanish on a branch, g vanishes there
 HIGHEST = 24
