@@ -8,7 +8,7 @@ without a torque `torquefree`); `drift` says what holds of the point itself. `re
 asks them in this order, at numbers that `values` checks and `notes` comments, and gives a `decision`. Every
 relative equilibrium is found by `relative_equilibria`: in U(k3) by `branches` as it is `asked`, each a
 `branch`, of a free body by `permanent_rotations`; where they meet, `bifurcations` say in equations and
-`meetings` in numbers, each of one of the `kinds`; `critical`, `pieces` and `continuation` follow them along a
-parameter, `critical_values` (`precessions`) and `spectra` their levels and eigenvalues. `solve` (`cases`,
-`sets`) and `stabilizing` (`decomposition`, `tilts`) turn a verdict into values.
+`meetings` in numbers, each of one of the `kinds`; `critical`, `pieces`, `followed` and `continuation` follow
+them along a parameter, `critical_values` (`precessions`) and `spectra` their levels and eigenvalues. `solve`
+(`cases`, `sets`) and `stabilizing` (`decomposition`, `tilts`) turn a verdict into values.
 """
