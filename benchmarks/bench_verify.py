@@ -18,7 +18,7 @@ from sympy import MatrixBase
 from gyrostat.published import SOURCES, check, load
 from gyrostat.published.language import read
 from gyrostat.published.names import is_zero
-from gyrostat.published.statements import Reading
+from gyrostat.published.readings import Reading
 
 LIMIT = 10
 

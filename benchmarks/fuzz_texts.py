@@ -187,7 +187,7 @@ def routes(folder):
     from gyrostat.published import load
     from gyrostat.published.comparisons import comparisons
     from gyrostat.published.language import read
-    from gyrostat.published.statements import _with_let
+    from gyrostat.published.readings import _with_let
 
     names = {n: symbol(n) for n in ("I1", "I2", "l", "m0", "k3", "x", "omega")}
     file = folder / f"{os.getpid()}.toml"

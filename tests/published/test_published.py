@@ -21,7 +21,7 @@ from gyrostat.published.comparisons import comparisons
 from gyrostat.published.errata import latex
 from gyrostat.published.language import decimal, read
 from gyrostat.published.listing import to_json
-from gyrostat.published.statements import Reading
+from gyrostat.published.readings import Reading
 from gyrostat.published.typesetting import formula_of
 
 HERE = Path(gyrostat.__file__).parent / "published"

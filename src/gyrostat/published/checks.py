@@ -5,8 +5,9 @@ from pathlib import Path
 
 from ..errors import PublishedError
 from . import claims, evidence, formulas
+from .readings import Reading
 from .sources import _HERE, SOURCES, Source, _at, load
-from .statements import Doubt, Outcome, Reading, Statement
+from .statements import Doubt, Outcome, Statement
 
 _CHECKS: Mapping[str, Callable[[Reading], Outcome | Doubt]] = {
     "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium,

@@ -6,9 +6,10 @@ from ..notation import symbol
 from ..stability.conditions import Criterion
 from .comparisons import comparisons
 from .criteria import K3, Claim, agree, criterion, free_symbols
+from .readings import Reading
 from .sampling import K
 from .search import suspects
-from .statements import Doubt, Outcome, Reading
+from .statements import Doubt, Outcome
 
 AT_EQUALITY = "sufficient as printed; necessary only with equality allowed"
 

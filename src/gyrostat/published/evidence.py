@@ -10,9 +10,10 @@ from ..algebra.exact import sign_of_constant
 from ..errors import ExpressionError, GyrostatError
 from .comparisons import holds_as_printed
 from .independent import Values
+from .readings import Reading
 from .sampling import is_a_body, on_family
 from .sides import decimal_at, formula_at, rest_at
-from .statements import Counterexample, Doubt, Outcome, Reading
+from .statements import Counterexample, Doubt, Outcome
 from .truths import condition_at, model_at, verdict_at
 
 MOST = 80                                                  # points that are looked at

@@ -10,7 +10,8 @@ from ..mechanics.attitude import reduced
 from ..notation import symbol
 from .language import decimal, read
 from .names import is_zero
-from .statements import Doubt, Outcome, Reading
+from .readings import Reading
+from .statements import Doubt, Outcome
 
 
 def identity(r: Reading) -> Outcome | Doubt:

@@ -17,8 +17,8 @@ from ..mechanics.tilted import E3
 from ..notation import symbol
 from ..stability.conditions import Criterion
 from .criteria import free_symbols, holds
+from .readings import Reading
 from .sampling import K, on_family
-from .statements import Reading
 
 Values = dict[Symbol, Expr]
 LINES, ON_BOUNDARY = 6, 150                                # base points of lines; points at equality

@@ -10,7 +10,8 @@ from ..notation import symbol
 from .independent import Model, Values
 from .independent_names import number
 from .language import decimal
-from .statements import Doubt, Reading, Seen
+from .readings import Reading
+from .statements import Doubt, Seen
 
 
 def formula_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:

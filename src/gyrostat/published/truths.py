@@ -5,7 +5,8 @@ from ..notation import symbol
 from .comparisons import holds_as_printed
 from .independent import Model, Values
 from .independent_separatrix import separatrix_residual
-from .statements import Doubt, Reading, Seen
+from .readings import Reading
+from .statements import Doubt, Seen
 
 
 def model_at(r: Reading, values: Values) -> Model | None:
