@@ -2,9 +2,10 @@
 
 `models` chooses the smallest model that a scene allows, a `route`: a body of revolution in U(k3) (`top`;
 about any axis `turned`), a free body or gyrostat (`free`), both exact; any other scene is `integrated`. A
-`motion` is asked for states (in `digits`), attitudes and what is `conserved` at any times (`columns`); times
-of any length are reduced modulo a period in two doubles (`periods`), `elliptic` functions are those of the
-complementary parameter. `confirmation` disturbs an equilibrium and looks at the `excursions`.
+`motion` is asked for states (in `digits`), attitudes and what is `conserved` at any times (`columns`), for
+its `rates` and a `summary`; times of any length are reduced modulo a period in two doubles (`periods`),
+`elliptic` functions are those of the complementary parameter. `confirmation` disturbs an equilibrium and
+looks at the `excursions`.
 """
 from .confirmation import Confirmation, confirm
 from .models import motion

@@ -1,4 +1,4 @@
-"""States in as many digits as are asked for, from enclosures that know them."""
+"""States at times: in doubles, or in as many digits as are asked for, from enclosures that know them."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -11,7 +11,7 @@ from ..algebra.balls import ball
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
 from ..algebra.precision import own_precision
-from ..errors import AccuracyError
+from ..errors import AccuracyError, ValuesError
 from .route import Route
 
 
@@ -24,6 +24,22 @@ def in_digits(x: arb, digits: int) -> mpmath.mpf:
     """The middle of an enclosure to so many digits."""
     mantissa, exponent = map(int, x.mid().man_exp())
     return mpmath.mpf((mantissa, exponent), dps=digits)
+
+
+def finite_times(t: Any) -> Array:
+    """Times of any shape in doubles."""
+    times = np.asarray(t, dtype=float)
+    if not np.isfinite(times).all():
+        raise ValuesError("a time is not a finite number: give finite ones")
+    return times
+
+
+def states_in_doubles(route: Route, start: Sequence[Expr], t: Any) -> Array:
+    """The states at times of any shape; at the time 0 as it was given."""
+    times = finite_times(t)
+    states = np.array(route.state(times))
+    states[times == 0] = [float(x) for x in start]         # as they were given
+    return states
 
 
 def states_in_digits(route: Route, start: Sequence[Expr], t: Any, digits: int) -> Array:

@@ -2,20 +2,19 @@
 from functools import cached_property
 from typing import Any
 
-import mpmath
 import numpy as np
-from flint import arb
 from sympy import Expr
 
 from ..algebra.floats import Array
 from ..errors import ValuesError, optional
 from ..mechanics.system import System
 from ..stability.notes import state_note
-from ..version import __version__
 from .columns import columns, dataset, euler, turns_of
 from .conserved import conserved, lost
-from .digits import bits_of, in_digits, states_in_digits
+from .digits import finite_times, states_in_digits, states_in_doubles
+from .rates import frequencies, gained, period, rate
 from .route import Route
+from .summary import attributes, summary
 
 
 class Motion:
@@ -51,10 +50,7 @@ class Motion:
     def __call__(self, t: Any) -> Array:
         """The states at the times t [T], shape (..., n)."""
         if self._digits is None:
-            times = _times(t)
-            states = np.array(self._route.state(times))
-            states[times == 0] = [float(x) for x in self.state]        # as they were given
-            return states
+            return states_in_doubles(self._route, self.state, t)
         return states_in_digits(self._route, self.state, t, self._digits)
 
     def attitude(self, t: Any) -> Array:
@@ -72,7 +68,7 @@ class Motion:
         -------
         array, shape (..., 3, 3)
         """
-        return np.asarray(self._route.attitude(_times(t)))
+        return np.asarray(self._route.attitude(finite_times(t)))
 
     def angles(self, t: Any) -> Array:
         """Euler's angles φ, θ, ψ (z-x-z), φ and ψ between −π and π; where sin θ = 0, ψ = 0.
@@ -111,10 +107,7 @@ class Motion:
 
         None where there is none.
         """
-        if self._digits is None:
-            return self._route.period
-        period = self._route.exact_period(bits_of(self._digits))
-        return None if period is None else in_digits(period, self._digits)
+        return period(self._route, self._digits)
 
     @property
     def precession(self) -> Any:
@@ -132,38 +125,22 @@ class Motion:
     @property
     def precession_rate(self) -> Any:
         """Mean rate of the precession; on a separatrix, in which it ends [1/T]."""
-        return self._rate(self._gained[0])
+        return rate(self._gained[0], self._route, self._digits)
 
     @property
     def spin_rate(self) -> Any:
         """Mean rate of the spin about the axis of a body of revolution [1/T]."""
-        return self._rate(self._gained[1])
+        return rate(self._gained[1], self._route, self._digits)
 
     @property
     def _gained(self) -> tuple[Any, Any]:
         """The angles of precession and spin, in a period, or in a unit of time where there is none."""
-        if self._digits is None:
-            return self._route.precession, self._route.spin
-        precession, spin = (in_digits(x, self._digits) if isinstance(x, arb) else x
-                            for x in self._route.exact_angles(bits_of(self._digits)))
-        return precession, spin
-
-    def _rate(self, angle: Any) -> Any:
-        """An angle gained, by the time in which it is."""
-        if angle is None or not self._route.period:
-            return angle
-        if self._digits is None:
-            return angle / self._route.period
-        with mpmath.workdps(self._digits):
-            return angle / self.period
+        return gained(self._route, self._digits)
 
     @property
     def frequencies(self) -> dict[str, float]:
         """2π/period, and the mean rates of precession and spin [1/T], as far as they exist."""
-        period = self._route.period
-        rates = {name: float(gained) / (period or 1.0)
-                 for name, gained in zip(("precession", "spin"), self._gained) if gained is not None}
-        return ({"nutation": 2 * np.pi / period} if period else {}) | rates
+        return frequencies(self._route, self._gained)
 
     @property
     def limits(self) -> tuple[float, float] | None:
@@ -197,19 +174,7 @@ class Motion:
 
     def __repr__(self) -> str:
         """What is known of the motion, a line each."""
-        each = "in a period" if self._route.period else "per unit of time"
-        lines = [f"Motion: {self.route}"]
-        if self._route.period:
-            lines.append(f"period {float(self._route.period):.12g}")
-        lines += [f"{name} {float(gained):.12g} {each}"
-                  for name, gained in zip(("precession", "spin"), self._gained) if gained is not None]
-        if self.limits:
-            lines.append("k3 from {:.12g} to {:.12g}".format(*self.limits))
-        if self.error:
-            lines.append(f"error {self.error:.1e}, estimated")
-        if self.note:
-            lines.append(f"note: {self.note}")
-        return "\n  ".join(lines)
+        return summary(self._route, self._gained, self.note)
 
     @cached_property
     def invariants(self) -> dict[str, Expr]:
@@ -250,15 +215,7 @@ class Motion:
     @property
     def attributes(self) -> dict[str, Any]:
         """What is known of the motion, in doubles, and the numbers that it is of, exact, as texts."""
-        route, body, potential = self._route, self.scene.body, self.scene.potential
-        known = {"note": self.note or None, "route": self.route, "period": route.period,
-                 "precession": route.precession, "spin": route.spin, "energy": self.energy,
-                 "error": self.error, "nodes": self.nodes, "recognised": self.recognised or None}
-        numbers = {"inertia": body.inertia, "gyrostatic_momentum": body.gyrostatic_momentum,
-                   "state": self.state, "potential": potential.expression if potential else "none",
-                   "gyrostat_version": __version__}
-        return ({name: value for name, value in known.items() if value is not None}
-                | {name: str(value) for name, value in numbers.items()})
+        return attributes(self.scene, self.state, self._route, self.energy, self.note)
 
     def to_xarray(self, t: Any) -> Any:
         """The motion as an xarray.Dataset.
@@ -282,15 +239,8 @@ class Motion:
             the times are not a row
         """
         optional("xarray", "charts")
-        times = _times(t)
+        times = finite_times(t)
         if times.ndim != 1:
             raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
         table = columns(self.scene, np.asarray(self(t), dtype=float), turns_of(self.attitude, times))
         return dataset(table, times, self.attributes)
-
-
-def _times(t: Any) -> Array:
-    times = np.asarray(t, dtype=float)
-    if not np.isfinite(times).all():
-        raise ValuesError("a time is not a finite number: give finite ones")
-    return times
