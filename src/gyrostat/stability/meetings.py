@@ -10,9 +10,9 @@ from ..algebra.plane_curves import PlaneCurve
 from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import critical_points, stations
 from ..errors import ValuesError
-from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, V, reduce
 from ..mechanics.system import System
+from ..mechanics.vertical import POLES
 from ..notation import Shown, Stored, symbol
 from .asked import exact_point, names_of
 from .bifurcations import bifurcations, insert, relation_at_rate
