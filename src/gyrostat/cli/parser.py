@@ -4,7 +4,7 @@ import math
 import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
-from pathlib import Path
+from importlib import resources
 
 from ..mechanics.families import in_a_field
 from ..version import __version__
@@ -13,7 +13,7 @@ from .output import standard_streams, told
 from .watch import signals
 
 LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
-_EXAMPLES = Path(__file__).with_name("examples")       # a text for each verb, below its help
+_EXAMPLES = resources.files(__package__) / "examples"         # a folder, or part of an archive
 
 
 def parser() -> argparse.ArgumentParser:
