@@ -378,7 +378,7 @@ def test_from_an_archive(tmp_path):
     source = Path(gyrostat.__file__).parent
     with zipfile.ZipFile(tmp_path / "gyrostat.zip", "w") as archive:
         for path in source.rglob("*"):
-            if path.suffix in (".py", ".toml"):
+            if path.suffix in (".py", ".toml", ".txt"):
                 archive.write(path, path.relative_to(source.parent))
     run = subprocess.run([*COMMAND, "verify", "AR"], capture_output=True, text=True, cwd=tmp_path,
                          env={**os.environ, "PYTHONPATH": str(tmp_path / "gyrostat.zip"),
