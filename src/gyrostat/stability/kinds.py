@@ -18,12 +18,6 @@ KINDS = {
                             "are stable",
     "fold on a level": "two precessions meet on a level of both momenta; one is stable, the other is not",
 }
-MEETINGS = {
-    "fold": "branches meet that exist on one side only",
-    "pitchfork": "one branch on one side, three or more on the other",
-    "crossing": "as many branches on one side as on the other, two or more",
-    "isolated": "there is a tilt at this value, and none beside it",
-}
 AT_RATE, ON_LEVEL = "at fixed rate", "on a level"
 
 
