@@ -5,6 +5,7 @@ from math import factorial
 
 import oracle
 import pytest
+from slow import slow
 from sympy import (
     CRootOf,
     Poly,
@@ -113,12 +114,10 @@ def test_newtonian_field_of_order_two(m0, expected, kind):
 
 
 @pytest.mark.parametrize(("potential", "expected"), [
-    (k3**2 / 2 - k3, "STABLE"), (k3 - k3**2 / 2, "UNSTABLE"), ((k3 - 1) ** 3, "UNSTABLE"),
-    ((1 - k3) ** 3, "STABLE"),
-    ((k3 - 1) ** 4, "STABLE"), (-((k3 - 1) ** 6), "UNSTABLE"), ((1 - k3) ** 13, "STABLE"),
-    (-((1 - k3) ** 14), "UNSTABLE"),
-    (S.Zero, "UNSTABLE"), (S(7), "UNSTABLE"), ((1 - k3) ** 2 / (3 + k3), "STABLE"),
-    (-((1 - k3) ** 2) / (3 + k3), "UNSTABLE")])
+    (k3**2 / 2 - k3, "STABLE"), ((k3 - 1) ** 3, "UNSTABLE"), ((1 - k3) ** 3, "STABLE"),
+    (-((k3 - 1) ** 6), "UNSTABLE"), (S.Zero, "UNSTABLE"), ((1 - k3) ** 2 / (3 + k3), "STABLE"),
+    *slow((k3 - k3**2 / 2, "UNSTABLE"), ((k3 - 1) ** 4, "STABLE"), ((1 - k3) ** 13, "STABLE"),
+          (-((1 - k3) ** 14), "UNSTABLE"), (S(7), "UNSTABLE"), (-((1 - k3) ** 2) / (3 + k3), "UNSTABLE"))])
 def test_no_total_momentum_and_no_slope(potential, expected):
     """P = 0 = U': the pole is stable exactly where it is a strict minimum of U on the sphere.
 
@@ -147,11 +146,10 @@ def test_all_coefficients_vanish_at_a_pole():
     ]
 
 
-@pytest.mark.parametrize(("more", "expected"),
-                         [(0, "UNSTABLE"), ((k3 - HALF) ** 4, "STABLE"), (-((k3 - HALF) ** 4), "UNSTABLE"),
-                                                ((k3 - HALF) ** 3, "UNSTABLE"),
-                          (-((k3 - HALF) ** 3), "UNSTABLE"),
-                                                ((k3 - HALF) ** 6, "STABLE"), ((k3 - HALF) ** 5, "UNSTABLE")])
+@pytest.mark.parametrize(("more", "expected"), [
+    (0, "UNSTABLE"), ((k3 - HALF) ** 4, "STABLE"), ((k3 - HALF) ** 3, "UNSTABLE"),
+    *slow((-((k3 - HALF) ** 4), "UNSTABLE"), (-((k3 - HALF) ** 3), "UNSTABLE"),
+          ((k3 - HALF) ** 6, "STABLE"), ((k3 - HALF) ** 5, "UNSTABLE"))])
 def test_all_coefficients_vanish_at_a_tilt(more, expected):
     """U = e − (v − P z)²/(2 I1 (1 − z²)), v and P those of I = (2, 2, 3), l = 1, ω = 2, k3 = 1/2: g = 0.
 
@@ -199,11 +197,11 @@ def test_names_are_missing_in_order(e1):
 
 
 @pytest.mark.parametrize(("potential", "s", "expected"), [
-    (exp(k3), 1, "STABLE"), (exp(-k3), -1, "STABLE"), (-exp(-3 * k3), 1, "UNSTABLE"),
-    (log(3 + k3), 1, "STABLE"), (sin(k3), 1, "UNSTABLE"),
-    (-cos(k3), 1, "STABLE"), (sin(k3 / 2), 1, "STABLE"), (sqrt(k3 + 2), 1, "STABLE"),
-    (k3 * exp(k3) - exp(k3), 1, "STABLE"),
-    (exp(k3) - exp(1) * k3**2 / 2, 1, "UNSTABLE"), (exp(k3**2), 1, "STABLE")])
+    (exp(-k3), -1, "STABLE"), (log(3 + k3), 1, "STABLE"), (sin(k3), 1, "UNSTABLE"),
+    (exp(k3) - exp(1) * k3**2 / 2, 1, "UNSTABLE"),
+    *slow((exp(k3), 1, "STABLE"), (-exp(-3 * k3), 1, "UNSTABLE"), (-cos(k3), 1, "STABLE"),
+          (sin(k3 / 2), 1, "STABLE"), (sqrt(k3 + 2), 1, "STABLE"), (k3 * exp(k3) - exp(k3), 1, "STABLE"),
+          (exp(k3**2), 1, "STABLE"))])
 def test_transcendental_potentials_on_the_boundary(potential, s, expected):
     """P² = 4 s I1 U'(s), exactly; the sign of U' + s U'', or of the next one that is not 0, is proved."""
     slope = potential.diff(k3).subs(k3, s)
@@ -216,16 +214,17 @@ def test_transcendental_potentials_on_the_boundary(potential, s, expected):
     assert name(pole(potential, s), {"I1": 3, "l": 0, "pi3_0": sqrt(12 * s * slope)}) == expected
 
 
-def test_a_flat_transcendental_potential_is_undecided():
+@pytest.mark.parametrize(("n", "expected"), [
+    (5, "STABLE"), (6, "UNSTABLE"), *slow((25, "UNDECIDED"))])
+def test_a_flat_transcendental_potential_is_undecided(n, expected):
     """U = exp(y) − 1 − y − … − yⁿ/n!, y = k3 − 1.
 
     Stable for odd n, but with n = 25 not proved so by 24 coefficients.
     """
-    for n in (5, 6, 25):
-        field = exp(k3 - 1) - sum((k3 - 1) ** i / factorial(i) for i in range(n + 1))
-        decision = pole(field).verdict({"I1": 1, "l": 1, "pi3_0": -1})
-        assert decision.verdict.name == {5: "STABLE", 6: "UNSTABLE", 25: "UNDECIDED"}[n]
-    assert "all coefficients of g up to x^24 vanish" in decision.reason
+    field = exp(k3 - 1) - sum((k3 - 1) ** i / factorial(i) for i in range(n + 1))
+    decision = pole(field).verdict({"I1": 1, "l": 1, "pi3_0": -1})
+    assert decision.verdict.name == expected
+    assert ("all coefficients of g up to x^24 vanish" in decision.reason) == (expected == "UNDECIDED")
 
 
 def test_a_square_in_a_rung_may_vanish():
@@ -262,10 +261,10 @@ def designed(moments, z, w, total, power, first, order):
 
 
 @pytest.mark.parametrize(("power", "first", "expected"), [
-    (2, -1, "STABLE"), (2, 1, "UNSTABLE"), (3, 1, "UNSTABLE"), (3, -1, "UNSTABLE"), (4, -1, "STABLE"),
-    (4, Rational(1, 10**30), "UNSTABLE"),
-    (4, 17 - 12 * sqrt(2), "UNSTABLE"), (4, 12 * sqrt(2) - 17, "STABLE"), (5, 1, "UNSTABLE"),
-    (6, -1, "STABLE"), (6, 2, "UNSTABLE")])
+    (2, -1, "STABLE"), (3, 1, "UNSTABLE"), (4, Rational(1, 10**30), "UNSTABLE"),
+    (4, 12 * sqrt(2) - 17, "STABLE"), (6, 2, "UNSTABLE"),
+    *slow((2, 1, "UNSTABLE"), (3, -1, "UNSTABLE"), (4, -1, "STABLE"), (4, 17 - 12 * sqrt(2), "UNSTABLE"),
+          (5, 1, "UNSTABLE"), (6, -1, "STABLE"))])
 def test_quadratic_surds_at_a_tilt(e3, power, first, expected):
     """k3 = 1/3, ω = 1 + √2, P = √2 − 3, every derivative of U in ℚ(√2), so that g begins with first ·
     x^power: by design.
@@ -278,7 +277,7 @@ def test_quadratic_surds_at_a_tilt(e3, power, first, expected):
     assert name(e3, {"I1": 2, "I3": 3, "l": rotor, "omega": w, "k3": surd} | jets) == expected
 
 
-@pytest.mark.parametrize(("b", "expected"), [(0, "UNSTABLE"), (3, "STABLE"), (-3, "UNSTABLE")])
+@pytest.mark.parametrize(("b", "expected"), [(0, "UNSTABLE"), (3, "STABLE"), *slow((-3, "UNSTABLE"))])
 def test_an_algebraic_rate_at_a_given_tilt(b, expected):
     """I = (1, 1, 3), l = 0, k3 = 1/2, nothing eliminated: ω² = U' = 2, p = 3/4 U″ + 2 = 0, g‴ = 0.
 
@@ -323,7 +322,8 @@ QUARTIC, QUINTIC = 3 * k3**4 + k3**3 - 2 * k3 - 1, 5 * k3**5 - 10 * k3 + 3
 
 
 @pytest.mark.parametrize(("modulus", "rungs", "last"), [
-    (QUARTIC, 0, 1), (QUINTIC, 0, -20), (QUARTIC, 1, 1), (QUINTIC, 1, 0), (QUARTIC, 2, -9), (QUARTIC, 2, 9)])
+    (QUARTIC, 0, 1), (QUINTIC, 1, 0),
+    *slow((QUINTIC, 0, -20), (QUARTIC, 1, 1), (QUARTIC, 2, -9), (QUARTIC, 2, 9))])
 def test_tilts_that_are_roots_of_polynomials(modulus, rungs, last):
     """k3 a root of degree 4 or 5, ω and l given: off the boundary, on it, and on it with g‴ = 0 too.
 
@@ -366,8 +366,15 @@ def test_a_body_at_rest_on_its_boundary(at_rest):
     assert name(report, {"k3": 0}) == "STABLE"         # U⁗ = −24/5 > −6
 
 
-@pytest.mark.parametrize("k", [(0, 0, 1), (0, 0, -1), ("-2/7", "3/7", "6/7"), (0, sqrt(3) / 2, "-1/2")])
-def test_claimed_points_have_a_boundary(k):
+UP, DOWN, RATIONAL, SURD = (0, 0, 1), (0, 0, -1), ("-2/7", "3/7", "6/7"), (0, sqrt(3) / 2, "-1/2")
+
+
+@pytest.mark.parametrize(("k", "power", "first"), [
+    (UP, 3, 1), (DOWN, 3, -1), (RATIONAL, 4, -1), (SURD, 4, 1),
+    *slow(*((k, 3, first) for k in (RATIONAL, SURD) for first in (1, -1)),
+          *((k, 4, first) for k in (UP, DOWN) for first in (1, -1)),
+          (UP, 3, -1), (DOWN, 3, 1), (RATIONAL, 4, 1), (SURD, 4, -1))])
+def test_claimed_points_have_a_boundary(k, power, first):
     """A point given by numbers, π = I ω k, P = 2, with g = ±x³ or ±x⁴ by design.
 
     The ladder of its tilt decides.
@@ -375,14 +382,13 @@ def test_claimed_points_have_a_boundary(k):
     k = [S(c) for c in k]
     z, w, (A, C), P = k[2], S(2), (S(2), S(3)), S(2)
     v = A * w * (1 - z**2) + P * z
-    for power, first in ((4, -1), (4, 1), (3, 1), (3, -1)):
-        y = 1 - z * k3 if z**2 == 1 else k3 - z
-        field = cancel(-((v - P * k3) ** 2 + first * y**power) / (2 * A * (1 - k3**2)))
-        scene = gs.assemble(gs.Gyrostat((A, A, C), (0, 0, P - C * w * z)), gs.axial_potential(field))
-        report = gs.analyze(gs.equilibrium(scene, [A * w * k[0], A * w * k[1], C * w * k[2], *k]))
-        stable = first < 0 and (z**2 == 1 or power == 4)
-        assert report.boundary.pole == (z**2 == 1)
-        assert name(report, {}) == ("STABLE" if stable else "UNSTABLE")
+    y = 1 - z * k3 if z**2 == 1 else k3 - z
+    field = cancel(-((v - P * k3) ** 2 + first * y**power) / (2 * A * (1 - k3**2)))
+    scene = gs.assemble(gs.Gyrostat((A, A, C), (0, 0, P - C * w * z)), gs.axial_potential(field))
+    report = gs.analyze(gs.equilibrium(scene, [A * w * k[0], A * w * k[1], C * w * k[2], *k]))
+    stable = first < 0 and (z**2 == 1 or power == 4)
+    assert report.boundary.pole == (z**2 == 1)
+    assert name(report, {}) == ("STABLE" if stable else "UNSTABLE")
 
 
 def test_the_ladder_ends_where_nothing_new_comes():
@@ -420,14 +426,14 @@ def test_a_tilt_of_a_symbol_has_no_boundary():
     assert name(inside, {"b": "1/2"}) == "UNSTABLE"
 
 
-def test_a_claimed_point_at_the_root_of_a_polynomial():
+@pytest.mark.parametrize(("beside", "expected"), [(0, "UNSTABLE"), *slow((1, "STABLE"), (-1, "UNSTABLE"))])
+def test_a_claimed_point_at_the_root_of_a_polynomial(beside, expected):
     """k3 = CRootOf in the point itself, exactly on p = 0 and beside it: never undecided."""
     k3, root = gs.symbol("k3"), CRootOf(9 * Symbol("x") ** 3 - 4 * Symbol("x") + 1, 0)
     I1, I3, l = 2, 1, 1
     slope = l - root * (I1 - I3)                           # ω = 1
     flat = -((I3 * root + l - 2 * I1 * root) ** 2) / (I1 * (1 - root**2)) - I1
-    for bend, expected in ((flat, "UNSTABLE"), (flat + 1, "STABLE"), (flat - 1, "UNSTABLE")):
-        scene = gs.assemble(gs.Gyrostat((I1, I1, I3), (0, 0, l)),
-                            gs.axial_potential(slope * k3 + bend / 2 * (k3 - root) ** 2))
-        point = (I1 * sqrt(1 - root**2), 0, I3 * root, sqrt(1 - root**2), 0, root)
-        assert gs.analyze(gs.equilibrium(scene, point)).verdict({}).verdict.name == expected
+    scene = gs.assemble(gs.Gyrostat((I1, I1, I3), (0, 0, l)),
+                        gs.axial_potential(slope * k3 + (flat + beside) / 2 * (k3 - root) ** 2))
+    point = (I1 * sqrt(1 - root**2), 0, I3 * root, sqrt(1 - root**2), 0, root)
+    assert name(gs.analyze(gs.equilibrium(scene, point)), {}) == expected
