@@ -3,8 +3,9 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
+from slow import slow
 from sympy import Rational, cosh, exp, pi, sqrt, symbols
 
 import gyrostat as gs
@@ -22,27 +23,28 @@ def decided(inertia, rotor, U, point, values=None):
 
 @pytest.mark.parametrize("U, rotor, expected", [
     (lambda a, b, c: a**4 + b**4, (0, 0, 0), "STABLE"),
-    (lambda a, b, c: a**2 + b**4, (0, 0, 0), "STABLE"),
-    (lambda a, b, c: a**4 + b**4, (0, 0, 1), "STABLE"),
-    (lambda a, b, c: a**4 + b**4, (1, -2, 1), "STABLE"),
-    (lambda a, b, c: a**6 + a**2 * b**4 + b**6, (0, 0, 0), "STABLE"),
-    (lambda a, b, c: a**14 + b**14, (0, 0, 0), "STABLE"),
     (lambda a, b, c: (b + a**2) ** 2 + a**6, (0, 0, 0), "STABLE"),
     (lambda a, b, c: exp(c) * (a**4 + b**4), (0, 0, 0), "STABLE"),
-    (lambda a, b, c: cosh(a) - a**2 / 2 + b**2, (0, 0, 0), "STABLE"),
-    (lambda a, b, c: pi * a**4 + b**4, (0, 0, 0), "STABLE"),
-    (lambda a, b, c: (a**4 + b**4) / (2 + c), (0, 0, 0), "STABLE"),
     (lambda a, b, c: a**4 - 2 * a**2 * b**2 + (1 + Rational(1, 10**30)) * b**4, (0, 0, 0), "STABLE"),
     (lambda a, b, c: a**4 - 2 * a**2 * b**2 + (1 - Rational(1, 10**30)) * b**4, (0, 0, 0), "UNSTABLE"),
-    (lambda a, b, c: -(a**4) - b**4, (0, 0, 0), "UNSTABLE"),
-    (lambda a, b, c: a**2 - b**4, (0, 0, 0), "UNSTABLE"),
-    (lambda a, b, c: a**3 + b**2, (0, 0, 0), "UNSTABLE"),
     (lambda a, b, c: (b + a**2) ** 2 + a**5, (0, 0, 0), "UNSTABLE"),
-    (lambda a, b, c: a**3 * b, (0, 0, 0), "UNSTABLE"),
-    (lambda a, b, c: -(a**4) - b**4, (0, 0, 1), "UNDECIDED"),
     (lambda a, b, c: a**3 + b**2, (0, 0, 1), "UNDECIDED"),
     (lambda a, b, c: a**4 + b**6, (0, 0, 0), "UNDECIDED"),
-    (lambda a, b, c: a**2, (0, 0, 0), "UNDECIDED")])
+    *slow(
+        (lambda a, b, c: a**2 + b**4, (0, 0, 0), "STABLE"),
+        (lambda a, b, c: a**4 + b**4, (0, 0, 1), "STABLE"),
+        (lambda a, b, c: a**4 + b**4, (1, -2, 1), "STABLE"),
+        (lambda a, b, c: a**6 + a**2 * b**4 + b**6, (0, 0, 0), "STABLE"),
+        (lambda a, b, c: a**14 + b**14, (0, 0, 0), "STABLE"),
+        (lambda a, b, c: cosh(a) - a**2 / 2 + b**2, (0, 0, 0), "STABLE"),
+        (lambda a, b, c: pi * a**4 + b**4, (0, 0, 0), "STABLE"),
+        (lambda a, b, c: (a**4 + b**4) / (2 + c), (0, 0, 0), "STABLE"),
+        (lambda a, b, c: -(a**4) - b**4, (0, 0, 0), "UNSTABLE"),
+        (lambda a, b, c: a**2 - b**4, (0, 0, 0), "UNSTABLE"),
+        (lambda a, b, c: a**3 + b**2, (0, 0, 0), "UNSTABLE"),
+        (lambda a, b, c: a**3 * b, (0, 0, 0), "UNSTABLE"),
+        (lambda a, b, c: -(a**4) - b**4, (0, 0, 1), "UNDECIDED"),
+        (lambda a, b, c: a**2, (0, 0, 0), "UNDECIDED"))])
 def test_rest_in_a_degenerate_field_is_decided_by_the_leading_form(U, rotor, expected):
     """Lagrange-Dirichlet where it is positive; Chetaev where it is not and l = 0.
 
@@ -142,6 +144,7 @@ def test_a_field_with_a_minimum_by_construction_is_stable_and_its_opposite_at_re
 
 
 @given(moments, moments, moments, numbers, numbers, numbers)
+@settings(max_examples=12)
 def test_a_pitchfork_of_a_turning_body_is_stable_where_the_amended_potential_has_a_minimum(
     I1, I2, I3, l, w, b
 ):

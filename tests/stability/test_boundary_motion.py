@@ -22,7 +22,7 @@ from scipy.integrate import solve_ivp
 import gyrostat as gs
 from gyrostat.stability.report import Verdict
 
-CASES, DEGREE, REACH = 30, 6, fmpq(1, 4)
+CASES, DEGREE, REACH = 15, 6, fmpq(1, 4)
 NAMED = tuple(fmpq(1, 10**d) for d in (2, 3, 4))
 SMALL = tuple(fmpq(1, 10**d) for d in (12, 14))
 KINDS = [(family, verdict, n) for family in ("upright", "hanging") for verdict in ("STABLE", "UNSTABLE")
@@ -227,18 +227,23 @@ def test_boundary_points_are_what_they_are_built_to_be(kind):
     assert len(cases(*kind)) == CASES and zero == (0 if family == "inclined" else CASES // 5)
 
 
+@cache
+def report(family):
+    """Of a family in U = a1 z + … + a6 z⁶."""
+    k3 = gs.symbol("k3")
+    potential = gs.axial_potential(sum(gs.symbol(f"a{i}") * k3**i for i in range(1, DEGREE + 1)))
+    return gs.analyze(getattr(gs, family)(gs.assemble(gs.symmetric_gyrostat(), potential)))
+
+
 @pytest.mark.parametrize("kind", KINDS, ids=names)
 def test_verdict_is_what_the_motion_does(kind):
     """STABLE exactly where the excursion from a point moved by ε = 10⁻¹² has become small, UNSTABLE where it
     has not.
     """
-    k3 = gs.symbol("k3")
-    potential = gs.axial_potential(sum(gs.symbol(f"a{i}") * k3**i for i in range(1, DEGREE + 1)))
-    report = gs.analyze(getattr(gs, kind[0])(gs.assemble(gs.symmetric_gyrostat(), potential)))
     for case, far in zip(cases(*kind), excursions(kind)):
         # ε^(1/5) = 0.004 against 1/4
         motion = Verdict.STABLE if far[len(NAMED)] < 0.05 else Verdict.UNSTABLE
-        assert report.verdict(case.values()).verdict is motion is Verdict[kind[1]]
+        assert report(kind[0]).verdict(case.values()).verdict is motion is Verdict[kind[1]]
 
 
 @pytest.mark.parametrize("level", [False, True], ids=["generic", "level"])
@@ -278,7 +283,7 @@ def test_excursion_from_an_unstable_point_is_of_order_one(kind):
 def test_integrated_motion_turns_where_g_says(kind):
     """Over a period of k3 the 6-dimensional motion from a point moved by ε = 10⁻² turns at the roots of g.
 
-    Five cases of each kind.
+    Three cases of each kind.
     """
     for case in cases(*kind)[::6]:
         far, step = excursion(case, NAMED[0])

@@ -3,6 +3,7 @@
 Each is one of the Euler-Poisson field, none is missing by Sturm's theorem, the decisions agree.
 """
 from fractions import Fraction
+from functools import cache
 
 import mpmath
 import oracle
@@ -10,6 +11,7 @@ import pytest
 from draw import moments, nonzero, numbers, tilts
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from slow import slow
 from sympy import CRootOf, Rational, S, cos, exp, pi, sqrt
 
 import gyrostat as gs
@@ -35,9 +37,10 @@ def top():
     return gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
 
 
-def in_field(expression, body=None):
+@cache
+def in_field(expression):
     """A scene in a given U."""
-    return gs.assemble(body or gs.symmetric_gyrostat(), gs.axial_potential(expression))
+    return gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(expression))
 
 
 def named(potential):
@@ -108,7 +111,7 @@ def in_their_order(branches):
 
 
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, potential=potentials)
-@settings(max_examples=10)
+@settings(max_examples=6)
 def test_all_at_a_rate(polynomial, I1, I3, l, omega, potential):
     """E1, E2, and as many E3 as U' − ω l + ω² z (I1 − I3) has roots in (−1, 1); each with the sign of V''.
 
@@ -138,7 +141,7 @@ def test_all_at_a_rate(polynomial, I1, I3, l, omega, potential):
 
 @given(I1=moments, I3=moments, l=numbers, pi3=numbers, v=numbers, pole=st.sampled_from([None, None, 1, -1]),
        potential=potentials)
-@settings(max_examples=10)
+@settings(max_examples=6)
 def test_all_on_a_level(polynomial, I1, I3, l, pi3, v, pole, potential):
     """As many as V' has zeros, E1 and E2 exactly where C1 = ±(π3 + l).
 
@@ -167,7 +170,7 @@ def test_all_on_a_level(polynomial, I1, I3, l, pi3, v, pole, potential):
 
 
 @given(I1=moments, I3=moments, l=numbers, tilt=tilts, rate=nonzero, potential=potentials)
-@settings(max_examples=10)
+@settings(max_examples=6)
 def test_rational_precessions_are_exact(polynomial, I1, I3, l, tilt, rate, potential):
     """k, ω rational and P = U'/ω + I1 k3 ω: found with its other rate U'/(I1 k3 ω).
 
@@ -193,7 +196,7 @@ def test_rational_precessions_are_exact(polynomial, I1, I3, l, tilt, rate, poten
 
 
 @given(I1=moments, I3=moments, tilt=tilts, omega=nonzero, l=numbers, potential=potentials)
-@settings(max_examples=10)
+@settings(max_examples=6)
 def test_rational_tilts_are_exact(polynomial, I1, I3, tilt, omega, l, potential):
     """U' = ω l − ω² k3 (I1 − I3) by the choice of a1: E3 is found, at the rate and at the tilt.
 
@@ -218,7 +221,7 @@ def test_rational_tilts_are_exact(polynomial, I1, I3, tilt, omega, l, potential)
 
 
 @given(I1=moments, I3=moments, l=numbers, omega=nonzero, potential=st.lists(numbers, min_size=3, max_size=3))
-@settings(max_examples=5)
+@settings(max_examples=3)
 def test_decisions_are_those_of_the_reports(e1, e2, e3, at_rest, polynomial, I1, I3, l, omega, potential):
     """Report.verdict of the unspecified U, with U', U'' of the field at k3 inserted.
 
@@ -266,7 +269,7 @@ def test_rates_of_goldstein(top):
 
 
 @given(I1=moments, I3=moments, l=numbers, m0=nonzero, tilt=tilts, P=numbers)
-@settings(max_examples=10)
+@settings(max_examples=6)
 def test_steady_precessions_of_the_lagrange_top(top, I1, I3, l, m0, tilt, P):
     """Two rates iff P² > 4 I1 m0 cos θ, one where equal or at cos θ = 0 ≠ P.
 
@@ -349,7 +352,7 @@ def test_a_level_on_which_every_tilt_rests(l, pi3):
     assert signs(found) == [-1, -1, -1]
 
 
-@pytest.mark.parametrize(("P", "v"), [(3, Rational(-1, 2)), (1, 0), (1, 1), (2, -2)])
+@pytest.mark.parametrize(("P", "v"), [(1, 0), (1, 1), *slow((3, Rational(-1, 2)), (2, -2))])
 def test_a_field_made_for_a_level(P, v):
     """U = −(v − P k3)²/(2 I1 (1 − k3²)): V is constant, g = 0.
 
@@ -426,6 +429,12 @@ def outcome(branches):
 NEWTONIAN = {"m0": "1/2", "m1": 3}
 
 
+@cache
+def newtonian(moments, rotor):
+    """A scene of a body of revolution in the Newtonian field of second order."""
+    return gs.assemble(gs.Gyrostat(moments, (0, 0, rotor)), gs.newtonian_field(2))
+
+
 @pytest.mark.parametrize("motion", [{"omega": 1}, {"pi3_0": 1, "C1": "3/4"}, {"k3": "1/3", "pi3_0": 5}])
 def test_bodies_by_any_name(motion):
     """I = (2, 2, 3), l = 1 as symbols A, C, h, as numbers, as 2 I1, and with names in each other's places.
@@ -433,14 +442,14 @@ def test_bodies_by_any_name(motion):
     The same branches.
     """
     A, C, h, I1, I2, I3, l = map(gs.symbol, ("A", "C", "h", "I1", "I2", "I3", "l"))
-    plain = outcome(relative_equilibria(gs.assemble(gs.symmetric_gyrostat(), gs.newtonian_field(2)),
+    plain = outcome(relative_equilibria(newtonian((I1, I1, I3), l),
                                         {"I1": 2, "I3": 3, "l": 1, **NEWTONIAN, **motion}))
     for body, values in (((A, A, C, h), {"A": 2, "C": 3, "h": 1}), ((2, 2, 3, 1), {}),
                          ((2 * I1, 2 * I1, I3, l), {"I1": 1, "I3": 3, "l": 1}),
                          ((I3, I3, I1, l), {"I3": 2, "I1": 3, "l": 1}),
                          ((A, A, I2, I3), {"A": 2, "I2": 3, "I3": 1}),
                          ((A, A, 3, 1), {"A": 2}), ((I2, I2, I3, 2 * l), {"I2": 2, "I3": 3, "l": "1/2"})):
-        scene = gs.assemble(gs.Gyrostat(body[:3], (0, 0, body[3])), gs.newtonian_field(2))
+        scene = newtonian(body[:3], body[3])
         assert outcome(relative_equilibria(scene, {**values, **NEWTONIAN, **motion})) == plain
 
 

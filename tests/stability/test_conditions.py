@@ -6,6 +6,7 @@ import pytest
 from draw import moments, numbers
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from slow import slow
 from sympy import ImmutableMatrix, Poly, Rational, cancel, cos, diag, exp, expand, symbols
 
 import gyrostat as gs
@@ -86,7 +87,6 @@ def test_the_general_test_stays_available(e1):
 
 @given(I1_=moments, I3_=moments, l_=numbers, spin=numbers, u=numbers, degenerate=st.booleans(),
        boundary=st.booleans())
-@settings(max_examples=150)
 def test_reduction_keeps_the_truth(e1, I1_, I3_, l_, spin, u, degenerate, boundary):
     """The three conditions and the one they are reduced to hold at the same points, those with 2a + b = 0
     included.
@@ -165,7 +165,7 @@ def test_asymmetric_conditions(asymmetric):
 
 
 @given(inertia=st.tuples(*[moments] * 3), l_=numbers, w=numbers, a=numbers, b=numbers)
-@settings(max_examples=60)
+@settings(max_examples=12)
 def test_asymmetric_spectrum_is_euler_poisson(asymmetric, inertia, l_, w, a, b):
     """The three spectral conditions of a general body are violated exactly where the 6×6 field has a growing
     mode.
@@ -186,11 +186,9 @@ def _asymmetric_report(scene):
     return _CACHE.setdefault("report", gs.analyze(gs.upright(scene, spin="omega3_0")))
 
 
-POTENTIALS = [m0 * k3, m0 * k3 + m1 * (I3 - I1) * k3**2 / 2, k3**4 - 2 * m1 * k3**3 + k3, exp(m1 * k3) * m0,
-              cos(k3) + m0 * k3**2]
-
-
-@pytest.mark.parametrize("U", POTENTIALS)
+@pytest.mark.parametrize("U", [
+    m0 * k3 + m1 * (I3 - I1) * k3**2 / 2, exp(m1 * k3) * m0,
+    *slow((m0 * k3,), (k3**4 - 2 * m1 * k3**3 + k3,), (cos(k3) + m0 * k3**2,))])
 def test_inserting_first_gives_the_same_margins(U):
     """Analyse then insert U, or insert U (as a general potential, at a claimed point) then analyse.
 

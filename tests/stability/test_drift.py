@@ -69,7 +69,7 @@ def test_the_defect_is_the_one_of_the_theory(drift, at_rest):
 
 
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers, semisimple=st.booleans())
-@settings(max_examples=40)
+@settings(max_examples=15)
 def test_jordan_blocks_by_exact_ranks(e3, drift, I1, I3, l, omega, tilt, u2, semisimple):
     """On the 4-dimensional tangent space rank J = 3 > rank J² = 2 where D ≠ 0 ≠ p, 2 = 2 where D = 0 ≠ p.
 
@@ -108,7 +108,7 @@ def test_a_semisimple_example():
 
 
 @given(I1=moments, I3=moments, l=numbers, W=nonzero, tilt=tilts, near=tilts, u2=numbers)
-@settings(max_examples=30)
+@settings(max_examples=15)
 def test_rates_are_those_of_the_precessions_beside_it(drift, I1, I3, l, W, tilt, near, u2):
     """σ of the precessions at other k3, W, that the Euler-Poisson field has there.
 
@@ -132,7 +132,7 @@ def test_rates_are_those_of_the_precessions_beside_it(drift, I1, I3, l, W, tilt,
 
 
 @given(I3=moments, I1=moments, l=numbers, spin=nonzero, tilt=tilts, u2=nonzero)
-@settings(max_examples=30)
+@settings(max_examples=15)
 def test_at_rest_any_rate_goes_with_the_tilt(at_rest, I1, I3, l, spin, tilt, u2):
     """ω = 0, U' = 0: π = (0, 0, I3 σ) at the same k turns at −σ, however small σ is."""
     assert turning(I1, I3, l, tilt, Fraction(0), spin, Fraction(0))
@@ -189,7 +189,7 @@ def test_a_flat_point_is_no_exception():
 
 
 @given(I1=moments, I3=moments, W=nonzero, tilt=tilts, h=nonzero)
-@settings(max_examples=30)
+@settings(max_examples=15)
 def test_rates_of_second_order(e3, drift, I1, I3, W, tilt, h):
     """Where both slopes vanish, l = 2 ω k3 (I1 − I3) and U'' = −ω² (I1 − I3).
 

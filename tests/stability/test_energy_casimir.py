@@ -96,7 +96,7 @@ def reduced_form(inertia, rotor, k, w, g, H):
 
 @given(inertia=st.tuples(*[moments] * 3), rotor=THREE, a=numbers, b=numbers, w=nonzero,
        s=st.tuples(*[numbers] * 6), mu=numbers)
-@settings(max_examples=40)
+@settings(max_examples=10)
 def test_definiteness_of_a_general_body(inertia, rotor, a, b, w, s, mu):
     """Energy-Casimir at ω = w k of any gyrostat in any quadratic U(k).
 

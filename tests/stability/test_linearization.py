@@ -38,7 +38,7 @@ def assert_restriction(jacobian, linear, values=()):
 
 @pytest.mark.parametrize("s", [1, -1])
 @given(I1=moments, I3=moments, l=numbers, pi3=numbers, u1=numbers, u2=numbers)
-@settings(max_examples=60)
+@settings(max_examples=12)
 def test_vertical_polynomial_is_euler_poisson(e1, e2, s, I1, I3, l, pi3, u1, u2):
     """At E1, E2 the 6×6 field has characteristic polynomial λ² (λ⁴ + p λ² + q)."""
     x, f = oracle.vertical(I1, I3, l, pi3, s, u1, u2)
@@ -50,7 +50,7 @@ def test_vertical_polynomial_is_euler_poisson(e1, e2, s, I1, I3, l, pi3, u1, u2)
 
 
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers)
-@settings(max_examples=60)
+@settings(max_examples=15)
 def test_inclined_polynomial_is_euler_poisson(e3, I1, I3, l, omega, tilt, u2):
     """At E3 the 6×6 field has characteristic polynomial λ⁴ (λ² + p), at rest included."""
     x, f = oracle.inclined(I1, I3, l, omega, (tilt[0], Fraction(0), tilt[1]), u2)
@@ -64,7 +64,7 @@ def test_inclined_polynomial_is_euler_poisson(e3, I1, I3, l, omega, tilt, u2):
 
 
 @given(I1=moments, I3=moments, l=numbers, tilt=tilts, u2=numbers)
-@settings(max_examples=30)
+@settings(max_examples=10)
 def test_static_polynomial_is_euler_poisson(at_rest, I1, I3, l, tilt, u2):
     """The body at rest at a tilt is E3 with ω = 0."""
     x, f = oracle.inclined(I1, I3, l, Fraction(0), (tilt[0], Fraction(0), tilt[1]), u2)
@@ -81,7 +81,7 @@ def unit(a, b):
 
 @given(inertia=st.tuples(*[moments] * 3), rotor=THREE, a=numbers, b=numbers, w=numbers, mu=numbers,
        s=st.tuples(*[numbers] * 6))
-@settings(max_examples=25)
+@settings(max_examples=8)
 def test_general_body_at_a_claimed_point(inertia, rotor, a, b, w, mu, s):
     """Three moments, three components of l, a quadratic U(k) with ∇U = w² I k + w l + μ k.
 
@@ -102,7 +102,7 @@ def test_general_body_at_a_claimed_point(inertia, rotor, a, b, w, mu, s):
 
 
 @given(inertia=st.tuples(*[moments] * 3), l=numbers, w=nonzero, axis=st.sampled_from([1, 2, 3]))
-@settings(max_examples=40)
+@settings(max_examples=15)
 def test_free_rotation_polynomial(inertia, l, w, axis):
     """On so(3)* the 3×3 field has characteristic polynomial λ (λ² + q)."""
     rotor = [l if i == axis else 0 for i in (1, 2, 3)]

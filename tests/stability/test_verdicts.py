@@ -155,15 +155,15 @@ def count_wrong(reports, seed, cases):
             return wrong, seen
 
 
-def test_no_wrong_verdict_in_3_000_points(reports):
+def test_no_wrong_verdict_in_1_500_points(reports):
     """0 wrong on E1, E2, E3; a third on a boundary, a tenth of those with more coefficients 0.
 
     Both answers everywhere.
     """
-    wrong, seen = count_wrong(reports, 20261121, 3_000)
+    wrong, seen = count_wrong(reports, 20261121, 1_500)
     assert not wrong
     boundary = sum(n for (_, on, _, _), n in seen.items() if on)
-    assert 900 < boundary < 1110 and 75 < sum(n for (_, _, more, _), n in seen.items() if more)
+    assert 450 < boundary < 555 and 37 < sum(n for (_, _, more, _), n in seen.items() if more)
     assert all(seen[pole, on, more, leaves] for pole in (1, -1, 0)
                for on, more in ((False, False), (True, False), (True, True))
                # g''' ≠ 0 leaves at a tilt
@@ -179,7 +179,7 @@ def test_no_wrong_verdict_in_1_000_000_points(reports):
 
 @given(I1=moments, I3=moments, l=numbers, omega=nonzero, tilt=tilts,
        B=st.lists(numbers, min_size=6, max_size=6))
-@settings(max_examples=40)
+@settings(max_examples=15)
 def test_whole_numbers_are_the_vectors(I1, I3, l, omega, tilt, B):
     """The whole-number g is g of the vectors π = I ω k, k = (k1, 0, k3), in Fractions, times (d r q⁴)²."""
     k1, z = tilt
