@@ -3,7 +3,7 @@ from fractions import Fraction
 
 import pytest
 from draw import moments, numbers
-from hypothesis import given
+from hypothesis import given, settings
 from oracle import reduced as reduced_motion
 from sympy import Derivative, Function, Rational, cos, simplify, sin, symbols, trigsimp
 
@@ -52,6 +52,7 @@ def test_effective_potential_is_the_energy():
 
 
 @given(I1=moments, I3=moments, l=numbers, p_psi=numbers, v=numbers, e=numbers, m0=numbers)
+@settings(max_examples=10)
 def test_effective_potential_is_the_reduced_motion(I1, I3, l, p_psi, v, e, m0):
     """2 I1 sin²θ (E − V) is the g(k3) of the reduced motion, here at k3 = 3/5, U = m0 k3."""
     z = Fraction(3, 5)

@@ -1,6 +1,6 @@
 """The bracket: against its definition, Jacobi, Leibniz, Casimirs; and that wrong tensors do not exist."""
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import ImmutableMatrix, Matrix, cos, exp, expand, simplify, sin
 
@@ -45,6 +45,7 @@ def test_bracket_of_smooth_functions():
 
 @pytest.mark.parametrize("space", [E3, SO3])
 @given(data=st.data())
+@settings(max_examples=10)
 def test_jacobi_and_leibniz(space, data):
     """{F, {G, H}} + cyclic = 0 and {F, G H} = G {F, H} + {F, G} H, for random polynomials."""
     f, g, h = (data.draw(polynomials(space)) for _ in range(3))

@@ -4,7 +4,7 @@ from fractions import Fraction
 import oracle
 import pytest
 from draw import moments, numbers
-from hypothesis import given
+from hypothesis import given, settings
 from sympy import Rational, acos, sqrt
 
 from gyrostat.errors import BodyError, ScopeError
@@ -12,6 +12,7 @@ from gyrostat.mechanics.precession import free_precession
 
 
 @given(I1=moments, I3=moments, across=moments, along=numbers)
+@settings(max_examples=10)
 def test_precession_composes_the_angular_velocity(I1, I3, across, along):
     """ω = φ̇ M/abs(M) + ψ̇ e3, and in the body ω̇ = −Ω e3 × ω is Euler's equation."""
     motion = free_precession((I1, I3), across, along)

@@ -58,7 +58,7 @@ def families(scene):
 
 @given(I1=moments, I3=moments, l=numbers, pi=st.tuples(numbers, numbers, numbers), k=directions,
        potential=potentials)
-@settings(max_examples=30)
+@settings(max_examples=12)
 def test_g_is_the_square_of_the_rate(polynomial, I1, I3, l, pi, k, potential):
     """I1² k̇3² = g(k3) along the Euler-Poisson field, at any point with abs(k) = 1, on the levels of that
     point.
@@ -88,7 +88,7 @@ def test_moments_and_rotor_may_be_numbers():
 
 
 @given(I1=moments, I3=moments, l=numbers, pi3=numbers, u1=numbers)
-@settings(max_examples=30)
+@settings(max_examples=12)
 def test_the_second_coefficient_at_a_pole_is_the_discriminant(families, I1, I3, l, pi3, u1):
     """p² − 4q = −4 (π3/I3 − P/(2 I1))² c0/I1², p and q of the 6×6 Euler-Poisson field.
 
@@ -103,7 +103,7 @@ def test_the_second_coefficient_at_a_pole_is_the_discriminant(families, I1, I3, 
 
 
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers)
-@settings(max_examples=30)
+@settings(max_examples=12)
 def test_the_second_coefficient_at_a_tilt_is_the_spectrum(families, I1, I3, l, omega, tilt, u2):
     """det(λ − J) = λ⁶ + (p/I1²) λ⁴ and g'' = −2 p."""
     x, f = oracle.inclined(I1, I3, l, omega, (tilt[0], 0, tilt[1]), u2)
@@ -131,7 +131,7 @@ def test_g_begins_with_the_square(families):
 
 
 @given(I1=moments, I3=moments, l=numbers, spin=numbers, tilt=tilts, potential=potentials)
-@settings(max_examples=30)
+@settings(max_examples=8)
 def test_expansion_is_that_of_the_polynomial(families, I1, I3, l, spin, tilt, potential):
     """At vectors π, k of each family, g as a polynomial in Fractions, expanded about k3.
 
@@ -197,7 +197,7 @@ def test_critical_points_are_the_precessions(polynomial):
 
 
 @given(I1=moments, I3=moments, l=numbers, rate=numbers.filter(bool), tilt=tilts, u1=numbers, more=numbers)
-@settings(max_examples=30)
+@settings(max_examples=12)
 def test_precessions_turn_about_both_axes(scene, I1, I3, l, rate, tilt, u1, more):
     """ω = W k + σ e3: the Euler-Poisson field is −σ times the rotation about axis 3 exactly where
     precession() = 0.

