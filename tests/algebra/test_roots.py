@@ -10,6 +10,7 @@ import pytest
 from draw import numbers
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from slow import slow
 from sympy import (
     CRootOf,
     I,
@@ -79,7 +80,7 @@ def agree(ours, theirs):
 @given(st.lists(st.tuples(numbers, st.integers(1, 3)), max_size=3),
        st.lists(st.tuples(numbers, numbers, st.integers(1, 2)), max_size=2),
        numbers.filter(bool))
-@settings(max_examples=40)
+@settings(max_examples=12)
 def test_products_of_known_factors(linear, quadratic, scale):
     """Π (x − a)ᵐ Π ((x − b)² − d)ⁿ: each a, each b ± √d with d ≥ 0, once, in increasing order.
 
@@ -98,7 +99,7 @@ def test_products_of_known_factors(linear, quadratic, scale):
 
 
 @given(polynomials, st.tuples(numbers, numbers).filter(lambda ends: ends[0] < ends[1]))
-@settings(max_examples=30)
+@settings(max_examples=12)
 def test_as_many_roots_as_sturm_counts(coefficients, ends):
     """Random polynomials of degree up to 7.
 
@@ -142,11 +143,11 @@ def test_irreducible_factors_keep_their_own_polynomial():
 
 
 THIRD, FIFTH = cbrt(2), CRootOf(x**5 - x - 1, 0)
-ALGEBRAIC = [sqrt(2), THIRD, FIFTH, 1 + sqrt(2) / 3, THIRD**2 - 1, sqrt(2 + sqrt(3)),
-             sqrt(1 + 1 / (2 + sqrt(2))), -FIFTH / 2]
 
 
-@pytest.mark.parametrize("number", ALGEBRAIC)
+@pytest.mark.parametrize("number", [
+    FIFTH, 1 + sqrt(2) / 3, sqrt(2 + sqrt(3)),
+    *slow((sqrt(2),), (THIRD,), (THIRD**2 - 1,), (sqrt(1 + 1 / (2 + sqrt(2))),), (-FIFTH / 2,))])
 def test_algebraic_coefficients(number):
     """(x − a)(x + 2 a − 1)(x² − a), (a x − 1)(x − 1/2), x³ − a x + 1.
 
@@ -218,8 +219,8 @@ def test_zeros_of_the_denominator_are_no_roots():
 
 
 @pytest.mark.parametrize(("rotor", "moment"), [
-    (Rational(1, 6), root(2, 12)), pytest.param(root(3, 7) / 2, root(2, 12), marks=pytest.mark.slow),
-    pytest.param(sqrt(1 + sqrt(2 + sqrt(3))) / 9, cbrt(5), marks=pytest.mark.slow)])
+    (Rational(1, 6), root(2, 12)),
+    *slow((root(3, 7) / 2, root(2, 12)), (sqrt(1 + sqrt(2 + sqrt(3))) / 9, cbrt(5)))])
 def test_coefficients_of_high_degree(rotor, moment):
     """The tilts of E3 where they have degree 36, 252 and 72, against mpmath."""
     f = 4 * x**3 - x - rotor + x * (2 - moment) / 4
@@ -251,7 +252,7 @@ def test_order():
 
 @given(st.lists(st.integers(-9, 9), min_size=4, max_size=8).filter(lambda c: c[-1] and c[0]),
        st.lists(numbers, min_size=3, max_size=3))
-@settings(max_examples=30)
+@settings(max_examples=12)
 def test_signs_of_roots_without_a_formula(coefficients, points):
     """CRootOf(f, n) − q is positive where at most n roots of f are below q; zero is found.
 
