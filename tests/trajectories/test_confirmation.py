@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from slow import slow
 from sympy import ImmutableMatrix, Rational
 
 import gyrostat as gs
@@ -80,9 +81,9 @@ def test_a_sleeping_top_at_the_critical_spin(top):
 
 
 @pytest.mark.parametrize("a, b, c, I1, pi3_0, verdict, slope", [
-    (0, -2, 3, 1, 2, "UNSTABLE", 0), (-1, 0, 16, 3, 12, "STABLE", 1 / 4), (1, -13, 10, 1, 2, "UNSTABLE", 0),
-    ("1/16", "-7/4", "5/2", 1, 2, "STABLE", 1 / 6), (0, 1, -1, 1, 0, "STABLE", 1 / 2),
-    (-1, 12, -8, 1, 0, "STABLE", 1 / 3)])
+    (0, -2, 3, 1, 2, "UNSTABLE", 0), (-1, 0, 16, 3, 12, "STABLE", 1 / 4), (0, 1, -1, 1, 0, "STABLE", 1 / 2),
+    *slow((1, -13, 10, 1, 2, "UNSTABLE", 0), ("1/16", "-7/4", "5/2", 1, 2, "STABLE", 1 / 6),
+          (-1, 12, -8, 1, 0, "STABLE", 1 / 3))])
 def test_boundary_at_a_pole(quartic, a, b, c, I1, pi3_0, verdict, slope):
     """P² = 4 I1 U′(1) and c_n the first coefficient of g: ε to the power 1/(2n), 1/(n + 1) where P = 0.
 
@@ -100,8 +101,7 @@ def test_boundary_at_a_pole(quartic, a, b, c, I1, pi3_0, verdict, slope):
 
 @pytest.mark.parametrize("a, b, c, verdict, slope", [
     (0, 1, 0, "STABLE", 1), (0, -2, 0, "UNSTABLE", 0), (0, -1, 0, "STABLE", 1 / 3),
-    (-1, -1, 0, "UNSTABLE", 0), (0, -2, 1, "UNSTABLE", 0),
-    (0, -2, -1, "UNSTABLE", 0)])
+    *slow((-1, -1, 0, "UNSTABLE", 0), (0, -2, 1, "UNSTABLE", 0), (0, -2, -1, "UNSTABLE", 0))])
 def test_inclined_modulo_the_spin(quartic, a, b, c, verdict, slope):
     """E3 with its axis horizontal, l = c.
 
@@ -137,7 +137,7 @@ def test_free_body(axis, verdict):
     assert found.routes == ("free body",) and (axis != 2 or min(found.excursions) > 3.9)
 
 
-@pytest.mark.parametrize("method", [pytest.param("DOP853", marks=pytest.mark.slow), "heyoka"])
+@pytest.mark.parametrize("method", ["heyoka", *slow(("DOP853",))])
 def test_asymmetric_body_in_a_field(asymmetric_report, monkeypatch, method):
     """Integrated motions, over some turns and not a whole orbit: definite, and with a growing mode."""
     pytest.importorskip(method if method == "heyoka" else "scipy")

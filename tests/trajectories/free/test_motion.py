@@ -13,6 +13,7 @@ from flint import arb, ctx
 from free_reference import motion as integrated
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from slow import slow
 from sympy import Rational, atan, cos, pi, sin, sqrt
 
 import gyrostat as gs
@@ -24,7 +25,6 @@ REST = (0, 0, 0)
 # (1, 2, 3) rests at the same |M| and energy
 SADDLE = (Fraction(1, 5), 1, Fraction(1, 6)), (Fraction(1, 5), -6, 1), (-3, -2, -1)
 rotors = st.tuples(numbers, numbers, numbers)
-some = settings(max_examples=6)
 
 
 def free(inertia, M, rotor=REST):
@@ -41,7 +41,7 @@ def middles(x):
     return [float(v.mid()) for v in x]
 
 
-@pytest.mark.parametrize("d", ["1/100", "1/10000", 1e-6, 1e-7])
+@pytest.mark.parametrize("d", ["1/100", *slow(("1/10000",), (1e-6,), (1e-7,))])
 def test_momentum_near_the_separatrix_is_that_of_integration(d):
     """I = (1, 2, 3), M = (d/2, 2, 2 d), t = 400, ten flips: error below 10⁻¹³.
 
@@ -93,8 +93,8 @@ def test_every_order_of_the_moments_and_every_sign(inertia, M):
     assert motion.period == pytest.approx(float(polhode_period(inertia, M)), rel=1e-14)
 
 
-@some
 @given(a=moments, b=moments, c=moments, rotor=rotors, M=st.tuples(nonzero, numbers, numbers), t=numbers)
+@settings(max_examples=3)
 def test_momentum_and_attitude_are_those_of_integration(a, b, c, rotor, M, t):
     """Any body, any rotor: M, and the vector fixed in space along the first body axis of the time 0, after a
     time t.
@@ -111,9 +111,8 @@ def test_momentum_and_attitude_are_those_of_integration(a, b, c, rotor, M, t):
     ((2, 2, 1), (1, 2, 3), (0, 0, 1)), ((2, 1, 2), (1, 2, 3), (0, -1, 0)), ((1, 2, 2), (1, 2, -3), REST),
     ((2, 2, 2), (1, 2, 3), (3, 0, -1)), ((1, 2, 3), (0, -2, 0), REST),
     ((1, 2, 3), (1, 2, 3), (0, -2, -6)), ((1, 2, 3), (0, 0, 0), (1, -1, 2)), ((1, 2, 3), (0, 0, 0), REST),
-    ((1, 1, 2), (sin(1), 0, cos(1)), REST), ((1, 2, 3), (1, 0, sqrt(3)), REST),
-    (SADDLE[0], SADDLE[2], SADDLE[1]),
-    ((2, 2, 1), (1, 2, 3), (1, 0, 0)), ((3, 1, 2), (3, 0, 1), REST)])
+    ((1, 1, 2), (sin(1), 0, cos(1)), REST), ((3, 1, 2), (3, 0, 1), REST), (SADDLE[0], SADDLE[2], SADDLE[1]),
+    *slow(((1, 2, 3), (1, 0, sqrt(3)), REST), ((2, 2, 1), (1, 2, 3), (1, 0, 0)))])
 def test_attitude_is_a_rotation_about_M(inertia, M, rotor):
     """R Rᵀ = 1, R M = abs(M) e_z, Ṙ = R hat(ω), φ = 0 at the time 0, for every kind of motion and far from
     the start.
@@ -136,8 +135,9 @@ def test_attitude_is_a_rotation_about_M(inertia, M, rotor):
 
 
 @pytest.mark.parametrize(("inertia", "M", "rotor"), [
-    ((1, 2, 3), (1, 2, 2), REST), ((1, 2, 3), (Fraction(1, 10**6), 2, Fraction(1, 10**6)), REST),
-    ((1, 2, 3), (1, 2, 2), (1, 0, -1)), ((1, 1, 3), (1, 2, 2), (0, 0, 1))])
+    ((1, 2, 3), (1, 2, 2), REST), ((1, 1, 3), (1, 2, 2), (0, 0, 1)),
+    *slow(((1, 2, 3), (Fraction(1, 10**6), 2, Fraction(1, 10**6)), REST),
+          ((1, 2, 3), (1, 2, 2), (1, 0, -1)))])
 def test_nothing_grows_with_the_number_of_periods(inertia, M, rotor):
     """After 10⁹ periods energy and abs(M)² are kept to rounding, M is within 10⁻¹⁴ of its enclosure, R has
     gained the precession.
@@ -194,7 +194,7 @@ def test_precession_counts_whole_turns():
     assert free((1, 2, 3), (0, 0, 6)).precession == 2                      # a permanent rotation: its rate
 
 
-@pytest.mark.parametrize("gap", ["1e-3", "-1e-10", "1e-30"])
+@pytest.mark.parametrize("gap", ["-1e-10", *slow(("1e-3",), ("1e-30",))])
 def test_gyrostat_near_a_separatrix(gap):
     """Next to a homoclinic motion the turn closes, on both sides, and doubles agree with enclosures to 10⁻¹⁴;
     the period is finite.
