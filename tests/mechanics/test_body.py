@@ -8,6 +8,7 @@ from sympy import Rational, Symbol, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, BodyError, ValuesError
+from gyrostat.mechanics.attitude import angle_rates
 
 
 def test_numbers_and_symbols_are_accepted():
@@ -81,3 +82,12 @@ def test_what_is_no_body_says_what_to_give(inertia, error, hint):
     """A text is no sequence of numbers; products of inertia are no moments."""
     with pytest.raises(error, match=hint):
         gs.Gyrostat(inertia)
+
+
+def test_three_numbers_are_three():
+    """A rotor and an angular velocity have three components; a fourth is not dropped."""
+    for wrong in ((), (1, 2), (1, 2, 3, 4)):
+        with pytest.raises(BodyError, match="three"):
+            gs.lie_poisson(("k",), wrong)
+        with pytest.raises(BodyError, match="three"):
+            angle_rates(wrong)
