@@ -5,12 +5,7 @@ from math import factorial
 
 import pytest
 from ladder import I1, k3, name, pole
-from sympy import (
-    S,
-    cancel,
-    exp,
-    sqrt,
-)
+from sympy import S, cancel, exp, sqrt
 
 import gyrostat as gs
 from gyrostat.mechanics.reduction import expansion

@@ -4,15 +4,7 @@ from math import factorial
 import pytest
 from ladder import HALF, k3, l, name, pole
 from slow import slow
-from sympy import (
-    Rational,
-    S,
-    cos,
-    exp,
-    log,
-    sin,
-    sqrt,
-)
+from sympy import Rational, S, cos, exp, log, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.stability.report import Verdict

@@ -5,20 +5,7 @@ import oracle
 import pytest
 from ladder import HALF, k3, name
 from slow import slow
-from sympy import (
-    CRootOf,
-    Poly,
-    Rational,
-    S,
-    Symbol,
-    cancel,
-    expand,
-    integrate,
-    invert,
-    radsimp,
-    rem,
-    sqrt,
-)
+from sympy import CRootOf, Poly, Rational, S, Symbol, cancel, expand, integrate, invert, radsimp, rem, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ValuesError
