@@ -1,7 +1,5 @@
 """Reports on a pole in a field, and their verdicts by name."""
-from sympy import (
-    Rational,
-)
+from sympy import Rational
 
 import gyrostat as gs
 
