@@ -3,7 +3,6 @@
 The error that is reported covers the error that is made.
 """
 from fractions import Fraction
-from importlib.util import find_spec
 from math import cos, sin
 
 import draw
@@ -13,33 +12,17 @@ import oracle
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sympy import Rational, exp, log, sqrt
+from integrations import FIELD, INERTIA, KINDS, ROTOR, STATE, exact, scene
+from sympy import Rational, exp, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import AccuracyError, ArgumentError, ValuesError
 from gyrostat.trajectories.integrated import motion as integration
 from gyrostat.trajectories.integrated.motion import Integration
 
-KINDS = ["DOP853", pytest.param("heyoka",
-                                marks=pytest.mark.skipif(find_spec("heyoka") is None,
-                                                         reason="heyoka is not installed"))]
-INERTIA, ROTOR, STATE = (1, 2, 3), ("0.3", "-0.2", "0.5"), ("0.5", "0.3", "1.2", "0.6", "0", "0.8")
-FIELD = [("0.2", (1, 0, 0)), ("0.4", (0, 1, 0)), (1, (0, 0, 1))]
 AT_20 = (-.63263141376382492, 1.3279608395136307, -2.30416111460101, -.42019155176267731, .78822852802552266,
          -.44959409185841302)
 numbers = st.fractions(min_value=-1, max_value=1, max_denominator=7)
-
-
-def exact(values):
-    return tuple(Rational(Fraction(v)) for v in values)
-
-
-def scene(inertia, rotor, terms=None):
-    """The scene of the terms of a polynomial U, as the oracle takes them."""
-    def U(*k):
-        return sum(Rational(Fraction(c)) * k[0] ** a * k[1] ** b * k[2] ** d for c, (a, b, d) in terms)
-
-    return gs.assemble(gs.Gyrostat(exact(inertia), exact(rotor)), gs.general_potential(U) if terms else None)
 
 
 def plain(values):
@@ -208,44 +191,12 @@ def test_a_tolerance_that_is_not_met_is_an_error(chaotic):
             chaotic.state(2000.0)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("U", [lambda a, b, c: 2 * log(c), lambda a, b, c: -1 / c**2,
-                               lambda a, b, c: sqrt(c)], ids=["log", "pole", "root"])
-def test_a_singular_field_is_an_error(kind, U, monkeypatch):
-    """A motion that runs into k3 = 0, where U is not smooth, is not made up."""
-    moving = Integration(gs.assemble(gs.Gyrostat((1, 2, Rational(3, 2)), (0, 0, 0)), gs.general_potential(U)),
-                         exact((Fraction(1, 2), 0, Fraction(1, 3), Fraction(3, 5), 0, Fraction(4, 5))),
-                         method=kind)
-    with pytest.raises(AccuracyError, match="singular"):
-        moving.state(5.0)
-    assert moving.state(0.1)[5] > 0.5
-
-
-def test_a_state_outside_the_domain_is_an_error(monkeypatch):
-    """A step over k3 = 0, beyond which log k3 is not real and its slope is: no energy, no state."""
-    built = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(lambda a, b, c: log(c)))
-    moving = Integration(built, exact((0, 0, 0, Fraction(3, 5), 0, Fraction(4, 5))), method="DOP853")
-    monkeypatch.setattr(moving, "_followed", lambda run, times: np.tile(-run.start, (len(times), 1)))
-    with pytest.raises(AccuracyError, match=r"beyond t = 1\.0: U or its gradient is singular"):
-        moving.state([1.0])
-
-
 def test_what_breaks_an_integral_counts_as_an_error(chaotic, monkeypatch):
     """Both runs wrong alike: energy and Casimirs show it."""
     moving = Integration(chaotic.scene, exact(STATE), method=chaotic.name)
     monkeypatch.setattr(moving, "_followed", lambda run, times: np.tile(run.start * 1.0001, (len(times), 1)))
     moving.state([1.0])
     assert 1e-4 < moving.error < 1e-4 * np.linalg.norm(plain(exact(STATE)))
-
-
-def test_no_direction_no_attitude():
-    """With k = 0, or M = 0 on so(3)*, there is no vertical, but there is a motion."""
-    still = Integration(scene(INERTIA, (1, 0, 0)), exact((-1, 0, 0)), method="DOP853")
-    with pytest.raises(ValuesError, match="M, which is 0"):
-        still.attitude(1.0)
-    np.testing.assert_allclose(still.state(1.0), [-1, 0, 0])
-    with pytest.raises(ValuesError, match="k, which is 0"):
-        Integration(scene(INERTIA, ROTOR, FIELD), exact((1, 0, 0, 0, 0, 0)), method="DOP853").attitude(1.0)
 
 
 def test_methods_and_times_are_checked(chaotic, monkeypatch):
