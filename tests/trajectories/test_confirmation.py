@@ -8,6 +8,7 @@ from fractions import Fraction
 import draw
 import numpy as np
 import pytest
+from confirming import LARGE, one_direction
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from slow import slow
@@ -16,25 +17,15 @@ from sympy import ImmutableMatrix, Rational
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.stability.report import Verdict
-from gyrostat.stability.values import exact_values
-from gyrostat.trajectories import confirmation, models
-from gyrostat.trajectories.confirmation import _rates, confirm, moved
+from gyrostat.trajectories import models
+from gyrostat.trajectories.confirmation import confirm, moved
 from gyrostat.trajectories.excursions import Distance
 from gyrostat.trajectories.integrated import motion as integration
 
 TOP = {"I1": 1, "I3": 1, "l": 0, "m0": 1}
 COARSE = [Fraction(1, 10**d) for d in (3, 5, 7)]       # three sizes are enough for a slope
-LARGE = [Fraction(1, 10**d) for d in (2, 3, 4)]        # where nothing becomes small
 vectors = st.tuples(*[draw.numbers] * 3).map(lambda v: ImmutableMatrix([Rational(x) for x in v]))
-
-
-@pytest.fixture(autouse=True)
-def one_direction(monkeypatch):
-    """One of the directions and its negative, which is enough for every verdict here.
-
-    The example of confirm has them all.
-    """
-    monkeypatch.setattr(confirmation, "TURNS", confirmation.TURNS[:1])
+few = pytest.fixture(autouse=True)(one_direction)
 
 
 @pytest.fixture(scope="module")
@@ -150,19 +141,6 @@ def test_asymmetric_body_in_a_field(asymmetric_report, monkeypatch, method):
         assert found.routes == (method,)
 
 
-def test_undecided_stays_undecided():
-    """An asymmetric top spinning fast about its longest axis is spectrally stable, its energy no extremum.
-
-    No slope settles that.
-    """
-    pytest.importorskip("heyoka")
-    scene = gs.assemble(gs.Gyrostat((2, 3, 1), (0, 0, 0)), gs.general_potential(lambda x, y, z: z))
-    found = confirm(gs.analyze(gs.equilibrium(scene, (0, 0, 10, 0, 0, 1))), {}, LARGE)
-    assert found.decision.verdict is Verdict.UNDECIDED
-    assert found.expected is found.agrees is None
-    assert abs(found.slope - 1) < 0.05
-
-
 def test_sizes_that_do_not_tell(top):
     """Closer to the boundary than the sizes go, an unstable top moves like a stable one on it.
 
@@ -170,33 +148,6 @@ def test_sizes_that_do_not_tell(top):
     """
     near = confirm(top["upright"], TOP | {"pi3_0": 2 - Fraction(1, 10**9)}, COARSE)
     assert near.decision.verdict is Verdict.UNSTABLE and near.agrees is None and abs(near.slope - 0.5) < 0.05
-
-
-@pytest.fixture(scope="module")
-def steep():
-    """A regular precession on its boundary in a steep U, unstable to second order, and its numbers."""
-    k3 = gs.symbol("k3")
-    U = (k3**2 + k3**3 / 2 - Rational(4963252761, 1600000) * (k3 + Rational(4, 5)) ** 2 - 19 * k3**4 / 8
-         + 19 * k3 / 8)
-    report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U))))
-    return report, {"I1": "5/4", "I3": "15/8", "omega": "1/8", "k3": "-4/5"}
-
-
-def test_a_nilpotent_linearisation_has_no_rates(steep):
-    """All eigenvalues are 0, where those of the matrix in doubles are 10⁻⁶, and e-folding would take 10⁶."""
-    report, values = steep
-    numbers = exact_values(report.equilibrium, values, report.required, report.parameters)
-    assert _rates(report, numbers) == (0, 0)
-
-
-@pytest.mark.slow
-def test_a_steep_boundary_is_confirmed(steep):
-    """The smallest perturbation, whose quadrature is too hard, is integrated for a time that fits it."""
-    pytest.importorskip("heyoka")
-    report, values = steep
-    found = confirm(report, values)
-    assert found.decision.verdict is Verdict.UNSTABLE and found.agrees
-    assert len(found.sizes) > 5 and abs(found.slope) < 1e-6
 
 
 @pytest.mark.parametrize("method", ["DOP853", "heyoka"])
