@@ -10,6 +10,16 @@ settings.register_profile("exact", deadline=None, derandomize=True, max_examples
 settings.load_profile("exact")
 
 
+def pytest_addoption(parser):
+    parser.addoption("--full", action="store_true", help="long campaigns at full size")
+
+
+@pytest.fixture(scope="session")
+def full(request):
+    """Whether a slow test of many minutes is run in full."""
+    return request.config.getoption("--full")
+
+
 @pytest.fixture(scope="session")
 def scene():
     """Gyrostat of revolution in an unspecified U(k3)."""
