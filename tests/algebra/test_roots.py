@@ -53,7 +53,7 @@ def test_products_of_known_factors(linear, quadratic, scale):
 
 
 @given(polynomials, st.tuples(numbers, numbers).filter(lambda ends: ends[0] < ends[1]))
-@settings(max_examples=12)
+@settings(max_examples=8)
 def test_as_many_roots_as_sturm_counts(coefficients, ends):
     """Random polynomials of degree up to 7.
 
@@ -126,7 +126,7 @@ def test_order():
 
 @given(st.lists(st.integers(-9, 9), min_size=4, max_size=8).filter(lambda c: c[-1] and c[0]),
        st.lists(numbers, min_size=3, max_size=3))
-@settings(max_examples=12)
+@settings(max_examples=8)
 def test_signs_of_roots_without_a_formula(coefficients, points):
     """CRootOf(f, n) − q is positive where at most n roots of f are below q; zero is found.
 

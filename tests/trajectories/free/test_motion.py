@@ -46,9 +46,9 @@ def test_published_flips():
     assert np.abs(quarters[:, 1] - [2, 0, -2, 0, 2]).max() < 1e-12
 
 
-@pytest.mark.parametrize("M", [(Fraction(3, 10), Fraction(-1, 5), Fraction(9, 10)),
-                               (Fraction(-9, 10), Fraction(1, 5), Fraction(3, 10)),
-                               (Fraction(-1, 2), 0, Fraction(-1, 3)), (0, 1, Fraction(-1, 2)), (1, -1, 0)])
+@pytest.mark.parametrize("M", [
+    (Fraction(3, 10), Fraction(-1, 5), Fraction(9, 10)), (Fraction(-1, 2), 0, Fraction(-1, 3)),
+    *slow(((Fraction(-9, 10), Fraction(1, 5), Fraction(3, 10)),), ((0, 1, Fraction(-1, 2)),), ((1, -1, 0),))])
 @pytest.mark.parametrize("inertia", list(permutations((1, 2, 3))))
 def test_every_order_of_the_moments_and_every_sign(inertia, M):
     """M of a free body against integration, either way in time."""
