@@ -27,6 +27,13 @@ def test_degenerate_factors_are_shown(e1):
     assert to_latex(discriminant).endswith("= 0") and r"\lor" in to_latex(discriminant)
 
 
+def test_of_several_alternatives_one_is_enough():
+    """The conditions of an alternative are joined by ∧, the alternatives by ∨."""
+    a, b, c = (gs.Condition(symbols(name), True, "", (), gs.symbol("k3")) for name in "abc")
+    assert to_latex(gs.Criterion("formal", ((a, b), (c,)))) == (
+        r"\left[a > 0 \;\land\; b > 0\right] \;\lor\; \left[c > 0\right]")
+
+
 @pytest.mark.parametrize("get", [
     lambda r: r.equilibrium.system.body, lambda r: r.equilibrium.system.potential,
     lambda r: r.equilibrium.system.space,
