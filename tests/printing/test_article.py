@@ -71,3 +71,18 @@ def test_conditions_table(e1, e3):
     assert r"E3 & exists where & $\left|{k_3}\right| < 1$" in tex
     assert r"\text{modulo the flow of } \pi_3" in tex
     assert conditions_table([e1]).startswith(r"\documentclass")
+
+
+def test_the_table_says_what_decides_between_the_two(e1, free):
+    """The first coefficient has the name, those after it have none, and below the table is what they mean.
+
+    Not where nothing is left between the two conditions.
+    """
+    rows = [line.split(" & ") for line in conditions_table([e1], fragment=True).splitlines() if " & " in line]
+    assert [row[:2] for row in rows] == [
+        ["E1", "necessary (spectral)"], ["", "sufficient (formal)"], ["", "between the two"],
+        ["", ""], ["", ""]]
+    assert [row[2][:6] for row in rows[2:]] == ["$-c_{3", "$-c_{4", "$-c_{5"]
+    assert "Between the two, $I_1^2" in conditions_table([e1])
+    spin = gs.analyze(gs.principal_rotation(free, 3))
+    assert "etween the two" not in conditions_table([spin])
