@@ -44,3 +44,11 @@ def test_reports_fit_100_columns(field):
                  "Necessary (spectral)", "Sufficient (formal, hence Lyapunov)", "Casimirs alone", "E1:",
                  "E2:", "E3:"):
         assert part in shown
+
+
+def test_of_a_given_potential_the_derivatives_that_are_needed_are_said():
+    """U′ at a pole; at a tilt U″ too."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: gs.symbol("m0") * k3 + k3**2))
+    shown = [text(report_blocks(gs.analyze(make(scene)))) for make in (gs.upright, gs.inclined)]
+    assert "Of this potential: U′(1) = m₀ + 2.\n" in shown[0]
+    assert "Of this potential: U′(k₃) = m₀ + 2 k₃, U″(k₃) = 2.\n" in shown[1]
