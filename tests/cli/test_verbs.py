@@ -405,6 +405,8 @@ def test_decide_all_that_the_numbers_allow(capsys):
     assert labels("omega=2") == ["E1", "E3", "E2"]
     assert labels("pi3_0=4") == labels("omega3_0=4") == ["E1", "E2"]
     assert labels("k3=1/2", "pi3_0=6") == labels("k3=1/2", "omega3_0=6") == ["precession", "precession"]
+    wheel = [*HEAVY, *settings(I1=2, I3=4, l=0, m0=3, k3="1/2"), "--format", "json"]
+    assert decide(capsys, *wheel, "--set=omega3_0=2") == decide(capsys, *wheel, "--set=pi3_0=8")
     _, out, _ = decide(capsys, "--potential", "none", *settings(I1=1, I2=2, I3=3, l=0, omega3_0=1))
     assert "rotation about axis 3" in out and "Lyapunov stable" in out
 
