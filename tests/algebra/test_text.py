@@ -20,6 +20,7 @@ from gyrostat.algebra.numbers import exact_number, shown
 from gyrostat.cli.parser import main
 from gyrostat.errors import (
     EquilibriumError,
+    ExpressionError,
     GyrostatError,
     MissingExtraError,
     PotentialError,
@@ -146,6 +147,13 @@ def test_a_denominator_that_is_zero_identically_is_refused(text):
     """It shows only when it is expanded."""
     with pytest.raises(PotentialError, match="identically"):
         gs.axial_potential(parse(text))
+
+
+def test_degrees_add_up_in_a_product():
+    """Neither factor is too high, the product is."""
+    assert parse("a**60 + k3**60").is_Add
+    with pytest.raises(ExpressionError, match="degree 120"):
+        parse("a**60*k3**60")
 
 
 def test_a_seeded_part_of_the_campaign():
