@@ -71,6 +71,14 @@ def test_rates_of_second_order(e3, drift, I1, I3, W, tilt, h):
     assert decision.verdict is Verdict.UNSTABLE and "second order" in decision.reason
 
 
+def test_moments_that_differ_are_enough(e3):
+    """l = 0, k3 = 0, U″ = −ω² (I1 − I3) ≠ 0: both slopes vanish, no U is constant near it, and it drifts."""
+    values = {"I1": 3, "I3": 2, "l": 0, "omega": 1, "k3": 0, "d2U": -1}
+    assert e3.verdict(values).verdict is Verdict.STABLE
+    decision = e3.itself(values)
+    assert decision.verdict is Verdict.UNSTABLE and "second order" in decision.reason
+
+
 def test_an_unspecified_potential_may_be_constant(e3):
     """I1 = I3, l = 0, U' = U'' = 0 of an unspecified U: not decided, and no notion claimed."""
     values = {"I1": 1, "I3": 1, "l": 0, "omega": 1, "k3": "1/2", "d2U": 0}
