@@ -12,6 +12,7 @@ import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.plotting import draw_momentum_sphere
 from gyrostat.plotting.energy_levels import energies_between, floats, level_curve
+from gyrostat.plotting.looks import BLUE
 from gyrostat.stability.permanent_rotations import permanent_rotations
 
 CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1),
@@ -44,6 +45,19 @@ def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
         apart = np.linalg.norm(ends[:, None] - ends[None], axis=-1) + 9 * np.eye(len(ends))
         # Newton's method ends at one point from one start
         assert apart.min(axis=1).max() < 1e-9
+
+
+@pytest.mark.parametrize("inertia, rotor, radius", [case for case in CASES if case[0] != (2, 3, 3)])
+def test_separatrices_lie_on_sphere_and_level(inertia, rotor, radius):
+    """To rounding at the saddle too, where the gradient vanishes."""
+    body, R = gs.Gyrostat(inertia, rotor), float(Rational(radius))
+    I, l = floats(body.inertia), floats(body.gyrostatic_momentum)
+    points = permanent_rotations(body, Rational(radius))
+    for energy in {float(p.energy) for p in points if p.decision.verdict is gs.Verdict.UNSTABLE}:
+        M = level_curve(body, points, R, energy)
+        M = M[np.isfinite(M[:, 0])]
+        np.testing.assert_allclose(np.linalg.norm(M, axis=1), R, rtol=1e-14)
+        np.testing.assert_allclose(((M - l) ** 2 / I).sum(axis=1) / 2, energy, rtol=2e-14)
 
 
 def test_energies_lie_between_the_critical_ones():
@@ -80,6 +94,15 @@ def test_the_picture_has_what_was_found():
         "equilibria, stable modulo the spin",
         "stable",
     ]
+
+
+def test_a_circle_of_equilibria_lies_where_they_are():
+    """I = (1, 1, 2), l = (0, 0, 1/2), abs(M) = 1: M3 = −1/2 and any direction of the others."""
+    rings = [c for c in energy_curves(drawn((1, 1, 2), (0, 0, "1/2"), 1, []), BLUE) if len(c) > 1]
+    M = np.concatenate(rings)
+    assert np.ptp(np.arctan2(M[:, 1], M[:, 0])) > 6
+    np.testing.assert_allclose(M[:, 2], -0.5, rtol=1e-4)               # points at the limb are on a chord
+    np.testing.assert_allclose(np.linalg.norm(M, axis=1), 1, rtol=1e-14)
 
 
 def test_what_cannot_be_drawn_is_refused():
