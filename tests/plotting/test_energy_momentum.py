@@ -127,6 +127,20 @@ def test_the_picture():
         "two bands"]
 
 
+def test_all_that_is_critical_is_in_the_window(found):
+    """With room below and above: E1, E2, where stability changes, and the curves beside them."""
+    scene, values, _, diagram = found
+    ax = draw_energy_momentum(scene, values, ax=Figure().subplots())
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    assert left == -right
+    inside = np.concatenate([c.energy[np.abs(c.momentum) < right] for c in diagram.curves])
+    heights = np.concatenate([inside, [h for _, h, _ in diagram.poles], [h for _, h in diagram.cusps]])
+    assert low < heights.min() < heights.max() < high
+    assert all(abs(v) < right for v, *_ in [*diagram.poles, *diagram.cusps])
+    for name in ax.texts:                                  # away from the curves, which are below a focus
+        assert (name.get_position()[1] > 0) == (name.get_va() == "bottom") == ("focus" in name.get_text())
+
+
 def test_what_cannot_be_drawn_is_refused():
     """U unspecified, a name that is missing, another body."""
     with pytest.raises(ScopeError, match="given U"):
