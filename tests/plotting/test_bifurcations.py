@@ -107,7 +107,7 @@ def test_stability_changes_where_the_oracle_says():
 def test_the_picture():
     """Solid where stable, dashed where unstable; every kind of bifurcation has its mark.
 
-    E1 and E2 are named.
+    A change of stability is full, a meeting without one open; E1 and E2 are named.
     """
     scene, values, name, ends, _ = CASES[1]
     ax = draw_bifurcation_diagram(scene, name, ends, values, Figure().subplots(), linewidth=0.7)
@@ -123,6 +123,7 @@ def test_the_picture():
         np.testing.assert_array_equal(mark.get_xydata(),
                                       [[float(p.value), float(p.k3)] for p in found.marks if p.kind == kind])
         assert text in [entry.get_text() for entry in ax.get_legend().get_texts()]
+        assert (mark.get_markerfacecolor() == "white") == (kind == "fold at fixed rate")
     assert {"E1", "E2", "E3"} <= {text.get_text() for text in ax.texts}
     assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_xlim()) == (r"$\omega$", "$k_3$", (0, 2))
 
