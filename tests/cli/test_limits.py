@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 import gyrostat
-from gyrostat.cli import batch_worker, report
+from gyrostat.cli import batch_worker, report, watch
 from gyrostat.cli.parser import main
 
 TOPS = ["--equilibrium", "E1", "--potential", "m0*k3", "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0",
@@ -290,6 +290,18 @@ def ended(arguments, after, number=signal.SIGINT, folder=None, **more):
         os.killpg(running.pid, number)
         out, err = running.communicate(timeout=60)
     return running.returncode, out, err.decode()
+
+
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129)])
+def test_a_signal_has_its_exit_status(number, status):
+    """128 and the number, as of a process that it ends."""
+    before = signal.getsignal(signal.SIGINT)
+    try:
+        with pytest.raises(watch.Interrupted) as error, watch.signals():
+            signal.raise_signal(number)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert error.value.status == watch.interrupted(error.value, "").status == status
 
 
 def working(running):
