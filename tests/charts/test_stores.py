@@ -196,6 +196,19 @@ def test_a_mark_that_does_not_fit_its_chunks_is_none(e1, small, written, tmp_pat
     assert sorted(written) == [0, 9] and contents(path) == before
 
 
+def test_a_chunk_of_another_variable_is_none(tmp_path):
+    """Zarr writes no chunk of nothing but the fill value: that there is none is part of the mark."""
+    block = marks.Marks(tmp_path, ("verdict", "margin_0"), (2, 1), b"key")
+    first, second = block.chunks(1)
+    for chunk in (first, second):
+        chunk.parent.mkdir(parents=True)
+    first.write_bytes(b"values")
+    block.write(1)
+    assert block.fits(1) and not block.fits(0)
+    first.rename(second)
+    assert not block.fits(1)
+
+
 def test_descriptions_and_coordinates_are_made_again(e1, small, written, tmp_path):
     """Of the group, of each array, of the store itself.
 
@@ -204,6 +217,7 @@ def test_descriptions_and_coordinates_are_made_again(e1, small, written, tmp_pat
     path = tmp_path / "chart.zarr"
     stability_chart(e1, **GRID, store=path)
     before = contents(path)
+    assert marks.unharmed(path)
     written.clear()
     for harm in ({"zarr.json": "missing", "l/c/0": "flipped", "boundary_x/c/0": "cut off"},
                  {"complete/zarr.json": "cut off"},
@@ -211,6 +225,7 @@ def test_descriptions_and_coordinates_are_made_again(e1, small, written, tmp_pat
                   "pi3_0/c/0": "missing"}):
         for name, how in harm.items():
             damage(path / name, how)
+        assert not marks.unharmed(path)
         xr.testing.assert_identical(stability_chart(e1, **GRID, store=path).compute(),
                                     stability_chart(e1, **GRID))
         assert contents(path) == before and written == []
