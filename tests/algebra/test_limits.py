@@ -103,16 +103,24 @@ def test_what_sympy_cannot_factor_is_an_error_of_ours(text):
         assert "SymPy cannot evaluate" in str(error) or "is factored" in str(error)
 
 
+LONG = "*".join(["27**100"] * 5)                               # 2378 bits
+
+
 @pytest.mark.parametrize("text", ["exp(-log(12)*2/1e50)", "exp(k3 - 4.5*log(83741e-7)/(8056.5 + 9e50))",
                                   "(1e99 + 3)**(1/7)**(-2/3)",
                                   "((1e99 + 3)**(1/7))**(-2/3)", f"({'7' * 399}*k3)**(1/7)",
-                                  f"1/(k3 + ({'7' * 399})**(1/7))"])
+                                  f"1/(k3 + ({'7' * 399})**(1/7))", f"sqrt({LONG})"])
 def test_no_long_number_is_factored(text):
     """A power of a power, and exp of a logarithm, are roots of numbers that are much longer than what is
     written.
     """
     with pytest.raises(ExpressionError, match=r"a number of \d+ bits is factored|not a rational number"):
         parse(text)
+
+
+def test_a_reciprocal_is_as_long_as_the_number():
+    """What is within the limits is so below a line too."""
+    assert parse(f"k3/({LONG})") == parse("k3") / 3**1500
 
 
 @pytest.mark.parametrize(("text", "value"), [("exp(0.35*log(12))", 2.3862362), ("exp(2*log(10))", 100),
