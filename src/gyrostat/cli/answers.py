@@ -7,10 +7,8 @@ from sympy import Expr
 
 from ..algebra.exact import sign_of_constant
 from ..errors import ScopeError, ValuesError
-from ..mechanics.families import FAMILIES
+from ..mechanics.families import E3, FAMILIES, POLES
 from ..mechanics.system import System
-from ..mechanics.tilted import E3
-from ..mechanics.vertical import POLES
 from ..notation import symbol
 from ..printing.data import decision_data, number_data
 from ..stability.branch import Branch

@@ -12,11 +12,9 @@ from ..algebra.inputs import is_name
 from ..algebra.numbers import exact_number
 from ..errors import EquilibriumError, GyrostatError, ValuesError, brief
 from ..mechanics.body import Gyrostat, symmetric_gyrostat
-from ..mechanics.families import FAMILIES, in_a_field
+from ..mechanics.families import E3, E3_AT_REST, FAMILIES, PRINCIPAL, in_a_field
 from ..mechanics.potentials import axial_potential, general_potential
-from ..mechanics.principal import PRINCIPAL
 from ..mechanics.system import System, assemble
-from ..mechanics.tilted import E3, E3_AT_REST
 from ..notation import jet, symbol
 from ..printing.blocks import Block, Heading, prose
 from ..stability.analysis import analyze

@@ -2,13 +2,36 @@
 free body.
 
 FAMILIES is the one list of them: a family that is added to it is known to the command line, to documents, to
-pictures and to published files.
+pictures and to published files. They are words: what makes an equilibrium of them is loaded when one is made.
 """
-from .family import Family
-from .principal import PRINCIPAL
-from .tilted import E3, E3_AT_REST
-from .vertical import E1, E2
+from functools import partial
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
+from .family import Family
+
+if TYPE_CHECKING:
+    from .equilibria import Equilibrium
+
+
+def _made(module: str, maker: str, *given: Any, **named: Any) -> "Equilibrium":
+    """An equilibrium by the maker of that name, in its module."""
+    made: Equilibrium = getattr(import_module(f".{module}", __package__), maker)(*given, **named)
+    return made
+
+
+E1 = Family("E1", "upright", "spinning about the upward vertical", partial(_made, "vertical", "upright"),
+            "spin", 1, asked_for="E1")
+E2 = Family("E2", "hanging", "spinning about the downward vertical", partial(_made, "vertical", "hanging"),
+            "spin", -1, asked_for="E2")
+E3 = Family("E3", "inclined", "precessing about the vertical, inclined",
+            partial(_made, "tilted", "inclined"), "eliminate", asked_for="E3")
+E3_AT_REST = Family("E3 at rest", "at rest at a tilt", "tilted, without rotation",
+                    partial(_made, "tilted", "static_tilt"), "eliminate")
+PRINCIPAL = tuple(Family(f"rotation about axis {n}", "principal rotation", "",
+                         partial(_made, "principal", "principal_rotation", axis=n), free=True,
+                         asked_for=f"axis {n}", source="Hughes 1986, chapter 6") for n in (1, 2, 3))
+POLES = {1: E1, -1: E2}
 FAMILIES = {family.label: family for family in (E1, E2, E3, E3_AT_REST, *PRINCIPAL)}
 
 

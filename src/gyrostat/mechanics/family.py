@@ -1,9 +1,11 @@
 """What is known of a named family of equilibria."""
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from .equilibria import Equilibrium
-from .system import System
+if TYPE_CHECKING:
+    from .equilibria import Equilibrium
+    from .system import System
 
 
 @dataclass(frozen=True)
@@ -34,7 +36,7 @@ class Family:
     label: str
     name: str
     title: str
-    make: Callable[..., Equilibrium]
+    make: Callable[..., "Equilibrium"]
     made_with: str = ""
     pole: int = 0
     free: bool = False
@@ -46,7 +48,7 @@ class Family:
         """Whether it lies at a tilt, with a relation that a name may be eliminated from."""
         return self.made_with == "eliminate"
 
-    def of(self, scene: System, spin: str = "pi3_0", eliminate: str | None = None) -> Equilibrium:
+    def of(self, scene: "System", spin: str = "pi3_0", eliminate: str | None = None) -> "Equilibrium":
         """The equilibrium of a scene, made with what its maker takes."""
         if self.made_with == "spin":
             return self.make(scene, spin)

@@ -1,11 +1,9 @@
 """Principal rotations: a free body about a principal axis that also carries l."""
-from functools import partial
-
 from ..errors import EquilibriumError, ScopeError, require
 from ..notation import symbol
 from .claimed import equilibrium
 from .equilibria import Equilibrium
-from .family import Family
+from .families import PRINCIPAL
 from .system import System
 
 
@@ -50,8 +48,3 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
     point = [momentum if i == axis else 0 for i in (1, 2, 3)]
     total = momentum + scene.body.gyrostatic_momentum[axis - 1]
     return equilibrium(scene, point, domain=(total**2,), label=PRINCIPAL[axis - 1].label)
-
-
-PRINCIPAL = tuple(Family(f"rotation about axis {n}", "principal rotation", "",
-                         partial(principal_rotation, axis=n), free=True, asked_for=f"axis {n}",
-                         source="Hughes 1986, chapter 6") for n in (1, 2, 3))

@@ -5,7 +5,7 @@ from ..algebra.exact import plain, sign_of_constant
 from ..errors import EquilibriumError, ScopeError, require
 from ..notation import symbol
 from .equilibria import Equilibrium
-from .family import Family
+from .families import E3, E3_AT_REST
 from .relations import affine, solved_for
 from .system import System
 
@@ -116,8 +116,3 @@ def solved_tilt(eq: Equilibrium) -> Expr | None:
         return None
     solved = affine(slopes[0] - potential.value(DU), K3)
     return solved and solved[0]
-
-
-E3 = Family("E3", "inclined", "precessing about the vertical, inclined", inclined, "eliminate",
-            asked_for="E3")
-E3_AT_REST = Family("E3 at rest", "at rest at a tilt", "tilted, without rotation", static_tilt, "eliminate")

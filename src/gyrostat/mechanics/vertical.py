@@ -3,6 +3,7 @@ from ..errors import EquilibriumError, ScopeError, require
 from ..notation import symbol
 from .claimed import equilibrium
 from .equilibria import Equilibrium
+from .families import E1, E2
 from .family import Family
 from .system import System
 
@@ -85,8 +86,3 @@ def _vertical(family: Family, scene: System, spin: str) -> Equilibrium:
                                "'omega3_0'")
     momentum = symbol(spin) if spin == "pi3_0" else scene.body.inertia[2] * symbol(spin)
     return equilibrium(scene, (0, 0, momentum, 0, 0, family.pole), label=family.label)
-
-
-E1 = Family("E1", "upright", "spinning about the upward vertical", upright, "spin", 1, asked_for="E1")
-E2 = Family("E2", "hanging", "spinning about the downward vertical", hanging, "spin", -1, asked_for="E2")
-POLES = {1: E1, -1: E2}

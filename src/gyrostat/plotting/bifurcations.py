@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 
 from ..algebra.numbers import exact_number
+from ..mechanics.families import E1, E2, E3
 from ..mechanics.system import System
-from ..mechanics.tilted import E3
-from ..mechanics.vertical import E1, E2
 from ..stability.continuation import Continuation, continuation
 from ..stability.kinds import precessions_leave, tilt_leaves
 from ..stability.pieces import INFINITE, Mark, Piece

@@ -14,11 +14,10 @@ from ..algebra.inputs import is_name
 from ..errors import PublishedError, brief
 from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import FAMILIES
+from ..mechanics.families import E3, FAMILIES
 from ..mechanics.potential import Potential
 from ..mechanics.potentials import axial_potential, general_potential
 from ..mechanics.system import System, assemble
-from ..mechanics.tilted import E3
 from ..notation import jet, symbol
 
 KEYS = {"inertia", "gyrostatic_momentum", "potential", "equilibrium", "spin", "eliminate", "angles",

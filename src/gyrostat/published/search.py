@@ -12,8 +12,7 @@ from ..algebra.exact import sign_of_constant
 from ..algebra.roots import between, real_roots
 from ..errors import ScopeError
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import FAMILIES
-from ..mechanics.tilted import E3
+from ..mechanics.families import E3, FAMILIES
 from ..notation import symbol
 from ..stability.conditions import Criterion
 from .criteria import free_symbols, holds

@@ -11,7 +11,7 @@ from ..algebra.exact import Point
 from ..errors import EquilibriumError, ValuesError
 from ..mechanics.reduction import K3, OMEGA, P, expansion, reduce
 from ..mechanics.system import System
-from ..mechanics.vertical import POLES
+from ..mechanics.families import POLES
 from ..notation import Shown, Stored, jet, symbol
 from .kinds import precessions_leave, tilt_leaves
 

@@ -12,12 +12,11 @@ from ..algebra.roots import real_roots
 from ..errors import ValuesError
 from ..mechanics.body import symmetric_gyrostat
 from ..mechanics.claimed import equilibrium
+from ..mechanics.families import E3, E3_AT_REST, POLES
 from ..mechanics.family import Family
 from ..mechanics.potential import Potential
 from ..mechanics.reduction import K3, OMEGA, P, V, reduce, reducible
 from ..mechanics.system import System, assemble
-from ..mechanics.tilted import E3, E3_AT_REST
-from ..mechanics.vertical import POLES
 from ..notation import symbol
 from .analysis import analyze
 from .asked import C1, PI3, asked_about, asked_for

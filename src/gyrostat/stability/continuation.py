@@ -13,9 +13,8 @@ from ..algebra.numbers import exact_number
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import between, stations
 from ..errors import ScopeError
+from ..mechanics.families import E3, POLES
 from ..mechanics.system import System
-from ..mechanics.tilted import E3
-from ..mechanics.vertical import POLES
 from .branches import branches_at
 from .critical import critical_of
 from .followed import Followed

@@ -15,10 +15,9 @@ from ..algebra.polynomials import Ring
 from ..algebra.roots import real_roots
 from ..algebra.stations import critical_points
 from ..errors import EquilibriumError, ValuesError, require
+from ..mechanics.families import E3, POLES
 from ..mechanics.reduction import K3, OMEGA, P
 from ..mechanics.system import System
-from ..mechanics.tilted import E3
-from ..mechanics.vertical import POLES
 from ..notation import symbol
 from .analysis import analyze
 from .asked import exact_point, names_of

@@ -11,9 +11,8 @@ from sympy import Expr, S
 from ..algebra.balls import ball, fraction_of
 from ..algebra.floats import Array
 from ..algebra.stations import Place, Station, beside
+from ..mechanics.families import E3, POLES
 from ..mechanics.system import System
-from ..mechanics.tilted import E3
-from ..mechanics.vertical import POLES
 from .branches import branches_at, critical_tilt, pole_at
 from .critical import Critical
 from .decision import Verdict

@@ -3,9 +3,8 @@ from sympy import Expr
 
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import Place
+from ..mechanics.families import E3, POLES
 from ..mechanics.family import Family
-from ..mechanics.tilted import E3
-from ..mechanics.vertical import POLES
 
 KINDS = {
     "E3 leaves E1": "at a fixed rotor and rate about the vertical; E1 is stable on both sides",

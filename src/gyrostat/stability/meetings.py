@@ -12,7 +12,7 @@ from ..algebra.stations import critical_points, stations
 from ..errors import ValuesError
 from ..mechanics.reduction import K3, OMEGA, P, V, reduce
 from ..mechanics.system import System
-from ..mechanics.vertical import POLES
+from ..mechanics.families import POLES
 from ..notation import Shown, Stored, symbol
 from .asked import exact_point, names_of
 from .bifurcations import bifurcations, insert, relation_at_rate

@@ -15,9 +15,9 @@ from ..algebra.plane_curves import PlaneCurve
 from ..algebra.polynomials import by_degree, by_factors
 from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import between
+from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, Reduction
 from ..mechanics.system import System
-from ..mechanics.vertical import POLES
 from .branch import Branch
 from .branches import branches_at
 from .decision import Verdict
