@@ -1,15 +1,18 @@
 """The house: packages that import downwards only, and what importing the library loads."""
 import ast
+import importlib
 import subprocess
 import sys
 from graphlib import TopologicalSorter
 from pathlib import Path
 
+import pytest
+
 import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
-FLOORS = ("version errors notation algebra mechanics stability printing charts trajectories plotting "
-          "published cli __main__").split()
+FLOORS = ("version later shown errors notation algebra mechanics stability printing charts trajectories "
+          "plotting published cli __main__").split()
 OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka",
             "contourpy", "plotly"}
 
@@ -64,7 +67,7 @@ def test_only_optional_packages_are_imported_inside_functions():
 
 def loaded(code):
     """Names of all modules loaded after running code in a new process."""
-    run = subprocess.run([sys.executable, "-c", f"{code}; import sys; print(*sys.modules)"],
+    run = subprocess.run([sys.executable, "-c", f"{code}\nimport sys; print(*sys.modules)"],
                          capture_output=True, text=True, check=True)
     return set(run.stdout.split())
 
@@ -80,12 +83,40 @@ def above(modules):
     }
 
 
-def test_import_loads_sympy_and_nothing_heavier():
-    """import gyrostat loads no numpy, scipy or matplotlib, and no view."""
-    new = loaded("import gyrostat")
-    assert "sympy" in new and "gyrostat.stability.report" in new
-    assert not {"numpy", "scipy", "matplotlib", "rich"} & {m.split(".")[0] for m in new}
-    assert not above(new)
+def heavy(modules):
+    """The packages among the modules that take long to load."""
+    return {"sympy", "flint", "numpy", "scipy", "matplotlib", "rich"} & {m.split(".")[0] for m in modules}
+
+
+def test_import_loads_no_mathematics():
+    """import gyrostat loads what its names need when they are used."""
+    new = loaded("import gyrostat; import gyrostat.charts, gyrostat.mechanics")
+    assert not heavy(new) and not above(new) - {"gyrostat.charts", "gyrostat.printing",
+                                                "gyrostat.printing.files"}
+    new = loaded("from gyrostat import analyze")
+    assert "gyrostat.stability.report" in new and heavy(new) == {"sympy", "flint"} and not above(new)
+
+
+@pytest.mark.parametrize("name", ["gyrostat", "gyrostat.charts", "gyrostat.mechanics"])
+def test_what_type_checkers_read_is_what_is_loaded_later(name):
+    """The names of a package, each imported for them from its home."""
+    package = importlib.import_module(name)
+    tree = ast.parse(Path(package.__file__).read_text(encoding="utf-8"))
+    imported = {alias.name: node.module for block in tree.body if isinstance(block, ast.If)
+                for node in block.body for alias in node.names}
+    (call,) = (node for node in ast.walk(tree) if isinstance(node, ast.Call)
+               and getattr(node.func, "id", "").endswith("later"))
+    homes = ast.literal_eval(call.args[1])
+    assert imported == {n: module if names else None for module, names in homes.items()
+                        for n in names.split() or [module]}
+
+
+def test_a_name_that_is_loaded_is_kept_and_an_unknown_one_refused():
+    """Its home is asked once."""
+    new = loaded("import gyrostat; gyrostat.symbol; print(*vars(gyrostat))")
+    assert "symbol" in new and "analyze" not in new
+    with pytest.raises(AttributeError, match=r"^gyrostat\.charts has no chart_of: dir\(gyrostat\.charts\)"):
+        gyrostat.charts.chart_of  # noqa: B018
 
 
 def test_a_verdict_loads_no_view_and_no_numpy():
@@ -96,10 +127,16 @@ def test_a_verdict_loads_no_view_and_no_numpy():
     assert not above(new) and "numpy" not in new
 
 
-def test_help_does_not_load_the_derivation_views():
-    """The command line understands its arguments before it loads what typesets."""
-    new = loaded("import gyrostat.cli.parser; gyrostat.cli.parser.parser()")
-    assert "gyrostat.printing.document" not in new and "gyrostat.published" not in new
+@pytest.mark.parametrize("arguments", ["--version", "--help", "report --help", "plot cones --help",
+                                       "report --potential", "chart --axis"])
+def test_the_command_line_is_understood_without_mathematics(arguments):
+    """Versions, help and bad options load nothing that a verb needs."""
+    new = loaded(f"""
+from contextlib import suppress
+from gyrostat.cli.parser import main
+with suppress(SystemExit):
+    main({arguments.split()})""")
+    assert not heavy(new) and "gyrostat.cli.options" not in new
 
 
 def test_oracle_imports_nothing_of_ours():

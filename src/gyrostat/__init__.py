@@ -8,61 +8,57 @@ parameters; `gyrostat.trajectories`, motions; `gyrostat.mechanics`, the classica
 they are used.
 """
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from . import errors
-from .algebra.precision import own_precision
 from .cli import start as _start  # noqa: F401 (what Ctrl-C does while the rest is loaded)
-from .mechanics.body import Gyrostat, symmetric_gyrostat
-from .mechanics.claimed import equilibrium
-from .mechanics.equilibria import Equilibrium
-from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
-from .mechanics.liepoisson import LiePoisson, lie_poisson
-from .mechanics.orbit import orbit_tangent, symplectic_slice
-from .mechanics.potential import Potential
-from .mechanics.potentials import axial_potential, general_potential
-from .mechanics.principal import principal_rotation
-from .mechanics.reduction import reduce
-from .mechanics.system import System, assemble
-from .mechanics.tilted import inclined, static_tilt
-from .mechanics.vertical import hanging, upright
-from .notation import NOTATION, Shown, symbol
-from .stability.analysis import analyze
-from .stability.conditions import Condition, Criterion, formal_criterion, independent, spectral_criterion
-from .stability.energy_casimir import SecondVariation, augmented_hessian, multipliers, second_variation
-from .stability.linearization import Linearization, linearize
-from .stability.report import Decision, Report, Verdict
+from .later import later as _later
+from .shown import Shown as _Shown
 from .version import __version__
 
 if TYPE_CHECKING:
     from . import charts, mechanics, plotting, published, trajectories
+    from .algebra.precision import own_precision
+    from .mechanics.body import Gyrostat, symmetric_gyrostat
+    from .mechanics.claimed import equilibrium
+    from .mechanics.equilibria import Equilibrium
+    from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
+    from .mechanics.liepoisson import LiePoisson, lie_poisson
+    from .mechanics.orbit import orbit_tangent, symplectic_slice
+    from .mechanics.potential import Potential
+    from .mechanics.potentials import axial_potential, general_potential
+    from .mechanics.principal import principal_rotation
+    from .mechanics.reduction import reduce
+    from .mechanics.system import System, assemble
+    from .mechanics.tilted import inclined, static_tilt
+    from .mechanics.vertical import hanging, upright
+    from .notation import NOTATION, symbol
     from .printing.article import to_latex
+    from .stability.analysis import analyze
     from .stability.bifurcations import Bifurcation, bifurcations
     from .stability.branch import Branch
+    from .stability.conditions import (
+        Condition,
+        Criterion,
+        formal_criterion,
+        independent,
+        spectral_criterion,
+    )
     from .stability.continuation import Continuation, continuation
+    from .stability.energy_casimir import SecondVariation, augmented_hessian, multipliers, second_variation
+    from .stability.linearization import Linearization, linearize
     from .stability.meetings import BifurcationPoint, bifurcation_points
     from .stability.permanent_rotations import PermanentRotation
     from .stability.relative_equilibria import relative_equilibria
+    from .stability.report import Decision, Report, Verdict
     from .stability.sets import Case, Interval, Solution, SolvedCondition
     from .stability.solve import solve_condition
     from .stability.spectra import Spectrum, spectrum
     from .stability.stabilizing import stabilizing_set
 
 # loaded when something is shown
-Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(shown)
-Shown.plain = lambda shown: import_module("gyrostat.printing.text").plain(shown)
-
-_NAMESPACES = ("charts", "mechanics", "plotting", "published", "trajectories")
-_LATER = {
-    "Branch": "stability.branch", "relative_equilibria": "stability.relative_equilibria",
-    "Bifurcation": "stability.bifurcations", "bifurcations": "stability.bifurcations",
-    "BifurcationPoint": "stability.meetings", "bifurcation_points": "stability.meetings",
-    "Continuation": "stability.continuation", "continuation": "stability.continuation",
-    "Spectrum": "stability.spectra", "spectrum": "stability.spectra", "Solution": "stability.sets",
-    "SolvedCondition": "stability.sets", "Case": "stability.sets", "Interval": "stability.sets",
-    "PermanentRotation": "stability.permanent_rotations", "solve_condition": "stability.solve",
-    "stabilizing_set": "stability.stabilizing", "to_latex": "printing.article",
-}
+_Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(shown)
+_Shown.plain = lambda shown: import_module("gyrostat.printing.text").plain(shown)
 
 __all__ = [
     "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "Bifurcation",
@@ -78,15 +74,25 @@ __all__ = [
     "upright", "Verdict",
 ]
 
-
-def __getattr__(name: str) -> Any:
-    """What is loaded when it is used for the first time."""
-    if name in _NAMESPACES:
-        return import_module(f".{name}", __name__)
-    if name in _LATER:
-        return getattr(import_module(f".{_LATER[name]}", __name__), name)
-    raise AttributeError(f"gyrostat has no {name}: dir(gyrostat) lists what there is")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__ = _later(__name__, {
+    "charts": "", "mechanics": "", "plotting": "", "published": "", "trajectories": "",
+    "algebra.precision": "own_precision", "mechanics.body": "Gyrostat symmetric_gyrostat",
+    "mechanics.claimed": "equilibrium", "mechanics.equilibria": "Equilibrium",
+    "mechanics.fields": "ideal_fluid newtonian_field uniform_field",
+    "mechanics.liepoisson": "LiePoisson lie_poisson", "mechanics.orbit": "orbit_tangent symplectic_slice",
+    "mechanics.potential": "Potential", "mechanics.potentials": "axial_potential general_potential",
+    "mechanics.principal": "principal_rotation", "mechanics.reduction": "reduce",
+    "mechanics.system": "System assemble", "mechanics.tilted": "inclined static_tilt",
+    "mechanics.vertical": "hanging upright", "notation": "NOTATION symbol", "printing.article": "to_latex",
+    "stability.analysis": "analyze", "stability.bifurcations": "Bifurcation bifurcations",
+    "stability.branch": "Branch",
+    "stability.conditions": "Condition Criterion formal_criterion independent spectral_criterion",
+    "stability.continuation": "Continuation continuation",
+    "stability.energy_casimir": "SecondVariation augmented_hessian multipliers second_variation",
+    "stability.linearization": "Linearization linearize",
+    "stability.meetings": "BifurcationPoint bifurcation_points",
+    "stability.permanent_rotations": "PermanentRotation",
+    "stability.relative_equilibria": "relative_equilibria", "stability.report": "Decision Report Verdict",
+    "stability.sets": "Case Interval Solution SolvedCondition", "stability.solve": "solve_condition",
+    "stability.spectra": "Spectrum spectrum", "stability.stabilizing": "stabilizing_set",
+})

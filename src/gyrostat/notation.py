@@ -1,10 +1,10 @@
 """Every symbol once: assumptions, LaTeX, Unicode, dimension, meaning."""
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import lru_cache
 from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import Any
 
 from sympy import Expr, Symbol
 
@@ -136,25 +136,6 @@ class Stored:
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
-
-
-class Shown:
-    """What Jupyter shows typeset and what prints as a person reads it.
-
-    The package root says how, printing stands above this.
-    """
-
-    formula: ClassVar[Callable[[Any], str]]                # in LaTeX
-    plain: ClassVar[Callable[[Any], str]]                  # in Unicode
-
-    def _repr_latex_(self) -> str:
-        return rf"$\displaystyle {Shown.formula(self)}$"
-
-    def __str__(self) -> str:
-        return Shown.plain(self)
-
-    def __repr__(self) -> str:
-        return str(self)
 
 
 def typeset(name: str, at: Any = None, style: str = "latex") -> str:

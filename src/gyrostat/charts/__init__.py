@@ -8,11 +8,21 @@ do not, and `arrays` asks them. Over boxes it runs in `intervals` and `enclosure
 `contours` follow the curves between verdicts; a `chart` is all of it, a `request` as one labelled dataset
 (`datasets`), larger than memory in `stores` (`frame`, `marks`), with a bar of `progress`.
 """
+from typing import TYPE_CHECKING
+
+from ..later import later
 from ..printing.files import save_netcdf
-from .arrays import verdicts
-from .boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
-from .chart import stability_chart
-from .numeric import CompiledMargin, compile_margin
+
+if TYPE_CHECKING:
+    from .arrays import verdicts
+    from .boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
+    from .chart import stability_chart
+    from .numeric import CompiledMargin, compile_margin
 
 __all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "compile_margin",
            "CompiledMargin", "save_netcdf", "stability_chart", "verdicts"]
+
+__getattr__, __dir__ = later(__name__, {
+    "arrays": "verdicts", "boxes": "BoxDecision CertifiedChart certified_chart certify_box",
+    "chart": "stability_chart", "numeric": "CompiledMargin compile_margin",
+})

@@ -4,7 +4,7 @@ import math
 import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
-from importlib import resources
+from pkgutil import get_data
 
 from ..mechanics.families import in_a_field
 from ..version import __version__
@@ -13,7 +13,6 @@ from .output import standard_streams, told
 from .watch import signals
 
 LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
-_EXAMPLES = resources.files(__package__) / "examples"         # a folder, or part of an archive
 
 
 def parser() -> argparse.ArgumentParser:
@@ -95,8 +94,8 @@ def _families() -> tuple[tuple[str, ...], str]:
 
 
 def _examples(verb: str) -> str:
-    """What stands below the help of a verb, as it is typed."""
-    return (_EXAMPLES / f"{verb}.txt").read_text(encoding="utf-8")
+    """What stands below the help of a verb, as it is typed; from a folder, or from part of an archive."""
+    return (get_data(__package__, f"examples/{verb}.txt") or b"").decode()
 
 
 def _scene(verb: argparse.ArgumentParser, meaning: str,

@@ -9,12 +9,24 @@ it the symplectic slice (`orbit`). A body of revolution has one degree of freedo
 is one, about which axis, is proved (`spherical`, `recognition`, `standard`). Euler's angles are in
 `attitude`, the Lagrangian in them in `lagrange`, the classical formulas in `freebody` and `precession`.
 """
-from .attitude import angle_rates, angular_velocity, rotation
-from .freebody import momentum_limits, polhode_period, torque_equations
-from .lagrange import angular_momentum, effective_potential, lagrangian, momenta
-from .precession import FreePrecession, free_precession
-from .reduction import Reduction, expansion
+from typing import TYPE_CHECKING
+
+from ..later import later
+
+if TYPE_CHECKING:
+    from .attitude import angle_rates, angular_velocity, rotation
+    from .freebody import momentum_limits, polhode_period, torque_equations
+    from .lagrange import angular_momentum, effective_potential, lagrangian, momenta
+    from .precession import FreePrecession, free_precession
+    from .reduction import Reduction, expansion
 
 __all__ = ["angle_rates", "angular_momentum", "angular_velocity", "effective_potential", "expansion",
            "free_precession", "FreePrecession", "lagrangian", "momenta", "momentum_limits", "polhode_period",
            "Reduction", "rotation", "torque_equations"]
+
+__getattr__, __dir__ = later(__name__, {
+    "attitude": "angle_rates angular_velocity rotation",
+    "freebody": "momentum_limits polhode_period torque_equations",
+    "lagrange": "angular_momentum effective_potential lagrangian momenta",
+    "precession": "FreePrecession free_precession", "reduction": "Reduction expansion",
+})

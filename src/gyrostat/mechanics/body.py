@@ -8,7 +8,8 @@ from sympy import Add, Expr, Rational, radsimp
 from ..algebra.exact import plain, sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..errors import ArgumentError, BodyError, article, brief
-from ..notation import Shown, Stored, of_the_motion, symbol
+from ..notation import Stored, of_the_motion, symbol
+from ..shown import Shown
 
 _INERTIA = tuple(symbol(f"I{i}") for i in (1, 2, 3))
 _ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))

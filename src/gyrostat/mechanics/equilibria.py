@@ -10,7 +10,8 @@ from ..algebra.exact import is_identically_zero, plain, sign
 from ..algebra.numbers import shown
 from ..algebra.polynomials import lowest_terms
 from ..errors import EquilibriumError, require
-from ..notation import INTERNAL, Shown, Stored, jet
+from ..notation import INTERNAL, Stored, jet
+from ..shown import Shown
 from .potential import smooth_where_positive
 from .system import System
 

@@ -15,7 +15,8 @@ from sympy import Expr, ImmutableMatrix, Symbol, expand, zeros
 from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring, derivatives
 from ..errors import BodyError, ScopeError, StructureError
-from ..notation import Shown, Stored, symbol
+from ..notation import Stored, symbol
+from ..shown import Shown
 
 
 def hat(v: Sequence[Expr]) -> ImmutableMatrix:

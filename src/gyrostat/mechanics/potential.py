@@ -10,7 +10,8 @@ from ..algebra import magnitudes
 from ..algebra.parts import BITS, enclosure, immoderate
 from ..algebra.polynomials import Ring
 from ..errors import PotentialError, ValuesError
-from ..notation import Shown, Stored, jet, jet_name, of_the_motion, symbol
+from ..notation import Stored, jet, jet_name, of_the_motion, symbol
+from ..shown import Shown
 
 _ANGLES, _HEIGHTS = ("theta", "Theta", "th"), ("z", "Z", "K3", "k_3", "kz", "k_z", "zeta", "gamma3",
                                                "gamma_3", "costheta", "cos_theta")

@@ -7,7 +7,8 @@ from sympy import Add, Expr, S, Symbol, factorial
 from ..algebra.exact import is_identically_zero
 from ..algebra.polynomials import Ring, by_degree, lowest_terms
 from ..errors import ScopeError, StructureError, require
-from ..notation import Shown, Stored, jet_name, symbol
+from ..notation import Stored, jet_name, symbol
+from ..shown import Shown
 from .equilibria import Equilibrium
 from .system import System
 

@@ -10,7 +10,8 @@ from ..algebra.exact import evaluate
 from ..algebra.matrices import null_space
 from ..algebra.polynomials import Ring, derivatives
 from ..errors import ScopeError, StructureError, require
-from ..notation import Shown, Stored, jet, symbol
+from ..notation import Stored, jet, symbol
+from ..shown import Shown
 from .body import Gyrostat
 from .liepoisson import LiePoisson, lie_poisson
 from .potential import Potential

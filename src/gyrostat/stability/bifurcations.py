@@ -9,10 +9,11 @@ from sympy import Expr, S, Symbol, expand
 
 from ..algebra.exact import Point
 from ..errors import EquilibriumError, ValuesError
+from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, expansion, reduce
 from ..mechanics.system import System
-from ..mechanics.families import POLES
-from ..notation import Shown, Stored, jet, symbol
+from ..notation import Stored, jet, symbol
+from ..shown import Shown
 from .kinds import precessions_leave, tilt_leaves
 
 

@@ -16,7 +16,8 @@ from ..algebra.polynomials import Ring
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.reduction import expansion, reducible
-from ..notation import Shown, Stored, jet, symbol
+from ..notation import Stored, jet, symbol
+from ..shown import Shown
 from .conditions import Condition
 from .truth import sign_at
 

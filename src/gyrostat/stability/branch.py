@@ -6,7 +6,8 @@ from sympy import Expr, ImmutableMatrix, S, sqrt
 from ..mechanics.recognition import Recognition
 from ..mechanics.reduction import K3
 from ..mechanics.spherical import lowest
-from ..notation import Shown, Stored
+from ..notation import Stored
+from ..shown import Shown
 from .decision import Decision
 
 # the label of a regular precession that is none of E3

@@ -10,7 +10,8 @@ from sympy import Expr, S, Symbol
 from ..algebra.margins import Signs
 from ..algebra.polynomials import Ring
 from ..mechanics.equilibria import Equilibrium
-from ..notation import Shown, Stored
+from ..notation import Stored
+from ..shown import Shown
 from .energy_casimir import SecondVariation
 from .implication import Implied, Item, eliminate, merge, reduced
 from .linearization import Linearization

@@ -6,7 +6,8 @@ from typing import Protocol
 
 from sympy import Expr, Symbol
 
-from ..notation import Shown, Stored
+from ..notation import Stored
+from ..shown import Shown
 
 
 class Verdict(Enum):

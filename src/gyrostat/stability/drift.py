@@ -16,7 +16,8 @@ from ..algebra.numbers import shown
 from ..algebra.polynomials import Ring, cancel, derivatives, lowest_terms
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.reduction import reduce
-from ..notation import Shown, Stored, symbol
+from ..notation import Stored, symbol
+from ..shown import Shown
 from .linearization import Linearization, linearize
 
 K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")

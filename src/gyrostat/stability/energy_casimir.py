@@ -10,7 +10,8 @@ from ..algebra.matrices import determinant, multiply, row_reduce
 from ..algebra.polynomials import Ring
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.orbit import critical_integrals, differentials, orbit_tangent, slice_and_symmetries
-from ..notation import Shown, Stored, symbol
+from ..notation import Stored, symbol
+from ..shown import Shown
 
 
 @dataclass(frozen=True, repr=False)

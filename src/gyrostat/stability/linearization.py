@@ -10,7 +10,8 @@ from ..errors import ScopeError
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.orbit import orbit_tangent
-from ..notation import Shown, Stored, symbol
+from ..notation import Stored, symbol
+from ..shown import Shown
 
 LAMBDA = symbol("lamda")
 

@@ -10,10 +10,11 @@ from ..algebra.plane_curves import PlaneCurve
 from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import critical_points, stations
 from ..errors import ValuesError
+from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, V, reduce
 from ..mechanics.system import System
-from ..mechanics.families import POLES
-from ..notation import Shown, Stored, symbol
+from ..notation import Stored, symbol
+from ..shown import Shown
 from .asked import exact_point, names_of
 from .bifurcations import bifurcations, insert, relation_at_rate
 from .kinds import AT_RATE, ON_LEVEL, defined, kind_of, tilt_leaves

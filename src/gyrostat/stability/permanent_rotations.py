@@ -11,7 +11,8 @@ from ..errors import ScopeError, ValuesError
 from ..mechanics.body import Gyrostat
 from ..mechanics.principal import principal_rotation
 from ..mechanics.system import System, assemble, at_numbers, names_of_scene
-from ..notation import Shown, Stored, symbol
+from ..notation import Stored, symbol
+from ..shown import Shown
 from .analysis import analyze
 from .asked import exact_point
 from .decision import Decision, Verdict

@@ -12,7 +12,8 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.standard import Seen, seen, seen_at
 from ..mechanics.system import System
-from ..notation import Shown, Stored, symbol
+from ..notation import Stored, symbol
+from ..shown import Shown
 from .boundary import Boundary, boundary_of
 from .conditions import Criterion, formal_criterion, independent, spectral_criterion
 from .decision import Between, Decider, Decision, Verdict

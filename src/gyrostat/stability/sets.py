@@ -11,7 +11,8 @@ from sympy import Expr, S, Symbol, oo
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError
-from ..notation import Shown, Stored, symbol
+from ..notation import Stored, symbol
+from ..shown import Shown
 from .values import is_positive
 
 Ladder = tuple[Expr, ...]

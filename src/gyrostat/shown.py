@@ -1,0 +1,22 @@
+"""How what is derived shows itself."""
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+
+class Shown:
+    """What Jupyter shows typeset and what prints as a person reads it.
+
+    The package root says how, printing stands above this.
+    """
+
+    formula: ClassVar[Callable[[Any], str]]                # in LaTeX
+    plain: ClassVar[Callable[[Any], str]]                  # in Unicode
+
+    def _repr_latex_(self) -> str:
+        return rf"$\displaystyle {Shown.formula(self)}$"
+
+    def __str__(self) -> str:
+        return Shown.plain(self)
+
+    def __repr__(self) -> str:
+        return str(self)
