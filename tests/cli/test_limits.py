@@ -314,6 +314,17 @@ def working(running):
     raise AssertionError("no process works")
 
 
+@pytest.mark.parametrize("own", [True, False])
+def test_what_is_loaded_is_no_garbage(own):
+    """The command sets it aside, garbage is collected afterwards; a call from Python changes nothing."""
+    code = ("import gc, sys; from gyrostat.cli.parser import main; sys.argv[1:] = ['report', '--set=l=1', "
+            f"'--timeout=none']; main({'' if own else 'sys.argv[1:]'}); print(gc.isenabled(), "
+            "gc.get_freeze_count())")
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    enabled, frozen = run.stdout.split()
+    assert enabled == "True" and (int(frozen) > 10**5 if own else int(frozen) == 0), run.stderr
+
+
 @pytest.mark.slow
 def test_ctrl_c_while_it_is_loaded():
     """One line, exit status 130, no traceback."""

@@ -1,7 +1,9 @@
 """A verb carried out: its exit status, and one line on standard error for whatever comes in between."""
 import argparse
+import gc
 import os
 from importlib import import_module
+from types import ModuleType
 
 from ..errors import GyrostatError, ValuesError
 from .output import Output, internal, silenced, told
@@ -19,8 +21,10 @@ def carried_out(given: argparse.Namespace, limited: bool) -> int:
                 raise ValuesError(f"--fragment is for LaTeX, --format is {given.format}: add --format latex")
             if limited and given.timeout is not None and getattr(given, "batch", None) is None:
                 watched(given.verb, given.timeout, given.output)
-            # what it needs is loaded here
-            return int(import_module(f".{given.verb}", __package__).run(given, out))
+            status = int(_loaded(given.verb, limited).run(given, out))
+        if limited:
+            gc.freeze()                                # the process ends, with whatever is left
+        return status
     except GyrostatError as error:
         told(str(error))
     # the reader has seen enough, as in gyrostat report | head
@@ -41,6 +45,17 @@ def carried_out(given: argparse.Namespace, limited: bool) -> int:
         told(f"{internal(error, 300)}; it is a bug, please report it with what you typed "
              f"({DEBUG}=1 shows where it is)")
     return 2
+
+
+def _loaded(verb: str, own: bool) -> ModuleType:
+    """The module of a verb, with what it needs; in a process of its own never searched for garbage."""
+    if own:
+        gc.disable()
+    module = import_module(f".{verb}", __package__)
+    if own:
+        gc.freeze()
+        gc.enable()
+    return module
 
 
 def _kept(given: argparse.Namespace) -> str:
