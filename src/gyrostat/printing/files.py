@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
-from uuid import uuid4
 
 from ..errors import optional
 
@@ -44,7 +43,7 @@ def written(path: str | os.PathLike[str]) -> Iterator[Path]:
     if not replaceable(place):
         yield Path(path)
         return
-    new = place.with_name(f"{_mark(os.getpid())}{uuid4().hex[:12]}{place.suffix}")
+    new = place.with_name(f"{_mark(os.getpid())}{os.urandom(6).hex()}{place.suffix}")
     try:
         yield new
         moved(new, place)
