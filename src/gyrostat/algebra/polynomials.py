@@ -25,7 +25,7 @@ class Ring:
         seen: set[Expr] = set()
         for expression in expressions:
             collect(expression, seen, plain, squares)
-        self.generators = (*reversed(squares), *sorted(plain, key=str))
+        self.generators = (*reversed(squares), *sorted(plain, key=_name))
         self._context = fmpq_mpoly_ctx.get(tuple(f"x{i}" for i in range(len(self.generators))), Ordering.lex)
         self.one, self.zero = self._context.constant(1), self._context.constant(0)
         self.gens = dict(zip(self.generators, self._context.gens()))
@@ -126,6 +126,11 @@ class Ring:
             return self.expression(top / bottom)
         content, factors = bottom.factor()
         return Mul(self.expression(top / content), *(Pow(self.expression(f), -int(n)) for f, n in factors))
+
+
+def _name(generator: Expr) -> str:
+    """The text by which generators are ordered; that of a symbol is at hand."""
+    return generator.name if isinstance(generator, Symbol) else str(generator)
 
 
 def _power(part: tuple[fmpq_mpoly, fmpq_mpoly], n: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:

@@ -6,7 +6,7 @@ The one home of sign conventions.
 """
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import combinations
 from typing import Any
 
@@ -76,7 +76,7 @@ class LiePoisson(Shown, Stored):
                 raise StructureError(f"{casimir} is not a Casimir: B ∇C = {entry}, not 0")
 
     def gradient(self, f: Expr) -> ImmutableMatrix:
-        """∇f, computed once for each f.
+        """∇f.
 
         Parameters
         ----------
@@ -87,12 +87,10 @@ class LiePoisson(Shown, Stored):
         -------
         ImmutableMatrix, shape (n, 1)
         """
-        if f not in self._gradients:
-            self._gradients[f] = ImmutableMatrix(derivatives(f, self.coordinates))
-        return self._gradients[f]
+        return _gradient(f, self.coordinates)
 
     def hessian(self, f: Expr) -> ImmutableMatrix:
-        """D²f, computed once for each f.
+        """D²f.
 
         Parameters
         ----------
@@ -103,9 +101,7 @@ class LiePoisson(Shown, Stored):
         -------
         ImmutableMatrix, shape (n, n)
         """
-        if f not in self._hessians:
-            self._hessians[f] = ImmutableMatrix([derivatives(g, self.coordinates) for g in self.gradient(f)])
-        return self._hessians[f]
+        return _hessian(f, self.coordinates)
 
     def bracket(self, f: Any, g: Any) -> Expr:
         """{f, g} = ∇f · B ∇g, expanded.
@@ -155,14 +151,6 @@ class LiePoisson(Shown, Stored):
         return ring.expression(total)
 
     @cached_property
-    def _gradients(self) -> dict[Expr, ImmutableMatrix]:
-        return {}
-
-    @cached_property
-    def _hessians(self) -> dict[Expr, ImmutableMatrix]:
-        return {}
-
-    @cached_property
     def _polynomials(self) -> tuple[Ring, list[list[Any]], list[int]]:
         ring = Ring([*self.tensor, *self.coordinates])
         entries, bottom = ring.matrix(self.tensor.tolist())
@@ -171,6 +159,17 @@ class LiePoisson(Shown, Stored):
                                                                for g in ring.generators):
             raise StructureError("a Lie-Poisson tensor is a polynomial in its coordinates: check its entries")
         return ring, entries, [ring.generators.index(x) for x in self.coordinates]
+
+
+# bounded: of one Casimir there is one, of Hamiltonians any number
+@lru_cache(maxsize=256)
+def _gradient(f: Expr, coordinates: tuple[Symbol, ...]) -> ImmutableMatrix:
+    return ImmutableMatrix(derivatives(f, coordinates))
+
+
+@lru_cache(maxsize=256)
+def _hessian(f: Expr, coordinates: tuple[Symbol, ...]) -> ImmutableMatrix:
+    return ImmutableMatrix([derivatives(g, coordinates) for g in _gradient(f, coordinates).flat()])
 
 
 def lie_poisson(directions: Sequence[str] = ("k",),
@@ -218,10 +217,14 @@ def lie_poisson(directions: Sequence[str] = ("k",),
     if len(given) != 3:
         raise BodyError(f"gyrostatic_momentum has {len(given)} entries: give three, one for each principal "
                         "axis")
-    rotor = tuple(map(exact_expression, given))
+    return _space(bool(directions), tuple(map(exact_expression, given)))
+
+
+@lru_cache(maxsize=64)                                  # what is proved of a space is proved once
+def _space(directed: bool, rotor: tuple[Expr, ...]) -> LiePoisson:
     pi, k = ([symbol(f"{x}{i}") for i in (1, 2, 3)] for x in ("pi", "k"))
     M = [p + rotor_i for p, rotor_i in zip(pi, rotor)]
-    if not directions:
+    if not directed:
         return LiePoisson(tuple(pi), hat(M), (sum(m**2 for m in M),))
     tensor = ImmutableMatrix.vstack(ImmutableMatrix.hstack(hat(M), hat(k)),
                                     ImmutableMatrix.hstack(hat(k), zeros(3, 3)))
