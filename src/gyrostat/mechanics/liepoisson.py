@@ -10,7 +10,7 @@ from functools import cached_property, lru_cache
 from itertools import combinations
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, Symbol, expand, zeros
+from sympy import Add, Expr, ImmutableMatrix, Symbol, expand, zeros
 
 from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring, derivatives
@@ -128,7 +128,10 @@ class LiePoisson(Shown, Stored):
         (-l3 - pi3, k2)
         """
         f, g = exact_expression(f, "f"), exact_expression(g, "g")
-        return expand((self.gradient(f).T * self.tensor * self.gradient(g))[0, 0])
+        rows = zip(self.gradient(f).flat(), self.tensor.tolist())
+        slopes = self.gradient(g).flat()
+        return expand(Add(*(a * entry * b for a, row in rows if a
+                            for entry, b in zip(row, slopes) if entry and b)))
 
     def jacobiator(self, i: int, j: int, k: int) -> Expr:
         """{xᵢ, {xⱼ, xₖ}} + cyclic, which is 0 for every Poisson tensor.

@@ -1,7 +1,7 @@
 """A potential U(k3) or U(k1, k2, k3), unspecified or given; its jet."""
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, cos, log
 from sympy.core.function import AppliedUndef
@@ -106,9 +106,9 @@ class Potential(Shown, Stored):
 
     @cached_property
     def _asks(self) -> bool:
-        """Whether U has functions, or roots."""
-        return bool(self.expression.atoms(Function)) or any(not p.exp.is_Integer
-                                                            for p in self.expression.atoms(Pow))
+        """Whether a given U has functions, or roots."""
+        return self.given and (bool(self.expression.atoms(Function)) or any(
+            not p.exp.is_Integer for p in self.expression.atoms(Pow)))
 
     def gradient(self) -> tuple[Expr, ...]:
         """∇U in the symbols of the jet, shape (3,)."""
@@ -150,7 +150,12 @@ class Potential(Shown, Stored):
         """
         order, axes = jet(derivative.name) or (0, "")
         along = self.variables * order if self.axial else tuple(DIRECTIONS[int(a) - 1] for a in axes)
-        return self.expression.diff(*along)
+        return _derivative(self.expression, along)
+
+
+@lru_cache(maxsize=1024)
+def _derivative(expression: Expr, along: tuple[Symbol, ...]) -> Expr:
+    return expression.diff(*along)
 
 
 def _meant(expression: Expr) -> str:

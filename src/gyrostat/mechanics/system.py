@@ -1,7 +1,7 @@
 """System: a space, a Hamiltonian and the integrals found; its equations of motion; assemble."""
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag
@@ -78,8 +78,7 @@ class System(Shown, Stored):
         """
         if self.potential is None:
             return self.jet_field
-        return self.jet_field.xreplace({d: self.potential.value(d)
-                                        for d in self.jet_field.free_symbols if jet(d.name)})
+        return ImmutableMatrix(_rates(self.potential, self.jet_field.flat()))
 
     @cached_property
     def energy_gradient(self) -> ImmutableMatrix:
@@ -100,25 +99,15 @@ class System(Shown, Stored):
     @cached_property
     def jet_field(self) -> ImmutableMatrix:
         """B ∇h in the coordinates and the jet of U, one coefficient for each product of coordinates."""
-        return ImmutableMatrix([_collected(component, self.space.coordinates)
-                                for component in self.space.tensor * self.energy_gradient])
+        return _jet_field(self.space, tuple(self.energy_gradient.flat()))
 
     @cached_property
     def jet_jacobian(self) -> ImmutableMatrix:
         """Derivative of the field along the coordinates, dU differentiated to d2U."""
-        coordinates, potential = self.space.coordinates, self.potential
-        jet_symbols = [d for d in potential.gradient() if isinstance(d, Symbol)] if potential else []
-        rows = []
-        for rate in self.jet_field:
-            row = derivatives(rate, (*coordinates, *jet_symbols))
-            for d, outer in zip(jet_symbols, row[len(coordinates):]):
-                row[3:6] = (
-                    [entry + outer * inner for entry, inner in zip(row[3:6], potential.following(d))]
-                    if potential
-                    else []
-                )
-            rows.append(row[:len(coordinates)])
-        return ImmutableMatrix(rows)
+        slopes = self.potential.gradient() if self.potential else ()
+        following = [(d, self.potential.following(d)) for d in slopes
+                     if self.potential and isinstance(d, Symbol)]
+        return _jet_jacobian(self.jet_field, self.space.coordinates, tuple(following))
 
 
 def assemble(body: Gyrostat, potential: Potential | None = None) -> System:
@@ -158,8 +147,10 @@ def system_of(body: Gyrostat, potential: Potential | None) -> System:
     """The scene of a body in a potential whose names are those of the scene: nothing is inserted."""
     space = lie_poisson(("k",) if potential else (), body.gyrostatic_momentum)
     hamiltonian = body.kinetic_energy(space.coordinates[:3]) + (potential.expression if potential else 0)
-    candidate = System(body, space, hamiltonian, (), potential)
-    return System(body, space, hamiltonian, _linear_integrals(candidate), potential)
+    free = System(body, space, hamiltonian, (), potential)
+    rates = free.jet_field.flat()[:3]
+    given = _rates(potential, rates) if potential else rates
+    return replace(free, integrals=_linear_integrals(space.coordinates, tuple(given)))
 
 
 def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
@@ -196,9 +187,9 @@ def _of_body(potential: Potential, body: Gyrostat) -> Potential:
     )
 
 
-def _linear_integrals(system: System) -> tuple[Expr, ...]:
+@lru_cache(maxsize=64)
+def _linear_integrals(coordinates: tuple[Symbol, ...], rates: tuple[Expr, ...]) -> tuple[Expr, ...]:
     """Every combination c·π, c constant, whose rate c·π̇ vanishes identically."""
-    coordinates, rates = system.space.coordinates, system.vector_field()[:3]
     ring = Ring([*rates, *coordinates])
     (row,), _ = ring.matrix([list(rates)])
     equations: dict[tuple[int, ...], list[Any]] = {}
@@ -209,6 +200,31 @@ def _linear_integrals(system: System) -> tuple[Expr, ...]:
                        lambda j, entry: (not entry.is_constant(), len(entry)), 3)
     return tuple(Add(*(Mul(ring.expression(c), p) for c, p in zip(vector, coordinates)))
                  for _, vector in basis)
+
+
+def _rates(potential: Potential, rates: Sequence[Expr]) -> list[Expr]:
+    """Rates in the jet of U, with what its symbols stand for."""
+    values = {d: potential.value(d) for d in set().union(*(r.free_symbols for r in rates)) if jet(d.name)}
+    return [rate.xreplace(values) for rate in rates]
+
+
+# the jet is the same of every U: what it leaves open is derived once for a body
+@lru_cache(maxsize=64)
+def _jet_field(space: LiePoisson, energy_gradient: tuple[Expr, ...]) -> ImmutableMatrix:
+    return ImmutableMatrix([_collected(component, space.coordinates)
+                            for component in (space.tensor * ImmutableMatrix(energy_gradient)).flat()])
+
+
+@lru_cache(maxsize=64)
+def _jet_jacobian(field: ImmutableMatrix, coordinates: tuple[Symbol, ...],
+                  following: tuple[tuple[Symbol, tuple[Expr, ...]], ...]) -> ImmutableMatrix:
+    rows = []
+    for rate in field.flat():
+        row = derivatives(rate, (*coordinates, *(d for d, _ in following)))
+        for (_, inner), outer in zip(following, row[len(coordinates):]):
+            row[3:6] = [entry + outer * slope for entry, slope in zip(row[3:6], inner)]
+        rows.append(row[:len(coordinates)])
+    return ImmutableMatrix(rows)
 
 
 def _collected(component: Expr, coordinates: tuple[Symbol, ...]) -> Expr:
