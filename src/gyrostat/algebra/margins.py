@@ -1,7 +1,7 @@
 """What is known of the sign of a polynomial: by assumption, by its form, on the domain of a family."""
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 from sympy import Expr
 
 from .polynomials import Ring, by_degree, cancel
@@ -14,12 +14,14 @@ class Signs:
 
     def __init__(self, ring: Ring, domain: Iterable[Expr] = ()):
         self.ring = ring
-        self._positive = {g for g in ring.generators if g.is_positive and g not in ring.squares}
+        self._positive = [bool(g.is_positive) and g not in ring.squares for g in ring.generators]
         # factors are kept under their text: polynomials do not hash
         self._known: dict[str, int] = {}
         self._groups: list[tuple[frozenset[str], int]] = []   # odd factors whose product has this sign
         self._nonzero: set[str] = set()
         self._quadratics: dict[str, int] = {}
+        self._forms: dict[str, int] = {}
+        self._factored: dict[str, tuple[fmpq, list[tuple[str, fmpq_mpoly, int]]]] = {}
         for expression in domain:
             top, bottom = map(ring.reduce, ring.fraction(expression))
             sign, odd, even = self._factors(*cancel(top, bottom), deep=False)
@@ -30,7 +32,8 @@ class Signs:
                 self._groups.append((frozenset(odd), sign))
         for root, square in reversed(ring.squares.items()):
             if root.is_Pow and self.of(square) == 1 == self.of(ring.scales[root]):
-                self._positive.add(root)
+                self._positive[ring.generators.index(root)] = True
+                self._forms.clear()
 
     @classmethod
     def over(cls, expressions: Iterable[Expr], domain: Iterable[Expr] = ()) -> "Signs":
@@ -98,16 +101,15 @@ class Signs:
         odd: Factors = {}
         even: Factors = {}
         for polynomial in (top, bottom):
-            content, factors = polynomial.factor()
+            content, factors = self._factorization(polynomial)
             sign = sign if content > 0 else -sign
-            for factor, n in factors:
-                name = str(factor)
+            for name, factor, n in factors:
                 if (
                     known := self._known.get(name)
-                    or self._form(factor)
+                    or self._form(name, factor)
                     or (deep and self._quadratic(name, factor))
                 ):
-                    sign *= known ** int(n)
+                    sign *= known**n
                 elif n % 2:
                     odd[name] = factor
                 elif polynomial is top and name not in self._nonzero:
@@ -117,6 +119,16 @@ class Signs:
                 odd = {name: factor for name, factor in odd.items() if name not in group}
                 sign *= product
         return sign, odd, even
+
+    def _factorization(self, polynomial: fmpq_mpoly) -> tuple[fmpq, list[tuple[str, fmpq_mpoly, int]]]:
+        """Content, and the factors with their names and multiplicities."""
+        if polynomial.is_constant():
+            return polynomial.leading_coefficient(), []
+        name = str(polynomial)
+        if name not in self._factored:
+            content, factors = polynomial.factor()
+            self._factored[name] = content, [(str(factor), factor, int(n)) for factor, n in factors]
+        return self._factored[name]
 
     def _quadratic(self, name: str, polynomial: fmpq_mpoly) -> int:
         """±1 for a quadratic in one generator whose discriminant is negative on the whole domain, else 0."""
@@ -130,13 +142,21 @@ class Signs:
                         break
         return self._quadratics[name]
 
-    def _form(self, polynomial: fmpq_mpoly) -> int:
+    def _form(self, name: str, polynomial: fmpq_mpoly) -> int:
         """±1 if all terms have that sign and one of them cannot vanish, else 0."""
-        positive = [g in self._positive for g in self.ring.generators]
-        signs, strict = set(), False
-        for exponents, coefficient in polynomial.to_dict().items():
-            if any(e % 2 and not p for e, p in zip(exponents, positive)):
-                return 0
-            signs.add(1 if coefficient > 0 else -1)
-            strict = strict or all(p for e, p in zip(exponents, positive) if e)
-        return signs.pop() if strict and len(signs) == 1 else 0
+        if name not in self._forms:
+            self._forms[name] = _form(polynomial, self._positive)
+        return self._forms[name]
+
+
+def _form(polynomial: fmpq_mpoly, positive: Sequence[bool]) -> int:
+    coefficients = polynomial.coeffs()
+    sign = 1 if coefficients[0] > 0 else -1
+    if any(c * sign < 0 for c in coefficients):
+        return 0
+    strict = False
+    for exponents in polynomial.monoms():
+        if any(e % 2 and not p for e, p in zip(exponents, positive)):
+            return 0
+        strict = strict or all(p for e, p in zip(exponents, positive) if e)
+    return sign if strict else 0

@@ -16,6 +16,10 @@ from .generators import collect, exponential, spelt_once
 Row = list[fmpq_mpoly]
 
 
+class _ForeignError(KeyError):
+    """A ring is asked for what it was not made for."""
+
+
 class Ring:
     """ℚ[generators] / (relations), large enough to hold the expressions given."""
 
@@ -29,18 +33,30 @@ class Ring:
         self._context = fmpq_mpoly_ctx.get(tuple(f"x{i}" for i in range(len(self.generators))), Ordering.lex)
         self.one, self.zero = self._context.constant(1), self._context.constant(0)
         self.gens = dict(zip(self.generators, self._context.gens()))
+        self._literal = False                          # whether generators mean themselves, once that is known
         self._memo = {g: (x, self.one) for g, x in self.gens.items()}
-        self._meaning = dict(zip(self.generators, self.generators))
+        self._meaning = list(self.generators)
         self.squares: dict[Expr, fmpq_mpoly] = {}
         self.scales: dict[Expr, fmpq_mpoly] = {}       # D for each root: its generator has the sign of D
-        self._relations: list[fmpq_mpoly] = []
+        self._relations: list[tuple[int, fmpq_mpoly]] = []
         for root, square in squares.items():           # √(N/D) = g/D with g² = N·D
             top, bottom = self.fraction(square)
             self.squares[root] = self.reduce(top * bottom)
-            self._relations.insert(0, self.gens[root] ** 2 - self.squares[root])
+            place = self.generators.index(root)
+            self._relations.insert(0, (place, self.gens[root] ** 2 - self.squares[root]))
             self._memo[root] = self.gens[root], bottom
             self.scales[root] = bottom
-            self._meaning[root] = root * self.expression(bottom)
+            self._meaning[place] = root * self.expression(bottom)
+        self._literal = self._meaning == list(self.generators)
+
+    def holds(self, expressions: Iterable[Expr]) -> bool:
+        """Whether all of them are fractions in the generators."""
+        try:
+            for expression in expressions:
+                self.fraction(expression)
+        except _ForeignError:
+            return False
+        return True
 
     def fraction(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         """Numerator and denominator, neither reduced nor sign-normalised."""
@@ -64,18 +80,25 @@ class Ring:
         elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
             factors = [_power(self.fraction(Pow(node.base, Rational(1, 2))), int(node.exp.p))]
         elif isinstance(node, Pow) and isinstance(node.exp, Rational):
-            factors = [_power((self.gens[Pow(node.base, Rational(1, node.exp.q))], self.one),
-                              int(node.exp.p))]
+            root = Pow(node.base, Rational(1, node.exp.q))
+            factors = [_power((self._generator(root), self.one), int(node.exp.p))]
         elif isinstance(node, exp):
-            factors = [_power((self.gens[base], self.one), n) for base, n in exponential(node)]
+            factors = [_power((self._generator(base), self.one), n) for base, n in exponential(node)]
         elif (same := spelt_once(node)) is not None:
             factors = [self.fraction(same)]
+        elif (exponentials := node.rewrite(exp)) != node:
+            factors = [self.fraction(exponentials)]
         else:
-            factors = [self.fraction(node.rewrite(exp))]
+            factors = [(self._generator(node), self.one)]
         top, bottom = self.one, self.one
         for numerator, denominator in factors:
             top, bottom = top * numerator, bottom * denominator
         return top, bottom
+
+    def _generator(self, node: Expr) -> fmpq_mpoly:
+        if node not in self.gens:
+            raise _ForeignError(f"{node} is not in the ring")
+        return self.gens[node]
 
     def _add(self, parts: list[tuple[fmpq_mpoly, fmpq_mpoly]]) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         bottom = self.one
@@ -85,8 +108,9 @@ class Ring:
 
     def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """Remainder modulo the relations g² = …."""
-        for relation in self._relations:
-            polynomial = divmod(polynomial, relation)[1]
+        for place, relation in self._relations:
+            if polynomial and polynomial.degrees()[place] > 1:
+                polynomial = divmod(polynomial, relation)[1]
         return polynomial
 
     def matrix(self, rows: Sequence[Sequence[Expr]]) -> tuple[list[Row], fmpq_mpoly]:
@@ -101,10 +125,17 @@ class Ring:
 
     def expression(self, polynomial: fmpq_mpoly) -> Expr:
         """The SymPy expression, expanded."""
-        meaning = [self._meaning[g] for g in self.generators]
-        return Add(*(Mul(Rational(int(c.p), int(c.q)),
-                         *(Pow(g, Integer(e)) for g, e in zip(meaning, exponents) if e))
-                     for exponents, c in polynomial.to_dict().items()))
+        meaning = self._meaning
+        expression = Add(*(Mul(Rational(int(c.p), int(c.q)),
+                               *(Pow(meaning[n], Integer(e)) for n, e in enumerate(exponents) if e))
+                           for exponents, c in zip(polynomial.monoms(), polynomial.coeffs())))
+        return self._written(expression, polynomial, self.one)
+
+    def _written(self, expression: Expr, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
+        """An expression that is known when it is read again."""
+        if self._literal:
+            self._memo.setdefault(expression, (top, bottom))
+        return expression
 
     def coefficients(self, polynomial: fmpq_mpoly, moving: Set[Symbol]) -> dict[tuple[int, ...], fmpq_mpoly]:
         """The polynomial by its monomials in the generators that contain a moving symbol."""
@@ -125,7 +156,9 @@ class Ring:
         if bottom.is_constant():
             return self.expression(top / bottom)
         content, factors = bottom.factor()
-        return Mul(self.expression(top / content), *(Pow(self.expression(f), -int(n)) for f, n in factors))
+        fraction = Mul(self.expression(top / content),
+                       *(Pow(self.expression(f), -int(n)) for f, n in factors))
+        return self._written(fraction, top / content, bottom / content)
 
 
 def _name(generator: Expr) -> str:

@@ -173,6 +173,12 @@ class Equilibrium(Shown, Stored):
                 expression = expression.xreplace({name: value})
         return expression
 
+    @property
+    def inserts(self) -> bool:
+        """Whether there is anything to insert."""
+        potential = self.system.potential
+        return bool(potential and potential.given) or any(not jet(name.name) for name, _ in self.relations)
+
     def insert_field(self, expression: Any) -> Any:
         """The jet of a given U replaced by its values at the point.
 

@@ -7,13 +7,14 @@ from ..algebra.margins import Signs
 from ..algebra.matrices import null_space, row_reduce
 from ..algebra.polynomials import Ring
 from ..errors import SingularOrbitError
+from .derivation import rows_at_point, signs_over
 from .equilibria import Equilibrium
 from .once import once
 
 
 def differentials(eq: Equilibrium, functions: Sequence[Expr]) -> list[list[Expr]]:
     """dF at the equilibrium, one row for each function."""
-    return [list(eq.at_point(eq.system.space.gradient(f))) for f in functions]
+    return [[entry for (entry,) in rows_at_point(eq, eq.system.space.gradient(f))] for f in functions]
 
 
 def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
@@ -53,7 +54,7 @@ def regular_differentials(eq: Equilibrium) -> tuple[list[Expr], ...]:
     """dC of the Casimirs, proved independent somewhere on the family."""
     casimirs = eq.system.space.casimirs
     rows = differentials(eq, casimirs)
-    if (rank := _rank(rows)) < len(casimirs):
+    if (rank := _rank(eq, rows)) < len(casimirs):
         raise SingularOrbitError(
             f"{eq.label} lies on a singular coadjoint orbit: the differentials of "
             f"{', '.join(map(str, casimirs))} have rank {rank}, "
@@ -69,7 +70,7 @@ def critical_integrals(eq: Equilibrium) -> tuple[tuple[Expr, ...], tuple[Expr, .
     critical, moving = [], []
     for integral in eq.system.integrals:
         row = differentials(eq, (integral,))
-        if _rank(rows + row) > len(rows):
+        if _rank(eq, rows + row) > len(rows):
             moving.append(integral)
             rows += row
         else:
@@ -122,8 +123,9 @@ def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, 
     held: list[list[Expr]] = []
     symmetries = []
     for integral in moving:
-        flow = list(eq.at_point(eq.system.space.tensor * eq.system.space.gradient(integral)))
-        if _in_kernel(level + held, flow):
+        rates = eq.system.space.tensor * eq.system.space.gradient(integral)
+        flow = [entry for (entry,) in rows_at_point(eq, rates)]
+        if _in_kernel(eq, level + held, flow):
             held.append(_gauge(eq, flow))
             symmetries.append(integral)
     return _kernel(eq, level + held), tuple(symmetries)
@@ -138,7 +140,7 @@ def _gauge(eq: Equilibrium, flow: list[Expr]) -> list[Expr]:
 
 
 def _polynomials(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> tuple[Ring, Signs, list]:
-    signs = Signs.over([entry for row in rows for entry in row], eq.domain)
+    signs = signs_over(eq, [entry for row in rows for entry in row])
     return signs.ring, signs, [signs.ring.matrix([row])[0][0] for row in rows]
 
 
@@ -151,15 +153,12 @@ def _kernel(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> ImmutableMatrix:
     return ImmutableMatrix(size, len(basis), lambda i, j: ring.expression(basis[j][1][i]))
 
 
-def _rank(rows: Sequence[Sequence[Expr]]) -> int:
-    ring = Ring([entry for row in rows for entry in row])
-    polynomials = [ring.matrix([row])[0][0] for row in rows]
+def _rank(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> int:
+    ring, _, polynomials = _polynomials(eq, rows)
     return len(row_reduce(ring, polynomials, lambda j, entry: len(entry), len(rows[0])))
 
 
-def _in_kernel(rows: Sequence[Sequence[Expr]], vector: Sequence[Expr]) -> bool:
-    ring = Ring([*(entry for row in rows for entry in row), *vector])
-    (values,), _ = ring.matrix([vector])
-    return any(values) and not any(
-        ring.reduce(sum((x * y for x, y in zip(ring.matrix([row])[0][0], values)), ring.zero))
-        for row in rows)
+def _in_kernel(eq: Equilibrium, rows: Sequence[Sequence[Expr]], vector: Sequence[Expr]) -> bool:
+    ring, _, (values, *polynomials) = _polynomials(eq, [vector, *rows])
+    return any(values) and not any(ring.reduce(sum((x * y for x, y in zip(row, values)), ring.zero))
+                                   for row in polynomials)

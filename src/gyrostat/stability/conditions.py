@@ -9,6 +9,7 @@ from sympy import Expr, S, Symbol
 
 from ..algebra.margins import Signs
 from ..algebra.polynomials import Ring
+from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..notation import Stored
 from ..shown import Shown
@@ -117,7 +118,7 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
     """
     eq, values = linearization.equilibrium, linearization.frequency_coefficients
-    signs = Signs.over(values, eq.domain)
+    signs = signs_over(eq, values)
     ring = signs.ring
     fractions = [ring.fraction(value) for value in values]
     items = [Item(*signs.split(*fraction), False, name)
@@ -164,7 +165,7 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     # one multiplier is eliminated, any value of the others may be chosen
     others = dict.fromkeys(variation.free[1:], S.Zero)
     given = [minor.xreplace(others) for minor in variation.minors]
-    signs = Signs.over(given, eq.domain)
+    signs = signs_over(eq, given)
     ring = signs.ring
     minors = [ring.fraction(minor) for minor in given]
     alternatives: list[list[Item]] = []
@@ -204,19 +205,23 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
     >>> len(criterion.alternatives[0]), len(gs.independent(criterion, eq).alternatives[0])
     (3, 1)
     """
-    conditions = [c for alternative in criterion.alternatives for c in alternative]
-    for values, domain in ((lambda e: e, eq.domain), (eq.insert, eq.existence())):
-        signs = Signs.over([values(e) for c in conditions for e in (c.margin, *c.degenerate)], domain)
-        ring = signs.ring
-        alternatives: list[list[Item]] = []
-        for alternative in criterion.alternatives:
-            items = reduced([_inserted(signs, c, values) for c in alternative], signs)
-            if items is not None:
-                alternatives.append(items)
-        kept = tuple(tuple(_condition(ring, item, eq) for item in a) for a in merge(alternatives, signs))
-        criterion = replace(criterion, alternatives=kept)
-        conditions = [c for alternative in kept for c in alternative]
-    return criterion
+    first = _independent(criterion, eq, lambda e: e, signs_over(eq, _expressions(criterion)))
+    if not eq.inserts and len(criterion.alternatives) <= 1:
+        return first                                     # one conjunction, reduced to the end
+    signs = Signs.over(map(eq.insert, _expressions(first)), eq.existence())
+    return _independent(first, eq, eq.insert, signs)
+
+
+def _expressions(criterion: Criterion) -> list[Expr]:
+    return [e for a in criterion.alternatives for c in a for e in (c.margin, *c.degenerate)]
+
+
+def _independent(criterion: Criterion, eq: Equilibrium, values: Callable[[Expr], Expr],
+                 signs: Signs) -> Criterion:
+    alternatives = [items for a in criterion.alternatives
+                    if (items := reduced([_inserted(signs, c, values) for c in a], signs)) is not None]
+    return replace(criterion, alternatives=tuple(tuple(_condition(signs.ring, item, eq) for item in a)
+                                                 for a in merge(alternatives, signs)))
 
 
 def _inserted(signs: Signs, condition: Condition, values: Callable[[Expr], Expr]) -> Item:

@@ -1,13 +1,12 @@
 """Energy-Casimir: multipliers, augmented Hamiltonian, its second variation on the symplectic slice."""
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
-from ..algebra.margins import Signs
 from ..algebra.matrices import determinant, multiply, row_reduce
-from ..algebra.polynomials import Ring
+from ..mechanics.derivation import rows_at_point, signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.orbit import critical_integrals, differentials, orbit_tangent, slice_and_symmetries
 from ..notation import Stored, symbol
@@ -53,7 +52,7 @@ class SecondVariation(Shown, Stored):
 
         All positive: positive definite, signs −, +, −, …: negative definite.
         """
-        ring = Ring(self.matrix)
+        ring = signs_over(self.equilibrium, self.matrix.flat()).ring
         rows, bottom = ring.matrix(self.matrix.tolist())
         return tuple(ring.quotient(determinant(ring, [row[:n] for row in rows[:n]]), bottom**n)
                      for n in range(1, len(rows) + 1))
@@ -88,8 +87,8 @@ def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
     (-pi3_0/I3, (-I3*dU/2 + l*pi3_0/2 + pi3_0**2/2)/I3)
     """
     columns = differentials(eq, functions)
-    energy = list(eq.at_point(eq.system.energy_gradient))
-    signs = Signs.over([*(entry for column in columns for entry in column), *energy], eq.domain)
+    energy = [entry for (entry,) in rows_at_point(eq, eq.system.energy_gradient)]
+    signs = signs_over(eq, [*(entry for column in columns for entry in column), *energy])
     ring = signs.ring
     rows = [ring.matrix([row])[0][0] for row in zip(*columns, energy)]
     solved = dict(row_reduce(ring, rows, lambda j, entry: (-j, not signs.nonzero(entry), len(entry)),
@@ -126,11 +125,15 @@ def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMa
     >>> gs.augmented_hessian(gs.upright(scene), scene.space.casimirs)[0, 3]
     -pi3_0/I3
     """
-    space = eq.system.space
-    total = eq.at_point(eq.system.energy_hessian)
-    for function, nu in zip(functions, multipliers(eq, functions)):
-        total += nu * eq.at_point(space.hessian(function))
-    return ImmutableMatrix(total)
+    return ImmutableMatrix(_augmented(eq, zip(functions, multipliers(eq, functions))))
+
+
+def _augmented(eq: Equilibrium, with_multipliers: Iterable[tuple[Expr, Expr]]) -> list[list[Expr]]:
+    total = rows_at_point(eq, eq.system.energy_hessian)
+    for function, nu in with_multipliers:
+        hessian = rows_at_point(eq, eq.system.space.hessian(function))
+        total = [[a + nu * b if b else a for a, b in zip(*rows)] for rows in zip(total, hessian)]
+    return total
 
 
 def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation:
@@ -167,10 +170,10 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     basis, symmetries = slice_and_symmetries(eq) if integrals else (orbit_tangent(eq), ())
     functions = eq.system.space.casimirs + (critical_integrals(eq)[0] if integrals else ())
     nu = multipliers(eq, functions)
-    form = augmented_hessian(eq, functions)
-    ring = Ring([*form, *basis])
-    rows, bottom = ring.matrix(form.tolist())
-    columns, _ = ring.matrix(basis.tolist())
+    form, vectors = _augmented(eq, zip(functions, nu)), basis.tolist()
+    ring = signs_over(eq, [entry for row in (*form, *vectors) for entry in row]).ring
+    rows, bottom = ring.matrix(form)
+    columns, _ = ring.matrix(vectors)
     restricted = (
         multiply(ring, [list(column) for column in zip(*columns)], multiply(ring, rows, columns))
         if basis.cols

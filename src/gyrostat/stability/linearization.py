@@ -1,4 +1,5 @@
 """The linearised field on the coadjoint orbit, its characteristic polynomial and eigenvalues."""
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -7,6 +8,7 @@ from sympy import Expr, I, ImmutableMatrix, Mul, Pow, S, sqrt
 from ..algebra.matrices import characteristic_coefficients, multiply
 from ..algebra.polynomials import Ring
 from ..errors import ScopeError
+from ..mechanics.derivation import rows_at_point, signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.orbit import orbit_tangent
@@ -46,7 +48,7 @@ class Linearization(Shown, Stored):
     @cached_property
     def coefficients(self) -> tuple[Expr, ...]:
         """c2, c4, …: det(λ − J) = λᵈ + c2 λᵈ⁻² + …; the odd ones vanish, the field being Hamiltonian."""
-        ring = Ring(self.matrix)
+        ring = signs_over(self.equilibrium, self.matrix.flat()).ring
         rows, bottom = ring.matrix(self.matrix.tolist())
         return tuple(ring.quotient(c, bottom**n)
                      for n, c in enumerate(characteristic_coefficients(ring, rows), 1) if n % 2 == 0)
@@ -157,11 +159,12 @@ def linearize(eq: Equilibrium) -> Linearization:
     0
     """
     basis = orbit_tangent(eq)
-    jacobian = eq.at_point(eq.system.jet_jacobian)
-    free = _free_coordinates(basis)
-    ring = Ring([*jacobian, *basis])
-    rows, bottom = ring.matrix(jacobian.extract(free, list(range(jacobian.cols))).tolist())
-    columns, _ = ring.matrix(basis.tolist())           # polynomial: the denominator is 1
+    vectors = basis.tolist()
+    free = _free_coordinates(vectors)
+    jacobian = rows_at_point(eq, eq.system.jet_jacobian)
+    ring = signs_over(eq, [entry for row in (*jacobian, *vectors) for entry in row]).ring
+    rows, bottom = ring.matrix([jacobian[i] for i in free])
+    columns, _ = ring.matrix(vectors)                  # polynomial: the denominator is 1
     product = multiply(ring, rows, columns)
     scale = [columns[i][j] for j, i in enumerate(free)]
     matrix = ImmutableMatrix([[ring.quotient(entry, bottom * d) for entry in row]
@@ -169,11 +172,14 @@ def linearize(eq: Equilibrium) -> Linearization:
     return Linearization(eq, basis, matrix)
 
 
-def _free_coordinates(basis: ImmutableMatrix) -> list[int]:
+def _free_coordinates(basis: Sequence[Sequence[Expr]]) -> list[int]:
     """For each basis vector the coordinate that no other vector has."""
-    lonely = {j: i for i in reversed(range(basis.rows)) for j in range(basis.cols)
-              if basis[i, j] and not any(basis[i, other] for other in range(basis.cols) if other != j)}
-    return [lonely[j] for j in range(basis.cols)]
+    found: dict[int, int] = {}
+    for i, row in enumerate(basis):
+        vectors = [j for j, entry in enumerate(row) if entry]
+        if len(vectors) == 1:
+            found.setdefault(vectors[0], i)
+    return [found[j] for j in range(len(basis[0]))]
 
 
 def square_root(expression: Expr) -> Expr:

@@ -1,0 +1,36 @@
+"""The one ring in which what holds at an equilibrium is derived, and what is put in it."""
+from collections.abc import Iterable
+
+from sympy import Expr, ImmutableMatrix, Symbol
+
+from ..algebra.margins import Signs
+from ..notation import symbol
+from .equilibria import Equilibrium
+from .once import once
+
+# with more generators the texts of factors, and with more roots the roots, are ordered as each ring finds them
+GENERATORS, ROOTS = 10, 1
+
+
+def signs_over(eq: Equilibrium, expressions: Iterable[Expr]) -> Signs:
+    """Signs on the family, in its one ring if that holds the expressions, else in a ring of their own."""
+    expressions = list(expressions)
+    shared = _shared(eq)
+    return shared if shared and shared.ring.holds(expressions) else Signs.over(expressions, eq.domain)
+
+
+def rows_at_point(eq: Equilibrium, matrix: ImmutableMatrix) -> list[list[Expr]]:
+    """The entries of a matrix, each at the equilibrium."""
+    return [[entry if entry.is_Number else eq.at_point(entry) for entry in row] for row in matrix.tolist()]
+
+
+@once
+def _shared(eq: Equilibrium) -> Signs | None:
+    """Signs in a ring of the body, the point, the jet of U there and a free multiplier."""
+    body, potential = eq.system.body, eq.system.potential
+    slopes = [d for d in potential.gradient() if isinstance(d, Symbol)] if potential else []
+    jet = [*slopes, *(d for slope in slopes for d in potential.following(slope))] if potential else []
+    held = [eq.at_point(e) for e in (*body.inertia, *body.gyrostatic_momentum, *jet)]
+    signs = Signs.over([*eq.point, *held, symbol("nu1")], eq.domain)
+    few = len(signs.ring.generators) <= GENERATORS and len(signs.ring.squares) <= ROOTS
+    return signs if few else None
