@@ -135,9 +135,10 @@ class Signs:
         if name not in self._quadratics:
             self._quadratics[name] = 0                 # unless something is found
             for index, degree in enumerate(polynomial.degrees()):
-                if degree == 2:
+                twice = polynomial.derivative(index).derivative(index) if degree == 2 else self.ring.zero
+                if sign := self.of(twice, deep=False):
                     c, b, a = by_degree(polynomial, index, 2)
-                    if (sign := self.of(a, deep=False)) and self.of(b**2 - 4 * a * c, deep=False) == -1:
+                    if self.of(b**2 - 4 * a * c, deep=False) == -1:
                         self._quadratics[name] = sign
                         break
         return self._quadratics[name]

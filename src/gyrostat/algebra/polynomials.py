@@ -33,7 +33,7 @@ class Ring:
         self._context = fmpq_mpoly_ctx.get(tuple(f"x{i}" for i in range(len(self.generators))), Ordering.lex)
         self.one, self.zero = self._context.constant(1), self._context.constant(0)
         self.gens = dict(zip(self.generators, self._context.gens()))
-        self._literal = False                          # whether generators mean themselves, once that is known
+        self._literal = False                          # whether every generator means itself
         self._memo = {g: (x, self.one) for g, x in self.gens.items()}
         self._meaning = list(self.generators)
         self.squares: dict[Expr, fmpq_mpoly] = {}
@@ -120,16 +120,16 @@ class Ring:
         for row in entries:
             for _, denominator in row:
                 bottom = lcm(bottom, denominator)
-        return [[self.reduce(top * (bottom / denominator)) for top, denominator in row]
-                for row in entries], bottom
+        return [[self.reduce(top if denominator == bottom else top * (bottom / denominator))
+                 for top, denominator in row] for row in entries], bottom
 
     def expression(self, polynomial: fmpq_mpoly) -> Expr:
         """The SymPy expression, expanded."""
-        meaning = self._meaning
-        expression = Add(*(Mul(Rational(int(c.p), int(c.q)),
-                               *(Pow(meaning[n], Integer(e)) for n, e in enumerate(exponents) if e))
-                           for exponents, c in zip(polynomial.monoms(), polynomial.coeffs())))
-        return self._written(expression, polynomial, self.one)
+        terms = []
+        for exponents, c in zip(polynomial.monoms(), polynomial.coeffs()):
+            powers = [g if e == 1 else Pow(g, Integer(e)) for g, e in zip(self._meaning, exponents) if e]
+            terms.append(Mul(*powers) if c == 1 else Mul(Rational(int(c.p), int(c.q)), *powers))
+        return self._written(Add(*terms), polynomial, self.one)
 
     def _written(self, expression: Expr, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
         """An expression that is known when it is read again."""
@@ -152,7 +152,9 @@ class Ring:
 
     def quotient(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
         """The SymPy fraction in lowest terms, denominators factored."""
-        top, bottom = cancel(self.reduce(top), bottom)
+        if not (top := self.reduce(top)):
+            return S.Zero
+        top, bottom = cancel(top, bottom)
         if bottom.is_constant():
             return self.expression(top / bottom)
         content, factors = bottom.factor()

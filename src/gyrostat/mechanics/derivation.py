@@ -8,7 +8,7 @@ from ..notation import symbol
 from .equilibria import Equilibrium
 from .once import once
 
-# with more generators the texts of factors, and with more roots the roots, are ordered as each ring finds them
+# with more of them, the order of factors and of roots depends on the ring
 GENERATORS, ROOTS = 10, 1
 
 

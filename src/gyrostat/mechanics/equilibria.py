@@ -173,12 +173,6 @@ class Equilibrium(Shown, Stored):
                 expression = expression.xreplace({name: value})
         return expression
 
-    @property
-    def inserts(self) -> bool:
-        """Whether there is anything to insert."""
-        potential = self.system.potential
-        return bool(potential and potential.given) or any(not jet(name.name) for name, _ in self.relations)
-
     def insert_field(self, expression: Any) -> Any:
         """The jet of a given U replaced by its values at the point.
 
@@ -251,6 +245,8 @@ class Equilibrium(Shown, Stored):
 def _residual(rate: Expr, eq: Equilibrium) -> Expr | None:
     """The rate in lowest terms, None where it is proved to vanish."""
     for expression in (rate, eq.insert(rate)):
+        if expression is S.Zero:
+            return None
         residual = lowest_terms(expression)
         if residual == 0 or is_identically_zero(residual):
             return None

@@ -46,6 +46,11 @@ def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
     >>> gs.orbit_tangent(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))).T.tolist()
     [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0]]
     """
+    return _tangent(eq)
+
+
+@once
+def _tangent(eq: Equilibrium) -> ImmutableMatrix:
     return _kernel(eq, regular_differentials(eq))
 
 
@@ -118,6 +123,8 @@ def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:
 def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, ...]]:
     """The symplectic slice, and the integrals whose flow was divided out."""
     _, moving = critical_integrals(eq)
+    if not moving:
+        return orbit_tangent(eq), ()
     level = [*regular_differentials(eq), *differentials(eq, moving)]
     # a direction along the orbit is removed by holding one coordinate
     held: list[list[Expr]] = []

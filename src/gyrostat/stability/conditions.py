@@ -11,7 +11,7 @@ from ..algebra.margins import Signs
 from ..algebra.polynomials import Ring
 from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
-from ..notation import Stored
+from ..notation import Stored, jet
 from ..shown import Shown
 from .energy_casimir import SecondVariation
 from .implication import Implied, Item, eliminate, merge, reduced
@@ -206,10 +206,16 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
     (3, 1)
     """
     first = _independent(criterion, eq, lambda e: e, signs_over(eq, _expressions(criterion)))
-    if not eq.inserts and len(criterion.alternatives) <= 1:
+    if not _inserts(eq) and len(criterion.alternatives) <= 1:
         return first                                     # one conjunction, reduced to the end
     signs = Signs.over(map(eq.insert, _expressions(first)), eq.existence())
     return _independent(first, eq, eq.insert, signs)
+
+
+def _inserts(eq: Equilibrium) -> bool:
+    """Whether a given U or an eliminated parameter is inserted at the equilibrium."""
+    potential = eq.system.potential
+    return bool(potential and potential.given) or any(not jet(name.name) for name, _ in eq.relations)
 
 
 def _expressions(criterion: Criterion) -> list[Expr]:
