@@ -2,7 +2,7 @@
 
 By rational arithmetic, or by proved enclosures and a separation bound.
 """
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 
 import sympy
@@ -62,6 +62,13 @@ class Point(dict[Symbol, Expr]):
         self.doubt = doubt
         self.rational = {s: fmpq(int(x.p), int(x.q)) for s, x in self.items() if isinstance(x, Rational)}
 
+    def rational_at(self, symbols: Sequence[Symbol]) -> list[fmpq] | None:
+        """The numbers of some symbols, None where one is not given or not rational."""
+        try:
+            return [self.rational[s] for s in symbols]
+        except KeyError:
+            return None
+
 
 def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
     """The exact value: a Rational where all numbers are rational and the expression is a fraction of
@@ -69,12 +76,12 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
     """
     given = values if isinstance(values, Point) else Point(values)
     fraction = compiled(expression)
-    if fraction is None or not all(s in given.rational for s in fraction[0]):
+    point = None if fraction is None else given.rational_at(fraction[0])
+    if fraction is None or point is None:
         placed = _inserted(expression, values)
         # doit factors the polynomial of a root once more
         return placed.doit() if placed.has(Derivative, Subs) else placed
-    symbols, top, bottom = fraction
-    point = [given.rational[s] for s in symbols]
+    _, top, bottom = fraction
     value = top(*point)
     if bottom is not None:
         below = bottom(*point)

@@ -130,6 +130,7 @@ def _dyadic(value: Any, name: str) -> Rational:
 
 
 def _bounded(value: Expr, name: str) -> Expr:
-    if isinstance(value, Rational) and max(int(value.p).bit_length(), int(value.q).bit_length()) > LONGEST:
+    if isinstance(value, Rational) and (int(value.p).bit_length() > LONGEST
+                                        or int(value.q).bit_length() > LONGEST):
         raise ValuesError(f"{name} = {shown(value)} is too long: numbers have up to {LONGEST} bits")
     return value

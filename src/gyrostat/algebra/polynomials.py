@@ -78,27 +78,27 @@ class Ring:
         elif isinstance(node, Pow) and isinstance(node.exp, Integer):
             factors = [_power(self.fraction(node.base), int(node.exp))]
         elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
-            factors = [_power(self.fraction(Pow(node.base, Rational(1, 2))), int(node.exp.p))]
+            factors = [_power(self._known(Pow(node.base, Rational(1, 2))), int(node.exp.p))]
         elif isinstance(node, Pow) and isinstance(node.exp, Rational):
-            root = Pow(node.base, Rational(1, node.exp.q))
-            factors = [_power((self._generator(root), self.one), int(node.exp.p))]
+            factors = [_power(self._known(Pow(node.base, Rational(1, node.exp.q))), int(node.exp.p))]
         elif isinstance(node, exp):
-            factors = [_power((self._generator(base), self.one), n) for base, n in exponential(node)]
+            factors = [_power(self._known(base), n) for base, n in exponential(node)]
         elif (same := spelt_once(node)) is not None:
             factors = [self.fraction(same)]
         elif (exponentials := node.rewrite(exp)) != node:
             factors = [self.fraction(exponentials)]
         else:
-            factors = [(self._generator(node), self.one)]
+            factors = [self._known(node)]
         top, bottom = self.one, self.one
         for numerator, denominator in factors:
             top, bottom = top * numerator, bottom * denominator
         return top, bottom
 
-    def _generator(self, node: Expr) -> fmpq_mpoly:
-        if node not in self.gens:
+    def _known(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        """What a generator is."""
+        if node not in self._memo:
             raise _ForeignError(f"{node} is not in the ring")
-        return self.gens[node]
+        return self._memo[node]
 
     def _add(self, parts: list[tuple[fmpq_mpoly, fmpq_mpoly]]) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         bottom = self.one

@@ -4,6 +4,7 @@ The spectral and the formal test as inequalities, reduced to what is independent
 """
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from sympy import Expr, S, Symbol
 
@@ -53,10 +54,10 @@ class Condition(Shown, Stored):
     at: Expr
     implies: tuple[Implied, ...] = field(default=(), compare=False)
 
-    @property
-    def symbols(self) -> set[Symbol]:
+    @cached_property
+    def symbols(self) -> frozenset[Symbol]:
         """What the sign depends on."""
-        return {s for e in (self.margin, *self.degenerate) for s in e.free_symbols}
+        return frozenset(s for e in (self.margin, *self.degenerate) for s in e.free_symbols)
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ def state_note(scene: System, state: Sequence[Expr]) -> str:
 def inertia_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     """A sentence if the moments break the triangle inequality, as no rigid body's do."""
     inertia = scene.body.inertia
-    if any(s not in numbers for m in inertia for s in m.free_symbols):
+    if not _names(inertia) <= numbers.keys():
         return ""
     if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(inertia)):
         moments = [evaluate(m, numbers) for m in inertia]
@@ -63,9 +63,9 @@ def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
         return ""
     others, first, second = form
     expressions = (*others, first, second, *scene.body.inertia)
-    if any(s not in numbers for e in expressions for s in e.free_symbols):
+    if not _names(expressions) <= numbers.keys():
         return ""
-    point = Point(numbers)
+    point = numbers if isinstance(numbers, Point) else Point(numbers)
     if any(sign_of_constant(evaluate(e, point)) != 0 for e in others):
         return ""
     a, b, I1, I2, I3 = (evaluate(e, point) for e in expressions[len(others):])
@@ -97,6 +97,11 @@ def _form(U: Expr) -> tuple[tuple[Expr, ...], Expr, Expr] | None:
     if first == second == 0:
         return None
     return tuple(c for c in reduced.values() if c.expand() != 0), first, second
+
+
+@lru_cache(maxsize=256)
+def _names(expressions: tuple[Expr, ...]) -> frozenset[Symbol]:
+    return frozenset(s for e in expressions for s in e.free_symbols)
 
 
 @lru_cache(maxsize=256)
