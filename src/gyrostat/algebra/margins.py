@@ -133,15 +133,18 @@ class Signs:
     def _quadratic(self, name: str, polynomial: fmpq_mpoly) -> int:
         """±1 for a quadratic in one generator whose discriminant is negative on the whole domain, else 0."""
         if name not in self._quadratics:
-            self._quadratics[name] = 0                 # unless something is found
-            for index, degree in enumerate(polynomial.degrees()):
-                twice = polynomial.derivative(index).derivative(index) if degree == 2 else self.ring.zero
-                if sign := self.of(twice, deep=False):
-                    c, b, a = by_degree(polynomial, index, 2)
-                    if self.of(b**2 - 4 * a * c, deep=False) == -1:
-                        self._quadratics[name] = sign
-                        break
+            found = (self._definite(polynomial, index)
+                     for index, degree in enumerate(polynomial.degrees()) if degree == 2)
+            self._quadratics[name] = next(filter(None, found), 0)
         return self._quadratics[name]
+
+    def _definite(self, polynomial: fmpq_mpoly, index: int) -> int:
+        """The sign of a quadratic in one generator whose discriminant is negative, else 0."""
+        sign = self.of(polynomial.derivative(index).derivative(index), deep=False)
+        if not sign:
+            return 0
+        c, b, a = by_degree(polynomial, index, 2)
+        return sign if self.of(b**2 - 4 * a * c, deep=False) == -1 else 0
 
     def _form(self, name: str, polynomial: fmpq_mpoly) -> int:
         """±1 if all terms have that sign and one of them cannot vanish, else 0."""

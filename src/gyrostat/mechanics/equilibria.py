@@ -61,8 +61,8 @@ class Equilibrium(Shown, Stored):
         moments = [*self.system.body.inertia, *(value for name, value in self.relations if name.is_positive)]
         if impossible := [m for m in moments if not m.free_symbols and sign(m, {}) != 1]:
             raise EquilibriumError(f"{self.label} has a relation that makes a moment, or another positive "
-                                   f"name, {impossible[0]}, "
-                                   "which is not proved to be positive: moments of inertia are positive")
+                                   f"name, {impossible[0]}, which is not proved to be positive: moments of "
+                                   "inertia are positive")
         unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive
                    and m not in self.domain]
         object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
@@ -80,30 +80,26 @@ class Equilibrium(Shown, Stored):
                 left.append((f"d{coordinate}/dt = {residual}", is_identically_zero(residual)))
         if wrong := [rate for rate, zero in left if zero is False]:
             raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong)}. Check the "
-                                   "point, or pass the relation "
-                                   "that makes these vanish as relations=((symbol, value),).")
+                                   "point, or pass the relation that makes these vanish as "
+                                   "relations=((symbol, value),).")
         if left:
             raise EquilibriumError(f"{self.label} is not proved to be an equilibrium: whether "
-                                   f"{', '.join(rate for rate, _ in left)} is 0 "
-                                   "is not decided. Write its numbers with rationals and roots.")
+                                   f"{', '.join(rate for rate, _ in left)} is 0 is not decided. Write its "
+                                   "numbers with rationals and roots.")
         if self.system.potential:
             self._check_direction()
 
     def _check_direction(self) -> None:
-        """k is a unit vector (k = 0, on a singular orbit, is refused by the verbs), the relations hold for U,
-        and U is smooth there.
-        """
+        """k is a unit vector (k = 0 is refused by the verbs), the relations hold for U, and it is smooth."""
         k = self.point[3:]
         if any(k) and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
             unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
-            raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = "
-                                   f"{excess}{unknown}: k is a direction, "
-                                   "|k| = 1; divide it by its length")
+            raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}"
+                                   f"{unknown}: k is a direction, |k| = 1; divide it by its length")
         for value in (*self.field_values, *self.constraints):
             if value.is_finite is False or value.is_real is False:
                 raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is "
-                                       f"{shown(value)} there, "
-                                       "not a finite real number")
+                                       f"{shown(value)} there, not a finite real number")
         for residual in self.constraints:
             if not residual.free_symbols:
                 what = "is not proved to be" if sign(residual, {}) is None else "is not"
@@ -112,16 +108,12 @@ class Equilibrium(Shown, Stored):
         for argument in self._inner_arguments():
             if not argument.free_symbols and sign(argument, {}) != 1:
                 raise EquilibriumError(f"{self.label} does not exist: U is not smooth there, the argument "
-                                       "of a root, logarithm or inverse "
-                                       f"function is not proved to be inside its range, {argument} > 0")
+                                       "of a root, logarithm or inverse function is not proved to be inside "
+                                       f"its range, {argument} > 0")
 
     def _inner_arguments(self) -> tuple[Expr, ...]:
-        """What has to be positive for a given U to be smooth at the point.
-
-        Arguments of roots and logarithms, and the like.
-        """
-        potential = self.system.potential
-        if not potential or not potential.given:
+        """What has to be positive for a given U to be smooth at the point: arguments of roots."""
+        if not (potential := self.system.potential) or not potential.given:
             return ()
         return tuple(dict.fromkeys(self.insert(self._placed(a))
                                    for a in smooth_where_positive(potential.expression)))
@@ -187,8 +179,14 @@ class Equilibrium(Shown, Stored):
         potential = self.system.potential
         if not potential or not potential.given:
             return expression
-        return expression.xreplace({s: self._placed(potential.value(s))
-                                    for s in expression.free_symbols if jet(s.name)})
+        for s in expression.free_symbols - self._jet.keys():
+            if jet(s.name):
+                self._jet[s] = self._placed(potential.value(s))
+        return expression.xreplace(self._jet)
+
+    @cached_property
+    def _jet(self) -> dict[Symbol, Expr]:                  # the values that have been inserted
+        return {}
 
     def existence(self) -> tuple[Expr, ...]:
         """The domain in the parameters that are left: positive where the family exists."""

@@ -169,6 +169,7 @@ def _meant(expression: Expr) -> str:
     )
 
 
+@lru_cache(maxsize=256)
 def smooth_where_positive(expression: Expr) -> tuple[Expr, ...]:
     """What has to be positive for the expression to be real and smooth.
 
