@@ -533,6 +533,22 @@ def test_a_filter_that_never_suffices_changes_nothing(reports, monkeypatch, name
     check(reports[name], {n: v[:2] for n, v in GRIDS[name].items()}, backend=backend)
 
 
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("shape", [(60,), (6, 10)])
+def test_the_boundary_is_decided_at_once(reports, monkeypatch, backend, shape):
+    """Points of the boundary in doubles are one array for every rung; balls and rationals are not needed."""
+    monkeypatch.setattr(arraysigns, "ExactSign", None)
+    rng = np.random.default_rng(3)
+    q, l, bend = (rng.integers(-9, 9, shape) / 2.0**n for n in (20, 30, 0))
+    I1 = rng.integers(1, 2**20, shape) / 2.0**10
+    check(reports["E1"], {"I1": I1, "dU": I1 * q * q, "l": l, "pi3_0": 2 * I1 * q - l,
+                          "d2U": np.where(bend > 3, bend, -I1 * q * q), "d3U": bend, "d4U": 1.0},
+          backend=backend)
+    w, z = rng.integers(1, 9, shape) / 4, rng.uniform(-0.9, 0.9, shape)
+    check(reports["E3"], {"I1": 1.0, "I3": 1.0, "l": z, "omega": 1.0, "k3": z, "d2U": -1.0,
+                          "d3U": np.where(w > 1, 0, w), "d4U": bend}, backend=backend)
+
+
 def test_out_is_written_to(reports):
     """out of int8 is filled and returned; other arrays are refused."""
     values, out = {"I1": 1, "dU": 1, "l": np.zeros((3, 1)),

@@ -16,7 +16,7 @@ from ..stability.truth import Relation, truth
 from .answers import answered, every, some
 from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
 from .grids import Grid, Slices, cut, last, places
-from .signs import UNKNOWN, ArraySigns, dyadic_rational
+from .signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational
 
 
 class Decided:
@@ -87,8 +87,10 @@ class Decided:
             between = between & ~nowhere
         if between.any():
             rows, columns = places(between)
-            with ONE_AT_A_TIME:
-                out[rows, columns] = self._between(self.grid.at(block, rows, columns))
+            for start in range(0, len(rows), TOGETHER):
+                at = rows[start:start + TOGETHER], columns[start:start + TOGETHER]
+                with ONE_AT_A_TIME:
+                    out[at] = self._between(self.grid.at(block, *at))
 
     def _between(self, grid: Grid) -> Array | list[int]:
         """Verdicts at points between the two criteria.
@@ -97,7 +99,7 @@ class Decided:
         """
         boundary = self.report.boundary
         if boundary is not None:
-            return _climbed(boundary, grid)
+            return _climbed(boundary, grid, self.alone)
         names = [s.name for s in grid.values]
         return [CODE_OF[self.report.verdict(dict(zip(names, map(dyadic_rational, numbers)))).verdict]
                 for numbers in grid.numbers(grid.values)]
@@ -112,13 +114,17 @@ class Decided:
         return truth(criterion, compare, every, some)
 
 
-def _climbed(boundary: Boundary, grid: Grid) -> Array:
-    """Verdicts at points in a row by the ladder, each rung at the points where all below it vanish."""
+def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
+    """Verdicts at points in a row by the ladder, each rung at the points where all below it vanish, as a
+    margin may be known to.
+    """
     found = np.full(grid.shape, UNDECIDED, dtype=np.int8)
     left = np.arange(len(found))
     for rung in boundary.decisive():
         if not rung.condition.symbols <= grid.values.keys():
             return found
+        if rung.condition.margin == vanishing:         # and 0 it is with even factors as well
+            continue
         signs = _signs_of(rung.condition,
                           grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))
         unknown = (signs == UNKNOWN) | (signs == 0)

@@ -1,4 +1,7 @@
-"""Exact signs of an expression on a grid: floats with a proved bound, then balls, then rationals."""
+"""Exact signs of an expression on a grid.
+
+Floats with a proved bound, then whole numbers; with functions or exact numbers balls, and rationals.
+"""
 import operator
 from functools import lru_cache
 from math import isfinite
@@ -7,12 +10,13 @@ from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
-from sympy import Expr, Rational, Symbol
+from sympy import Expr, Integer, Rational, Symbol
 
 from ..algebra.balls import ball
 from ..algebra.exact import compiled, sign
 from ..algebra.floats import Array
 from ..algebra.precision import ONE_AT_A_TIME, own_precision
+from .dyadic import dyadic_signs
 from .grids import Grid, Slices, cut, places
 from .kernels import Kernel
 from .rounding import error_bound, rounded
@@ -20,6 +24,7 @@ from .straightline import Program, program_of
 from .tiles import Tiles
 
 UNKNOWN = 2                                            # no sign is proved
+TOGETHER = 2**14                                       # points, of which all steps fit a cache
 PRECISION = 128                                        # bits of the first balls
 _BALLS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
                          negative=operator.neg)
@@ -50,6 +55,7 @@ class ArraySigns:
         self.kernel = Kernel(self.tiles, "sign", spent) if backend == "numba" and self.tiles.inner else None
         with ONE_AT_A_TIME:
             largest = {leaf: self._largest(leaf) for leaf in program.leaves}
+        self.whole_numbers = _in_whole_numbers(program, grid)
         self.bound = float(error_bound(program, largest, _roundings(program, grid)))
         self.kept: tuple[Any, Array] | None = None
         self.sufficed = False                          # whether the one bound was enough in the last block
@@ -88,11 +94,10 @@ class ArraySigns:
             return self.kept[1]
         signs = self.empty(block) if out is None or key is not None else out
         self.filtered(block, signs)
-        unsure = signs.size - int(np.count_nonzero(signs))
-        self.sufficed = unsure == 0
-        if unsure:
-            with ONE_AT_A_TIME:
-                self._decide(block, signs, unsure)
+        self.sufficed = bool(signs.all())
+        if not self.sufficed:
+            with np.errstate(all="ignore"):
+                self._decide(block, signs)
         self.kept = (key, signs) if key is not None else None
         return signs
 
@@ -111,31 +116,41 @@ class ArraySigns:
             above, below = value > self.bound, value < -self.bound
         np.subtract(above.view(np.int8), below.view(np.int8), out=out)
 
-    def _decide(self, block: Slices, signs: Array, unsure: int) -> None:
-        """Decide what is 0 in a block: with a bound for each point, and exactly where that is too wide."""
-        leaves = {step.value: self.tiles.small(i, block)
-                  for i, step in enumerate(self.tiles.program.steps) if step.operation == "leaf"}
-        if 8 * unsure > signs.size:                    # as rows and columns
-            signs[...] = self._bounded(leaves)
-        else:
-            rows, columns = places(signs == 0)
-            signs[rows, columns] = self._bounded({leaf: a[rows if a.shape[0] > 1 else 0,
-                                                          columns if a.shape[1] > 1 else 0]
-                                                  for leaf, a in leaves.items()})
-        rows, columns = places(signs == 0)
-        if len(rows):
-            exact = ExactSign(self.expression)
-            signs[rows, columns] = [exact(numbers)
-                                    for numbers in self.grid.at(block, rows, columns).numbers(exact.symbols)]
-
-    def _bounded(self, leaves: dict[Any, Array]) -> Array:
-        """Signs that doubles prove with a bound for each point, 0 elsewhere."""
+    def _decide(self, block: Slices, signs: Array) -> None:
+        """Decide what is 0 in a block, some points at a time: with a bound for each, then in whole numbers,
+        then one by one.
+        """
         program = self.tiles.program
-        with np.errstate(all="ignore"):
-            computed: list[Any] = program.run(leaves.__getitem__, lambda c: np.float64(rounded(c)[0]), np)
-            bound = error_bound(program, {leaf: np.abs(x) for leaf, x in leaves.items()},
-                                _roundings(program, self.grid), computed)
-            return np.greater(computed[-1], bound).astype(np.int8) - np.less(computed[-1], -bound)
+        leaves = {step.value: self.tiles.small(i, block)
+                  for i, step in enumerate(program.steps) if step.operation == "leaf"}
+        unsure = places(signs == 0)
+        for start in range(0, len(unsure[0]), TOGETHER):
+            rows, columns = (place[start:start + TOGETHER] for place in unsure)
+            here = {leaf: a[rows if a.shape[0] > 1 else 0, columns if a.shape[1] > 1 else 0].reshape(-1)
+                    for leaf, a in leaves.items()}
+            found, bound = self._bounded(here, len(rows))
+            left = np.flatnonzero(found == 0)
+            if len(left) and self.whole_numbers:
+                found[left], known = dyadic_signs(program, {s: x[left] if len(x) > 1 else x
+                                                            for s, x in here.items()}, 2 * bound[left])
+                left = left[~known]
+            if len(left):
+                found[left] = self._one_by_one(self.grid.at(block, rows[left], columns[left]))
+            signs[rows, columns] = found
+
+    def _one_by_one(self, points: Grid) -> list[int]:
+        exact = ExactSign(self.expression)
+        with ONE_AT_A_TIME:
+            return [exact(numbers) for numbers in points.numbers(exact.symbols)]
+
+    def _bounded(self, leaves: dict[Any, Array], points: int) -> tuple[Array, Array]:
+        """Signs that doubles prove with a bound for each point in a row, 0 elsewhere; and the bounds."""
+        program = self.tiles.program
+        computed: list[Any] = program.run(leaves.__getitem__, lambda c: np.full(1, rounded(c)[0]), np)
+        bound = error_bound(program, {leaf: np.abs(x) for leaf, x in leaves.items()},
+                            _roundings(program, self.grid), computed)
+        signs = np.greater(computed[-1], bound).astype(np.int8) - np.less(computed[-1], -bound)
+        return np.broadcast_to(signs, points).copy(), np.broadcast_to(bound, points)
 
 
 class ExactSign:
@@ -181,6 +196,12 @@ def _rational(x: float | Rational) -> fmpq:
 
 def _ball_of(x: float | Expr) -> arb:
     return arb(x) if isinstance(x, float) else ball(x, PRECISION)
+
+
+def _in_whole_numbers(program: Program, grid: Grid) -> bool:
+    """Whether all that is read is doubles, and the coefficients are whole."""
+    return all(leaf in grid.values and leaf not in grid.exact for leaf in program.leaves) and all(
+        isinstance(step.value, Integer) for step in program.steps if step.operation == "constant")
 
 
 def _roundings(program: Program, grid: Grid) -> dict[Expr, int]:
