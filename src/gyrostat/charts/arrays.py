@@ -8,8 +8,9 @@ from ..algebra.floats import Array
 from ..errors import ArgumentError, ValuesError, optional, require
 from ..stability.report import Report
 from ..stability.values import check_family
-from .deciding import Decided
+from .deciding import Decided, demands_of
 from .grids import Grid, grid_of
+from .screens import Screen, screened
 from .signs import dyadic_rational
 from .writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 
@@ -76,14 +77,23 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     if backend == "numba":
         optional("numba", "fast")
     require(values or {}, Mapping, "what is given by name")
+    require(threads, int, "threads")
     given = {str(name): value for name, value in {**(values or {}), **arrays}.items()}
-    grid = grid_for(report, given, finite=invalid == "raise")
+    grid = grid_for(report, given, finite=False)
     result = prepared(out, grid.shape, np.int8)
     grid = grid.apart_from(result)
     merged = result.reshape(grid.merged)
-    blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
-    firsts = in_threads(lambda some: Decided(report, grid, backend).fill(some, merged), blocks, threads)
+    demands = demands_of(report, grid)
+    if backend == "numba" and screened(grid, demands):
+        screen = Screen(report, grid, demands)
+        firsts = in_threads(lambda some: screen.fill(some, merged), screen.blocks(threads), threads)
+    else:
+        if invalid == "raise":
+            _refuse_strange(report, given, grid)
+        blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
+        firsts = in_threads(lambda some: Decided(report, grid, backend).fill(some, merged), blocks, threads)
     if invalid == "raise" and (bad := [first for first in firsts if first is not None]):
+        _refuse_strange(report, given, grid)
         place = min(bad)
         block = tuple(slice(i, i + 1) for i in place)
         (numbers,) = grid.at(block, np.zeros(1, int), np.zeros(1, int)).numbers(grid.values)
@@ -95,6 +105,12 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
         raise ValuesError(f"at index {grid.index(place)}: {why}; or ask for such points to be marked, "
                           "invalid=\"mark\"")
     return result
+
+
+def _refuse_strange(report: Report, given: Mapping[str, Any], grid: Grid) -> None:
+    """Say which number is not finite, if there is one."""
+    if any(grid.strange(s) is not None for s in grid.values):
+        grid_for(report, given)
 
 
 def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True) -> Grid:

@@ -1,5 +1,6 @@
 """Verdicts in the blocks of a grid: proved signs of margins, and the ladder between the two criteria."""
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from functools import reduce
 from itertools import chain
 
@@ -19,21 +20,36 @@ from .grids import Grid, Slices, cut, last, places
 from .signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational
 
 
+@dataclass(frozen=True)
+class Demands:
+    """What has to be positive, not 0, and 0 for the equilibrium to exist; the margin that decides alone."""
+
+    positive: tuple[Expr, ...]
+    nonzero: tuple[Expr, ...]
+    zero: tuple[Expr, ...]
+    alone: Expr | None
+
+
+def demands_of(report: Report, grid: Grid) -> Demands:
+    """The demands of a report on the numbers of a grid."""
+    eq, alone = report.equilibrium, _single(report.sufficient)
+    return Demands((*eq.existence(), *(s for s in grid.values if s.is_positive)),
+                   tuple(e for e in _denominators(eq.field_values) if e.free_symbols <= grid.values.keys()),
+                   tuple(eq.constraints), alone if alone == _single(report.necessary) else None)
+
+
 class Decided:
     """The verdicts of a report over a grid, written block by block on one thread."""
 
     def __init__(self, report: Report, grid: Grid, backend: str):
         self.report, self.grid, self.backend = report, grid, backend
         self.known: dict[Expr, ArraySigns] = {}
-        eq = report.equilibrium
-        self.positive = [self._signs(e) for e in (*eq.existence(),
-                                                  *(s for s in grid.values if s.is_positive))]
-        self.nonzero = [self._signs(e) for e in _denominators(eq.field_values)
-                        if e.free_symbols <= grid.values.keys()]
-        self.zero = [self._signs(e) for e in eq.constraints]
+        demands = demands_of(report, grid)
+        self.positive = [self._signs(e) for e in demands.positive]
+        self.nonzero = [self._signs(e) for e in demands.nonzero]
+        self.zero = [self._signs(e) for e in demands.zero]
+        self.alone = demands.alone
         self.unsafe = [a for a in map(grid.strange, grid.values) if a is not None]
-        alone = _single(report.sufficient)
-        self.alone = alone if alone == _single(report.necessary) else None
 
     def _signs(self, expression: Expr) -> ArraySigns:
         if expression not in self.known:

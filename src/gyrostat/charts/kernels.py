@@ -7,6 +7,7 @@ import shutil
 import sys
 import tempfile
 import time
+from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
@@ -17,6 +18,7 @@ import numpy as np
 from ..algebra.floats import Array
 from ..errors import optional
 from .grids import Slices
+from .straightline import Operation
 from .tiles import Tiles
 
 Finish = Literal["value", "positive", "nonnegative", "sign"]
@@ -46,7 +48,7 @@ class Kernel:
         operands = [self.tiles.small(i, block) for i in self.tiles.operands]
         kinds = "".join(map(_kind, operands))
         if kinds not in self.functions:
-            self.functions[kinds] = _function(self._source(kinds))
+            self.functions[kinds] = function_of(self._source(kinds))
         function = self.functions[kinds]
         given = [_given(a, kind) for a, kind in zip(operands, kinds)]
         into = out if out.flags.c_contiguous else np.empty(out.shape, dtype=out.dtype)
@@ -66,9 +68,7 @@ class Kernel:
         lines = []
         for i, step in tiles.inner:
             names[i] = f"x{i}"
-            arguments = [names[n] for n in step.arguments]
-            lines.append(f"            x{i} = " + (f"-{arguments[0]}" if step.operation == "negative" else
-                                                  f" {_SYMBOLS[step.operation]} ".join(arguments)))
+            lines.append(f"            x{i} = " + written(step.operation, [names[n] for n in step.arguments]))
         final = _FINISH[self.finish].format(names[tiles.inner[-1][0]])
         return "\n".join([f"def kernel({', '.join(f'a{i}' for i in tiles.operands)}, bound, out):",
                           "    for i in range(out.shape[0]):", "        row = out[i]", *before,
@@ -76,8 +76,13 @@ class Kernel:
                           ""])
 
 
+def written(operation: Operation, arguments: Sequence[str]) -> str:
+    """An operation of a program as it stands in a loop."""
+    return f"-{arguments[0]}" if operation == "negative" else f" {_SYMBOLS[operation]} ".join(arguments)
+
+
 @lru_cache(maxsize=128)
-def _function(source: str) -> Any:
+def function_of(source: str) -> Any:
     """The function, compiled when first called, or read from disk where a process has compiled it before."""
     numba = optional("numba", "fast")
     return numba.njit(cache=True, nogil=True, error_model="numpy")(_module(source).kernel)
