@@ -102,6 +102,20 @@ def test_what_is_screened(reports):
     assert not seen({"I1": np.ones(6), "a": np.ones(6), "l": 1.0, "pi3_0": 1.0, "I3": 1.0}, "E1 exp")
 
 
+def test_high_degrees_leave_few_points_over(monkeypatch):
+    """Their bound would be too wide with room for larger numbers."""
+    left = []
+    monkeypatch.setattr(screens, "Decided", lambda report, points, backend: left.append(points.merged[1])
+                        or Decided(report, points, backend))
+    report, source, n = gs.analyze(gs.inclined(axial(a * k3 + c * k3**40))), np.random.default_rng(7), 2**12
+    given = {"k3": source.uniform(-0.9, 0.9, n), **{x: source.uniform(0.5, 2, n) for x in report.required
+                                                     if x != "k3"}}
+    found = verdicts(report, given, backend="numba")
+    assert not left and (found == verdicts(report, given)).all()
+    given["c"][3] = np.inf
+    assert verdicts(report, given, backend="numba", invalid="mark")[3] == INVALID and left
+
+
 def test_a_constant_beyond_doubles():
     """Nothing is proved with it in floats."""
     report = gs.analyze(gs.upright(axial(10**400 * a * k3)))

@@ -1,6 +1,8 @@
 """A list of points screened by floats: one look at its columns, after which few points are left."""
+import operator
 from collections.abc import Iterable, Sequence
 from itertools import chain
+from types import SimpleNamespace
 
 import numpy as np
 from sympy import Expr, Symbol
@@ -14,14 +16,16 @@ from .rounding import LARGEST, error_bound, rounded
 from .straightline import Program, program_of
 from .writing import NUMBA_BLOCK, NUMPY_BLOCK
 
-SAMPLE, ROOM = 64, 4.0                                 # numbers of a column that are looked at before
+SAMPLE, ROOM = 64, 1.5                                 # numbers of a column that tell how large most are
+HIGHEST = 32                                           # degree up to which a bound has room for larger ones
+_DEGREES = SimpleNamespace(add=max, subtract=max, multiply=operator.add, negative=abs)
 
 
 class Screen:
     """The verdicts of a report at points that have a number of their own for each name, or one for all.
 
-    Of a few numbers of each column it is taken how large they are; a point whose numbers are not larger than
-    some times that, and whose signs floats prove with the bound that belongs to it, is decided in one loop.
+    Some numbers of each column, of high degrees all, tell how large they are; a point whose numbers are not
+    much larger, and whose signs floats prove with the bound that belongs to it, is decided in one loop.
     Everything else about it is known by then: that its numbers are finite, that the equilibrium exists. All
     other points are left to Decided.
 
@@ -35,8 +39,9 @@ class Screen:
 
     def __init__(self, report: Report, grid: Grid, demands: Demands):
         self.report, self.grid = report, grid
-        largest = {s: _largest(a) for s, a in grid.values.items()}
         assert demands.alone is not None
+        degree = program_of(demands.alone, grid.axes).run(lambda leaf: 1, lambda c: 0, _DEGREES)[-1]
+        largest = {s: _largest(a, degree <= HIGHEST) for s, a in grid.values.items()}
         tests = [*((e, "{0} > {1}") for e in demands.positive),
                  *((e, "abs({0}) > {1}") for e in demands.nonzero),
                  (demands.alone, "({0} > {1}) - ({0} < -{1})")]
@@ -81,16 +86,19 @@ def screened(grid: Grid, demands: Demands) -> bool:
         for leaf in program_of(e, grid.axes).leaves)
 
 
-def _largest(array: Array) -> float:
+def _largest(array: Array, sampled: bool) -> float:
     """At least the size of most numbers of a column, or of the one number, NaN if that is not finite.
 
-    The stride is odd: a column may have a period that is a power of 2.
+    Places are multiples of the golden section: they fall together with no period that a column has.
     """
-    some = np.abs(array.reshape(-1)[::array.size // SAMPLE | 1])
-    some = some[np.isfinite(some)]
     if array.size == 1:
-        return float(some[0]) if len(some) else float("nan")
-    return min(ROOM * float(np.max(some, initial=0.0)), LARGEST)
+        return abs(array.item()) if np.isfinite(array.item()) else float("nan")
+    if not sampled:
+        most = np.fmax(np.fmax.reduce(array, axis=None), -np.fmin.reduce(array, axis=None))
+        return min(float(most), LARGEST)
+    places = np.arange(SAMPLE) * ((5**0.5 - 1) / 2) % 1 * array.size
+    some = np.abs(array.reshape(-1)[places.astype(int)])
+    return min(ROOM * float(np.max(some, initial=0.0, where=np.isfinite(some))), LARGEST)
 
 
 def _source(grid: Grid, programs: Sequence[tuple[Program, str]]) -> str:
