@@ -55,6 +55,18 @@ def asymmetric():
 
 
 @pytest.fixture(scope="session")
+def upright_asymmetric(asymmetric):
+    """The general body upright, in its spin."""
+    return gs.analyze(gs.equilibrium(asymmetric, (0, 0, gs.symbol("pi3_0"), 0, 0, 1)))
+
+
+@pytest.fixture(scope="session")
+def general(asymmetric):
+    """The rotation of the general body about axis 3, in its rate."""
+    return gs.analyze(gs.equilibrium(asymmetric, (0, 0, gs.symbol("I3") * gs.symbol("omega"), 0, 0, 1)))
+
+
+@pytest.fixture(scope="session")
 def free():
     """Free gyrostat, l on axis 3."""
     return gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l"))))
