@@ -23,8 +23,9 @@ def hard():
     return hard_cases, verdict_routes
 
 
-@pytest.mark.parametrize("seed", [1, 2])
-@pytest.mark.parametrize("backend", ["numpy", "numba"])
+@pytest.mark.parametrize(("backend", "seed"), [
+    ("numpy", 1), *(pytest.param(backend, seed, marks=pytest.mark.slow)
+                    for backend, seed in (("numpy", 2), ("numba", 1), ("numba", 2)))])
 def test_no_hard_point_is_wrong_or_undecided(hard, backend, seed):
     """Near the boundary to the next float, on it, cancelling momenta, I1 → I3, abs(k3) → 1, stiff fields,
     10^±150 and subnormals.

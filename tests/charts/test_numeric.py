@@ -8,11 +8,12 @@ import subprocess
 import sys
 import tracemalloc
 from fractions import Fraction
+from itertools import product
 
 import array_api_strict
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 from sympy import Integer, Rational, Symbol, cos, exp, log, pi, sin, sqrt
@@ -47,12 +48,6 @@ def tilted_margin(e3):
 @pytest.fixture(scope="module")
 def free_body(free):
     return gs.analyze(gs.principal_rotation(free, 3))
-
-
-@pytest.fixture(scope="module")
-def general(asymmetric):
-    """The rotation about axis 3 of a general body in the Newtonian field."""
-    return gs.analyze(gs.equilibrium(asymmetric, (0, 0, gs.symbol("I3") * gs.symbol("omega"), 0, 0, 1)))
 
 
 @pytest.fixture(scope="module")
@@ -92,7 +87,6 @@ def test_values_are_those_of_the_formula(e1, tiny_blocks, backend, shapes):
 
 
 @given(drawn_shapes=shapes, seed=st.integers(0, 99), threads=st.sampled_from([1, 2]))
-@settings(max_examples=60)
 def test_blocks_have_no_seams(e1, drawn_shapes, seed, threads):
     """Any shapes that broadcast, in blocks of seven points, on one thread or two."""
     values = drawn(E1_NAMES, drawn_shapes.input_shapes, seed)
@@ -159,22 +153,25 @@ def small(names, seed):
     return {n: source.integers(1 if n.startswith("I") else -2, 4, sides[i % 3]) for i, n in enumerate(names)}
 
 
-@pytest.mark.parametrize("backend", [*BACKENDS, array_api_strict])
-@pytest.mark.parametrize("which", ["e1", "e2", "at_rest", "uniform_tilt", "free_body", "general"])
-def test_criteria_hold_where_they_hold(request, tiny_blocks, which, backend):
+@pytest.mark.parametrize(("which", "compiled"), [
+    ("e1", True), ("uniform_tilt", True), ("free_body", True), ("e2", False), ("at_rest", False),
+    ("general", False), *(pytest.param(which, True, marks=pytest.mark.slow)
+                          for which in ("e2", "at_rest", "general"))])
+def test_criteria_hold_where_they_hold(request, tiny_blocks, which, compiled):
     """Several conditions, strict or not, alternatives and even factors, at small integers, where floats are
-    exact.
+    exact, by every backend.
     """
     report = request.getfixturevalue(which)
-    for criterion in (report.sufficient, report.necessary, report.casimirs_only):
-        stable = compile_margin(criterion, backend)
-        for seed in range(2):
+    for criterion, seed in product((report.sufficient, report.necessary, report.casimirs_only), range(2)):
+        expected = None
+        for backend in ("numpy", array_api_strict, *["numba"] * compiled):
+            stable = compile_margin(criterion, backend)
             values = small(stable.names, seed)
+            expected = truth(criterion, values) if expected is None else expected
             given_arrays = {n: v.astype(float) for n, v in values.items()}
             if backend is array_api_strict:
                 given_arrays = {n: array_api_strict.asarray(v) for n, v in given_arrays.items()}
             found = np.asarray(stable(**given_arrays))
-            expected = truth(criterion, values)
             assert found.dtype == bool and np.array_equal(np.broadcast_to(found, expected.shape), expected)
 
 
@@ -423,8 +420,7 @@ def test_memory_is_less_than_twice_the_result(tilted_margin, shapes):
 
 def test_numba_is_numpy(tilted_margin, tiny_blocks):
     """E3 on grids of several kinds: the same bits, products and sums are not contracted."""
-    for shapes in ([(), (), (), (23, 1), (), (29,)], [(50,)] * 6, [(), (1,), (3, 1, 1), (5, 1), (), (7,)],
-                   [(), (), (4, 5), (5,), (4, 1), ()]):
+    for shapes in ([(), (), (), (23, 1), (), (29,)], [(), (1,), (3, 1, 1), (5, 1), (), (7,)]):
         values = drawn(("I1", "I3", "d2U", "k3", "l", "omega"), shapes)
         assert np.array_equal(compile_margin(tilted_margin, "numba")(**values),
                               compile_margin(tilted_margin)(**values))
