@@ -6,6 +6,7 @@ import errno
 import json
 import os
 import pickle
+import shutil
 import signal
 import subprocess
 import sys
@@ -51,6 +52,28 @@ def written(monkeypatch):
     return numbers
 
 
+@pytest.fixture(scope="module")
+def memory(e1):
+    """The chart in memory."""
+    return stability_chart(e1, **GRID)
+
+
+@pytest.fixture(scope="module")
+def finished(e1, tmp_path_factory):
+    """A store of ten blocks, written once."""
+    path = tmp_path_factory.mktemp("finished") / "chart.zarr"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(stores, "POINTS", 7 * 90)
+        stability_chart(e1, **GRID, store=path)
+    return path
+
+
+@pytest.fixture
+def path(small, finished, tmp_path):
+    """A copy of it, to be damaged."""
+    return Path(shutil.copytree(finished, tmp_path / "chart.zarr"))
+
+
 def contents(path):
     return {p.relative_to(path): p.read_bytes() for p in sorted(Path(path).rglob("*")) if p.is_file()}
 
@@ -92,10 +115,8 @@ def test_blocks_are_whole_rows(shape, points, block):
     assert frame.Frame(Path(), None, tuple(map(np.empty, shape)), points).block == block
 
 
-def test_another_chart_is_refused(e1, e2, small, tmp_path, monkeypatch):
+def test_another_chart_is_refused(e1, e2, path, tmp_path, monkeypatch):
     """Another report, axes, number, request, size of block or format; nothing of the store changes."""
-    path = tmp_path / "chart.zarr"
-    stability_chart(e1, **GRID, store=path)
     before = contents(path)
     xs = GRID["x"][1]
     for changed, why in (({"fixed": {"I1": "0.333", "dU": 1}}, "value of I1"),
@@ -140,14 +161,11 @@ def test_what_is_no_store_is_left_alone(e1, tmp_path):
     assert contents(tmp_path) == before and not (tmp_path / "missing").exists()
 
 
-def test_the_blocks_that_are_missing_are_computed(e1, small, written, tmp_path):
+def test_the_blocks_that_are_missing_are_computed(e1, path, written, memory):
     """A block without its mark is written again, whatever its chunk holds; the others are left.
 
     A whole store is opened at once.
     """
-    path = tmp_path / "chart.zarr"
-    stability_chart(e1, **GRID, store=path)
-    memory = stability_chart(e1, **GRID)
     before = contents(path)
     for number in (3, 8):
         (path / "complete" / "c" / str(number)).unlink()
@@ -171,13 +189,11 @@ def damage(path, how):
     path.unlink() if how == "missing" else path.write_bytes(left[how])
 
 
-def test_a_mark_that_does_not_fit_its_chunks_is_none(e1, small, written, tmp_path):
+def test_a_mark_that_does_not_fit_its_chunks_is_none(e1, path, written):
     """Marks and chunks missing, cut off, emptied, zeroed, altered or exchanged.
 
     These blocks are computed again, no other.
     """
-    path = tmp_path / "chart.zarr"
-    stability_chart(e1, **GRID, store=path)
     before = contents(path)
     for number, (name, how) in enumerate((name, how) for how in ("missing", "cut off", "emptied", "zeroed")
                                          for name in ("mark", "chunk")):
@@ -196,26 +212,11 @@ def test_a_mark_that_does_not_fit_its_chunks_is_none(e1, small, written, tmp_pat
     assert sorted(written) == [0, 9] and contents(path) == before
 
 
-def test_a_chunk_of_another_variable_is_none(tmp_path):
-    """Zarr writes no chunk of nothing but the fill value: that there is none is part of the mark."""
-    block = marks.Marks(tmp_path, ("verdict", "margin_0"), (2, 1), b"key")
-    first, second = block.chunks(1)
-    for chunk in (first, second):
-        chunk.parent.mkdir(parents=True)
-    first.write_bytes(b"values")
-    block.write(1)
-    assert block.fits(1) and not block.fits(0)
-    first.rename(second)
-    assert not block.fits(1)
-
-
-def test_descriptions_and_coordinates_are_made_again(e1, small, written, tmp_path):
+def test_descriptions_and_coordinates_are_made_again(e1, path, written, memory):
     """Of the group, of each array, of the store itself.
 
     Axes, fixed numbers, curves: as they were, and no block is computed.
     """
-    path = tmp_path / "chart.zarr"
-    stability_chart(e1, **GRID, store=path)
     before = contents(path)
     assert marks.unharmed(path)
     written.clear()
@@ -225,16 +226,12 @@ def test_descriptions_and_coordinates_are_made_again(e1, small, written, tmp_pat
                   "pi3_0/c/0": "missing"}):
         for name, how in harm.items():
             damage(path / name, how)
-        assert not marks.unharmed(path)
-        xr.testing.assert_identical(stability_chart(e1, **GRID, store=path).compute(),
-                                    stability_chart(e1, **GRID))
+        xr.testing.assert_identical(stability_chart(e1, **GRID, store=path).compute(), memory)
         assert contents(path) == before and written == []
 
 
-def test_a_damaged_description_whose_chart_no_block_proves_is_refused(e1, small, tmp_path):
+def test_a_damaged_description_whose_chart_no_block_proves_is_refused(e1, path, tmp_path):
     """Whose it is cannot be known: nothing of it changes."""
-    path = tmp_path / "chart.zarr"
-    stability_chart(e1, **GRID, store=path)
     damage(path / "complete" / "zarr.json", "flipped")
     before = contents(tmp_path)
     with pytest.raises(StoreError,
@@ -244,10 +241,8 @@ def test_a_damaged_description_whose_chart_no_block_proves_is_refused(e1, small,
     assert contents(tmp_path) == before
 
 
-def test_a_store_without_checksums_is_refused(e1, small, tmp_path):
+def test_a_store_without_checksums_is_refused(e1, path):
     """Of the format before: the message says how to convert it; nothing of it changes."""
-    path = tmp_path / "chart.zarr"
-    stability_chart(e1, **GRID, store=path)
     description = json.loads((path / "complete" / "zarr.json").read_text())
     own = json.loads(description["attributes"]["chart"])
     description["attributes"] = {"long_name": "whether a block is written",
@@ -282,7 +277,7 @@ def test_chunks_are_on_the_disk_before_their_mark(e1, small, tmp_path, monkeypat
         assert f"{path}/complete/c" in flushed[mark:]
 
 
-def test_a_full_disk(e1, small, written, tmp_path, monkeypatch):
+def test_a_full_disk(e1, small, written, memory, tmp_path, monkeypatch):
     """One sentence; what was written is kept, and the call goes on from there."""
     write = marks.Marks.write
 
@@ -301,24 +296,22 @@ def test_a_full_disk(e1, small, written, tmp_path, monkeypatch):
     written.clear()
     chart = stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
     assert written == list(range(4, 10))
-    xr.testing.assert_identical(chart.compute(), stability_chart(e1, **GRID))
+    xr.testing.assert_identical(chart.compute(), memory)
 
 
-def test_whoever_reads_is_told_of_a_damaged_chunk(e1, small, tmp_path):
+def test_whoever_reads_is_told_of_a_damaged_chunk(e1, path):
     """A flipped bit is an error of reading, not another verdict."""
-    chart = stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
-    damage(tmp_path / "chart.zarr" / "verdict" / "c" / "3" / "0", "flipped")
+    chart = stability_chart(e1, **GRID, store=path)
+    damage(path / "verdict" / "c" / "3" / "0", "flipped")
     with pytest.raises(ValueError, match="checksum"):
         chart.verdict.compute()
 
 
-def test_what_killed_processes_left_is_removed(e1, small, tmp_path):
+def test_what_killed_processes_left_is_removed(e1, path, tmp_path):
     """Beside the store and in it, after an hour.
 
     What is younger may be in use, and what has another name is someone's.
     """
-    path = tmp_path / "chart.zarr"
-    stability_chart(e1, **GRID, store=path)
     left = [tmp_path / "chart.zarr.ab.new", path / "verdict" / "c" / "0.ab.partial",
             tmp_path / "chart.zarr.cd.new", tmp_path / "my.new"]
     for place in left:
@@ -329,7 +322,7 @@ def test_what_killed_processes_left_is_removed(e1, small, tmp_path):
     assert [place.exists() for place in left] == [False, False, True, True]
 
 
-def test_a_mark_comes_after_its_chunks(e1, small, tmp_path, monkeypatch):
+def test_a_mark_comes_after_its_chunks(e1, small, memory, tmp_path, monkeypatch):
     """Where the computation of a block fails, its mark is not there, and what went before is kept."""
     from gyrostat.charts.request import Request
     compute = Request.variables
@@ -345,8 +338,7 @@ def test_a_mark_comes_after_its_chunks(e1, small, tmp_path, monkeypatch):
         stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
     assert sorted(int(p.name) for p in (tmp_path / "chart.zarr" / "complete" / "c").iterdir()) == [0, 1, 2, 3]
     monkeypatch.setattr(Request, "variables", compute)
-    xr.testing.assert_identical(stability_chart(e1, **GRID, store=tmp_path / "chart.zarr").compute(),
-                                stability_chart(e1, **GRID))
+    xr.testing.assert_identical(stability_chart(e1, **GRID, store=tmp_path / "chart.zarr").compute(), memory)
 
 
 def python(code, **environment):
@@ -356,7 +348,7 @@ def python(code, **environment):
 
 
 @pytest.mark.slow
-def test_a_killed_run_is_continued(e1, small, written, tmp_path):
+def test_a_killed_run_is_continued(e1, small, written, memory, tmp_path):
     """kill -9 in the middle, between the chunk of a block and its mark.
 
     The same call in another process computes what has no mark, and
@@ -381,10 +373,10 @@ stability_chart(report, **grid, store={str(path)!r})
     assert len(marked) == 4 and len(chunks - marked) == 1
     chart = stability_chart(e1, **GRID, store=path)
     assert sorted(written) == sorted(set(range(10)) - marked)
-    xr.testing.assert_identical(chart.compute(), stability_chart(e1, **GRID))
+    xr.testing.assert_identical(chart.compute(), memory)
 
 
-def test_a_store_is_moved_into_place_whole(e1, small, tmp_path, monkeypatch):
+def test_a_store_is_moved_into_place_whole(e1, small, memory, tmp_path, monkeypatch):
     """What interrupts its making leaves nothing.
 
     Where another process was first, its store is the one that is filled.
@@ -409,8 +401,7 @@ def test_a_store_is_moved_into_place_whole(e1, small, tmp_path, monkeypatch):
 
     monkeypatch.setattr(frame.os, "rename",
                         lambda new, place: (second if place == path else rename)(new, place))
-    xr.testing.assert_identical(stability_chart(e1, **GRID, store=path).compute(),
-                                stability_chart(e1, **GRID))
+    xr.testing.assert_identical(stability_chart(e1, **GRID, store=path).compute(), memory)
     assert list(tmp_path.iterdir()) == [path]
 
 
@@ -463,8 +454,13 @@ print(before, peak(), chart.nbytes / 2**20)
 
 
 @pytest.mark.parametrize("n", [pytest.param(n, marks=pytest.mark.slow) for n in (12, 120)])
-def test_memory_does_not_grow_with_the_chart(tmp_path, n):
-    """A process that writes a chart of 103 MiB grows by less than it, and by no more for one of 1 GiB."""
+def test_memory_does_not_grow_with_the_chart(full, tmp_path, n):
+    """A process that writes a chart of 103 MiB grows by less than it, and by no more for one of 1 GiB.
+
+    The larger one is written with --full.
+    """
+    if n > 12 and not full:
+        pytest.skip("some minutes: --full")
     run = python(MEMORY.format(n=n, path=str(tmp_path / "chart")))
     assert run.returncode == 0, run.stderr
     before, peak, size = map(float, run.stdout.split())
@@ -492,10 +488,9 @@ def test_a_missing_extra_is_named(e1, tmp_path, monkeypatch, missing):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_store_says_what_it_is_of(e1, small, tmp_path):
+def test_a_store_says_what_it_is_of(path):
     """What is compared is in the attributes of complete, and does not depend on the process."""
-    stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
-    own = json.loads(xr.open_zarr(tmp_path / "chart.zarr", consolidated=False).complete.attrs["chart"])
+    own = json.loads(xr.open_zarr(path, consolidated=False).complete.attrs["chart"])
     assert own["axes"] == ["l", "pi3_0"]
     assert own["value of I1"] == "1/3"
     assert own["format"] == frame.STORE_FORMAT
