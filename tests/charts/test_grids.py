@@ -9,7 +9,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 from sympy import Integer, Rational, S, exp, pi, sqrt
@@ -36,7 +36,6 @@ def points(grid):
 
 
 @given(drawn=shapes)
-@settings(max_examples=120)
 def test_the_grid_is_the_broadcast(drawn):
     """The shape is that of np.broadcast_arrays.
 
@@ -54,7 +53,6 @@ def test_the_grid_is_the_broadcast(drawn):
 
 
 @given(drawn=shapes)
-@settings(max_examples=80)
 def test_axes_are_those_of_length_above_one(drawn):
     """Each array is merged to the number of axes of the grid, of length 1 where it does not vary.
 
@@ -68,7 +66,6 @@ def test_axes_are_those_of_length_above_one(drawn):
 
 
 @given(drawn=filled)
-@settings(max_examples=80)
 def test_neighbours_are_merged_where_they_can_be(drawn):
     """Neighbouring axes of more than one element are joined wherever each array varies along both or neither.
     """
@@ -108,7 +105,6 @@ def test_equal_shapes_are_one_row(shape, merged):
 
 
 @given(drawn=shapes, size=st.integers(1, 40))
-@settings(max_examples=120)
 def test_blocks_tile_the_grid_once(drawn, size):
     """Each place is in one block.
 
@@ -130,7 +126,6 @@ def test_blocks_tile_the_grid_once(drawn, size):
 
 
 @given(rows=st.integers(1, 70), columns=st.integers(1, 70), outer=st.integers(1, 3), size=st.integers(1, 900))
-@settings(max_examples=60)
 def test_blocks_of_rows_and_columns(rows, columns, outer, size):
     """The same for grids of many rows and columns, and short axes before them."""
     grid = grid_of({"a": np.zeros((outer, 1, 1)), "b": np.zeros((rows, 1)),
@@ -144,7 +139,6 @@ def test_blocks_of_rows_and_columns(rows, columns, outer, size):
 
 
 @given(drawn=filled, size=st.integers(1, 20), data=st.data())
-@settings(max_examples=100)
 def test_some_points_of_a_block(drawn, size, data):
     """at takes the numbers of some rows and columns of a block."""
     given_arrays = counted(drawn.input_shapes)
@@ -162,7 +156,6 @@ def test_some_points_of_a_block(drawn, size, data):
 
 
 @given(drawn=filled, size=st.integers(1, 40))
-@settings(max_examples=100)
 def test_cut_is_the_part_in_a_block(drawn, size):
     """cut(array, block) broadcasts to the block of the broadcast array."""
     grid = grid_of(counted(drawn.input_shapes))
@@ -235,7 +228,6 @@ doubles = st.floats(allow_nan=False, allow_infinity=False)
 
 @given(values=st.lists(st.one_of(doubles, st.fractions(), st.integers(-2**70, 2**70)), min_size=1,
                        max_size=5))
-@settings(max_examples=100)
 def test_object_arrays_are_read_number_by_number(values):
     """Arrays of Fractions, integers and floats keep each exactly."""
     array = np.empty(len(values), dtype=object)

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import assume, example, given, settings
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from sympy import Add, Integer, Mul, Rational
 
@@ -83,7 +83,6 @@ def holds(program, floats, exact, roundings, computed=False):
 
 
 @given(program=programs(), values=st.lists(floats, min_size=4, max_size=4), computed=st.booleans())
-@settings(max_examples=300)
 def test_the_error_of_any_program_is_within_the_bound(program, values, computed):
     """abs(x̂ − x) ≤ e for random steps at doubles of every size, zeros and subnormal ones included, with the
     steps as computed or without.
@@ -94,7 +93,6 @@ def test_the_error_of_any_program_is_within_the_bound(program, values, computed)
 
 @given(expression=polynomials(), values=st.lists(st.one_of(ordinary, small, subnormal), min_size=4,
                                                  max_size=4), data=st.data())
-@settings(max_examples=120)
 def test_the_error_of_a_polynomial_is_within_the_bound(expression, values, data):
     """abs(x̂ − x) ≤ e for programs as they are written for polynomials, squares completed."""
     program, at = program_of(expression, {}), dict(zip(LEAVES, values))
@@ -109,7 +107,6 @@ def nearly_zero(draw):
 
 
 @given(pair=nearly_zero(), others=st.tuples(ordinary, ordinary), program=programs(), computed=st.booleans())
-@settings(max_examples=150)
 def test_cancelling_sums(pair, others, program, computed):
     """The bound holds where sums cancel to their last bits, and after products with what is left."""
     at = dict(zip(LEAVES, (*pair, *others)))
@@ -123,7 +120,6 @@ fractions = st.builds(lambda p, q, e: Fraction(p, q) * Fraction(2) ** e, st.inte
 
 @given(program=programs(), exact=st.lists(fractions, min_size=4, max_size=4), cancel=st.booleans(),
        computed=st.booleans())
-@settings(max_examples=200)
 def test_rounded_inputs_are_counted(program, exact, cancel, computed):
     """abs(x̂ − x) ≤ e where leaves are fractions, each correctly rounded and counted as one rounding.
 
@@ -138,7 +134,6 @@ def test_rounded_inputs_are_counted(program, exact, cancel, computed):
 
 
 @given(values=st.lists(fractions, min_size=2, max_size=2), n=st.integers(2, 6))
-@settings(max_examples=100)
 def test_sums_of_rounded_numbers_are_not_exact(values, n):
     """A sum of two rounded numbers may cancel to nothing.
 
@@ -194,7 +189,6 @@ def test_tiny_constants_underflow_too(exponent, factor):
 
 
 @given(values=st.lists(floats, min_size=2, max_size=2))
-@settings(max_examples=100)
 @example([1e200, 1e200])
 @example([LARGEST, 1.0])
 @example([LARGEST / 2, 3.0])
@@ -257,7 +251,6 @@ def test_what_underflow_adds():
 
 
 @given(expression=polynomials(), values=st.lists(ordinary, min_size=4, max_size=4))
-@settings(max_examples=100)
 def test_the_bound_is_not_vacuous(expression, values):
     """For ordinary numbers e < 100 u M, M the program with all signs positive, and e is not below u/4 times
     the value.
@@ -285,7 +278,6 @@ def test_a_sum_of_exact_numbers_is_known_to_its_size():
 
 
 @given(program=programs(), rows=st.lists(st.lists(floats, min_size=4, max_size=4), min_size=1, max_size=4))
-@settings(max_examples=100)
 def test_one_bound_for_many_points(program, rows):
     """The bound at the largest abs(leaf) is no smaller than the bound at each point.
 
@@ -300,7 +292,6 @@ def test_one_bound_for_many_points(program, rows):
 
 
 @given(p=st.integers(1, 2**1100), q=st.integers(1, 2**1100))
-@settings(max_examples=200)
 @example(1, 3)
 @example(2**53 + 1, 1)
 @example(2**53 - 1, 2**60)

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Integer, Rational, cos, exp, log, pi, sin, sqrt
 
@@ -60,7 +60,6 @@ POLYNOMIALS = [x * y - z, (x + y) ** 2 - 4 * z, x**2 + y**2 - z**2, x - y, x, (x
 
 @given(expression=st.sampled_from(POLYNOMIALS),
        columns=st.lists(st.tuples(floats, floats, floats), min_size=1, max_size=6))
-@settings(max_examples=120)
 def test_signs_at_doubles_are_exact(expression, columns):
     """At doubles of every size, mixed, the sign is that of rational arithmetic; zero is found."""
     values = dict(zip("xyz", map(np.array, zip(*columns))))
@@ -68,7 +67,6 @@ def test_signs_at_doubles_are_exact(expression, columns):
 
 
 @given(expression=st.sampled_from(POLYNOMIALS[:5]), data=st.data(), points=st.integers(1, 30))
-@settings(max_examples=60)
 def test_signs_on_grids_are_exact(expression, data, points):
     """The same along three axes, in blocks of 1 to 30 points, each as large as the expression varies."""
     values = {name: np.array(data.draw(st.lists(floats, min_size=1, max_size=4))).reshape(shape)
@@ -114,7 +112,6 @@ def test_signs_next_to_zero(backend, side):
 
 @given(columns=st.lists(st.tuples(floats, floats, floats), min_size=1, max_size=5),
        expression=st.sampled_from(POLYNOMIALS))
-@settings(max_examples=60)
 def test_one_bound_is_enough_for_all_points(columns, expression):
     """The one bound for a grid is no smaller than that of any of its points, whatever the signs of the
     numbers.
@@ -165,7 +162,6 @@ fractions = st.builds(lambda p, q, e: Fraction(p, q) * Fraction(2) ** e,
 
 
 @given(rows=st.lists(st.tuples(fractions, fractions), min_size=1, max_size=4), near=st.integers(-3, 3))
-@settings(max_examples=60)
 def test_signs_at_fractions_are_exact(rows, near):
     """At fractions that are no doubles, next to the zero of x y − z, the sign is that of the fractions, not
     of the doubles.

@@ -7,7 +7,7 @@ from fractions import Fraction
 from types import SimpleNamespace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Integer, Rational, chebyshevt, exp, sqrt
 
@@ -68,7 +68,6 @@ def inner(program, full):
 
 
 @given(data=st.data())
-@settings(max_examples=80)
 def test_the_program_is_the_margin(margins, data):
     """The last step is the margin, in Fractions, whatever the axes."""
     margin = data.draw(st.sampled_from(margins))
@@ -81,7 +80,6 @@ def test_the_program_is_the_margin(margins, data):
 
 
 @given(data=st.data())
-@settings(max_examples=50)
 def test_steps_vary_along_their_axes_alone(margins, data):
     """A step without an axis keeps its value when all that varies along that axis changes.
 
@@ -101,7 +99,6 @@ def test_steps_vary_along_their_axes_alone(margins, data):
 
 
 @given(data=st.data())
-@settings(max_examples=50)
 def test_nothing_is_computed_twice_or_in_vain(margins, data):
     """No two steps are equal, all but the last are read later, arguments come before.
 

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
@@ -57,7 +57,6 @@ def block_by_block(grid, points, kind=np.float64, into=False):
 
 
 @given(drawn=shapes, points=st.integers(1, 30), seed=st.integers(0, 99), into=st.booleans())
-@settings(max_examples=80)
 def test_blocks_of_any_size_are_the_whole(drawn, points, seed, into):
     """On small integers the values are the margin at each point, exactly, for 1 to 5 axes and blocks of 1 to
     30 points.

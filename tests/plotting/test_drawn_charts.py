@@ -226,7 +226,6 @@ def test_what_is_drawn_is_so(case):
 
 @pytest.mark.slow
 @given(charts())
-@settings(max_examples=150)
 def test_what_is_drawn_is_so_many_times(case):
     """The same, more often."""
     check(case)

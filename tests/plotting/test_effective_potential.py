@@ -6,7 +6,7 @@ import numpy as np
 import oracle
 import pytest
 from draw import moments, numbers
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure
 from numpy.polynomial import Polynomial
@@ -184,7 +184,6 @@ def drawn_is_true(values, top, bottom, energy):
 
 
 @pytest.mark.slow
-@settings(max_examples=40)
 @given(moments, moments, numbers, numbers, numbers, fields, numbers, st.sampled_from([0, 1, -1, 0]))
 def test_everything_drawn_is_true_and_nothing_is_missing(I1, I3, l, p_phi, p_psi, field, energy, side):
     """Random fields of degree 1 to 7 over 1, and over linear and quadratic denominators, poles of U inside

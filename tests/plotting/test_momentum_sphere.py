@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from draw import moments, numbers
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure
 from sympy import Rational
@@ -192,7 +192,6 @@ close = st.sampled_from([(1, "1.0001", 2), (1, 1, 2), (2, 1, 1), (1, "1.01", "1.
 
 
 @pytest.mark.slow
-@settings(max_examples=60)
 @given(close, st.tuples(numbers, numbers, numbers), st.sampled_from([0, "1/50", 1]), moments,
        st.one_of(st.fractions(0, 1), st.sampled_from([1e-6, 1e-4, 1 - 1e-4, 1 - 1e-6])), st.integers(0, 99))
 def test_polhodes_are_complete(inertia, rotor, size, radius, part, seed):
