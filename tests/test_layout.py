@@ -3,6 +3,7 @@ import ast
 import importlib
 import subprocess
 import sys
+from functools import cache
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -17,12 +18,18 @@ OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llv
             "contourpy", "plotly"}
 
 
+@cache
+def parsed(path):
+    """The tree of a file."""
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
 def imports(path):
     """(module, inside a function) of every import of ours or of others in a file.
 
     Ours as paths below the package.
     """
-    tree, here = ast.parse(path.read_text(encoding="utf-8")), path.relative_to(SRC).with_suffix("").parts
+    tree, here = parsed(path), path.relative_to(SRC).with_suffix("").parts
     inside = {inner for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)
               for inner in ast.walk(node)}
     for node in ast.walk(tree):
@@ -141,7 +148,7 @@ with suppress(SystemExit):
 
 def test_oracle_imports_nothing_of_ours():
     """The oracle is independent."""
-    tree = ast.parse((Path(__file__).parent / "oracles" / "oracle.py").read_text(encoding="utf-8"))
+    tree = parsed(Path(__file__).parent / "oracles" / "oracle.py")
     names = {alias.name for n in ast.walk(tree) if isinstance(n, ast.Import) for alias in n.names}
     names |= {n.module for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)}
     assert names == {"fractions", "mpmath", "numpy"}
@@ -150,6 +157,6 @@ def test_oracle_imports_nothing_of_ours():
 def test_no_text_is_evaluated():
     """eval, exec and sympify, which execute text, occur nowhere in the library."""
     for path in SRC.rglob("*.py"):
-        calls = {n.func.id for n in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        calls = {n.func.id for n in ast.walk(parsed(path))
                  if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}
         assert not calls & {"eval", "exec", "sympify", "parse_expr"}, path
