@@ -1,70 +1,28 @@
 """Compiled margins: the values of the formula, bit for bit or within the proved bound, whatever the shapes,
 blocks and backends.
 """
-import builtins
 import math
-import os
-import subprocess
-import sys
-import tracemalloc
 from fractions import Fraction
 from itertools import product
 
 import array_api_strict
 import numpy as np
 import pytest
+from drawn_margins import drawn, shapes, vertical
 from hypothesis import given
 from hypothesis import strategies as st
-from hypothesis.extra import numpy as arrays
-from sympy import Integer, Rational, Symbol, cos, exp, log, pi, sin, sqrt
+from sympy import Rational, cos, exp, log, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.charts import kernels, numeric
+from gyrostat.charts import numeric
 from gyrostat.charts.numeric import compile_margin
 from gyrostat.charts.rounding import error_bound
 from gyrostat.charts.straightline import program_of
-from gyrostat.errors import ArgumentError, GyrostatError, MissingExtraError, ValuesError
 from gyrostat.stability.conditions import Condition, Criterion
 
 x, y, z, b = map(gs.symbol, ("x", "y", "z", "b"))
 BACKENDS = ["numpy", "numba"]
 E1_NAMES = ("I1", "dU", "l", "pi3_0")
-shapes = arrays.mutually_broadcastable_shapes(num_shapes=4, max_dims=5, min_side=0, max_side=4)
-
-
-@pytest.fixture
-def tiny_blocks(monkeypatch):
-    """Blocks of seven points."""
-    monkeypatch.setattr(numeric, "NUMPY_BLOCK", 7)
-    monkeypatch.setattr(numeric, "NUMBA_BLOCK", 7)
-
-
-@pytest.fixture(scope="module")
-def tilted_margin(e3):
-    ((condition,),) = e3.sufficient.alternatives
-    return condition
-
-
-@pytest.fixture(scope="module")
-def free_body(free):
-    return gs.analyze(gs.principal_rotation(free, 3))
-
-
-@pytest.fixture(scope="module")
-def uniform_tilt():
-    """At rest in the uniform field: m0 = 0, stable where l ≠ 0."""
-    return gs.analyze(gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-
-
-def vertical(I1, dU, l, pi3_0):
-    """(π3 + l)² − 4 I1 U', with the same operations."""
-    P = l + pi3_0
-    return P * P - 4.0 * I1 * dU
-
-
-def drawn(names, shapes, seed=0):
-    source = np.random.default_rng(seed)
-    return {name: source.uniform(0.2, 0.8, size=shape) for name, shape in zip(names, shapes)}
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -216,77 +174,12 @@ def test_a_condition_is_its_margin_a_criterion_a_truth(e1, backend):
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-def test_scalars_and_constants(e1, backend):
-    """Numbers give a NumPy number; a margin that is a constant takes no names.
-
-    Exact numbers are rounded once.
-    """
-    ((condition,),) = e1.sufficient.alternatives
-    value = compile_margin(condition, backend)(I1=1, dU=Fraction(1, 4), l="1/2", pi3_0=np.float32(0.5))
-    assert isinstance(value, np.float64) and value == 0
-    assert isinstance(compile_margin(e1.necessary, backend)(I1=1, dU=1, l=1, pi3_0=1), np.bool_)
-    assert compile_margin(Integer(-3), backend)() == -3 and compile_margin(Rational(1, 3), backend)() == 1 / 3
-    assert compile_margin(sqrt(2) * x, backend)(x=np.ones((2, 3))).tolist() == [[math.sqrt(2)] * 3] * 2
-    assert compile_margin(pi * x, backend)(x=2) == 2 * math.pi
-
-
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_out_is_written_to(e1, backend):
-    """out is filled and returned; scalars fill an array without axes."""
-    stable, margin = compile_margin(e1.sufficient,
-                                    backend), compile_margin(e1.sufficient.alternatives[0][0], backend)
-    values = drawn(E1_NAMES, [(3, 1), (), (), (4,)])
-    for compiled, kind in ((stable, bool), (margin, float)):
-        out = np.empty((3, 4), dtype=kind)
-        assert compiled(out=out, **values) is out and np.array_equal(out, compiled(**values))
-        nothing = np.empty((), dtype=kind)
-        scalars = {n: float(v.ravel()[0]) for n, v in values.items()}
-        assert compiled(out=nothing, **scalars) is nothing and nothing == compiled(**scalars)
-
-
-def read_only():
-    array = np.empty((3, 4))
-    array.flags.writeable = False
-    return array
-
-
-@pytest.mark.parametrize(("out", "said"), [
-    (np.empty((4, 3)), r"shape \(4, 3\).*has shape \(3, 4\)"),
-    (np.empty((3, 4), dtype=np.float32), "float32"),
-    (np.empty((4, 3)).T, "C-contiguous"), (np.empty(12), r"\(12,\)"),
-    (np.empty((3, 4), dtype=int), "int64"), ([[0.0] * 4] * 3, "out"), (read_only(), "out")],
-    ids=["shape", "float32", "Fortran order", "flat", "int", "list", "read-only"])
-def test_out_that_does_not_fit_is_refused(e1, out, said):
-    """out of another shape, type or order, or that cannot be written, is a ValuesError or ArgumentError."""
-    with pytest.raises(GyrostatError, match=said):
-        compile_margin(e1.sufficient.alternatives[0][0])(out=out, **drawn(E1_NAMES, [(3, 1), (), (), (4,)]))
-
-
-@pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("threads", [2, 3])
 def test_threads_change_nothing(e1, tiny_blocks, backend, threads):
     """Two and three threads write what one writes."""
     for what in (e1.sufficient, e1.sufficient.alternatives[0][0]):
         compiled, values = compile_margin(what, backend), drawn(E1_NAMES, [(3, 1, 1), (), (11, 1), (13,)])
         assert np.array_equal(compiled(threads=threads, **values), compiled(**values))
-
-
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_single_precision(e1, backend):
-    """float32 throughout, with numbers, gives float32, each operation rounded to it.
-
-    One float64 array gives float64.
-    """
-    ((condition,),) = e1.sufficient.alternatives
-    compiled, values = compile_margin(condition, backend), drawn(E1_NAMES, [(), (), (5, 1), (6,)])
-    single = {n: v.astype(np.float32) if np.ndim(v) else v for n, v in values.items()}
-    found = compiled(**single)
-    f = {n: np.float32(v) for n, v in single.items()}
-    P = f["l"] + f["pi3_0"]
-    assert found.dtype == np.float32 and np.array_equal(found, P * P - np.float32(4) * f["I1"] * f["dU"])
-    assert compiled(**single | {"l": values["l"]}).dtype == np.float64
-    assert compiled(**{n: float(np.ravel(v)[0]) for n, v in values.items()}).dtype == np.float64
-    assert compile_margin(e1.sufficient, backend)(**single).dtype == bool
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -333,184 +226,3 @@ def test_inverse_functions_are_found_under_either_name():
         assert compile_margin(function(x) * y)(x=np.array([value]), y=1.0)[0] == pytest.approx(
             expected, rel=1e-15
         )
-
-
-def test_another_namespace_gives_its_arrays(e1):
-    """array_api_strict in, array_api_strict out; the values are those of NumPy."""
-    ((condition,),) = e1.sufficient.alternatives
-    values = drawn(E1_NAMES, [(3, 1), (), (), (4,)])
-    compiled = compile_margin(condition, array_api_strict)
-    found = compiled(**{n: array_api_strict.asarray(v) for n, v in values.items()})
-    assert isinstance(found, type(array_api_strict.asarray(1.0))) and compiled.backend == "array_api_strict"
-    assert np.array_equal(np.asarray(found), vertical(**values))
-
-
-def test_another_namespace_takes_numbers(e1):
-    """Numbers beside arrays, integers too, are taken as floats."""
-    ((condition,),) = e1.sufficient.alternatives
-    l = array_api_strict.asarray([1.0, 2.0])
-    assert np.asarray(compile_margin(condition, array_api_strict)(I1=1, dU=2, l=l, pi3_0=0.5)).tolist() == [
-        1.5**2 - 8,
-        2.5**2 - 8,
-    ]
-
-
-def test_another_namespace_keeps_single_precision(e1):
-    """float32 throughout gives float32 there too."""
-    ((condition,),) = e1.sufficient.alternatives
-    single = {n: array_api_strict.asarray(v, dtype=array_api_strict.float32)
-              for n, v in drawn(E1_NAMES, [(3,)] * 4).items()}
-    assert compile_margin(condition, array_api_strict)(**single).dtype == array_api_strict.float32
-
-
-@pytest.mark.parametrize(("arrays", "said"), [
-    ({"I1": 1, "dU": 1, "l": 1}, "this margin needs pi3_0: give"),
-    ({"I1": 1, "dU": 1, "l": 1, "pi3_0": 1, "q": 2}, "no parameter q"),
-    ({"I1": 1, "dU": 1, "l": 1, "pi30": 1}, r"no parameter pi30: did you mean pi3_0\?"),
-    ({}, "needs I1, dU, l, pi3_0"),
-    ({"I1": 1, "dU": 1, "l": [1, 2], "pi3_0": [1, 2, 3]}, r"do not broadcast: l \(2,\), pi3_0 \(3,\)"),
-    ({"I1": 1, "dU": 1, "l": [1, math.nan], "pi3_0": 1}, r"l\[1\] = nan"),
-    ({"I1": "x", "dU": 1, "l": 1, "pi3_0": 1}, "I1 = x contains")])
-def test_what_is_wrong_with_the_arrays_is_named(e1, arrays, said):
-    """Missing and unknown names, numbers and shapes."""
-    with pytest.raises(ValuesError, match=said):
-        compile_margin(e1.sufficient.alternatives[0][0])(**arrays)
-
-
-@pytest.mark.parametrize(("what", "backend", "said"), [
-    (x, "jax", "backend = 'jax' is none"), (3, "numpy", "is a int"), ("x", "numpy", "is a str"),
-    (None, "numba", "is a NoneType")])
-def test_what_cannot_be_compiled_is_named(what, backend, said):
-    """ArgumentError for other backends and other things to compile."""
-    with pytest.raises(ArgumentError, match=said):
-        compile_margin(what, backend)
-
-
-def test_symbols_are_matched_by_name():
-    """An expression in symbols of another make is taken in ours, as everywhere, or refused."""
-    try:
-        found = compile_margin(Symbol("x") ** 2)(x=np.arange(3.0))
-    except GyrostatError:
-        return
-    assert found.tolist() == [0, 1, 4]
-
-
-def peak(call):
-    """The result, and the most memory that was allocated at one time."""
-    call()                                             # what is remembered is not counted
-    tracemalloc.start()
-    try:
-        result = call()
-        return result, tracemalloc.get_traced_memory()[1]
-    finally:
-        tracemalloc.stop()
-
-
-@pytest.mark.parametrize("shapes", [((1500, 1), (1500,), ()), ((10**6,), (10**6,), ()),
-                                    ((1000, 1, 1), (1000, 1), (2,)),
-                                    ((2, 1, 1), (1000, 1), (1000,)), ((3000, 1), (700,), (3000, 1)),
-                                    ((2, 1), (10**6,), ())])
-def test_memory_is_less_than_twice_the_result(tilted_margin, shapes):
-    """A chart of some million points allocates less than twice its result, also for (n, m, 2) and (2, n, m).
-    """
-    values = {"I1": 1.0, "I3": 0.5, "l": 0.25} | drawn(("k3", "d2U", "omega"), shapes)
-    result, most = peak(lambda: compile_margin(tilted_margin)(**values))
-    assert most < 2 * result.nbytes
-
-
-def test_numba_is_numpy(tilted_margin, tiny_blocks):
-    """E3 on grids of several kinds: the same bits, products and sums are not contracted."""
-    for shapes in ([(), (), (), (23, 1), (), (29,)], [(), (1,), (3, 1, 1), (5, 1), (), (7,)]):
-        values = drawn(("I1", "I3", "d2U", "k3", "l", "omega"), shapes)
-        assert np.array_equal(compile_margin(tilted_margin, "numba")(**values),
-                              compile_margin(tilted_margin)(**values))
-
-
-SCRIPT = """
-import numpy as np, gyrostat as gs
-from gyrostat.charts.numeric import compile_margin
-x, y = gs.symbol("x"), gs.symbol("y")
-compiled = compile_margin((x + y)**2 - 3*x*y - 5, "numba")
-before = compiled.compile_seconds
-value = compiled(x=np.arange(4.0)[:, None], y=np.arange(5.0))
-first = compiled.compile_seconds
-compiled(x=np.arange(4.0)[:, None], y=np.arange(5.0))
-import gc, numba
-compile_margin(x*y - x, "numba")(x=np.arange(4.0)[:, None], y=np.arange(5.0))
-kernels = [f for f in gc.get_objects() if isinstance(f, numba.core.registry.CPUDispatcher)
-           and f.py_func.__module__.startswith("gyrostat_kernel")]
-hits = sum(sum(f.stats.cache_hits.values()) for f in kernels)
-print(before, first > 0, compiled.compile_seconds == first, hits, float(value.sum()))
-"""
-
-
-def other_process(tmp, **environment):
-    env = {k: v for k, v in os.environ.items() if not k.startswith("NUMBA_")} | environment
-    run = subprocess.run([sys.executable, "-W", "error", "-c", SCRIPT], capture_output=True, text=True,
-                         env=env, cwd=tmp, check=False)
-    assert run.returncode == 0, run.stderr
-    return run.stdout.split()
-
-
-@pytest.mark.slow
-def test_compiled_code_is_kept_on_disk(tmp_path):
-    """A second process reads from the cache folder what the first compiled.
-
-    Compiling counts as seconds, once.
-    """
-    env = {"XDG_CACHE_HOME": str(tmp_path / "cache"), "PYTHONPATH": os.pathsep.join(sys.path)}
-    first = other_process(tmp_path, **env)
-    files = {p: p.stat().st_mtime_ns for p in (tmp_path / "cache" / "gyrostat").rglob("*") if p.is_file()}
-    second = other_process(tmp_path, **env)
-    assert first == ["0", "True", "True", "0", "30.0"] and second == ["0", "True", "True", "2", "30.0"]
-    assert any(p.suffix == ".nbc" for p in files) and not [p for p in files if p.suffix == ".tmp"]
-    assert files == {p: p.stat().st_mtime_ns for p in files}
-
-
-@pytest.mark.slow
-def test_a_cache_that_cannot_be_written_does_no_harm(tmp_path):
-    """Where the folder cannot be made, a folder of the process is used."""
-    (tmp_path / "file").write_text("no folder")
-    env = {"XDG_CACHE_HOME": str(tmp_path / "file"), "PYTHONPATH": os.pathsep.join(sys.path)}
-    assert other_process(tmp_path, **env)[-1] == "30.0"
-
-
-def test_a_home_that_is_not_known_does_no_harm(monkeypatch):
-    """Without XDG_CACHE_HOME and without a home, too."""
-    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
-
-    def nowhere():
-        raise RuntimeError("Could not determine home directory.")
-
-    monkeypatch.setattr(kernels.Path, "home", nowhere)
-    kernels._folder.cache_clear()
-    try:
-        assert kernels._folder().is_dir()
-    finally:
-        kernels._folder.cache_clear()
-
-
-def test_numba_is_optional(monkeypatch, e1):
-    """Without Numba the error says what to install; NumPy goes on."""
-    real = builtins.__import__
-
-    def absent(name, *given, **more):
-        if name.split(".")[0] == "numba":
-            raise ImportError("No module named 'numba'")
-        return real(name, *given, **more)
-
-    for module in [m for m in sys.modules if m.split(".")[0] == "numba"]:
-        monkeypatch.delitem(sys.modules, module)
-    monkeypatch.setattr(builtins, "__import__", absent)
-    monkeypatch.setitem(sys.modules, "numba", None)    # what import_module sees
-    with pytest.raises(MissingExtraError, match=r'pip install "gyrostat\[fast\]"'):
-        compile_margin(e1.sufficient, "numba")
-    assert compile_margin(e1.sufficient)(I1=1, dU=1, l=3, pi3_0=0)
-
-
-def test_kernels_of_one_source_are_one_function(e1):
-    """Two margins with the same operations share the compiled function, and constants are not part of it."""
-    one, other = compile_margin(3 * x * y - 5, "numba"), compile_margin(7 * x * y - 11, "numba")
-    u, v = np.arange(3.0)[:, None], np.arange(4.0)
-    assert np.array_equal(one(x=u, y=v), 3 * u * v - 5) and np.array_equal(other(x=u, y=v), 7 * u * v - 11)
-    assert one.compile_seconds > 0 and other.compile_seconds == 0
