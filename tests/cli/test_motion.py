@@ -1,54 +1,28 @@
-"""gyrostat motion: tables, data, pictures, animations; bodies, states and times; errors."""
+"""gyrostat motion: tables and data; bodies, states and times; errors."""
 import sys
 from fractions import Fraction
 
 import mpmath
 import numpy as np
 import pytest
-from matplotlib.animation import FFMpegWriter
-from PIL import Image
+from two_motions import FREE, TOP, run, the_box, the_top
 
 import gyrostat as gs
 from gyrostat.cli.options import body_of
 from gyrostat.cli.parser import main
-from gyrostat.plotting.looks import BLUE
 from gyrostat.trajectories import motion
 
 NUMBERS = ("I1=1", "I3=0.6", "l=0.4", "m0=1")
-TOP = ["--potential", "m0*k3", *(f"--set={number}" for number in NUMBERS), "--state",
-       "0.3,-0.2,sqrt(2),0.6,0,0.8"]
-FREE = ["--potential", "none", *(f"--set={number}" for number in ("I1=1", "I2=2", "I3=5/2", "l=1/4")),
-        "--state", "1/3,2,-0.1"]
-
-
-def run(capsys, *arguments):
-    status = main(["motion", *arguments])
-    captured = capsys.readouterr()
-    return status, captured.out, captured.err
 
 
 def rows(text):
     return [line.split(",") for line in text.splitlines() if not line.startswith("#")]
 
 
-@pytest.fixture(scope="module")
-def scene():
-    return gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-
-
-def the_top(scene, **options):
-    return motion(scene, ("0.3", "-0.2", "sqrt(2)", "0.6", 0, "0.8"),
-                  dict(number.split("=") for number in NUMBERS), **options)
-
-
-def the_box():
-    return motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, "1/4"))), ("1/3", 2, "-0.1"))
-
-
-def test_the_table_is_the_motion(capsys, scene):
+def test_the_table_is_the_motion(capsys, heavy):
     """Read back, each double is that of the library; what is known of the motion goes to standard error."""
     status, out, err = run(capsys, *TOP, "--until", "30")
-    top, (header, *lines) = the_top(scene), rows(out)
+    top, (header, *lines) = the_top(heavy), rows(out)
     found = np.array(lines, dtype=float)
     assert status == 0 and header[:7] == ["time", "pi1", "pi2", "pi3", "k1", "k2", "k3"] and len(found) == 201
     assert found[:, 0].tolist() == [3 * n / 20 for n in range(201)]
@@ -73,10 +47,10 @@ def test_times(capsys, arguments, times):
     assert [float(row[0]) for row in rows(out)[1:]] == times
 
 
-def test_all_digits(capsys, scene):
+def test_all_digits(capsys, heavy):
     """With --precision the times are decimals, and the states those at the times as written."""
     _, out, err = run(capsys, *TOP, "--until", "1e9/3", "--count", "3", "--precision", "25")
-    top, lines = the_top(scene, precision=25), rows(out)[1:]
+    top, lines = the_top(heavy, precision=25), rows(out)[1:]
     assert [line[0] for line in lines] == ["0", "166666666.6666666666666667", "333333333.3333333333333333"]
     for time, *state in lines:
         assert state == [mpmath.nstr(x, 25) for x in top(Fraction(time))]
@@ -134,89 +108,6 @@ def test_a_general_body_is_integrated(capsys, tmp_path, monkeypatch):
     # the steps are those of all times
     with xr.open_dataset(tmp_path / "body.nc") as data:
         xr.testing.assert_identical(data.load(), wanted.to_xarray(found[:, 0]))
-
-
-@pytest.fixture
-def drawn(monkeypatch):
-    """Figures that are not written."""
-    figures = []
-    monkeypatch.setattr("gyrostat.cli.motion.save_picture", lambda figure, path: figures.append(figure))
-    return figures
-
-
-def path_of(ax, width):
-    lines = [np.array(line.get_data_3d()).T for line in ax.lines
-             if (line.get_color(), line.get_linewidth()) == (BLUE, width)]
-    return {tuple(point) for line in lines for point in line.round(12).tolist() if np.isfinite(point).all()}
-
-
-def test_a_picture_in_a_field(capsys, tmp_path, scene, drawn):
-    """The path of e3, and π and k over the time."""
-    assert run(capsys, *TOP, "--until", "9", "--count", "50", "--output", str(tmp_path / "top.png"))[0] == 0
-    top, times = the_top(scene), np.array([9 * n / 49 for n in range(50)])
-    sphere, momenta, directions = drawn[0].axes
-    assert {tuple(point) for point in top.attitude(times)[..., 2].round(12).tolist()} <= path_of(sphere, 1.4)
-    for ax, names, columns in ((momenta, "pi", slice(0, 3)), (directions, "k", slice(3, 6))):
-        np.testing.assert_array_equal([line.get_ydata() for line in ax.lines], top(times)[:, columns].T)
-        np.testing.assert_array_equal(ax.lines[0].get_xdata(), times)
-        assert [text.get_text().strip("$\\") for text in ax.get_legend().get_texts()] == [
-            f"{names}_{i}" for i in (1, 2, 3)
-        ]
-        assert (
-            len({line.get_linestyle() for line in ax.lines}) == 3
-            or len({str(line._dash_pattern) for line in ax.lines}) == 3
-        )
-    assert directions.get_xlabel() == "$t$"
-
-
-def test_a_picture_of_a_free_body(capsys, tmp_path, drawn):
-    """The momentum sphere with the path of M = π + l."""
-    assert run(capsys, *FREE, "--until", "-9", "--count", "50", "--output", str(tmp_path / "box.pdf"))[0] == 0
-    sphere, momenta = drawn[0].axes
-    times = np.array([-9 * n / 49 for n in range(50)])
-    M = the_box()(times) + [0, 0, 0.25]
-    assert {tuple(point) for point in M.round(12).tolist()} <= path_of(sphere, 2.4)
-    assert sphere.get_legend().get_texts()[0].get_text() == "polhode" and len(momenta.lines) == 3
-    polhode = np.array(sorted(path_of(sphere, 0.9)))
-    energies = (polhode - [0, 0, 0.25])**2 @ (0.5 / np.array([1, 2, 2.5]))
-    # a chord, where the curve passes behind the sphere
-    np.testing.assert_allclose(energies, the_box().energy, rtol=1e-4)
-
-
-def test_a_picture_file(capsys, tmp_path):
-    """There is something on both sides of it."""
-    assert run(capsys, *FREE, "--until", "9", "--count", "30", "--output", str(tmp_path / "box.png"))[0] == 0
-    with Image.open(tmp_path / "box.png") as image:
-        left, right = (np.asarray(image.convert("L").crop(box)) for box in (
-            (0, 0, image.width // 2, image.height), (image.width // 2, 0, *image.size)))
-        assert image.width > 1000
-        assert left.min() < 80
-        assert right.min() < 80
-        assert left.std() > 10
-        assert right.std() > 10
-
-
-def test_an_animation(capsys, tmp_path, monkeypatch):
-    """A picture for each time, of a body that turns; on a terminal a bar."""
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
-    status, out, err = run(capsys, *FREE, "--until", "3", "--count", "3", "--output",
-                           str(tmp_path / "box.gif"))
-    assert status == 0 and out == "" and "animation    [" in err and "] 3/3" in err and "\rroute" in err
-    with Image.open(tmp_path / "box.gif") as film:
-        frames = []
-        for n in range(film.n_frames):
-            film.seek(n)
-            frames.append(np.asarray(film.convert("L"), dtype=int))
-    assert len(frames) == 3 and all(np.abs(a - b).max() > 80 for a, b in zip(frames, frames[1:]))
-
-
-def test_no_film_without_its_program(capsys, tmp_path, monkeypatch):
-    """It is said before anything is drawn."""
-    monkeypatch.setattr(FFMpegWriter, "isAvailable", lambda: False)
-    monkeypatch.setattr("gyrostat.plotting.animate_top", None)
-    status, _, err = run(capsys, *FREE, "--until", "3", "--output", str(tmp_path / "box.mp4"))
-    assert status == 2 and "needs the program ffmpeg" in err and list(tmp_path.iterdir()) == []
 
 
 def test_numbers_below_0_after_an_option(capsys):

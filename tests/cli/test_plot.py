@@ -31,11 +31,6 @@ def flat():
     return Figure().subplots()
 
 
-@pytest.fixture(scope="module")
-def heavy():
-    return gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-
-
 def sphere(heavy):
     return plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "0.55"))), 2,
                                          ax=space())

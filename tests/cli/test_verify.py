@@ -1,0 +1,104 @@
+"""gyrostat verify: tables, errata, files of one's own, progress."""
+import json
+import sys
+from functools import cache
+
+import pytest
+from commands import run
+
+from gyrostat.published import check
+
+
+def verify(capsys, *arguments):
+    return run(capsys, *arguments, verb="verify")
+
+
+OWN = """[source]
+name = "mine"
+title = "A paper of my own"
+
+[scene.top]
+inertia = ["I1", "I1", "I3"]
+potential = "m0*k3"
+equilibrium = "E1"
+spin = "omega3_0"
+
+[[formula]]
+key = "stable"
+where = "eq. (1)"
+quantity = "sufficient for stability"
+printed = "(I3*omega3_0)**2 > 2*I1*m0"
+kind = "condition"
+scene = "top"
+"""
+findings = cache(lambda source: check([source]))
+
+
+@pytest.fixture
+def checked_once(monkeypatch):
+    """The sources are checked by the first test that asks for them."""
+    monkeypatch.setattr("gyrostat.cli.verify.check",
+                        lambda sources, progress=None: [f for source in sources for f in findings(source)])
+
+
+def test_verify_text(capsys):
+    """A table by source; what is wrong with what is right, and where.
+
+    No progress where standard error is no terminal.
+    """
+    status, out, err = verify(capsys, "AR")
+    assert status == 0
+    assert err == ""
+    assert "39 confirmed, 5 misprint, 2 unchecked" in out
+    assert out.endswith("46 statements, all as expected\n")
+    assert "printed:   (I2 - I3)*omega1*omega2" in out and "right:     (I2 - I3)*omega2*omega3" in out
+
+
+def test_verify_json(capsys, checked_once):
+    """The documented keys; a misprint has its counterexample."""
+    _, out, _ = verify(capsys, "AR", "--format", "json")
+    data = json.loads(out)["statements"]
+    assert set(data[0]) == {"source", "key", "where", "quantity", "kind", "printed", "derived", "status",
+                            "expected", "difference",
+                            "counterexample", "not_sharp", "remark", "note"}
+    (wrong,) = (d for d in data if d["key"] == "2K-dot")
+    assert wrong["status"] == "misprint"
+    assert set(wrong["counterexample"]) == {"values", "printed", "derived", "confirmation"}
+    assert wrong["derived"] == "dot(vector_pi, vector_omega)" and wrong["difference"][0]["entry"] is None
+
+
+def test_verify_latex(capsys, tmp_path, checked_once):
+    """A table of errata, of misprints only, as a document or a fragment."""
+    (path := tmp_path / "mine.toml").write_text(OWN)
+    _, out, _ = verify(capsys, "AR", str(path), "--format", "latex")
+    assert "A paper of my own" in out
+    assert r"\begin{longtable}" in out
+    assert r"\omega_{2} \omega_{3}" in out
+    assert "K-constant" not in out
+    assert "norm" not in out
+    _, part, _ = verify(capsys, "AR", "--format", "latex", "--fragment")
+    assert part.startswith("% needs amsmath, array and longtable\n" + r"\begingroup")
+    assert r"\documentclass" not in part
+
+
+def test_verify_a_file_of_ones_own(capsys, tmp_path):
+    """Exit status 1 where a formula is not as expected, 2 where it cannot be read, with file and key."""
+    path = tmp_path / "mine.toml"
+    path.write_text(OWN)
+    status, out, _ = verify(capsys, str(path))
+    assert status == 1 and "expected: confirmed" in out and "1 of 1 are not as expected: mine:stable" in out
+    assert "I₃² (ω₃⁰)² > 4 I₁ m₀" in out and "has the real part" in " ".join(out.split())
+    path.write_text(OWN.replace("2*I1*m0", "4*I1*m0"))
+    assert verify(capsys, str(path))[0] == 0
+    path.write_text(OWN.replace("2*I1*m0", "4*I1*mass"))
+    status, out, err = verify(capsys, str(path))
+    assert status == 2 and out == "" and f"{path}: stable: " in err and "mass is not a name" in err
+    assert verify(capsys, "VV2004")[0] == 2
+
+
+def test_progress_on_a_terminal(capsys, tmp_path, monkeypatch):
+    """A bar on standard error, wiped at the end."""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    (path := tmp_path / "mine.toml").write_text(OWN)
+    _, out, err = verify(capsys, str(path))
+    assert "#" in err and "mine" in err and err.rstrip(" ").endswith("\r") and "#" not in out
