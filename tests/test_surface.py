@@ -129,80 +129,95 @@ def prose(docstring):
     return inspect.cleandoc(docstring).partition("\nExamples\n--------\n")[0]
 
 
+def summary_is_a_sentence_on_one_line(member, what):
+    """One line, then a blank one; a reference shows it in tables."""
+    first, *rest = inspect.cleandoc(what.__doc__).splitlines()
+    assert first.endswith(".") and not (rest and rest[0])
+
+
+def sections_are_those_of_numpydoc_in_its_order(member, what):
+    """A section of another name is dropped from the rendered page."""
+    names = list(sections(what.__doc__)[1])
+    assert names == [name for name in SECTIONS if name in names]
+
+
+def each_parameter_is_described(member, what):
+    """All of the signature, in its order, each with its type; arrays with their shape."""
+    given = [] if isinstance(member, property | cached_property) or enum_class(what) else parameters(what)
+    found = list(entries(sections(what.__doc__)[1].get("Parameters", ""))) if given else []
+    assert [name for names, _, _ in found for name in names] == given
+    for names, kind, _ in found:
+        assert kind or names[0].startswith("**"), names
+        assert "shape" in kind or not re.search(r"\barray|ndarray|Matrix", kind), names
+
+
+def each_result_is_described(member, what):
+    """What a function returns, with the shape of arrays."""
+    if inspect.isclass(what) or isinstance(member, property | cached_property):
+        return
+    if inspect.signature(what).return_annotation not in (None, "None"):
+        one_line = len(inspect.cleandoc(what.__doc__).splitlines()) == 1 and not parameters(what)
+        text = sections(what.__doc__)[1].get("Returns", "")
+        assert text or one_line
+        assert "shape" in text or not re.search(r"\barray\b|ndarray|Matrix", text)
+
+
+def errors_are_named(member, what):
+    """Each error that the function itself raises; what is named is ours, or built in."""
+    named = {name.strip() for names, _, _ in entries(sections(what.__doc__)[1].get("Raises", "\n"))
+             for name in names if name.strip()}
+    assert all(hasattr(gs.errors, name) or hasattr(builtins, name) for name in named)
+    if not inspect.isclass(what):
+        tree = ast.parse(textwrap.dedent(inspect.getsource(what)))
+        raised = {n.exc.func.id for n in ast.walk(tree) if isinstance(n, ast.Raise)
+                  and isinstance(n.exc, ast.Call) and isinstance(n.exc.func, ast.Name)}
+        assert raised <= named
+
+
+def example_is_one_to_copy(member, what):
+    """It starts with import gyrostat as gs; functions and classes have one (doctest runs it)."""
+    lines = re.findall(r"^\s*>>> (.*)", what.__doc__, flags=re.MULTILINE)
+    assert lines or member not in (value for _, value in public())
+    assert not lines or lines[0] == "import gyrostat as gs" and "Examples" in sections(what.__doc__)[1]
+    assert not any(re.match(r"from gyrostat|import gyrostat\.", line) for line in lines)
+
+
+def no_markup_breaks(member, what):
+    """Bars and a trailing underscore are references to reStructuredText; backticks come in pairs."""
+    text = prose(what.__doc__)
+    assert not re.search(r"\|\S", text) and not re.search(r"\w_(?!\w)", text.replace("e_z", ""))
+    assert all(paragraph.count("`") % 2 == 0 for paragraph in text.split("\n\n"))
+
+
+def docutils_renders_it(member, what):
+    """Without a warning: what numpydoc makes of it, entry by entry."""
+    core = pytest.importorskip("docutils.core")
+    head, found = sections(what.__doc__)
+    meanings = [textwrap.dedent(meaning) for title in ("Parameters", "Returns", "Raises")
+                for _, _, meaning in entries(found.pop(title, ""))]
+    for text in (head, *meanings, *found.values()):
+        core.publish_string(text, settings_overrides={"halt_level": 2, "report_level": 5})
+
+
+def example_brings_its_names(member, what):
+    """It runs as it stands, without what its module has imported."""
+    code = doctest.script_from_examples(what.__doc__)
+    used = {node.id: type(node.ctx) for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Name)}
+    known = {name.id for name in ast.walk(ast.parse(code))
+             if isinstance(name, ast.Name) and isinstance(name.ctx, ast.Store)}
+    known |= {alias.asname or alias.name for node in ast.walk(ast.parse(code))
+              if isinstance(node, ast.Import | ast.ImportFrom) for alias in node.names}
+    known |= {node.arg for node in ast.walk(ast.parse(code)) if isinstance(node, ast.arg)}
+    assert set(used) <= known | set(dir(builtins))
+
+
 @pytest.mark.parametrize(("member", "what"), EVERYTHING)
-class TestDocstring:
-    def test_summary_is_a_sentence_on_one_line(self, member, what):
-        """One line, then a blank one; a reference shows it in tables."""
-        first, *rest = inspect.cleandoc(what.__doc__).splitlines()
-        assert first.endswith(".") and not (rest and rest[0])
-
-    def test_sections_are_those_of_numpydoc_in_its_order(self, member, what):
-        """A section of another name is dropped from the rendered page."""
-        names = list(sections(what.__doc__)[1])
-        assert names == [name for name in SECTIONS if name in names]
-
-    def test_each_parameter_is_described(self, member, what):
-        """All of the signature, in its order, each with its type; arrays with their shape."""
-        given = [] if isinstance(member, property | cached_property) or enum_class(what) else parameters(what)
-        found = list(entries(sections(what.__doc__)[1].get("Parameters", ""))) if given else []
-        assert [name for names, _, _ in found for name in names] == given
-        for names, kind, _ in found:
-            assert kind or names[0].startswith("**"), names
-            assert "shape" in kind or not re.search(r"\barray|ndarray|Matrix", kind), names
-
-    def test_each_result_is_described(self, member, what):
-        """What a function returns, with the shape of arrays."""
-        if inspect.isclass(what) or isinstance(member, property | cached_property):
-            return
-        if inspect.signature(what).return_annotation not in (None, "None"):
-            one_line = len(inspect.cleandoc(what.__doc__).splitlines()) == 1 and not parameters(what)
-            text = sections(what.__doc__)[1].get("Returns", "")
-            assert text or one_line
-            assert "shape" in text or not re.search(r"\barray\b|ndarray|Matrix", text)
-
-    def test_errors_are_named(self, member, what):
-        """Each error that the function itself raises; what is named is ours, or built in."""
-        named = {name.strip() for names, _, _ in entries(sections(what.__doc__)[1].get("Raises", "\n"))
-                 for name in names if name.strip()}
-        assert all(hasattr(gs.errors, name) or hasattr(builtins, name) for name in named)
-        if not inspect.isclass(what):
-            tree = ast.parse(textwrap.dedent(inspect.getsource(what)))
-            raised = {n.exc.func.id for n in ast.walk(tree) if isinstance(n, ast.Raise)
-                      and isinstance(n.exc, ast.Call) and isinstance(n.exc.func, ast.Name)}
-            assert raised <= named
-
-    def test_example_is_one_to_copy(self, member, what):
-        """It starts with import gyrostat as gs; functions and classes have one (doctest runs it)."""
-        lines = re.findall(r"^\s*>>> (.*)", what.__doc__, flags=re.MULTILINE)
-        assert lines or member not in (value for _, value in public())
-        assert not lines or lines[0] == "import gyrostat as gs" and "Examples" in sections(what.__doc__)[1]
-        assert not any(re.match(r"from gyrostat|import gyrostat\.", line) for line in lines)
-
-    def test_no_markup_breaks(self, member, what):
-        """Bars and a trailing underscore are references to reStructuredText; backticks come in pairs."""
-        text = prose(what.__doc__)
-        assert not re.search(r"\|\S", text) and not re.search(r"\w_(?!\w)", text.replace("e_z", ""))
-        assert all(paragraph.count("`") % 2 == 0 for paragraph in text.split("\n\n"))
-
-    def test_docutils_renders_it(self, member, what):
-        """Without a warning: what numpydoc makes of it, entry by entry."""
-        core = pytest.importorskip("docutils.core")
-        head, found = sections(what.__doc__)
-        meanings = [textwrap.dedent(meaning) for title in ("Parameters", "Returns", "Raises")
-                    for _, _, meaning in entries(found.pop(title, ""))]
-        for text in (head, *meanings, *found.values()):
-            core.publish_string(text, settings_overrides={"halt_level": 2, "report_level": 5})
-
-    def test_example_brings_its_names(self, member, what):
-        """It runs as it stands, without what its module has imported."""
-        code = doctest.script_from_examples(what.__doc__)
-        used = {node.id: type(node.ctx) for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Name)}
-        known = {name.id for name in ast.walk(ast.parse(code))
-                 if isinstance(name, ast.Name) and isinstance(name.ctx, ast.Store)}
-        known |= {alias.asname or alias.name for node in ast.walk(ast.parse(code))
-                  if isinstance(node, ast.Import | ast.ImportFrom) for alias in node.names}
-        known |= {node.arg for node in ast.walk(ast.parse(code)) if isinstance(node, ast.arg)}
-        assert set(used) <= known | set(dir(builtins))
+def test_docstring(member, what):
+    """Every rule of the house, of each docstring."""
+    for rule in (summary_is_a_sentence_on_one_line, sections_are_those_of_numpydoc_in_its_order,
+                 each_parameter_is_described, each_result_is_described, errors_are_named,
+                 example_is_one_to_copy, no_markup_breaks, example_brings_its_names, docutils_renders_it):
+        rule(member, what)
 
 
 def enum_class(what):
