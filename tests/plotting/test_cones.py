@@ -4,7 +4,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 from draw import moments, nonzero
-from hypothesis import given
+from hypothesis import given, settings
 from matplotlib.figure import Figure
 
 from gyrostat.errors import ScopeError
@@ -64,6 +64,7 @@ def test_no_cone_where_omega_lies_along_m(inertia, transverse, axial):
 
 
 @given(moments, moments, nonzero, nonzero)
+@settings(max_examples=6)
 def test_what_is_drawn_lies_on_the_cones_and_on_the_vectors(I1, I3, transverse, axial):
     """Rims and wedges on the two cones about M and e3, arrows and names along M, ω, e3, the cones touch along
     ω.

@@ -194,7 +194,7 @@ def poles(scene, seed):
 @pytest.mark.parametrize("seed", [1])
 def test_critical_values_that_are_drawn(seed):
     """Random fields, with poles of U outside and inside."""
-    check(seed, 40)
+    check(seed, 10)
 
 
 @pytest.mark.slow

@@ -55,7 +55,7 @@ def test_the_rate_is_that_of_the_precession(found):
 
 def test_both_rates_are_followed_to_where_they_meet():
     """Where P² = 4 I1 k3 U' the slow and the fast curve end in one point."""
-    for P in (0.1, 0.3, 0.5, 0.7):
+    for P in (0.1, 0.7):
         curves = energy_momentum(WELLS, {"I1": 1, "I3": 1, "l": 0, "p_psi": P}).curves
         # P² − 4 z (1/2 − 10 z + 24 z³)
         met = np.polynomial.Polynomial([P * P, -2, 40, 0, -96]).roots()
