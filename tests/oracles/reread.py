@@ -5,6 +5,7 @@ Motions as functions, derivatives by differences. Imports nothing of gyrostat.
 import ast
 
 import mpmath as mp
+from differences import cross, dot, rate
 
 _BINARY = {ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b,
            ast.Div: lambda a, b: a / b}
@@ -12,26 +13,6 @@ _COMPARED = {ast.Lt: lambda a, b: a < b, ast.LtE: lambda a, b: a <= b, ast.Gt: l
              ast.GtE: lambda a, b: a >= b}
 PLAIN = {"sqrt": mp.sqrt, "sin": mp.sin, "cos": mp.cos, "exp": mp.exp, "cosh": mp.cosh, "tanh": mp.tanh,
          "log": mp.log, "abs": abs}
-
-
-def cross(a, b):
-    return mp.matrix([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def rate(f, at=0):
-    """df/ds at a number, of a number or a matrix."""
-    shape = f(mp.mpf(at))
-    if not isinstance(shape, mp.matrix):
-        return mp.diff(f, at)
-    found = mp.matrix(shape.rows, shape.cols)
-    for i in range(shape.rows):
-        for j in range(shape.cols):
-            found[i, j] = mp.diff(lambda s, i=i, j=j: f(s)[i, j], at)
-    return found
 
 
 def period(I1, I2, I3, M1, M2, M3):

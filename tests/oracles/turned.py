@@ -3,7 +3,8 @@
 The rates of what moves by differences. Imports nothing of gyrostat.
 """
 import mpmath as mp
-from reread import Texts, dot, rate
+from differences import dot, rate
+from reread import Texts
 
 
 class Turning(Texts):
