@@ -8,8 +8,7 @@ import pytest
 from gyrostat.errors import ValuesError
 from gyrostat.stability.report import Verdict
 
-STABLE, UNSTABLE, UNDECIDED = Verdict.STABLE, Verdict.UNSTABLE, Verdict.UNDECIDED
-CODES = {1: STABLE, -1: UNSTABLE}
+CODES = {1: Verdict.STABLE, -1: Verdict.UNSTABLE}
 HEAVY = {"I1": 1, "m0": 1, "l": (-4, 4), "pi3_0": (-4, 4)}
 NAMES = ("E1", "E2", "E3", "E3 at rest", "uniform field", "tilt eliminated", "quartic", "pole",
          "steep exponential", "exponential",

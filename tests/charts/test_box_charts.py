@@ -5,7 +5,6 @@ from fractions import Fraction
 
 import pytest
 from claimed_boxes import HEAVY, NAMES, assert_claims
-from hypothesis import strategies as st
 
 import gyrostat as gs
 from gyrostat.charts.boxes import certified_chart, certify_box
@@ -15,8 +14,6 @@ from gyrostat.stability.report import Verdict
 
 k3, m0, a = gs.symbol("k3"), gs.symbol("m0"), gs.symbol("a")
 STABLE, UNSTABLE, UNDECIDED = Verdict.STABLE, Verdict.UNSTABLE, Verdict.UNDECIDED
-CODES = {1: STABLE, -1: UNSTABLE}
-shares = st.fractions(min_value=0, max_value=1, max_denominator=8)
 
 
 def test_the_heavy_gyrostat_is_charted(heavy):

@@ -15,7 +15,6 @@ from gyrostat.charts.codes import FLAGS
 from gyrostat.charts.datasets import coordinate_attributes
 from gyrostat.errors import ArgumentError, MissingExtraError, ValuesError
 
-LETTER = {1: "STABLE", 0: "UNDECIDED", -1: "UNSTABLE"}
 BODY = {"I1": 2, "I3": "1/3"}
 
 

@@ -2,17 +2,14 @@
 import sys
 
 import pytest
-
-from gyrostat.cli.parser import main
+from commands import run
 
 SPINS = ["--potential", "m0*k3", "--equilibrium", "E1", "--x", "pi3_0=-4:4:40", "--y", "l=-2:2:30", "--set",
          "I1=1", "--set", "m0=1/3"]
 
 
 def chart(capsys, *arguments):
-    status = main(["chart", *arguments])
-    captured = capsys.readouterr()
-    return status, captured.out, captured.err
+    return run(capsys, *arguments, verb="chart")
 
 
 @pytest.mark.parametrize(("kind", "start"), [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")])

@@ -2,17 +2,20 @@
 import sys
 from fractions import Fraction
 
+import commands
 import mpmath
 import numpy as np
 import pytest
-from two_motions import FREE, TOP, run, the_box, the_top
+from two_motions import FREE, TOP, the_box, the_top
 
 import gyrostat as gs
 from gyrostat.cli.options import body_of
 from gyrostat.cli.parser import main
 from gyrostat.trajectories import motion
 
-NUMBERS = ("I1=1", "I3=0.6", "l=0.4", "m0=1")
+
+def run(capsys, *arguments):
+    return commands.run(capsys, *arguments, verb="motion")
 
 
 def rows(text):

@@ -1,15 +1,18 @@
 """gyrostat motion: pictures and animations."""
 import sys
 
+import commands
 import numpy as np
 import pytest
 from matplotlib.animation import FFMpegWriter
 from PIL import Image
-from two_motions import FREE, TOP, run, the_box, the_top
+from two_motions import FREE, TOP, the_box, the_top
 
 from gyrostat.plotting.looks import BLUE
 
-NUMBERS = ("I1=1", "I3=0.6", "l=0.4", "m0=1")
+
+def run(capsys, *arguments):
+    return commands.run(capsys, *arguments, verb="motion")
 
 
 @pytest.fixture

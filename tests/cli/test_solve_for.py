@@ -2,14 +2,11 @@
 import json
 
 import pytest
-
-from gyrostat.cli.parser import main
+from commands import run
 
 
 def conditions(capsys, *arguments):
-    status = main(["conditions", *arguments])
-    captured = capsys.readouterr()
-    return status, captured.out, captured.err
+    return run(capsys, *arguments, verb="conditions")
 
 
 def test_solve_for_the_rotor(capsys):
