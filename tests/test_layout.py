@@ -149,6 +149,12 @@ with suppress(SystemExit):
     assert not heavy(new) and "gyrostat.cli.options" not in new
 
 
+def test_files_are_short():
+    """At most 250 lines each: what is longer has two themes."""
+    for path in [*SRC.rglob("*.py"), *Path(__file__).parent.rglob("*.py")]:
+        assert len(path.read_text(encoding="utf-8").splitlines()) <= 250, path
+
+
 def test_oracles_import_nothing_of_ours():
     """They are independent."""
     for path in (Path(__file__).parent / "oracles").rglob("*.py"):
