@@ -208,10 +208,7 @@ class Equilibrium(Shown, Stored):
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
-        """What has to vanish at given values.
-
-        Relations on derivatives of U that a given U does not satisfy by itself.
-        """
+        """What has to vanish at given values: relations that a given U does not satisfy by itself."""
         if not self.system.potential or not self.system.potential.given:
             return ()
         residuals = (_residual(self.insert(name) - self.insert(value), self)
