@@ -3,10 +3,13 @@
 Sums of positive terms, down to m1 = 0.
 """
 import math
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import acb, arb, ctx
 
+from ..algebra.double_double import Twofold
 from ..algebra.floats import Array
 from ..algebra.precision import own_precision
 from .periods import pair, reduced
@@ -37,22 +40,43 @@ def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:
     if complement == 0:
         sech = 1 / np.cosh(np.clip(u, -710, 710))
         return np.tanh(u), sech, sech
+    steps = landen(complement)
+    n, v = reduced(u, steps.half)
+    phase = steps.rate * v
+    sn, cn, dn = raised(np.sin(phase), np.cos(phase), steps)
+    sign = 1 - 2 * (n % 2)
+    return sign * sn, sign * cn, dn + 0 * v
+
+
+class Landen(NamedTuple):
+    """The descending transformation of a parameter: 2 K, π/2K; a, b and their mean from the last step up."""
+
+    half: Twofold
+    rate: float
+    levels: tuple[tuple[float, float, float], ...]
+
+
+@lru_cache(maxsize=64)
+def landen(complement: float) -> Landen:
+    """The steps from m1 to the circular functions, in doubles."""
     with own_precision(128):
         half = pair(2 * quarter_period(arb(complement)))
-    n, v = reduced(u, half)
     levels, a, b = [], 1.0, math.sqrt(complement)
     while a - b > 4e-16 * a:
         mean = (a + b) / 2
         levels.append((a, b, mean))
         a, b = mean, math.sqrt(a * b)
-    phase, dn = a * v, np.ones_like(v)
-    sn, cn = np.sin(phase), np.cos(phase)
-    for a, b, mean in reversed(levels):
+    return Landen(half, a, tuple(reversed(levels)))
+
+
+def raised(sine: Any, cosine: Any, steps: Landen) -> tuple[Any, Any, Any]:
+    """(sn, cn, dn) at abs(u) ≤ K from the sine and cosine of π u/2K, numbers or arrays."""
+    sn, cn, dn = sine, cosine, 1.0
+    for a, b, mean in steps.levels:
         cosine, sine = mean * cn * cn, sn * sn
         below = cosine + a * sine
         sn, cn, dn = a * sn / below, mean * cn * dn / below, (cosine + b * sine) / below
-    sign = 1 - 2 * (n % 2)
-    return sign * sn, sign * cn, dn
+    return sn, cn, dn
 
 
 def means(complement: arb) -> list[tuple[arb, arb]]:
