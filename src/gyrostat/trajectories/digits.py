@@ -34,11 +34,12 @@ def finite_times(t: Any) -> Array:
     return times
 
 
-def states_in_doubles(route: Route, start: Sequence[Expr], t: Any) -> Array:
+def states_in_doubles(route: Route, start: Array, t: Any) -> Array:
     """The states at times of any shape; at the time 0 as it was given."""
     times = finite_times(t)
-    states = np.array(route.state(times))
-    states[times == 0] = [float(x) for x in start]         # as they were given
+    states = route.state(times)
+    if not times.all():
+        states[times == 0] = start
     return states
 
 

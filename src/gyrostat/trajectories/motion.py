@@ -50,8 +50,13 @@ class Motion:
     def __call__(self, t: Any) -> Array:
         """The states at the times t [T], shape (..., n)."""
         if self._digits is None:
-            return states_in_doubles(self._route, self.state, t)
+            return states_in_doubles(self._route, self._start, t)
         return states_in_digits(self._route, self.state, t, self._digits)
+
+    @cached_property
+    def _start(self) -> Array:
+        """The state at the time 0 in doubles."""
+        return np.array([float(x) for x in self.state])
 
     def attitude(self, t: Any) -> Array:
         """R from the body to space, x_space = R x_body, in doubles.
