@@ -104,12 +104,18 @@ def test_height_follows_the_quartic(case):
 
 @pytest.mark.parametrize("case", EVERY.values(), ids=EVERY)
 def test_doubles_follow_the_enclosures(case):
-    """s, c and the rate in doubles, to rounding."""
-    path, u = nutation(case[0]), np.array([-2.3, -0.6, 0.0, 0.3, 1.9])
-    found = path.shape(u)
+    """c², s², s c and the rate in doubles, to rounding; those of a number are those of an array."""
     with ctx.workprec(200):
-        exact = np.array([[float(x) for x in path.shape(arb(v))] for v in u]).T
+        path = nutation(case[0])
+        K = 2.5 if path.quarter is None else float(path.quarter)
+        u = K * np.array([-1, -0.9, -0.6, 0.0, 0.3, 0.8, 1])
+        shapes = [path.shape(arb(v)) for v in u]
+        exact = np.array([[float(x) for x in (c * c, s * s, s * c, turn)] for s, c, turn in shapes]).T
+    half = np.sin(np.pi / 2 * u / K), np.cos(np.pi / 2 * u / K)
+    found = np.array(path.squares(u, half))
     np.testing.assert_allclose(found, exact, rtol=0, atol=5e-15 * max(1, np.abs(exact).max()))
+    singly = [path.squares(v, (s, c)) for v, s, c in zip(u, *half)]
+    np.testing.assert_array_equal(np.array(singly).T, found)
 
 
 @pytest.mark.parametrize("case", LAYOUTS.values(), ids=LAYOUTS)

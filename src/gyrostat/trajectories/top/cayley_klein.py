@@ -2,47 +2,76 @@
 
 The rotation, the directions and the momenta of a body of revolution from two complex numbers.
 """
-from typing import Any
-
-import numpy as np
+from typing import Any, NamedTuple
 
 from ...algebra.floats import Array
 
 
-def momentum(I1: Any, a: Any, b: Any, a_rate: Any, b_rate: Any) -> Any:
-    """π1 + i π2 = 2 I1 (ā ḃ − b ā˙), with the derivatives in the frame in which π3 does no work.
+class Forms(NamedTuple):
+    """Products of a, b = (c √(1 ± z1) ± i s √(1 ± z2))/√2, which are a and b without their unit factors.
 
-    In doubles or balls.
+    Each product is x c² + y s² + i w s c; (x, y, w) of it.
     """
-    return 2 * I1 * (a.conjugate() * b_rate - b * a_rate.conjugate())
+
+    across: tuple[Any, Any, Any]
+    """2 ā b."""
+    first: tuple[Any, Any, Any]
+    """2 a²."""
+    second: tuple[Any, Any, Any]
+    """2 b²."""
+    both: tuple[Any, Any, Any]
+    """2 a b."""
 
 
-def structure(gaps: Any, senses: list[int], s: Any, c: Any, turn: Any, rates: Any, i: Any,
-              half: Any) -> tuple[list[Any], list[Any]]:
-    """a, b = (c √(1 ± z1) ± i s √(1 ± z2)) · half without their unit factors, and their time derivatives.
-
-    In doubles or balls.
+def forms(gaps: Any, senses: list[int]) -> Forms:
+    """The products, in the arithmetic of the gaps.
 
     Parameters
     ----------
     gaps : √(1 + z), √(1 − z) at the lower and the upper end
     senses : 1 or −1 of each
-    s, c, turn : of the nutation
-    rates : dt/du, and what the two unit factors turn in u
-    i, half : √−1 and √½, in the arithmetic wanted
     """
-    values, slopes = [], []
-    for (low, high), sense, rate in zip(gaps, senses, rates[1:]):
-        value = (c * low + i * (sense * s * high)) * half
-        values.append(value)
-        slopes.append(((i * (sense * c * high) - s * low) * (turn * half) + i * rate * value) / rates[0])
-    return values, slopes
+    (p, q), (x, y) = [(low, sense * high) for (low, high), sense in zip(gaps, senses)]
+    return Forms((p * x, q * y, p * y - q * x), (p * p, -q * q, 2 * p * q), (x * x, -y * y, 2 * x * y),
+                 (p * x, -q * y, p * y + q * x))
 
 
-def rotation(a: Array, b: Array) -> Array:
-    """R from body to space of a = cos(θ/2) exp(i (φ + ψ)/2), b = sin(θ/2) exp(i (φ − ψ)/2).
+def valued(form: tuple[Any, Any, Any], at: Any) -> tuple[Any, Any]:
+    """Real and imaginary part of a product at the squares of a nutation."""
+    x, y, w = form
+    return x * at.cosine + y * at.sine, w * at.mixed
 
-    Shape (..., 3, 3).
+
+def product(a: tuple[Any, Any], b: tuple[Any, Any]) -> tuple[Any, Any]:
+    """Of two complex numbers, real and imaginary part of each."""
+    return a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]
+
+
+def momentum(found: Forms, across: tuple[Any, Any], turn: Any, rate: Any) -> tuple[Any, Any]:
+    """2 (ā ḃ − b ā˙)/i, with derivatives in u, but for the unit factors: real and imaginary part.
+
+    The derivatives of c and s leave a constant times the rate of their angle. Times I1 du/dt it is
+    (π1 + i π2)/i.
+
+    Parameters
+    ----------
+    found : Forms
+    across : the value of 2 ā b
+    turn : rate of the angle of the nutation in u
+    rate : what the two unit factors turn in u together
+    """
+    return found.both[2] * turn + rate * across[0], rate * across[1]
+
+
+def rotation(R: Array, products: Any, precession: Any, spin: Any, height: Any) -> None:
+    """R from body to space of a = cos(θ/2) exp(i (φ + ψ)/2), b = sin(θ/2) exp(i (φ − ψ)/2), into an array.
+
+    Parameters
+    ----------
+    R : array, shape (..., 3, 3)
+    products : values of the Forms
+    precession, spin : the unit factors of a b and of ā b, cosine and sine each
+    height : cos θ
 
     References
     ----------
@@ -51,11 +80,16 @@ def rotation(a: Array, b: Array) -> Array:
 
     Examples
     --------
-    >>> rotation(np.array(0.6), np.array(0.8)).round(12)[2]             # φ = ψ = 0, cos(θ/2) = 0.6
+    >>> import numpy as np
+    >>> R, one = np.empty((3, 3)), (1.0, 0.0)
+    >>> rotation(R, [(0.96, 0.0), (0.72, 0.0), (1.28, 0.0), (0.96, 0.0)], one, one, -0.28)
+    >>> R[2]                                                            # φ = ψ = 0, cos(θ/2) = 0.6
     array([ 0.  ,  0.96, -0.28])
     """
-    first, second, across, up = a * a, b * b, -2j * a * b, 2j * b * a.conjugate()
-    rows = [[first.real + second.real, second.imag - first.imag, across.real],
-            [first.imag + second.imag, first.real - second.real, across.imag],
-            [up.real, up.imag, abs(a) ** 2 - abs(b) ** 2]]
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    across, first, second, both = products
+    a, b = (product(value, product(precession, (spin[0], side * spin[1])))
+            for value, side in ((first, -1), (second, 1)))
+    (x, y), (v, w) = product(both, precession), product(across, spin)
+    R[..., 0, 0], R[..., 0, 1], R[..., 0, 2] = (a[0] + b[0]) / 2, (b[1] - a[1]) / 2, y
+    R[..., 1, 0], R[..., 1, 1], R[..., 1, 2] = (a[1] + b[1]) / 2, (a[0] - b[0]) / 2, 0 - x
+    R[..., 2, 0], R[..., 2, 1], R[..., 2, 2] = 0 - w, v, height

@@ -1,15 +1,63 @@
 """Integrals of smooth functions: a linear part and a series, at any place in doubles or balls."""
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb
 
 from ...algebra.floats import Array
+from ...algebra.precision import own_precision
 from ..periods import double
 
 # of Newton's method; where a function has reached its limit
 MOST_STEPS, FAR = 40, 40.0
+ROUNDED = 256                                              # bits at which sums are rounded to doubles
+
+
+class Place(NamedTuple):
+    """Where a series is summed."""
+
+    y: Any
+    """cos w, w = π u/K; at infinity tanh(u/2)."""
+    x: Any
+    """sin w; at infinity 2 log cosh(u/2) − abs(u)."""
+
+
+@dataclass(frozen=True)
+class Curve:
+    """The integral of a function in doubles, and the function.
+
+    Parameters
+    ----------
+    mean, jump : float
+        the linear part is mean u + jump abs(u)
+    terms : list of float
+        of sin(j w), j from 1; at infinity T_j(y), j from 0
+    slopes : list of float
+        of the function: of cos(j w), j from 0; at infinity (1 − y²)/2 T_j(y)
+    periodic : bool
+    """
+
+    mean: float
+    jump: float
+    terms: list[float]
+    slopes: list[float]
+    periodic: bool
+
+    def bounded(self, place: Place) -> Any:
+        """The integral less its linear part."""
+        if self.periodic:
+            return place.x * _clenshaw(self.terms, 2 * place.y)[0]
+        return self.jump * place.x + _chebyshev(self.terms, place.y)
+
+    def rate(self, place: Place) -> Any:
+        """The function."""
+        if self.periodic:
+            return _chebyshev(self.slopes, place.y)
+        y = place.y
+        return self.mean + self.jump * y + _chebyshev(self.slopes, y) * (1 - y) * (1 + y) / 2
 
 
 @dataclass(frozen=True)
@@ -41,30 +89,38 @@ class Integrals:
         """Which of the functions are constants."""
         return [all(x == 0 for x in (*row, jump)) for row, jump in zip(self.series, self.jumps)]
 
-    @cached_property
-    def coefficients(self) -> Array:
-        """The series in doubles, the first terms first, shape (terms, functions)."""
-        return np.array([[double(x) for x in row] for row in self.series]).T
+    def curve(self, weights: Sequence[int]) -> Curve:
+        """A sum of the integrals in doubles, each so many times."""
+        with own_precision(ROUNDED):
+            mean, jump, *terms = (double(sum((n * x for n, x in zip(weights, column)), arb(0)))
+                                  for column in (self.means, self.jumps, *zip(*self.series)))
+            if self.quarter is None:
+                slopes = np.polynomial.chebyshev.chebder(terms).tolist()
+            else:
+                slopes = [mean, *(j * x * double(arb.pi() / self.quarter) for j, x in enumerate(terms, 1))]
+        return Curve(mean, jump, _needed(terms, mean), _needed(slopes, mean), self.quarter is not None)
 
     @cached_property
-    def _linear(self) -> tuple[Array, Array]:
-        return np.array([double(x) for x in self.means]), np.array([double(x) for x in self.jumps])
+    def time(self) -> Curve:
+        """The first of the integrals in doubles."""
+        return self.curve([1] + [0] * (len(self.means) - 1))
 
-    def bounded(self, u: Array) -> tuple[Array, Array]:
-        """The integrals less their linear parts limits(u) · u, and the functions themselves.
+    @cached_property
+    def rate(self) -> float:
+        """π/2K, 0 at infinity."""
+        with own_precision(ROUNDED):
+            return 0.0 if self.quarter is None else double(arb.pi() / (2 * self.quarter))
 
-        Shape (functions, points) each.
-        """
-        means, jumps = (x[:, None] for x in self._linear)
-        if self.quarter is not None:
-            w = np.pi / double(self.quarter)
-            value, slope = _sines(self.coefficients, w * u)
-            return value, means + w * slope
-        far = 2 * (np.log1p(np.exp(-np.abs(u))) - np.log(2.0))
-        y = np.tanh(u / 2)
-        value = np.polynomial.chebyshev.chebval(y, self.coefficients)
-        slope = np.polynomial.chebyshev.chebval(y, np.polynomial.chebyshev.chebder(self.coefficients))
-        return jumps * far + value, means + jumps * y + slope * (1 - y) * (1 + y) / 2
+    def half(self, u: Any) -> tuple[Any, Any] | None:
+        """Sine and cosine of π u/2K; None at infinity."""
+        return (np.sin(self.rate * u), np.cos(self.rate * u)) if self.rate else None
+
+    def place(self, u: Any, half: tuple[Any, Any] | None) -> Place:
+        """Where curves are summed for u, numbers or arrays, from what half says of it."""
+        if half is None:
+            return Place(np.tanh(u / 2), 2 * (np.log1p(np.exp(-np.abs(u))) - np.log(2.0)))
+        sine, cosine = half
+        return Place(cosine * cosine - sine * sine, 2 * sine * cosine)
 
     def at(self, u: arb) -> tuple[list[arb], list[arb]]:
         """The integrals, linear parts included, and the functions, in balls."""
@@ -91,18 +147,20 @@ class Integrals:
                           * sum((j * c * v for j, (c, v) in enumerate(zip(row, V))), arb(0)))
         return values, slopes
 
-    def inverse(self, values: Array) -> Array:
-        """u where the first of the integrals, which is monotonic, has these values."""
-        mean, jump = (x[0] for x in self._linear)
+    def inverse(self, values: Any) -> Any:
+        """u where the first of the integrals, which is monotonic, has these values, numbers or an array."""
+        time = self.time
         if self.constant[0]:
-            return values / mean
+            return values / time.mean
         grid, known = self._grid
-        u = np.interp(values, known, grid)
+        u, moving = np.interp(values, known, grid), True
         for _ in range(MOST_STEPS):
-            bounded, rates = self.bounded(u)
-            step = ((mean + jump * np.sign(u)) * u + bounded[0] - values) / rates[0]
+            place = self.place(u, self.half(u))
+            gained = (time.mean + time.jump * np.sign(u)) * u + time.bounded(place)
+            step = (gained - values) / time.rate(place) * moving
             u = u - step
-            if (np.abs(step) <= 4e-16 * (1 + np.abs(u))).all():
+            moving = np.abs(step) > 4e-16 * (1 + np.abs(u))         # what has arrived stays
+            if not np.any(moving):
                 break
         return u
 
@@ -110,18 +168,31 @@ class Integrals:
     def _grid(self) -> tuple[Array, Array]:
         """u and the first integral, in the order of its values, where Newton's method begins."""
         end = FAR if self.quarter is None else double(self.quarter)
-        mean, jump = (x[0] for x in self._linear)
-        grid = np.linspace(-end, end, 8 * len(self.coefficients) + 64) * np.sign(mean)
-        return grid, mean * grid + jump * np.abs(grid) + self.bounded(grid)[0][0]
+        time = self.time
+        grid = np.linspace(-end, end, 8 * len(self.series[0]) + 64) * np.sign(time.mean)
+        bounded = time.bounded(self.place(grid, self.half(grid)))
+        return grid, time.mean * grid + time.jump * np.abs(grid) + bounded
 
 
-def _sines(coefficients: Array, w: Array) -> tuple[Array, Array]:
-    """Σ b_j sin(j w) and Σ j b_j cos(j w), j from 1, for each column b, by Clenshaw's recurrence."""
-    both = np.concatenate([coefficients, coefficients * np.arange(1, len(coefficients) + 1)[:, None]],
-                          axis=1)[:, :, None]
-    twice = 2 * np.cos(w)
-    here, last = np.zeros((both.shape[1], w.size)), np.zeros((both.shape[1], w.size))
-    for row in both[::-1]:
-        here, last = row + twice * here - last, here
-    n = coefficients.shape[1]
-    return here[:n] * np.sin(w), here[n:] * (twice / 2) - last[n:]
+def _needed(terms: Sequence[float], mean: float) -> list[float]:
+    """Without those at the end that the sum of them all, in doubles, does not see."""
+    least = 2.0**-60 * max(map(abs, [mean, *terms]))
+    return list(terms[:max((j for j, x in enumerate(terms, 1) if abs(x) > least), default=0)])
+
+
+def _clenshaw(terms: Sequence[float], twice: Any) -> tuple[Any, Any]:
+    """The last two of b_j = c_j + 2 y b_(j+1) − b_(j+2), the first being Σ c_j U_j(y)."""
+    here: Any = 0.0
+    last: Any = 0.0
+    for c in reversed(terms):
+        new = twice * here
+        new -= last
+        new += c
+        here, last = new, here
+    return here, last
+
+
+def _chebyshev(terms: Sequence[float], y: Any) -> Any:
+    """Σ c_j T_j(y)."""
+    here, last = _clenshaw(terms[1:], 2 * y)
+    return y * here - last + (terms[0] if terms else 0.0)

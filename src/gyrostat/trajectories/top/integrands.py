@@ -6,7 +6,7 @@ from math import prod
 from flint import acb, arb
 
 from ..elliptic import quarter_period
-from .cayley_klein import structure
+from .cayley_klein import Forms, forms
 from .integrals import Integrals
 from .level import Level, enclosed
 from .nutation import Nutation, nutation
@@ -117,9 +117,14 @@ class Integrands:
         """s, c and the rate of their angle."""
         return LOW if self.path is None else self.path.shape(u)
 
-    def structure(self, s: arb, c: arb, turn: arb, rates: list[arb]) -> tuple[list[acb], list[acb]]:
-        """a and b without their unit factors, and their derivatives in time."""
-        return structure(self.gaps, self.senses, s, c, turn, rates, acb(0, 1), arb(2).rsqrt())
+    @cached_property
+    def forms(self) -> Forms:
+        """The products of a and b without their unit factors, at the precision at which it is first asked."""
+        return forms(self.gaps, self.senses)
+
+    def structure(self, s: arb, c: arb) -> list[acb]:
+        """√2 a and √2 b without their unit factors."""
+        return [acb(c * low, s * (sense * high)) for (low, high), sense in zip(self.gaps, self.senses)]
 
 
 def integrands(level: Level) -> Integrands:

@@ -2,6 +2,7 @@
 
 k3 by elliptic functions, the two angles by series, at any time.
 """
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -10,12 +11,12 @@ from flint import arb
 
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
-from ..periods import double, pair, reduced, turns
-from .cayley_klein import momentum, rotation, structure
+from ..periods import double
+from .doubles import Doubles
 from .level import Level, enclosed, known
 from .precession import precession
 
-BLOCK = 4096                                               # times that a cache holds
+BLOCK = 8192                                               # times that a cache holds
 
 
 class AxialMotion:
@@ -33,82 +34,17 @@ class AxialMotion:
     def __init__(self, level: Level, bits: int = 53):
         self.exact = precession(level, bits)
 
-    def _parameters(self, t: Array) -> tuple[list[Array], list[Array], Array]:
-        """a, b, their derivatives without Λ, and k3, at times of one dimension."""
-        exact, parts = self.exact, self.exact.integrands
-        u, angles = self._path(t)
-        bounded, rates = exact.integrals.bounded(u)
-        s, c, turn = (0 * u, 1 + 0 * u, 0 * u) if parts.path is None else parts.path.shape(u)
-        values, slopes = structure(self._gaps, parts.senses, s, c, turn, rates, 1j, 0.5**0.5)
-        half_turns = turns(t, self._pairs["axial"])
-        units = []
-        for factor, sign, angle, value, start in zip(exact.factors, (-1, 1), angles, bounded[1:],
-                                                     exact.angles):
-            gained = 2 * np.pi * sign * half_turns + angle + value - double(start)
-            units.append(complex(factor) * np.exp(1j * gained))
-        height = c * c * double(parts.lower) + s * s * double(parts.upper)
-        return [x * e for x, e in zip(values, units)], [x * e for x, e in zip(slopes, units)], height
+    @cached_property
+    def _doubles(self) -> Doubles:
+        return Doubles(self.exact)
 
     def state(self, t: Array) -> Array:
         """(π, k) at times of any shape, shape (..., 6)."""
-        times, exact = t.ravel(), self.exact
-        x = np.empty((times.size, 6))
-        x[:, 2] = double(exact.pi3)
-        for first in range(0, times.size, BLOCK):
-            part = slice(first, first + BLOCK)
-            (a, b), rates, x[part, 5] = self._parameters(times[part])
-            p = momentum(double(exact.integrands.I1), a, b, *rates)
-            k = 2j * double(exact.r) * b * a.conjugate()
-            x[part, 0], x[part, 1], x[part, 3], x[part, 4] = p.real, p.imag, k.real, k.imag
-        return x.reshape(*t.shape, 6)
+        return _in_blocks(self._doubles.state, t, (6,))
 
     def attitude(self, t: Array) -> Array:
         """R from body to space, shape (..., 3, 3)."""
-        (a, b), _, _ = self._parameters(t.ravel())
-        return rotation(a, b).reshape(*t.shape, 3, 3)
-
-    @cached_property
-    def _gaps(self) -> list[list[float]]:
-        return [[double(x) for x in gap] for gap in self.exact.integrands.gaps]
-
-    @cached_property
-    def _pairs(self) -> dict[str, Any]:
-        """Periods and turns in two doubles."""
-        integrals = self.exact.integrals
-        with own_precision(self.exact.precision):
-            turn = 2 * arb.pi()
-            time, *means = integrals.means
-            jump, *jumps = integrals.jumps
-            pairs: dict[str, Any] = {"axial": pair(self.exact.axial_rate / (2 * turn))}
-            # of what the angles grow by in a unit of time, before and after
-            if integrals.quarter is None:
-                ratios = [[(mean + side * step) / (time + side * jump) for mean, step in zip(means, jumps)]
-                          for side in (-1, 1)]
-                pairs["rates"] = [[pair(x / turn) for x in row] for row in ratios]
-            else:
-                whole = 2 * integrals.quarter
-                pairs["period"] = pair(whole * time)
-                pairs["angles"] = [pair(whole * mean / turn) for mean in means]
-            return pairs
-
-    def _path(self, t: Array) -> tuple[Array, list[Array]]:
-        """u, and the linear parts of the two angles."""
-        start, means = double(self.exact.t0), [double(x) for x in self.exact.integrals.means[1:]]
-        if "period" in self._pairs:
-            period = self._pairs["period"]
-            n, r = reduced(t, period)
-            r = r + start
-            k = np.rint(r / period.high)
-            r, n = r - k * period.high, n + k
-            u = self.exact.integrals.inverse(r)
-            return u, [2 * np.pi * turns(n, whole) + mean * u
-                       for mean, whole in zip(means, self._pairs["angles"])]
-        u = self.exact.integrals.inverse(t + start)
-        bounded, late = self.exact.integrals.bounded(u)[0][0], u > 0
-        rest, rates = start - bounded, self._pairs["rates"]
-        return u, [2 * np.pi * np.where(late, turns(t, after) + after.high * rest,
-                                        turns(t, before) + before.high * rest)
-                   for before, after in zip(*rates)]
+        return _in_blocks(self._doubles.attitude, t, (3, 3))
 
     def ball_state(self, t: arb, _: int) -> list[arb]:
         """(π, k) at a time, to as many bits as the motion was built for."""
@@ -169,3 +105,15 @@ class AxialMotion:
             largest = max(across + [abs(double(enclosed(x))) for x in parts.level.numbers[3:]])
         fastest = max(across + [abs(double(x)) for x in parts.momenta]) / double(parts.I1)
         return 2.0**-52 * (4 + (self.period or 0.0) * fastest) * max(1.0, largest)
+
+
+def _in_blocks(fill: Callable[[Array, Any], None], t: Array, shape: tuple[int, ...]) -> Array:
+    """What is filled in at times of any shape; one time is a number."""
+    found = np.empty((*t.shape, *shape))
+    if t.ndim == 0:
+        fill(found, t[()])
+        return found
+    rows, times = found.reshape(-1, *shape), t.ravel()
+    for first in range(0, times.size, BLOCK):
+        fill(rows[first:first + BLOCK], times[first:first + BLOCK])
+    return found

@@ -1,17 +1,25 @@
 """k3 between two turning points as elliptic functions of a variable u in which time is smooth, however close
 other roots of g lie.
 """
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import acb, arb
 
-from ..elliptic import argument, jacobi, jacobi_ball, means, quarter_period
+from ..elliptic import Landen, argument, jacobi, jacobi_ball, landen, means, quarter_period, raised
 from ..periods import double
 from .turning_points import Roots
+
+
+class Squares(NamedTuple):
+    """c², s² and s c of the angle of a nutation, and its rate in u."""
+
+    cosine: Any
+    sine: Any
+    mixed: Any
+    turn: Any
 
 
 @dataclass(frozen=True)
@@ -57,23 +65,53 @@ class Nutation:
     def _steps(self) -> list[tuple[arb, arb]]:
         return means(self.complement) if self.complement != 0 else []
 
-    def shape(self, u: Any) -> tuple[Any, Any, Any]:
-        """s, c, and d(atan(s/c))/du; of an array in doubles, of an arb in balls."""
-        balls = isinstance(u, arb)
-        m1, ratio = (self.complement, self.ratio) if balls else (double(self.complement), double(self.ratio))
-        root: Callable[[Any], Any] = arb.sqrt if balls else np.sqrt
+    @cached_property
+    def _doubles(self) -> tuple[float, float]:
+        return double(self.complement), double(self.ratio)
+
+    @cached_property
+    def landen(self) -> Landen | None:
+        """The steps of the elliptic functions in doubles; None of hyperbolic functions."""
+        return None if self._doubles[0] == 0 else landen(self._doubles[0])
+
+    def shape(self, u: arb) -> tuple[arb, arb, arb]:
+        """s, c, and d(atan(s/c))/du."""
         if self.kind == "passage":
-            half = u.tanh() if balls else np.tanh(u)
-            s, c = root((1 + half) / 2), root((1 - half) / 2)
+            half = u.tanh()
+            s, c = ((1 + half) / 2).sqrt(), ((1 - half) / 2).sqrt()
             return s, c, s * c
-        sn, cn, dn = jacobi_ball(u, m1, self._steps) if balls else jacobi(u, m1)
-        if self.kind == "pair":
-            s, c, turn = ratio * sn * dn, cn, ratio * (cn * cn * cn * cn + m1 * sn * sn * (1 + cn * cn))
-        else:
-            s, c, turn = ratio * sn, cn, ratio * dn
+        s, c, turn = self._sides(*jacobi_ball(u, self.complement, self._steps), self.complement, self.ratio)
         square = s * s + c * c
-        s, c = s / root(square), c / root(square)
-        return (c, -s, turn / square) if self.kind == "neighbours above" else (s, c, turn / square)
+        return s / square.sqrt(), c / square.sqrt(), turn / square
+
+    def squares(self, u: Any, half: Any) -> Squares:
+        """c², s² and s c, and d(atan(s/c))/du, in doubles.
+
+        Parameters
+        ----------
+        u : float or array
+            abs(u) ≤ K
+        half : pair of floats or arrays
+            sine and cosine of π u/2K, where there are landen steps
+        """
+        if self.kind == "passage":
+            end, middle = np.tanh(u), 0.5 / np.cosh(np.clip(u, -710, 710))
+            return Squares((1 - end) / 2, (1 + end) / 2, middle, middle)
+        m1, ratio = self._doubles
+        sn, cn, dn = jacobi(u, m1) if self.landen is None else raised(half[0], half[1], self.landen)
+        s, c, turn = self._sides(sn, cn, dn, m1, ratio)
+        cosine, sine = c * c, s * s
+        scale = 1 / (cosine + sine)
+        return Squares(cosine * scale, sine * scale, s * c * scale, turn * scale)
+
+    def _sides(self, sn: Any, cn: Any, dn: Any, m1: Any, ratio: Any) -> tuple[Any, Any, Any]:
+        """s and c up to a common factor, and the rate of their angle times its square."""
+        if self.kind == "pair":
+            square = cn * cn
+            return ratio * sn * dn, cn, ratio * (square * square + m1 * sn * sn * (1 + square))
+        if self.kind == "neighbours above":
+            return cn, -ratio * sn, ratio * dn
+        return ratio * sn, cn, ratio * dn
 
     def start(self, s: arb, c: arb) -> arb:
         """u where sin and cos of the angle are s and c, c ≥ 0."""

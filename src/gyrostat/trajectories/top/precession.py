@@ -11,10 +11,11 @@ from flint import acb, arb, ctx
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError, ResolutionError
 from ..periods import double
-from .cayley_klein import momentum
+from .cayley_klein import momentum, valued
 from .integrals import Integrals
 from .integrands import Integrands, integrands
 from .level import Level, enclosed
+from .nutation import Squares
 
 MOST_BITS = 4096
 # bits by which a constant is better known than the results
@@ -75,23 +76,22 @@ class Precession:
             u = self._inverse(late)
             (_, *angles), rates = self.integrals.at(u)
             s, c, turn = parts.shape(u)
-            values, slopes = parts.structure(s, c, turn, rates)
-            units = []
-            for sign, factor, angle, start, mean in zip((-1, 1), self.factors, angles, self.angles,
-                                                        self.integrals.means[1:]):
-                gained = angle - start + sign * self.axial_rate * t / 2
-                if quarter is not None:
-                    gained += 2 * n * quarter * mean
-                units.append(factor * acb(0, gained).exp())
-            (a, b), slopes = (x * e for x, e in zip(values, units)), [x * e for x, e in zip(slopes, units)]
-            p, k = momentum(parts.I1, a, b, *slopes), 2 * acb(0, 1) * self.r * b * a.conjugate()
+            first, second = (angle - start for angle, start in zip(angles, self.angles))
+            gained = second - first + self.axial_rate * t
+            if quarter is not None:
+                _, before, after = self.integrals.means
+                gained += 2 * n * quarter * (after - before)
+            unit = acb(0, 1) * self.factors[1] * self.factors[0].conjugate() * acb(0, gained).exp()
+            across = valued(parts.forms.across, Squares(c * c, s * s, s * c, turn))
+            p = parts.I1 / rates[0] * unit * acb(*momentum(parts.forms, across, turn, rates[1] + rates[2]))
+            k = self.r * unit * acb(*across)
             return [p.real, p.imag, self.pi3, k.real, k.imag, c * c * parts.lower + s * s * parts.upper]
 
     def _inverse(self, t: arb) -> arb:
         """u at a time after u = 0, by Newton's method from the double."""
         if self.integrals.constant[0]:
             return t / self.integrals.means[0]
-        u = arb(float(self.integrals.inverse(np.array([double(t)]))[0]))
+        u = arb(float(self.integrals.inverse(np.float64(double(t)))))
         for _ in range(ctx.prec.bit_length()):
             values, rates = self.integrals.at(u)
             u = (u - (values[0] - t) / rates[0]).mid()
@@ -162,12 +162,12 @@ def _unit_factors(parts: Integrands, u: arb, rates: list[arb], p: acb, w: acb) -
     s, c, turn = parts.shape(u)
     if parts.level.direction == 0 and parts.path is not None:
         s, c = parts.ends
-    (a, b), slopes = parts.structure(s, c, turn, rates)
-    relative = acb(1)
+    a, b = parts.structure(s, c)
+    across, relative = valued(parts.forms.across, Squares(c * c, s * s, s * c, turn)), acb(1)
     if w != 0:
-        relative = w / (2 * acb(0, 1) * b * a.conjugate())
+        relative = w / (acb(0, 1) * acb(*across))
     elif p != 0:
-        relative = p / momentum(parts.I1, a, b, *slopes)
+        relative = p * rates[0] / (acb(0, 1) * acb(*momentum(parts.forms, across, turn, rates[1] + rates[2])))
     relative /= abs(relative)
     if a == 0 or b == 0:
         first = (a if b == 0 else relative * b).conjugate()
