@@ -4,6 +4,7 @@ Constants once in enclosures, then time mod the period.
 """
 import math
 from collections.abc import Callable, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -96,9 +97,12 @@ class FreeMotion:
 
     def state(self, t: Array) -> Array:
         """π at an array of times, along a last axis."""
-        return _in_blocks(self.path.values, t, (3,)) - np.array(
-            [double(ball(x, CONSTANT)) for x in self.rotor]
-        )
+        return _in_blocks(self.path.values, t, (3,)) - self._rotor
+
+    @cached_property
+    def _rotor(self) -> Array:
+        """l in doubles."""
+        return np.array([double(ball(x, CONSTANT)) for x in self.rotor])
 
     def attitude(self, t: Array) -> Array:
         """R from body to space at an array of times, z along M.

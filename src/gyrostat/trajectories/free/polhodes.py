@@ -2,7 +2,7 @@
 gyrostat.
 """
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import permutations
 
 import numpy as np
@@ -10,6 +10,7 @@ from flint import arb
 from sympy import Expr, Integer
 
 from ...algebra.balls import ball
+from ...algebra.double_double import Twofold
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError
@@ -61,13 +62,23 @@ class Polhode:
         *_, rate, _, _ = constants(self, CONSTANT)
         return ROUNDING * (8 + (float(rate * self.period(CONSTANT)[0]) if self.periodic else 0))
 
+    @cached_property
+    def _rounded(self) -> list[float]:
+        """The constants in doubles."""
+        return [double(x) for x in constants(self, CONSTANT)]
+
+    @cached_property
+    def _cycle(self) -> Twofold | None:
+        """The period in two doubles."""
+        return pair(self.period(CONSTANT)[0]) if self.periodic else None
+
     def values(self, t: Array) -> Array:
         """M at a row of times."""
-        *sizes, rate, complement, phase = map(double, constants(self, CONSTANT))
+        *sizes, rate, complement, phase = self._rounded
         if self.periodic and complement < SMALLEST:
             raise AccuracyError(f"m1 = {complement}: the motion is too near a separatrix for doubles; give "
                                 "other numbers, or a precision")
-        r = reduced(t, pair(self.period(CONSTANT)[0]))[1] if self.periodic else t
+        r = reduced(t, self._cycle)[1] if self._cycle else t
         sn, cn, dn = jacobi(rate * r + phase, complement)
         M = np.empty((len(t), 3))
         for axis, size, part in zip(self.axes, sizes, (cn, sn, dn)):

@@ -7,6 +7,7 @@ import numpy as np
 from flint import arb
 
 from ...algebra.balls import ball
+from ...algebra.double_double import Twofold
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError
@@ -77,9 +78,8 @@ class RepeatedTurn:
         """
         forth, back = self.loops(components)
         if back is None:
-            period = pair(self.path.period(CONSTANT)[0])
-            n, r = reduced(t, period)
-            return forth.values(r, period.high), turns(
+            n, r = reduced(t, self._cycle)
+            return forth.values(r, self._cycle.high), turns(
                 n - (r < 0), cycles(self.angle)
             ) if components == ROWS else n
         found, cycle = np.empty((len(t), components)), np.zeros(len(t))
@@ -90,16 +90,33 @@ class RepeatedTurn:
             cycle[where] = np.where(s > end, turns(s, beyond) - turns(np.array([end]), beyond), 0)
         return found, cycle
 
+    @cached_property
+    def _cycle(self) -> Twofold:
+        """The period in two doubles."""
+        return pair(self.path.period(CONSTANT)[0])
+
+    @cached_property
+    def _length(self) -> float:
+        """abs(M) in doubles."""
+        with own_precision(CONSTANT):
+            return double(self.size(CONSTANT))
+
+    @cached_property
+    def _common(self) -> Twofold:
+        """Turns of the common rate in a unit of time."""
+        with own_precision(CONSTANT):
+            return cycles(self.common(CONSTANT))
+
     def values(self, t: Array) -> Array:
         """M at a row of times."""
         with own_precision(CONSTANT):
-            return double(self.size(CONSTANT)) * self.rows(t, M_ONLY)[0]
+            return self._length * self.rows(t, M_ONLY)[0]
 
     def attitude(self, t: Array) -> Array:
         """R at a row of times."""
         with own_precision(CONSTANT):
             rows, cycle = self.rows(t, ROWS)
-            return turned(np.roll(rows, 3, axis=1), turns(t, cycles(self.common(CONSTANT))) + cycle)
+            return turned(np.roll(rows, 3, axis=1), turns(t, self._common) + cycle)
 
     def at(self, t: arb, bits: int, precision: int) -> list[arb]:
         """M at a time, to so many bits, from constants of a precision.
