@@ -108,10 +108,7 @@ class Motion:
 
     @property
     def period(self) -> Any:
-        """Of the nutation, or of the momentum in a free body [T]; with precision, mpmath.mpf.
-
-        None where there is none.
-        """
+        """Of the nutation, or of the momentum in a free body [T], or None; with precision, mpmath.mpf."""
         return period(self._route, self._digits)
 
     @property
