@@ -137,6 +137,15 @@ def test_usage(capsys):
     assert "gyrostat report --potential" in out and f"gyrostat {gyrostat.__version__}" in out
 
 
+def test_the_help_of_motion_names_its_kinds_of_files(capsys):
+    """Of the other verbs that write to a file there is one kind."""
+    for verb in ("report", "conditions", "decide", "motion", "verify"):
+        with pytest.raises(SystemExit):
+            main([verb, "--help"])
+        said = " ".join(capsys.readouterr().out.split())
+        assert ("instead of the terminal: motion.csv, .nc" in said) == (verb == "motion")
+
+
 @pytest.mark.slow
 def test_the_module_runs():
     """python -m gyrostat is the command."""
