@@ -60,6 +60,15 @@ def test_separatrices_lie_on_sphere_and_level(inertia, rotor, radius):
         np.testing.assert_allclose(((M - l) ** 2 / I).sum(axis=1) / 2, energy, rtol=2e-14)
 
 
+def test_beside_a_saddle_both_curves_are_there():
+    """Closer to each other than the chords are long."""
+    body = gs.Gyrostat((2, 1, 3), (0, 0, 0))
+    M = level_curve(body, permanent_rotations(body, Rational(1)), 1.0, 0.25 - 1e-5)
+    gap = np.flatnonzero(np.isnan(M[:, 0]))
+    assert len(gap) == 1 and np.sign(M[0, 2]) == -np.sign(M[-1, 2])
+    assert (np.diff(np.sign(M[np.isfinite(M[:, 0]), 2])) != 0).sum() == 1
+
+
 def test_energies_lie_between_the_critical_ones():
     """As many in each band, none at its ends; closer together at a saddle than at an extremum."""
     chosen = energies_between(permanent_rotations(gs.Gyrostat((1, 2, 3), (0, 0, 0)), Rational(1)), 4)
