@@ -205,3 +205,15 @@ def test_no_box_is_drawn_for_moments_that_no_body_has():
     assert np.ptp(corners, axis=0) == pytest.approx([1.8] * 3)
     plate = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
     assert np.ptp(np.concatenate([polygon for polygon, _ in solid(plate)]), axis=0)[2] < 0.2
+    thousand = gs.assemble(gs.Gyrostat((1000, 2000, 3000), (0, 0, 0)))
+    for (polygon, _), (other, _) in zip(solid(plate), solid(thousand), strict=True):     # whatever the unit
+        np.testing.assert_allclose(polygon, other, rtol=1e-12)
+
+
+def test_the_surface_of_a_top_is_closed():
+    """Every side of a face is a side of another one, or a point on the axis."""
+    sides = []
+    for polygon, _ in solid(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())):
+        ends = [tuple(corner) for corner in (polygon.round(9) + 0.0).tolist()]
+        sides += [frozenset(side) for side in zip(ends, ends[1:] + ends[:1])]
+    assert {sides.count(side) for side in sides if len(side) == 2} == {2}
