@@ -48,6 +48,15 @@ def test_sets_in_words(intervals, shown):
     assert str(Solution("l", (part,))) == f"Stable: {shown}."
 
 
+def test_where_something_is_left_open_it_is_said():
+    """Between what is proved stable and what is proved unstable; not where the two are one."""
+    proved, needed, stable = (SolvedCondition(meaning, l, (Case((), (Interval(m0, oo, EXCLUDED),)),), k3)
+                              for meaning in ("sufficient", "necessary", "stable"))
+    open_ = "Where it is neither proved stable nor proved unstable, nothing is claimed."
+    assert str(Solution("l", (proved, needed))).splitlines()[-1] == open_
+    assert open_ not in str(Solution("l", (stable,)))
+
+
 def test_positive_names_start_at_zero():
     """A moment of inertia below a bound."""
     text = str(stabilizing_set(gs.analyze(gs.upright(HEAVY)), "I1"))
