@@ -23,6 +23,13 @@ def test_objects_print_as_a_person_reads_them(scene, e1, e3):
     assert str(discriminant).endswith(" = 0") and len(str(scene.space).splitlines()) == 6
 
 
+def test_what_is_negative_stands_on_the_right():
+    """Of a condition at a tilt; at a pole all but the square does."""
+    l, m0, k3 = map(gs.symbol, ("l", "m0", "k3"))
+    assert str(gs.Condition(m0 - l, True, "", (), k3)) == "m₀ > l"
+    assert str(gs.Condition(m0**2 + (l + k3) ** 2, False, "", (), l / l)) == "(l + k₃)² ≥ −m₀²"
+
+
 def test_only_objects_of_the_library_are_shown():
     """Anything else is refused by its type."""
     with pytest.raises(TypeError, match="int is not shown as text"):
