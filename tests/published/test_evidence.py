@@ -61,6 +61,8 @@ def examined(tmp_path, scene, claim, printed):
     example, weaker = data["counterexample"], data["not_sharp"]
     if example:
         assert refuted.refutes(claim, printed, SCENES[scene][1], example["values"]), (printed, example)
+        unstable = example["printed"] == ("fails" if claim == CLAIMS[3] else "holds")
+        assert example["derived"] == ("unstable" if unstable else "stable")
     if weaker:
         assert not example and not refuted.refutes(claim, printed, SCENES[scene][1],
                                                    weaker["values"]), (printed, weaker)
