@@ -60,6 +60,14 @@ def test_roots_of_a_polynomial_are_those_of_numpy(c, state):
     assert (g(between) > 0).all() and between[0] - 0.1 <= float(F(state[5])) <= between[-1] + 0.1
 
 
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_pole_that_is_reached_is_a_root_wherever_it_lies(side):
+    """abs(k) = 5, v = ±5 P with an irrational P: g vanishes at k3 = ±5."""
+    P = sqrt(2)
+    roots = found(level(lambda z: z / 20, (side * P / 3, 0, P - Rational(2, 5), 3, 0, side * 4)))
+    assert (roots.upper if side == 1 else roots.lower).contains(side * 5)
+
+
 def test_published_cubic():
     """Simo & Wong's top: the roots of the nutation cubic as printed."""
     roots = found(level(lambda z: 20 * z, (0, 0, 50, 0, sin(Rational(1, 20)), cos(Rational(1, 20))), (5, 1),
