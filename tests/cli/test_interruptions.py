@@ -44,6 +44,23 @@ def test_a_signal_has_its_exit_status(number, status):
     assert error.value.status == watch.interrupted(error.value, "").status == status
 
 
+def test_where_a_process_cannot_be_doubled(capsys, monkeypatch):
+    """Another interpreter does the work: its exit status, or 2 where it takes too long."""
+    monkeypatch.delattr(watch.os, "fork")
+    monkeypatch.setattr(watch.subprocess, "run",
+                        lambda command, timeout: subprocess.CompletedProcess(command, 1))
+    with pytest.raises(SystemExit) as stop:
+        watch.watched("verify", 3.0, None)
+    assert (stop.value.code, capsys.readouterr().err) == (1, "")
+
+    def late(command, timeout):
+        raise subprocess.TimeoutExpired(command, timeout)
+    monkeypatch.setattr(watch.subprocess, "run", late)
+    with pytest.raises(SystemExit) as stop:
+        watch.watched("verify", 3.0, None)
+    assert stop.value.code == 2 and "not within 3 s" in capsys.readouterr().err
+
+
 def working(running):
     """Wait until the command has a process that works."""
     children = Path(f"/proc/{running.pid}/task/{running.pid}/children")
