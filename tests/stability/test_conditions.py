@@ -81,13 +81,6 @@ def test_the_general_test_stays_available(e1):
     assert p.degenerate == () and expand(2 * p.margin - even**2 - I3**2 * (P**2 - 4 * I1 * dU)) == 0
 
 
-def test_where_q_is_0_the_discriminant_is_the_square_of_p(e3):
-    """At a tilt, along the spin: it vanishes where p does."""
-    p, q, discriminant = gs.spectral_criterion(e3.linearization).alternatives[0]
-    assert q.margin == 0
-    assert (discriminant.margin, discriminant.degenerate) == (1, (p.margin,))
-
-
 @given(I1_=moments, I3_=moments, l_=numbers, spin=numbers, u=numbers, degenerate=st.booleans(),
        boundary=st.booleans())
 def test_reduction_keeps_the_truth(e1, I1_, I3_, l_, spin, u, degenerate, boundary):

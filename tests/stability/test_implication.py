@@ -83,3 +83,10 @@ def test_opposite_signs_merge_only_where_zero_is_excluded():
     signs = Signs(ring, (x**2,))
     plus, minus = (Item(*signs.split(*ring.fraction(e)), True, "") for e in (x, -x * (y - 1) ** 2))
     assert len(merge([[plus], [minus]], signs)) == 2    # the second does not hold at y = 1
+
+
+def test_where_q_is_0_the_discriminant_is_the_square_of_p(e3):
+    """At a tilt, along the spin: it vanishes where p does."""
+    p, q, discriminant = gs.spectral_criterion(e3.linearization).alternatives[0]
+    assert q.margin == 0
+    assert (discriminant.margin, discriminant.degenerate) == (1, (p.margin,))
