@@ -12,7 +12,7 @@ import pytest
 import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
-FLOORS = ("version later shown errors notation algebra mechanics stability printing charts trajectories "
+FLOORS = ("version later kept shown errors notation algebra mechanics stability printing charts trajectories "
           "plotting published cli __main__").split()
 OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka",
             "contourpy", "plotly"}
@@ -162,6 +162,14 @@ def test_oracles_import_nothing_of_ours():
         names = {alias.name for n in nodes if isinstance(n, ast.Import) for alias in n.names}
         names |= {n.module for n in nodes if isinstance(n, ast.ImportFrom) and not n.level}
         assert not any(name.split(".")[0] == "gyrostat" for name in names), path
+
+
+def test_no_property_has_a_lock():
+    """That of functools has one in Python 3.11; two threads can wait for each other."""
+    for path in SRC.rglob("*.py"):
+        taken = {alias.name for n in ast.walk(parsed(path)) if isinstance(n, ast.ImportFrom)
+                 and n.module == "functools" for alias in n.names}
+        assert "cached_property" not in taken or path.name == "kept.py", path
 
 
 def test_no_text_is_evaluated():

@@ -9,6 +9,7 @@ from sympy import Rational, exp, sqrt
 import gyrostat as gs
 from gyrostat.algebra.numbers import exact_number
 from gyrostat.charts.arrays import verdicts
+from gyrostat.kept import cached_property
 from gyrostat.trajectories import motion
 
 HALF = Rational(1, 2)
@@ -77,3 +78,22 @@ def test_threads_do_not_change_each_others_precision(expected):
         assert all(found == expected[name]
                    for name, found in zip(names, pool.map(lambda name: COMPUTATIONS[name](), names)))
     assert ctx.prec == before
+
+
+class Answer:
+    """Asked for once."""
+
+    def __init__(self, ask):
+        self.ask = ask
+
+    @cached_property
+    def kept(self):
+        return self.ask()
+
+
+def test_a_property_waits_for_none_of_another_object():
+    """Two threads, one in a property of an object and one that asks for that of another, as with enclosures."""
+    with ThreadPoolExecutor(1) as pool:
+        other = Answer(lambda: 2)
+        first = Answer(lambda: pool.submit(lambda: other.kept).result(timeout=10))
+        assert first.kept == other.kept == 2 and isinstance(Answer.kept, cached_property)

@@ -6,12 +6,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 
 from flint import arb, arb_poly, ctx, fmpq, fmpq_mpoly, fmpq_poly
 from sympy import Expr, Rational, S, Symbol
 
 from ..errors import ScopeError
+from ..kept import cached_property
 from .algebraic import is_algebraic
 from .balls import ball, dyadic, interval
 from .elimination import deflated, inflated, linear

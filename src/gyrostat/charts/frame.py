@@ -8,7 +8,6 @@ import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cached_property
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -18,6 +17,7 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import StoreError
+from ..kept import cached_property
 from ..version import STORE_FORMAT
 from .datasets import described, variable_attributes
 from .marks import (

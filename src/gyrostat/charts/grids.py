@@ -4,7 +4,6 @@ Broadcast, with the axes along which each varies, in blocks that fit a cache.
 """
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import product, repeat
 from math import prod
 from typing import Any
@@ -14,6 +13,7 @@ from sympy import Symbol
 
 from ..algebra.floats import Array
 from ..errors import ValuesError
+from ..kept import cached_property
 from ..notation import symbol
 from .entries import all_finite, read_entry
 from .labels import check_plain

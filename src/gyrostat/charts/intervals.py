@@ -1,7 +1,7 @@
 """Interval arithmetic on arrays, rounded outward after every operation."""
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 import numpy as np
 from flint import arb
@@ -11,6 +11,7 @@ from ..algebra.balls import ball
 from ..algebra.double_double import two_sum
 from ..algebra.exact import sign_of_constant
 from ..algebra.floats import Array
+from ..kept import cached_property
 
 # bits of the enclosures that are rounded to float64
 PRECISION = 64

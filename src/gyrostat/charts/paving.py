@@ -2,7 +2,6 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,6 +10,7 @@ from sympy import Expr
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError
+from ..kept import cached_property
 from ..stability.report import Verdict
 from .codes import BOX_KINDS, INVALID, STABLE, UNSTABLE
 from .intervals import rounded

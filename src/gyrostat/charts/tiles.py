@@ -3,13 +3,13 @@
 What does not change from one block to the next is kept, the rest is done in place.
 """
 from collections.abc import Callable
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from sympy import Expr
 
 from ..algebra.floats import Array
+from ..kept import cached_property
 from .grids import Slices, last
 from .rounding import rounded
 from .straightline import Axes, Program, Step

@@ -1,7 +1,6 @@
 """Equilibria: points or families that are checked, when they are built, to satisfy their equations."""
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, TypeVar
 
 from sympy import Expr, S, Symbol
@@ -10,6 +9,7 @@ from ..algebra.exact import is_identically_zero, plain, sign
 from ..algebra.numbers import shown
 from ..algebra.polynomials import lowest_terms
 from ..errors import EquilibriumError, require
+from ..kept import cached_property
 from ..notation import INTERNAL, Stored, jet
 from ..shown import Shown
 from .potential import smooth_where_positive

@@ -6,7 +6,7 @@ The one home of sign conventions.
 """
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import combinations
 from typing import Any
 
@@ -15,6 +15,7 @@ from sympy import Add, Expr, ImmutableMatrix, Symbol, expand, zeros
 from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring, derivatives
 from ..errors import BodyError, ScopeError, StructureError
+from ..kept import cached_property
 from ..notation import Stored, symbol
 from ..shown import Shown
 

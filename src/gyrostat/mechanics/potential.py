@@ -1,7 +1,7 @@
 """A potential U(k3) or U(k1, k2, k3), unspecified or given; its jet."""
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, cos, log
 from sympy.core.function import AppliedUndef
@@ -10,6 +10,7 @@ from ..algebra import magnitudes
 from ..algebra.parts import BITS, enclosure, immoderate
 from ..algebra.polynomials import Ring
 from ..errors import PotentialError, ValuesError
+from ..kept import cached_property
 from ..notation import Stored, jet, jet_name, of_the_motion, symbol
 from ..shown import Shown
 

@@ -5,13 +5,14 @@ The axis, and the same scene with that axis for the third.
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import combinations
 from math import lcm
 
 from sympy import Expr, ImmutableMatrix, Rational, S, count_ops, eye, sqrt
 
 from ..errors import PotentialError
+from ..kept import cached_property
 from .body import Gyrostat
 from .liepoisson import hat
 from .potential import DIRECTIONS, Potential

@@ -1,7 +1,7 @@
 """System: a space, a Hamiltonian and the integrals found; its equations of motion; assemble."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag
@@ -10,6 +10,7 @@ from ..algebra.exact import evaluate
 from ..algebra.matrices import null_space
 from ..algebra.polynomials import Ring, derivatives
 from ..errors import ScopeError, StructureError, require
+from ..kept import cached_property
 from ..notation import Stored, jet, symbol
 from ..shown import Shown
 from .body import Gyrostat

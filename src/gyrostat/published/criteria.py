@@ -2,7 +2,6 @@
 import operator
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import islice
 from typing import Any
 
@@ -11,6 +10,7 @@ from sympy import Expr, Symbol
 from ..algebra.exact import sign_of_constant
 from ..algebra.margins import Signs
 from ..errors import PublishedError
+from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from ..stability.analysis import analyze

@@ -5,13 +5,13 @@ Newton and Euler's equations at rational numbers, by cross products and matrices
 Nothing here uses the bracket, the linearisation or the criteria of the library, nor any published formula.
 """
 from collections.abc import Mapping
-from functools import cached_property
 
 import mpmath
 from sympy import Expr, Float, Integer, Matrix, Poly, PolynomialError, Symbol, hessian, linsolve, sqrt
 
 from ..algebra.exact import sign_of_constant
 from ..errors import PublishedError
+from ..kept import cached_property
 from ..notation import symbol
 from .scenes import Scene
 

@@ -1,12 +1,12 @@
 """Reading: a statement with its texts read, in the names of its scene and its own abbreviations."""
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cached_property
 from typing import Any
 
 from sympy import Expr, MatrixBase, Symbol
 
 from ..errors import PublishedError
+from ..kept import cached_property
 from ..notation import symbol
 from . import independent_names
 from .comparisons import comparisons

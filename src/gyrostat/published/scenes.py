@@ -4,7 +4,6 @@ A scene, and what the library derives for each of its names.
 """
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 from sympy import Expr
@@ -12,6 +11,7 @@ from sympy import Expr
 from ..algebra.grammar import parse
 from ..algebra.inputs import is_name
 from ..errors import PublishedError, brief
+from ..kept import cached_property
 from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import E3, FAMILIES

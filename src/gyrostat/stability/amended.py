@@ -4,7 +4,6 @@ Minima of higher degree, and maxima at rest.
 """
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from math import factorial
 from typing import Any
 
@@ -15,6 +14,7 @@ from ..algebra.forms import Form, valley, values_of
 from ..algebra.matrices import cross
 from ..algebra.polynomials import Ring, by_degree
 from ..errors import ScopeError
+from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.potential import DIRECTIONS
 from ..notation import jet_name, symbol

@@ -4,7 +4,6 @@ The first coefficient of the reduced motion that does not vanish.
 """
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import islice
 from typing import Any
 
@@ -13,6 +12,7 @@ from sympy import Expr, Mul, S, Symbol
 from ..algebra.exact import sign
 from ..algebra.margins import Signs
 from ..algebra.polynomials import Ring
+from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.reduction import expansion, reducible

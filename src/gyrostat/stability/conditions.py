@@ -4,12 +4,12 @@ The spectral and the formal test as inequalities, reduced to what is independent
 """
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 from sympy import Expr, S, Symbol
 
 from ..algebra.margins import Signs
 from ..algebra.polynomials import Ring
+from ..kept import cached_property
 from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..notation import Stored, jet

@@ -4,7 +4,6 @@ Whether relative equilibria near it drift along its orbit under the spin, and ho
 """
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import chain
 
 from sympy import Add, Expr, Mul, Rational, Symbol
@@ -14,6 +13,7 @@ from ..algebra.margins import Signs
 from ..algebra.matrices import multiply
 from ..algebra.numbers import shown
 from ..algebra.polynomials import Ring, cancel, derivatives, lowest_terms
+from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.reduction import reduce
 from ..notation import Stored, symbol

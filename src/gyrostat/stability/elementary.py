@@ -1,11 +1,11 @@
 """What decides for any body where the second variation is degenerate: elementary theorems, at numbers."""
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 from sympy import Expr, Symbol
 
 from ..algebra.exact import sign
+from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .amended import Amended

@@ -1,11 +1,11 @@
 """Energy-Casimir: multipliers, augmented Hamiltonian, its second variation on the symplectic slice."""
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
 from ..algebra.matrices import determinant, multiply, row_reduce
+from ..kept import cached_property
 from ..mechanics.derivation import rows_at_point, signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.orbit import critical_integrals, differentials, orbit_tangent, slice_and_symmetries

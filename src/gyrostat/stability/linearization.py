@@ -1,13 +1,13 @@
 """The linearised field on the coadjoint orbit, its characteristic polynomial and eigenvalues."""
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 from sympy import Expr, I, ImmutableMatrix, Mul, Pow, S, sqrt
 
 from ..algebra.matrices import characteristic_coefficients, multiply
 from ..algebra.polynomials import Ring
 from ..errors import ScopeError
+from ..kept import cached_property
 from ..mechanics.derivation import rows_at_point, signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once

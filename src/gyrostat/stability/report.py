@@ -1,13 +1,13 @@
 """Report: the stability analysis of one equilibrium, and its verdicts at numbers."""
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 from sympy import Expr
 
 from ..algebra.exact import Point
 from ..errors import ArgumentError, require
+from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.standard import Seen, seen, seen_at

@@ -4,11 +4,11 @@ The energy on the momentum sphere, to fourth order.
 """
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 from sympy import Expr, S, Symbol
 
 from ..algebra.exact import evaluate, sign_of_constant
+from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 
 DRIFTS = "the rotation lies on a circle of rotations, and those beside the circle drift along it"

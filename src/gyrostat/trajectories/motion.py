@@ -1,5 +1,4 @@
 """Motion: the state, attitude, periods and invariants of a scene at any time."""
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -7,6 +6,7 @@ from sympy import Expr
 
 from ..algebra.floats import Array
 from ..errors import ValuesError, optional
+from ..kept import cached_property
 from ..mechanics.system import System
 from ..stability.notes import state_note
 from .columns import columns, dataset, euler, turns_of

@@ -4,7 +4,6 @@ Constants once in enclosures, then time mod the period.
 """
 import math
 from collections.abc import Callable, Sequence
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from ...algebra.floats import Array
 from ...algebra.numbers import exact_number
 from ...algebra.precision import own_precision
 from ...errors import ScopeError, ValuesError, require
+from ...kept import cached_property
 from ...mechanics.system import System
 from ..periods import double
 from .polhodes import Polhode, meeting, polhode

@@ -2,7 +2,7 @@
 gyrostat.
 """
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import permutations
 
 import numpy as np
@@ -14,6 +14,7 @@ from ...algebra.double_double import Twofold
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError
+from ...kept import cached_property
 from ..elliptic import argument, jacobi, jacobi_ball, quarter_period
 from ..periods import double, pair, reduced
 from .uniform import CONSTANT, CYCLIC, ROUNDING, Triple, accurate, decided

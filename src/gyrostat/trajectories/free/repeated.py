@@ -1,7 +1,7 @@
 """The momentum and attitude of a free gyrostat: one turn of its momentum, in balls, repeated."""
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 import numpy as np
 from flint import arb
@@ -11,6 +11,7 @@ from ...algebra.double_double import Twofold
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError
+from ...kept import cached_property
 from ..periods import double, pair, reduced, turns
 from .polhodes import Meeting, Polhode
 from .taylor import Loop, Rates, loop

@@ -2,7 +2,6 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from operator import mul
 
 import numpy as np
@@ -10,6 +9,7 @@ from flint import arb
 
 from ...algebra.floats import Array
 from ...errors import AccuracyError
+from ...kept import cached_property
 from .uniform import CYCLIC, dot
 
 # of the polynomials in doubles: about e⁻⁴⁸ of the first term is left

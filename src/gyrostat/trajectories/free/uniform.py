@@ -5,7 +5,6 @@ Frames, and what decides.
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from flint import arb
@@ -18,6 +17,7 @@ from ...algebra.floats import Array
 from ...algebra.numbers import shown
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError, ValuesError
+from ...kept import cached_property
 from ..periods import double, pair, turns
 
 Triple = tuple[Expr, Expr, Expr]

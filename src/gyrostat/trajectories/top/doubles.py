@@ -2,7 +2,6 @@
 
 Times are numbers or rows of numbers: the same arithmetic, to the last bit.
 """
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +10,7 @@ from flint import acb, arb
 from ...algebra.double_double import Twofold
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
+from ...kept import cached_property
 from ..periods import double, pair, reduced, turns
 from .cayley_klein import Forms, momentum, product, rotation, valued
 from .integrals import Place

@@ -1,7 +1,6 @@
 """Integrals of smooth functions: a linear part and a series, at any place in doubles or balls."""
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,6 +8,7 @@ from flint import arb
 
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
+from ...kept import cached_property
 from ..periods import double
 
 # of Newton's method; where a function has reached its limit

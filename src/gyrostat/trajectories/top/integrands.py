@@ -1,10 +1,10 @@
 """What is integrated along a nutation: dt/du, and the smooth parts of the two angles, in balls."""
 from dataclasses import dataclass
-from functools import cached_property
 from math import prod
 
 from flint import acb, arb
 
+from ...kept import cached_property
 from ..elliptic import quarter_period
 from .cayley_klein import Forms, forms
 from .integrals import Integrals

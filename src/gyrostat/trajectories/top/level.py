@@ -3,7 +3,7 @@
 g(k3) = I1² k̇3², and what has to be decided of it, exactly.
 """
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import zip_longest
 from typing import Any
 
@@ -14,6 +14,7 @@ from ...algebra.algebraic import is_algebraic
 from ...algebra.balls import ball
 from ...algebra.exact import proved_sign
 from ...errors import ValuesError
+from ...kept import cached_property
 from ...mechanics.system import System
 from ...notation import symbol
 

@@ -3,7 +3,6 @@
 k3 by elliptic functions, the two angles by series, at any time.
 """
 from collections.abc import Callable
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,6 +10,7 @@ from flint import arb
 
 from ...algebra.floats import Array
 from ...algebra.precision import own_precision
+from ...kept import cached_property
 from ..periods import double
 from .doubles import Doubles
 from .level import Level, enclosed, known

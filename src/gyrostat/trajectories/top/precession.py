@@ -3,13 +3,13 @@
 Every constant, and the state at any time, in balls.
 """
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from flint import acb, arb, ctx
 
 from ...algebra.precision import own_precision
 from ...errors import AccuracyError, ResolutionError
+from ...kept import cached_property
 from ..periods import double
 from .cayley_klein import momentum, valued
 from .integrals import Integrals
