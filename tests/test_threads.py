@@ -92,7 +92,7 @@ class Answer:
 
 
 def test_a_property_waits_for_none_of_another_object():
-    """Two threads, one in a property of an object and one that asks for that of another, as with enclosures."""
+    """One thread is in a property of an object, one asks for that of another, as with enclosures."""
     with ThreadPoolExecutor(1) as pool:
         other = Answer(lambda: 2)
         first = Answer(lambda: pool.submit(lambda: other.kept).result(timeout=10))

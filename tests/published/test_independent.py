@@ -57,4 +57,4 @@ def test_independent_confirmation_uses_no_derivation():
     for name in ("independent", "independent_kinematics", "independent_separatrix"):
         tree = ast.parse((HERE / f"{name}.py").read_text(encoding="utf-8"))
         ours = {n.module for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and n.level}
-        assert ours <= {"errors", "algebra.exact", "notation", "scenes", "independent", "kinematics"}
+        assert ours <= {"errors", "kept", "algebra.exact", "notation", "scenes", "independent", "kinematics"}

@@ -18,8 +18,6 @@ from gyrostat.published.errata import latex
 from gyrostat.published.listing import to_json
 
 HERE = Path(gyrostat.__file__).parent / "published"
-# in one process, where every source is checked once
-CHECKS = pytest.mark.xdist_group("checks")
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +28,6 @@ def found():
 
 
 @pytest.mark.parametrize("source", SOURCES)
-@CHECKS
 def test_every_status_is_the_expected_one(source, found):
     """What is computed is what expected.toml says, statement by statement."""
     assert {f.statement.key: f.status for f in found[source]} == {
@@ -66,7 +63,6 @@ def read_again(finding):
     return shown.is_true(given, table, example)
 
 
-@CHECKS
 def test_every_misprint_has_a_counterexample(found):
     """Values at which printed and derived differ, and a confirmation; every formula says what is right."""
     wrong = [f for rows in found.values() for f in rows if f.status == "misprint"]
@@ -76,7 +72,6 @@ def test_every_misprint_has_a_counterexample(found):
         shows_what_is_right(f)
 
 
-@CHECKS
 def test_every_counterexample_is_read_again(found):
     """Both sides, or what is true of the point, from the JSON output alone.
 
@@ -98,14 +93,12 @@ def test_a_long_statement(source, key):
         assert read_again(finding)
 
 
-@CHECKS
 def test_every_unchecked_statement_says_why(found):
     """Nothing is left open without a reason."""
     assert all(f.statement.note for rows in found.values() for f in rows if f.status == "unchecked")
 
 
 @pytest.mark.parametrize(("key", "entry"), [("E3-b", (0, 2)), ("E3-c", (1, 2)), ("E3-matrix", (3, 5))])
-@CHECKS
 def test_entries_of_the_inclined_matrix_against_the_oracle(key, entry, found):
     """The differenced Euler-Poisson field has the derived entry at the counterexample, not the printed one.
     """
@@ -120,7 +113,6 @@ def test_entries_of_the_inclined_matrix_against_the_oracle(key, entry, found):
     )
 
 
-@CHECKS
 def test_tilt_at_k3_zero_against_the_oracle(found):
     """Where the printed necessary condition for k3 = 0 fails, the field has no growing mode."""
     (f,) = (f for f in found["VV2003"] if f.statement.key == "k3-zero-necessary")
@@ -131,7 +123,6 @@ def test_tilt_at_k3_zero_against_the_oracle(found):
     assert not oracle.growth(field, x)
 
 
-@CHECKS
 def test_critical_top_against_the_oracle(found):
     """At equality in Rumiantsev's condition the reduced motion has its maximum at the pole.
 
@@ -148,7 +139,6 @@ def test_critical_top_against_the_oracle(found):
         assert g == -2 * v["I1"] * weight * x**3 < 0
 
 
-@CHECKS
 def test_progress(found):
     """Called once for each statement, with the total of the source."""
     seen = []
@@ -156,7 +146,6 @@ def test_progress(found):
     assert seen == [("AR", n, len(found["AR"])) for n in range(1, len(found["AR"]) + 1)]
 
 
-@CHECKS
 def test_second_variation_at_a_tilt_has_both_signs(found):
     """The form of the Casimirs alone, by numpy at the counterexample.
 
@@ -177,7 +166,6 @@ def test_second_variation_at_a_tilt_has_both_signs(found):
 
 
 @pytest.mark.parametrize("page", ["README.md", "docs/published.md"])
-@CHECKS
 def test_the_page_is_true(page, tmp_path, found):
     """Its example of a file is confirmed, and its table counts what is computed."""
     text = (Path(__file__).parents[2] / page).read_text(encoding="utf-8")
@@ -198,7 +186,6 @@ def test_the_sources_agree_where_they_print_the_same():
     assert (rates[0] - rates[1][0]).expand() == 0
 
 
-@CHECKS
 def test_errata_of_odd_texts_compile(found):
     """Special characters of LaTeX and letters it does not know are set or replaced."""
     finding = next(f for f in found["AR"] if f.status == "misprint")
