@@ -106,7 +106,7 @@ def test_a_table_is_read_by_others(capsys, tmp_path):
     assert main(["motion", "--potential", "m0*k3",
                  *(f"--set={s}" for s in ("I1=1", "I3=0.6", "l=0.4", "m0=1")), "--state",
                  "0.3,-0.2,10,0.6,0,0.8", "--until", "3", "--count", "4", "--output", str(path)]) == 0
-    table = pandas.read_csv(path, comment="#")
+    table = pandas.read_csv(path, comment="#", float_precision="round_trip")
     assert (
         list(table.columns)
         == "time pi1 pi2 pi3 k1 k2 k3 omega1 omega2 omega3 q0 q1 q2 q3 phi theta psi".split()

@@ -1,4 +1,4 @@
-"""Independent oracle: the Euler-Poisson equations with np.cross, differenced. Imports nothing of gyrostat.
+"""Independent oracle: the Euler-Poisson equations, differenced. Imports nothing of gyrostat.
 
 On object arrays of Fractions everything is exact: a field of degree two has exact central differences,
 whatever the step. A potential enters through its derivatives at the equilibrium, U'(k3) = u1 + u2 (k3 - z).
@@ -14,16 +14,21 @@ def exact(values):
     return np.array([Fraction(v) for v in values], dtype=object)
 
 
+def cross(a, b):
+    """a × b of objects; np.cross of NumPy 2.0 takes them for doubles."""
+    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+
 def field(x, inertia, rotor, slope):
     """π' = (π + l) × ω + k × ∇U, k' = k × ω; slope(k) = ∇U."""
     pi, k = x[:3], x[3:]
     omega = pi / inertia
-    return np.concatenate([np.cross(pi + rotor, omega) + np.cross(k, slope(k)), np.cross(k, omega)])
+    return np.concatenate([cross(pi + rotor, omega) + cross(k, slope(k)), cross(k, omega)])
 
 
 def free_field(pi, inertia, rotor):
     """π' = (π + l) × ω."""
-    return np.cross(pi + rotor, pi / inertia)
+    return cross(pi + rotor, pi / inertia)
 
 
 def jacobian(f, x, step=Fraction(1)):
