@@ -95,7 +95,7 @@ def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
     ----------
     body : Gyrostat
     convention : "zxz" or "zyz"
-        of Euler's angles, as in rotation
+        of Euler's angles
 
     Returns
     -------
@@ -105,7 +105,7 @@ def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
     Raises
     ------
     ScopeError
-        another convention
+        an unknown convention
 
     Examples
     --------

@@ -50,7 +50,7 @@ def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
     scene : System
         on e(3)*
     spin : str
-        "pi3_0", the momentum [M L²/T], or "omega3_0", the body rate [1/T], π3 = I3 ω3
+        "pi3_0" or "omega3_0", as of `upright`
 
     Returns
     -------
@@ -59,9 +59,9 @@ def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
     Raises
     ------
     ScopeError
-        the scene has no field
+        a free body hangs nowhere: the scene has no field
     EquilibriumError
-        another spin; or the point is none, in a field that is not axial
+        another name of the spin; or a field that is not axial, in which this is none
 
     References
     ----------

@@ -77,7 +77,7 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     window : (C1, C1, h, h) or None
         lower and upper ends of the axes; None: around what is critical
     ax : matplotlib Axes
-        a new one where it is left out
+        to draw in; a new one where it is left out
     **kwargs : Any
         of the curves: of Axes.plot
 
@@ -88,7 +88,7 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     Raises
     ------
     ScopeError
-        the body is not of revolution, U is unspecified, or not rational in k3
+        U is unspecified or not rational in k3, or the body is not of revolution
     ValuesError
         numbers are missing, unknown or not admissible
     MissingExtraError

@@ -38,7 +38,7 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
     Raises
     ------
     ArgumentError
-        this is no motion, or the axes are flat
+        no motion is given, or flat axes
     ValuesError
         the times are so far apart that the path between them is lost
     MissingExtraError
