@@ -4,6 +4,7 @@ of the sources.
 import re
 from collections.abc import Iterable
 from functools import singledispatch
+from importlib import import_module
 from typing import Any
 
 from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Symbol
@@ -25,7 +26,6 @@ from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word
 from .conditions import comparison, trivial
 from .linebreaks import width
 from .order import ordered_factors, ordered_terms, over, signed
-from .results import RESULTS, result_blocks
 
 FRACTION = 200.0                                           # points: the widest numerator
 RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto"}
@@ -98,8 +98,11 @@ def tex(value: Any, at: Any = None) -> str:
 @singledispatch
 def formula(obj: Any) -> str:
     """A single formula for any public object; a report is its two criteria."""
-    raise TypeError("to_latex takes expressions, matrices and the library's own objects, not "
-                    f"{type(obj).__name__}")
+    results = import_module(".results", __package__)       # what a report does without
+    if not isinstance(obj, results.RESULTS):
+        raise TypeError("to_latex takes expressions, matrices and the library's own objects, not "
+                        f"{type(obj).__name__}")
+    return r"\begin{aligned} & " + r" \\ & ".join(map(_line, results.result_blocks(obj))) + r" \end{aligned}"
 
 
 formula.register(Basic, tex)
@@ -177,14 +180,6 @@ def _decision(decision: Decision) -> str:
 def _report(report: Report) -> str:
     return _aligned(((Word("necessary", r"\text{necessary: }"), report.necessary),
                      (Word("sufficient", r"\text{sufficient: }"), report.sufficient)))
-
-
-def _result(result: Any) -> str:
-    return r"\begin{aligned} & " + r" \\ & ".join(map(_line, result_blocks(result))) + r" \end{aligned}"
-
-
-for _kind in RESULTS:
-    formula.register(_kind, _result)
 
 
 def _line(block: Block) -> str:

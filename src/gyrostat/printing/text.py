@@ -2,6 +2,7 @@
 import re
 from collections.abc import Iterable
 from functools import singledispatch
+from importlib import import_module
 from textwrap import wrap
 from typing import Any
 
@@ -22,7 +23,6 @@ from ..stability.report import Decision, Report
 from .blocks import Block, Display, Heading, Sentence, Word
 from .conditions import comparison, trivial
 from .document import point_blocks, report_blocks, scene_blocks
-from .results import RESULTS, result_blocks
 from .unicode import matrix_lines, unicode
 
 
@@ -38,7 +38,10 @@ def plain(obj: Any) -> str:
     >>> print(analyze(upright(assemble(symmetric_gyrostat(), axial_potential()))).sufficient)
     (π₃⁰ + l)² > 4 I₁ U′(1)
     """
-    raise TypeError(f"{type(obj).__name__} is not shown as text: give an object of the library")
+    results = import_module(".results", __package__)       # what a report does without
+    if not isinstance(obj, results.RESULTS):
+        raise TypeError(f"{type(obj).__name__} is not shown as text: give an object of the library")
+    return "\n".join(line.strip() for line in text(results.result_blocks(obj)).splitlines())
 
 
 @plain.register
@@ -108,14 +111,6 @@ def _decision(decision: Decision) -> str:
 @plain.register
 def _report(report: Report) -> str:
     return text(report_blocks(report)).rstrip("\n")
-
-
-def _result(result: Any) -> str:
-    return "\n".join(line.strip() for line in text(result_blocks(result)).splitlines())
-
-
-for _kind in RESULTS:
-    plain.register(_kind, _result)
 
 
 def _entered(values: Iterable[Expr]) -> str:
