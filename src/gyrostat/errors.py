@@ -92,7 +92,7 @@ class ValuesError(GyrostatError, ValueError):
 
 
 class PublishedError(GyrostatError, ValueError):
-    """A file of published formulas, or one of its formulas, cannot be read.
+    """A file of scenes or of published formulas, or one of its entries, cannot be read.
 
     The message names the file and the key.
     """

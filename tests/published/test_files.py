@@ -71,7 +71,7 @@ FORMULA = ('[[formula]]\nkey = "a"\nwhere = "(1)"\nquantity = "p"\nprinted = "{}
     (GOOD + FORMULA.format("1").replace("identity", "number"), "still contains"),
     (GOOD + FORMULA.format("p").replace("identity", "solution"), "the list omega1"),
     (GOOD + FORMULA.format("p").replace("identity", "equilibrium"), "6 coordinates"),
-    (GOOD.replace('["I1", "I1", "I3"]', "[1, 1, 3]") + FORMULA.format("p"),
+    (GOOD.replace('["I1", "I1", "I3"]', "[1, true, 3]") + FORMULA.format("p"),
      "scene.top: inertia = .*in quotation marks"),
     (GOOD.replace('"m0*k3"', "5") + FORMULA.format("p"), "scene.top: potential = 5"),
     ("scene = 5\n" + GOOD.split("[scene")[0], "\\[scene.NAME"),

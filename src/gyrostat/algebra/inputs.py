@@ -6,6 +6,7 @@ import json
 import re
 import tomllib
 from collections.abc import Iterator
+from dataclasses import dataclass
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, NoReturn
@@ -18,6 +19,16 @@ FILE, LINE, NAME = 500_000, 100_000, 60
 DEPTH, DOTS, WORD = 20, 16, 200
 _TEXTS = re.compile(r'"""(?:\\.|[^\\])*?"""' r"|'''.*?'''" r'|"(?:\\.|[^"\\\n])*"' r"|'[^'\n]*'|#[^\n]*",
                     re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Written:
+    """A number with a point or an exponent in a TOML file, as it is written there: no float is made of it."""
+
+    text: str
+
+    def __repr__(self) -> str:
+        return self.text
 
 
 def is_name(text: str) -> bool:
@@ -53,12 +64,19 @@ def toml_of(path: Path | Traversable) -> dict[str, Any]:
         raise PublishedError(f"{path}: {brief(long[0])} is longer than {WORD} characters: write a text in "
                              "quotation marks")
     try:
-        tables = tomllib.loads(text.replace("\r\n", "\n"))
+        tables = tomllib.loads(text.replace("\r\n", "\n"), parse_float=_written)
     except (ValueError, RecursionError) as error:      # a TOMLDecodeError is one
         raise PublishedError(f"{path}: is not TOML: {error}") from None
     if steering := next((text for text in _texts(tables) if printable(text) != text), None):
         raise PublishedError(f"{path}: {brief(steering)} holds a control character: leave it out")
     return tables
+
+
+def _written(number: str) -> Written:
+    """A number of TOML, without the _ between its digits."""
+    if not any(map(str.isdigit, number)):
+        raise ValueError(f"{number} is not a number: give a finite number")
+    return Written(number.replace("_", ""))
 
 
 def _texts(value: Any) -> Iterator[str]:

@@ -2,83 +2,30 @@
 
 A scene, and what the library derives for each of its names.
 """
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from sympy import Expr
 
-from ..algebra.grammar import parse
-from ..algebra.inputs import is_name
 from ..errors import PublishedError, brief
 from ..kept import cached_property
-from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import E3, FAMILIES
-from ..mechanics.potential import Potential
-from ..mechanics.potentials import axial_potential, general_potential
-from ..mechanics.system import System, assemble
+from ..mechanics.scene_tables import SceneTable
 from ..notation import jet, symbol
-
-KEYS = {"inertia", "gyrostatic_momentum", "potential", "equilibrium", "spin", "eliminate", "angles",
-        "vertical", "given", "parameters"}
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(SceneTable):
     """One [scene.NAME] table: a body, a field, perhaps an equilibrium or Euler angles.
+
+    A point, a state and values are for the command line, no formula is about them.
 
     Parameters
     ----------
     table : mapping
         as in the file
     """
-
-    table: Mapping[str, Any] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        if unknown := set(self.table) - KEYS:
-            raise PublishedError(f"a scene has no entry {', '.join(sorted(unknown))}: its entries are "
-                                 f"{', '.join(sorted(KEYS))}")
-        for name, value in self.table.items():
-            listed = name in ("inertia", "gyrostatic_momentum", "parameters")
-            texts = value if listed and isinstance(value, list) else [value]
-            if isinstance(value, list) != listed or not all(isinstance(text, str) for text in texts):
-                raise PublishedError(f"{name} = {brief(value)}: write "
-                                     f"{'a list of texts' if listed else 'a text'}, in quotation marks")
-        for name in self.table.get("parameters", ()):
-            if not is_name(name):
-                raise PublishedError(f"the parameter {brief(name)} is not a name: letters, digits and _ "
-                                     "make one")
-
-    @cached_property
-    def body(self) -> Gyrostat:
-        """The gyrostat; without entries a rigid body with three moments."""
-        inertia, rotor = (
-            self.table.get("inertia", ["I1", "I2", "I3"]),
-            self.table.get("gyrostatic_momentum", ["0", "0", "0"]),
-        )
-        return Gyrostat(tuple(map(parse, inertia)), tuple(map(parse, rotor)))
-
-    @cached_property
-    def potential(self) -> Potential | None:
-        """none, U(k3), U(k1, k2, k3), or an expression in k3, or in k1, k2, k3."""
-        text = self.table.get("potential", "none")
-        if text == "none":
-            return None
-        if text in ("U(k3)", "U(k1, k2, k3)"):
-            return axial_potential() if text == "U(k3)" else general_potential()
-        expression = parse(text)
-        return (
-            general_potential(expression)
-            if expression.free_symbols & {symbol("k1"), symbol("k2")}
-            else axial_potential(expression)
-        )
-
-    @cached_property
-    def system(self) -> System:
-        """The Lie-Poisson system."""
-        return assemble(self.body, self.potential)
 
     @cached_property
     def equilibrium(self) -> Equilibrium | None:

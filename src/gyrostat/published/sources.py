@@ -10,6 +10,7 @@ from typing import Any
 
 from ..algebra.inputs import is_name, toml_of
 from ..errors import GyrostatError, PublishedError, brief
+from ..mechanics.scene_tables import scene_tables
 from .scenes import Scene
 from .statements import KINDS, Statement
 
@@ -99,10 +100,7 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
     if unknown := set(data) - {"source", "scene", "formula", "expected"}:
         raise PublishedError(f"{path}: has the unknown tables {', '.join(sorted(unknown))}: a file has "
                              "source, scene, formula, expected")
-    tables, listed, status = data.get("scene", {}), data.get("formula", []), data.get("expected", {})
-    if not isinstance(tables, dict) or not all(isinstance(table, dict) for table in tables.values()):
-        raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: see the README for an "
-                             "example")
+    tables, listed, status = scene_tables(data, path), data.get("formula", []), data.get("expected", {})
     if (
         not isinstance(listed, list)
         or not all(isinstance(entry, dict) for entry in listed)

@@ -1,0 +1,128 @@
+"""Scenes as tables of texts, as a [scene.NAME] of a TOML file: a body, a field, an equilibrium, numbers."""
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from importlib.resources.abc import Traversable
+from pathlib import Path
+from typing import Any
+
+from ..algebra.grammar import parse
+from ..algebra.inputs import Written, is_name
+from ..errors import PublishedError, brief
+from ..kept import cached_property
+from ..notation import symbol
+from .body import Gyrostat
+from .potential import Potential
+from .potentials import axial_potential, general_potential
+from .system import System, assemble
+
+LISTS = ("inertia", "gyrostatic_momentum", "point", "state")    # of texts or numbers
+KEYS = {*LISTS, "potential", "values", "equilibrium", "spin", "eliminate", "angles", "vertical", "given",
+        "parameters"}
+NONE, AXIAL, GENERAL = "none", "U(k3)", "U(k1,k2,k3)"   # potentials that are no expressions
+
+
+@dataclass(frozen=True)
+class SceneTable:
+    """One [scene.NAME] table: a body, a field, and what else is said of them.
+
+    Parameters
+    ----------
+    table : mapping
+        as in the file; numbers in it are kept as the texts that they are written as
+    """
+
+    table: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "table", {name: _read(name, value) for name, value in self.table.items()})
+        if {"point", "equilibrium"} <= self.table.keys():
+            raise PublishedError("point and equilibrium are both given: leave out one of the two")
+
+    @cached_property
+    def body(self) -> Gyrostat:
+        """The gyrostat; without entries a rigid body with three moments."""
+        inertia, rotor = (
+            self.table.get("inertia", ["I1", "I2", "I3"]),
+            self.table.get("gyrostatic_momentum", ["0", "0", "0"]),
+        )
+        return Gyrostat(tuple(map(parse, inertia)), tuple(map(parse, rotor)))
+
+    @cached_property
+    def potential(self) -> Potential | None:
+        """none, U(k3), U(k1, k2, k3), or an expression in k3, or in k1, k2, k3."""
+        text = self.table.get("potential", NONE)
+        bare = "".join(text.split())
+        if bare == NONE:
+            return None
+        if bare in (AXIAL, GENERAL):
+            return axial_potential() if bare == AXIAL else general_potential()
+        expression = parse(text)
+        return (
+            general_potential(expression)
+            if expression.free_symbols & {symbol("k1"), symbol("k2")}
+            else axial_potential(expression)
+        )
+
+    @cached_property
+    def system(self) -> System:
+        """The Lie-Poisson system."""
+        return assemble(self.body, self.potential)
+
+
+def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str, dict[str, Any]]:
+    """The [scene.NAME] tables of a file."""
+    tables = data.get("scene", {})
+    if not isinstance(tables, dict) or not all(isinstance(table, dict) for table in tables.values()):
+        raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: see docs/published.md for an "
+                             "example")
+    return tables
+
+
+def _read(name: str, value: Any) -> Any:
+    """An entry, its numbers as texts."""
+    if name not in KEYS:
+        near = get_close_matches(name, sorted(KEYS), 1)
+        raise PublishedError(f"a scene has no entry {name}: {f'did you mean {near[0]}? ' if near else ''}its "
+                             f"entries are {', '.join(sorted(KEYS))}")
+    if name == "values":
+        return _values(value)
+    if name in LISTS:
+        if isinstance(value, list) and None not in (texts := [_text(x) for x in value]):
+            return texts
+        raise PublishedError(f'{name} = {brief(value)}: write a list of numbers, or of texts in quotation '
+                             f'marks, {name} = [1, 1, "1/3"]')
+    if name != "parameters":
+        if not isinstance(value, str):
+            raise PublishedError(f"{name} = {brief(value)}: write a text, in quotation marks")
+        return value
+    if not isinstance(value, list) or not all(isinstance(text, str) for text in value):
+        raise PublishedError(f"{name} = {brief(value)}: write a list of texts, in quotation marks")
+    for text in value:
+        if not is_name(text):
+            raise PublishedError(f"the parameter {brief(text)} is not a name: letters, digits and _ make one")
+    return value
+
+
+def _values(value: Any) -> dict[str, str]:
+    """Numbers by their names."""
+    if not isinstance(value, dict):
+        raise PublishedError(f'values = {brief(value)}: write a table, values = {{ I1 = 1.6, l = "1/3" }}')
+    texts = {name: _text(number) for name, number in value.items()}
+    for name, text in texts.items():
+        if not is_name(name):
+            raise PublishedError(f"values has {brief(name)}, which is not a name: letters, digits and _ make "
+                                 "one")
+        if text is None:
+            raise PublishedError(f'values.{name} = {brief(value[name])} is not a number: write {name} = 1.6, '
+                                 f'or {name} = "sqrt(3)/2"')
+    return {name: text for name, text in texts.items() if text is not None}
+
+
+def _text(value: Any) -> str | None:
+    """A number or text as it is written, None for anything else."""
+    if isinstance(value, Written):
+        return value.text
+    if isinstance(value, int) and not isinstance(value, bool):
+        return str(value)
+    return value if isinstance(value, str) else None
