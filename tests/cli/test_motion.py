@@ -9,7 +9,7 @@ import pytest
 from two_motions import FREE, TOP, the_box, the_top
 
 import gyrostat as gs
-from gyrostat.cli.options import body_of
+from gyrostat.cli.asked import Asked, scene_of
 from gyrostat.cli.parser import main
 from gyrostat.trajectories import motion
 
@@ -83,7 +83,7 @@ def test_files_of_numbers(capsys, tmp_path):
     ("k3", "I1 I3 l1 l2 l3", "I1 I1 I3", "l1 l2 l3"), ("none", "I1 I2 I3 l1 l2 l3", "I1 I2 I3", "l1 l2 l3")])
 def test_bodies(potential, names, inertia, rotor):
     """I2, k1 or k2, or no field at all: three moments; l1, l2, l3: any rotor."""
-    body = body_of(potential, names.split()).body
+    body = scene_of(Asked(potential).of_body(names.split())).body
     assert " ".join(map(str, body.inertia)) == inertia
     assert " ".join(map(str, body.gyrostatic_momentum)) == rotor
 

@@ -9,8 +9,9 @@ import pytest
 from commands import run
 
 import gyrostat
+from gyrostat.cli.asked import Asked
 from gyrostat.cli.batch_lines import question
-from gyrostat.cli.options import report_for
+from gyrostat.cli.equilibria import report_for
 from gyrostat.cli.parser import main
 from gyrostat.errors import PublishedError, ValuesError
 from gyrostat.mechanics.families import FAMILIES
@@ -103,7 +104,7 @@ def test_output_file(capsys, tmp_path):
     (["--potential", "__import__('os').system('true')"], "cannot read"),
     (["--potential", "9**9**9"], "exponent"),
     (["--potential", "k3.real"], "grammar"), (["--potential", "m0"], "does not depend on k3"),
-    (["--potential", "k1*k3"], "depends on k1"),
+    (["--potential", "k1*k3", "--equilibrium", "E1"], "E1 is not an equilibrium"),
     (["--potential", ""], "too early"), (["--set", "I1"], "NAME=VALUE"),
     (["--set", "I1=1", "--set", "I1=2"], "twice"),
     (["--set", "I1=nan"], "not finite"), (["--set", "I1=__import__('os')"], "cannot read"),
@@ -204,13 +205,14 @@ def test_a_family_is_one_entry(capsys, asleep):
     _, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E4", "--solve-for", "l",
                     "--set", "I1=1", "--set", "m0=1", "--set", "pi3_0=1", verb="conditions")
     assert out.startswith("E4\n") and "l ≥ 1" in out
-    line = question(b'{"equilibrium": "E4", "I1": 1}', Namespace(potential=None, equilibrium=None), {})
+    given = Namespace(potential=None, equilibrium=None, point=None)
+    line = question(b'{"equilibrium": "E4", "I1": 1}', given, {})
     assert line[1] == "E4"
     with pytest.raises(SystemExit):
         main(["chart", "--help"])
-    assert "{E1,E2,E3,E4}" in capsys.readouterr().out
+    assert "{E1,E2,E3,axis 1,axis 2,axis 3,E4}" in capsys.readouterr().out
     assert Scene({"potential": "U(k3)", "equilibrium": "E4"}).equilibrium.label == "E4"
     with pytest.raises(PublishedError, match="give E1, E2, E3, axis 1, axis 2, axis 3 or E4"):
         assert Scene({"potential": "U(k3)", "equilibrium": "E5"}).equilibrium
     with pytest.raises(ValuesError, match="name E1, E2, E3 or E4"):
-        report_for("chart", None, None, {})
+        report_for("chart", Asked().of_body(()), None, {})

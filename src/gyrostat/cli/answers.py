@@ -8,25 +8,28 @@ from sympy import Expr
 from ..algebra.exact import sign_of_constant
 from ..errors import ScopeError, ValuesError
 from ..mechanics.families import E3, FAMILIES, POLES
-from ..mechanics.system import System
+from ..mechanics.reduction import reducible
+from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
 from ..printing.data import decision_data, number_data
 from ..stability.branch import Branch
 from ..stability.branches import branches_at, pole_at
+from ..stability.permanent_rotations import PermanentRotation
+from ..stability.relative_equilibria import relative_equilibria
 from ..stability.report import Decision, Report
-from .options import (
+from .asked import Asked, scene_of
+from .equilibria import (
     AT_REST,
-    AXIS,
     Missing,
     enough,
     its_own,
     known_names,
-    labels,
     labels_of,
+    named,
     of_each,
+    report_at,
     report_of,
-    scene_of,
-    spin_of,
+    some,
 )
 
 # with these numbers of the motion all are found
@@ -47,35 +50,67 @@ class Answer:
     place: dict[str, Expr | None] = field(default_factory=dict)
 
 
-def answers_at(potential: str | None, label: str | None,
-               numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
-    """The equilibrium of that label, or all that the numbers allow.
+def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
+    """The equilibrium that is named, or all that the numbers allow.
 
     Of one that does not exist in this field, why.
     """
-    scene = scene_of(potential)
-    if label is None and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys():
+    scene, wanted = scene_of(asked), named(asked, label and [label])
+    if not wanted and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys():
         raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and "
                           "pi3_0; or name the --equilibrium")
-    (axis, *_) = labels_of(scene, label and [label])
-    given = scene.potential is not None and scene.potential.given
-    if axis == AXIS or label not in (None, E3.label):
-        return [_answer(report_of(potential, axis, spin_of(numbers)), numbers)]
-    if label is None and not (given and _level(numbers).keys() & set().union(*MOTION) in MOTION):
-        reports, missing = of_each(labels(), lambda name: [report_of(potential, name, spin_of(numbers))])
-        known_names(reports, numbers)
-        asked = {r.equilibrium.label: r for r, decided in zip(reports, enough(reports, numbers)) if decided}
-        answers, without = of_each(list(asked),
-                                   lambda name: [_answer(asked[name], its_own(asked[name], numbers))])
-        return [*answers, *missing, *without]
-    if label is None or given and len({"k3", "omega"} & numbers.keys()) == 1:
-        return _all_found(scene, _level(numbers), label)
-    if given and not {"k3", "omega"} & numbers.keys():
-        raise ValuesError(f"{label} needs k3 or omega: give one of them with l, or both")
+    if wanted == (E3.label,) and asked.eliminate is None and reducible(scene):
+        return _tilted(asked, numbers)
+    if wanted:
+        return [_answer(asked, wanted[0], numbers)]
+    if reducible(scene):
+        given = scene.potential is not None and scene.potential.given
+        if given and _level(scene, numbers).keys() & set().union(*MOTION) in MOTION:
+            return _all_found(scene, _level(scene, numbers), None)
+    elif _asks_for_all(scene, numbers):
+        here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
+        return [_rotation(here, found) if isinstance(found, PermanentRotation) else _recognised(here, found)
+                for found in relative_equilibria(scene, numbers)]
+    return _of_labels(asked, numbers)
+
+
+def _of_labels(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
+    """Of the equilibria that a scene is known to have those whose names are set."""
+    wanted, others = labels_of(asked, None, numbers)
+    some(wanted, others)
+    if len(wanted) == 1 and not others:
+        return [_answer(asked, wanted[0], numbers)]
+    reports, missing = of_each(wanted, lambda name: [report_at(asked, name, numbers)])
+    known_names(asked, reports, numbers)
+    whole = [r for r, decided in zip(reports, enough(reports, numbers)) if decided]
+    answers, without = of_each([r.equilibrium.label for r in whole], lambda name: [
+        _decided(r, its_own(r, numbers)) for r in whole if r.equilibrium.label == name])
+    return [*answers, *missing, *without, *others]
+
+
+def _tilted(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
+    """E3 of a body of revolution: as its names say, or every one of a tilt or a rate."""
+    scene = scene_of(asked)
+    if scene.potential is not None and scene.potential.given:
+        if len({"k3", "omega"} & numbers.keys()) == 1:
+            return _all_found(scene, _level(scene, numbers), E3.label)
+        if not {"k3", "omega"} & numbers.keys():
+            raise ValuesError("E3 needs k3 or omega: give one of them with l, or both")
     if "omega" in numbers and sign_of_constant(numbers["omega"]) == 0:
-        return [_answer(report_of(potential, AT_REST),
-                        {name: x for name, x in numbers.items() if name != "omega"})]
-    return [_answer(report_of(potential, E3.label), numbers)]
+        return [_decided(report_of(asked, AT_REST),
+                         {name: x for name, x in numbers.items() if name != "omega"})]
+    return [_answer(asked, E3.label, numbers)]
+
+
+def _asks_for_all(scene: System, numbers: Mapping[str, Expr]) -> bool:
+    """Whether the numbers ask for every equilibrium: of a free body on a sphere of the momentum, in a field
+    at a rate, on a level or at a tilt.
+    """
+    own = numbers.keys() - {s.name for s in names_of_scene(scene)}
+    if scene.potential is None:
+        return "M" in own
+    return scene.potential.given and any(
+        name in ("omega", "C1") or name[:1] == "k" and name[1:] in ("1", "2", "3", "c") for name in own)
 
 
 def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) -> list[Answer | Missing]:
@@ -95,15 +130,20 @@ def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) ->
         return [*map(_found, poles), Missing(E3.label, str(error))]
 
 
-def _level(numbers: Mapping[str, Expr]) -> dict[str, Expr]:
+def _level(scene: System, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
     """The numbers with pi3_0 = I3 omega3_0 in place of omega3_0."""
-    level = dict(numbers)
-    if {"omega3_0", "I3"} <= level.keys():
-        level["pi3_0"] = level.pop("omega3_0") * level["I3"]
+    level, moment = dict(numbers), scene.body.inertia[2]
+    if "omega3_0" in level and {s.name for s in moment.free_symbols} <= level.keys():
+        level["pi3_0"] = level.pop("omega3_0") * moment.xreplace({symbol(n): x for n, x in numbers.items()})
     return level
 
 
-def _answer(report: Report, numbers: Mapping[str, Expr]) -> Answer:
+def _answer(asked: Asked, label: str, numbers: Mapping[str, Expr]) -> Answer:
+    """The equilibrium of that label."""
+    return _decided(report_at(asked, label, numbers), numbers)
+
+
+def _decided(report: Report, numbers: Mapping[str, Expr]) -> Answer:
     decision = report.verdict(numbers)
     return Answer(report.equilibrium.label, report.equilibrium.at, decision,
                   report.itself(numbers) if decision.modulo else None)
@@ -115,6 +155,23 @@ def _found(branch: Branch) -> Answer:
     at_pole = branch.k3 is not None and branch.label in FAMILIES and FAMILIES[branch.label].pole
     at = branch.k3 if at_pole else symbol("k3")
     return Answer(branch.label, at, branch.decision, branch.itself, place)
+
+
+def _recognised(scene: System, branch: Branch) -> Answer:
+    """One of a body of revolution about another axis, at its point."""
+    place = dict(zip(map(str, scene.space.coordinates), branch.point or ()))
+    return Answer(branch.label, symbol("k3"), branch.decision, branch.itself,
+                  place | {"omega": branch.omega, "sigma": branch.sigma})
+
+
+def _rotation(scene: System, found: PermanentRotation) -> Answer:
+    """One of a free body at numbers, at its π = M − l."""
+    label = "permanent rotation"
+    if found.circle is not None:
+        label = f"permanent rotations on a circle about axis {found.circle + 1}"
+    rotor = scene.body.gyrostatic_momentum
+    place = {str(x): M - l for x, M, l in zip(scene.space.coordinates, found.momentum, rotor)}
+    return Answer(label, symbol("k3"), found.decision, None, place)
 
 
 def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:

@@ -14,10 +14,11 @@ from ..algebra.inputs import LINE, is_name, json_object
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError, brief
 from ..printing.files import moved, replaceable
-from .options import labels, one_spin
+from .asked import Asked, asked_of
+from .equilibria import labels
+from .options import one_spin, unless_given
 from .output import printed
 
-SPINS = {"pi3_0", "omega3_0"}
 READ = 2**16                                           # bytes that are read at a time
 Numbered = tuple[int, bytes]
 
@@ -81,9 +82,10 @@ def _read(file: Any) -> bytes:
 
 
 def question(line: bytes, given: argparse.Namespace,
-             defaults: Mapping[str, Expr]) -> tuple[str | None, str | None, dict[str, Expr]]:
-    """Potential, equilibrium and numbers of a line."""
+             defaults: Mapping[str, Expr]) -> tuple[Asked, str | None, dict[str, Expr]]:
+    """Scene, equilibrium and numbers of a line."""
     own = json_object(line)
+    point = None if "equilibrium" in own else given.point
     potential, label = own.pop("potential", given.potential), own.pop("equilibrium", given.equilibrium)
     if (
         not isinstance(potential, str | None)
@@ -97,8 +99,9 @@ def question(line: bytes, given: argparse.Namespace,
         raise ValuesError(f"{brief(wrong[0])} is not a name: write {{\"I1\": 1.6}}")
     numbers = {name: exact_number(value, name) for name, value in own.items()}
     one_spin(numbers)
-    kept = {name: x for name, x in defaults.items() if not (name in SPINS and SPINS & numbers.keys())}
-    return potential, label, kept | numbers
+    numbers = unless_given(defaults, numbers) | numbers
+    own_scene = argparse.Namespace(**{**vars(given), "potential": potential, "point": point})
+    return asked_of(own_scene, numbers), label, numbers
 
 
 class Kept:

@@ -15,8 +15,9 @@ from typing import Any
 
 from ..errors import GyrostatError, ValuesError
 from .answers import answers_at, answers_data
+from .asked import asked_of, scene_of
 from .batch_lines import question
-from .options import numbers_of, scene_of
+from .options import numbers_of
 from .output import internal
 from .watch import held_back, left_alone, limited
 
@@ -39,7 +40,7 @@ def serve(connection: Connection, given: argparse.Namespace) -> None:
     limited(given.timeout)
     try:
         defaults = numbers_of(given.values)
-        scene_of(given.potential)                      # a wrong one would be wrong in every line
+        scene_of(asked_of(given, defaults))            # a wrong one would be wrong in every line
     except Exception as error:
         connection.send(reason(error))
         return

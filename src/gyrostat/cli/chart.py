@@ -13,8 +13,11 @@ from ..notation import symbol
 from ..plotting import caption, draw_chart
 from ..printing.files import save_netcdf
 from ..stability.notes import scene_note
-from .options import axis_of, numbers_of, one_spin, report_for
+from .asked import asked_of
+from .equilibria import report_for
+from .options import axis_of, numbers_of, one_spin
 from .output import PICTURES, Output, file_of, save_picture
+from .scene_files import with_scene
 
 DATA = (".nc", ".zarr")
 KINDS = "a picture, chart.png, .pdf or .svg; data, chart.nc or chart.zarr"
@@ -23,6 +26,7 @@ LARGEST = 10**9                                        # points of a chart that 
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the chart; 0."""
+    given = with_scene(given)
     path = file_of(out, "chart", PICTURES + DATA, KINDS)
     numbers = numbers_of(given.values)
     axes = dict(_axes([("--axis", text) for text in given.axis or ()] + [("--y", given.y), ("--x", given.x)]))
@@ -33,12 +37,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
         raise ValuesError(f"{points} points are more than the {LARGEST} that are held in memory: --output "
                           f"{path.with_suffix('.zarr')}")
     one_spin(names := {**numbers, **dict.fromkeys(axes)})
-    report = report_for("chart", given.potential, given.equilibrium, names)
+    report = report_for("chart", asked_of(given, names), given.equilibrium, names)
     *further, y, x = axes.items()
     store = path if path.suffix == ".zarr" else None
     chart = stability_chart(report, x=x, y=y, axes=dict(further), fixed=_as_written(given.values),
-                            store=store, backend=given.backend,
-                            threads=given.threads)
+                            store=store, backend=given.backend, threads=given.threads)
     if path.suffix in PICTURES:
         _draw(chart, path)
     elif store is None:

@@ -9,22 +9,30 @@ from ..printing.data import conditions_data, json_text
 from ..printing.text import text
 from ..stability.report import Report
 from ..stability.stabilizing import inserted
-from .options import known_names, labels_of, numbers_of, of_each, reports_of, scene_of
+from .asked import asked_of
+from .equilibria import known_names, labels_of, of_each, reports_of, some
+from .options import numbers_of
 from .output import Output
+from .scene_files import with_scene
 from .solve_for import run as solve
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the conditions; 0."""
-    numbers, scene = numbers_of(given.values), scene_of(given.potential)
+    given = with_scene(given)
+    numbers = numbers_of(given.values)
+    asked = asked_of(given, {*numbers, given.solve_for})
+    labels, others = labels_of(asked, given.equilibrium, numbers)
+    some(labels, others)
     if given.solve_for:
-        return solve(given, labels_of(scene, given.equilibrium), numbers, out)
-    reports, missing = reports_of(given.potential, labels_of(scene, given.equilibrium), numbers)
+        return solve(given, asked, labels, numbers, out)
+    reports, missing = reports_of(asked, labels, numbers)
     if numbers:
-        known_names(reports, numbers)
+        known_names(asked, reports, numbers)
         by_label = {report.equilibrium.label: report for report in reports}
         reports, without = of_each(list(by_label), lambda label: [inserted(by_label[label], numbers)])
         missing = missing + without
+    missing = missing + others
     after = [block for m in missing for block in m.blocks()]
     if given.format == "json":
         out(json_text({"equilibria": [conditions_data(report) for report in reports]

@@ -10,18 +10,23 @@ from ..printing.decision import decision_blocks
 from ..printing.text import text
 from ..stability.report import Decision
 from .answers import Answer, answers_at, answers_data
+from .asked import asked_of
 from .batch import run as each
-from .options import Missing, numbers_of
+from .equilibria import Missing
+from .options import numbers_of
 from .output import Output
+from .scene_files import with_scene
 
 _NOWHERE = "No such relative equilibrium exists at these numbers."
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the decisions; 0, whatever they are, and 2 if a line of a batch was bad."""
+    given = with_scene(given)
     if given.batch is not None:
         return each(given, out)
-    answers = answers_at(given.potential, given.equilibrium, numbers_of(given.values))
+    numbers = numbers_of(given.values)
+    answers = answers_at(asked_of(given, numbers), given.equilibrium, numbers)
     if given.format == "json":
         out(json_text(answers_data(answers)))
     else:

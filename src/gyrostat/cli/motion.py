@@ -24,8 +24,10 @@ from ..plotting.looks import BLUE, DARK, INK, label, legend, named
 from ..printing.files import save_netcdf
 from ..trajectories import Motion, motion
 from ..trajectories.columns import columns, dataset, turns_of
-from .options import LONGEST, body_of, numbers_of
+from .asked import one_for_each, whole_scene
+from .options import LONGEST, numbers_of
 from .output import FILMS, PICTURES, Output, file_of, save_picture
+from .scene_files import with_scene
 
 KINDS = ("a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; "
          "an animation, motion.gif or .mp4")
@@ -40,6 +42,7 @@ SPACE: dict[str, Any] = {"projection": "3d", "elev": 22, "azim": 40}
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the motion, and to standard error what is known of it; 0."""
+    given = with_scene(given)
     path = None if out.path is None else file_of(out, "motion", (".csv", ".nc", *PICTURES, *FILMS), KINDS)
     kind, digits = path.suffix if path else ".csv", given.precision
     if digits is not None and kind != ".csv":
@@ -63,12 +66,13 @@ def run(given: argparse.Namespace, out: Output) -> int:
 def motion_of(given: argparse.Namespace) -> Motion:
     """The motion that --potential, --set and --state name."""
     numbers = numbers_of(given.values)
-    scene, texts = body_of(given.potential, numbers), given.state.split(",")
-    if len(texts) != len(names := [str(s) for s in scene.space.coordinates]):
-        raise ValuesError(f"--state {given.state} has {len(texts)} numbers, the body {len(names)} "
-                          f"coordinates: give {','.join(names)}")
+    if given.state is None:
+        raise ValuesError("--state is missing, a motion starts from one: give PI1,PI2,PI3,K1,K2,K3, or of a "
+                          "free body PI1,PI2,PI3")
+    scene = whole_scene(given, numbers)
+    names, texts = scene.space.coordinates, one_for_each("--state", given.state, scene)
     tolerance = None if given.tolerance is None else float(_positive("--tolerance", given.tolerance))
-    return motion(scene, [exact_number(text, name) for text, name in zip(texts, names)], numbers,
+    return motion(scene, [exact_number(text, str(name)) for text, name in zip(texts, names)], numbers,
                   precision=given.precision,
                   tolerance=tolerance)
 

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from contextlib import nullcontext
 from pkgutil import get_data
 
-from ..mechanics.families import in_a_field
+from ..mechanics.families import FAMILIES, in_a_field
 from ..version import __version__
 from .carried import carried_out
 from .output import standard_streams, told
+from .scene_options import claimed_point, scene_file
 from .watch import signals
 
 LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
@@ -39,6 +40,7 @@ def parser() -> argparse.ArgumentParser:
                           (decide, "names of the moments, l, U and the motion"),
                           (chart, "all names but the axes")):
         _scene(verb, meaning)
+        claimed_point(verb)
     _motion(motion)
     kinds = _kinds(plot)
     conditions.add_argument("--solve-for", metavar="NAME",
@@ -87,10 +89,10 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _families() -> tuple[tuple[str, ...], str]:
-    """The labels of the families in a field, and their names as a list in words."""
-    families = in_a_field()
-    *others, last = (family.name for family in families)
-    return tuple(family.asked_for for family in families), f"{', '.join(others)} or {last}"
+    """The families that are asked for, and the names of those in a field as a list in words."""
+    *others, last = (family.name for family in in_a_field())
+    asked_for = tuple(family.asked_for for family in FAMILIES.values() if family.asked_for)
+    return asked_for, f"{', '.join(others)} or {last}, or a principal rotation of a free body"
 
 
 def _examples(verb: str) -> str:
@@ -102,8 +104,9 @@ def _scene(verb: argparse.ArgumentParser, meaning: str,
            potential: str = "none for a free body; left out: U unspecified") -> None:
     """A field and numbers."""
     verb.add_argument("--potential", metavar="EXPR",
-                      help="U in k3 and parameters: names, numbers, + - * / **, parentheses, sqrt, "
-                      f"exp, log, sin, …; {potential}")
+                      help="U in k3, or k1, k2, k3, and parameters: names, numbers, + - * / **, "
+                      f"parentheses, sqrt, exp, log, sin, …; {potential}")
+    scene_file(verb)
     _numbers(verb, meaning)
 
 
@@ -116,7 +119,7 @@ def _motion(verb: argparse.ArgumentParser) -> None:
     """A body, its state and times."""
     _scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U",
            "with k1 or k2 in it, U(k1, k2, k3); none for a free body")
-    verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3", required=True,
+    verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3",
                       help="at the time 0, exact; of a free body PI1,PI2,PI3; "
                       "pi is the momentum with the rotor locked, k the direction of the field in the body")
     verb.add_argument("--until", metavar="T", required=True,
@@ -144,6 +147,7 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
             ("cones", "body cone and space cone of a free body of revolution"),
         )
     )
+    scene_file(sphere)
     _numbers(sphere, "I1, I2, I3; l or l1, l2, l3")
     sphere.add_argument("--momentum", metavar="M", required=True, help="the radius, |M|")
     sphere.add_argument("--energy", metavar="H", action="append",
@@ -160,6 +164,7 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     labels, families = _families()
     eigenvalues.add_argument("--equilibrium", choices=labels,
                              help=f"{families}; left out for a free body")
+    claimed_point(eigenvalues)
     eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
                              help="the parameter, its range, either way, and how many values; "
                              "left out: 200")

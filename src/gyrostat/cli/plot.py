@@ -1,6 +1,6 @@
 """gyrostat plot KIND: a picture of gyrostat.plotting."""
 import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Any
 
 import numpy as np
@@ -9,12 +9,16 @@ from sympy import Expr
 from .. import plotting
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError
+from ..mechanics.scene_tables import NONE
 from ..mechanics.system import System
 from ..notation import symbol
 from ..stability.notes import scene_note
+from .asked import Asked, asked_of, scene_of, whole_scene
+from .equilibria import report_for
 from .motion import POINTS, SPACE, motion_of, times_of
-from .options import axis_of, body_of, numbers_of, one_spin, report_for, scene_of
+from .options import axis_of, numbers_of, one_spin
 from .output import PICTURES, Output, file_of, save_picture
+from .scene_files import with_scene
 
 SAMPLES = 200                                          # of the parameter, along eigenvalues
 CONES = {**SPACE, "elev": 14, "azim": 12}              # both are seen from the side
@@ -23,6 +27,7 @@ Numbers = dict[str, Expr]
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the picture; 0."""
+    given = with_scene(given)
     path = file_of(out, "picture", PICTURES, f"{given.kind}.png, .pdf or .svg")
     from matplotlib.figure import Figure
     figure = Figure()
@@ -34,7 +39,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
 
 def _momentum_sphere(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     energies = [float(exact_number(text, "--energy")) for text in given.energy or ()]
-    scene = body_of("none", numbers)
+    scene = whole_scene(argparse.Namespace(**{"potential": NONE, **vars(given)}), numbers)
     plotting.draw_momentum_sphere(scene, exact_number(given.momentum, "--momentum"), numbers,
                                   energies or None, figure.add_subplot(**SPACE))
     return _unusual(scene, numbers)
@@ -47,20 +52,21 @@ def _nutation(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
 
 
 def _effective_potential(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
-    plotting.draw_effective_potential(scene := _revolving(given), numbers, given.energy, figure.subplots())
+    plotting.draw_effective_potential(scene := _in_a_field(given, numbers), numbers, given.energy,
+                                      figure.subplots())
     return _unusual(scene, numbers)
 
 
 def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     name, low, high, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
     _free(name, numbers)
-    plotting.draw_bifurcation_diagram(scene := _revolving(given), name, (low, high), numbers,
+    plotting.draw_bifurcation_diagram(scene := _in_a_field(given, numbers), name, (low, high), numbers,
                                       figure.subplots())
     return _unusual(scene, numbers)
 
 
 def _energy_momentum(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
-    plotting.draw_energy_momentum(scene := _revolving(given), numbers, ax=figure.subplots())
+    plotting.draw_energy_momentum(scene := _in_a_field(given, numbers), numbers, ax=figure.subplots())
     return _unusual(scene, numbers)
 
 
@@ -68,8 +74,11 @@ def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> st
     name, low, high, count = axis_of("--x", given.x, "NAME=LOW:HIGH[:COUNT]", SAMPLES)
     _free(name, numbers)
     one_spin(names := {**numbers, name: low})
-    eq = report_for("picture", given.potential, given.equilibrium, names).equilibrium
-    plotting.draw_eigenvalues(eq, name, np.linspace(float(low), float(high), count).tolist(), numbers,
+    eq = report_for("picture", asked_of(given, names), given.equilibrium,
+                    {**numbers, name: None}).equilibrium
+    held = dict(eq.relations)                              # numbers without which it is no equilibrium
+    plotting.draw_eigenvalues(eq, name, np.linspace(float(low), float(high), count).tolist(),
+                              {n: x for n, x in numbers.items() if held.get(symbol(n)) != x},
                               figure.subplots())
     return _unusual(eq.system, numbers)
 
@@ -81,7 +90,7 @@ def _cones(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
                           "with I1 = I2 and without a rotor: "
                           "give I1 and I3")
     plotting.draw_cones((numbers["I1"], numbers["I3"]), transverse, axial, figure.add_subplot(**CONES))
-    return _unusual(scene_of("none"), {**numbers, "I2": numbers["I1"]})
+    return _unusual(scene_of(Asked(NONE).of_body(())), {**numbers, "I2": numbers["I1"]})
 
 
 def _unusual(scene: System, numbers: Numbers) -> str:
@@ -89,12 +98,12 @@ def _unusual(scene: System, numbers: Numbers) -> str:
     return scene_note(scene, {symbol(name): number for name, number in numbers.items()})
 
 
-def _revolving(given: argparse.Namespace) -> System:
-    """The body of revolution in the field U(k3) that is given."""
+def _in_a_field(given: argparse.Namespace, names: Collection[str]) -> System:
+    """The scene that is given, with a field."""
     if given.potential is None or given.potential.strip() == "none":
         raise ValuesError(f'--potential is {given.potential or "missing"}, and {given.kind} is of a field: '
                           'write --potential "m0*k3"')
-    return scene_of(given.potential)
+    return scene_of(asked_of(given, names))
 
 
 def _free(name: str, numbers: Numbers) -> None:

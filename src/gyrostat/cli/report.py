@@ -1,38 +1,50 @@
 """gyrostat report: the derivation as text, LaTeX or JSON."""
 import argparse
 
-from ..printing.article import document
+from ..printing.article import article, document
 from ..printing.blocks import Block
 from ..printing.data import decision_data, json_text, report_data, scene_data
 from ..printing.decision import decision_blocks
 from ..printing.document import report_blocks, scene_blocks
 from ..printing.text import text
 from ..stability.report import Decision
-from .options import enough, its_own, known_names, labels_of, numbers_of, of_each, reports_of, scene_of
+from .asked import asked_of, scene_of
+from .equilibria import enough, its_own, known_names, labels_of, of_each, reports_of
+from .options import numbers_of
 from .output import Output
+from .scene_files import with_scene
+
+TITLE = "Equations of motion of a gyrostat"
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the report; 0."""
-    numbers, scene = numbers_of(given.values), scene_of(given.potential)
-    reports, missing = reports_of(given.potential, labels_of(scene, given.equilibrium), numbers)
+    given = with_scene(given)
+    numbers = numbers_of(given.values)
+    asked = asked_of(given, numbers)
+    scene = scene_of(asked)
+    labels, others = labels_of(asked, given.equilibrium, numbers)
+    reports, missing = reports_of(asked, labels, numbers)
     decisions: list[Decision | None] = [None for _ in reports]
     if numbers:
-        known_names(reports, numbers)
-        asked = {report.equilibrium.label: report
-                 for report, decided in zip(reports, enough(reports, numbers)) if decided}
-        found, undecided = of_each(list(asked),
-                                   lambda label: [(label,
-                                                   asked[label].verdict(its_own(asked[label], numbers)))])
+        known_names(asked, reports, numbers)
+    if numbers and reports:
+        decided = {report.equilibrium.label: report
+                   for report, whole in zip(reports, enough(reports, numbers)) if whole}
+        found, undecided = of_each(list(decided),
+                                   lambda label: [(label, decided[label].verdict(
+                                       its_own(decided[label], numbers)))])
         decisions = [dict(found).get(report.equilibrium.label) for report in reports]
         missing = missing + undecided
+    missing = missing + others
     after = [block for m in missing for block in m.blocks()]
     if given.format == "json":
         equilibria = [report_data(report) | ({"decision": decision_data(decision)} if decision else {})
                       for report, decision in zip(reports, decisions)]
         out(json_text(scene_data(scene) | {"equilibria": equilibria + [m.data() for m in missing]}))
     elif given.format == "latex":
-        out(document(reports, decisions, given.fragment, after))
+        out(document(reports, decisions, given.fragment, after) if reports
+            else article(TITLE, scene_blocks(scene) + after, given.fragment))
     else:
         blocks: list[Block] = scene_blocks(scene)
         for report, decision in zip(reports, decisions):

@@ -21,17 +21,16 @@ from ..stability.analysis import analyze
 from ..stability.report import Report
 from ..stability.sets import Interval, Solution
 from ..stability.stabilizing import stabilizing_set
-from .options import of_each, report_of, scene_of, spin_of
+from .asked import Asked, scene_of
+from .equilibria import of_each, report_at
 from .output import Output
 
 
-def run(given: argparse.Namespace, labels: Sequence[str], numbers: Mapping[str, Expr], out: Output) -> int:
+def run(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers: Mapping[str, Expr],
+        out: Output) -> int:
     """Write the sets; 0."""
-    spin = "omega3_0" if given.solve_for == "omega3_0" else spin_of(numbers)
     found, missing = of_each(labels,
-                             lambda label: [(label,
-                                             *_solved(given.potential, label, spin, given.solve_for,
-                                                      numbers))])
+                             lambda label: [(label, *_solved(asked, label, given.solve_for, numbers))])
     if given.format == "json":
         out(json_text({"equilibria": [{"label": label} | solution_data(solution)
                                       for label, _, solution in found]
@@ -56,14 +55,14 @@ def _family(report: Report) -> list[Block]:
             for block in (sentence("On the family:"), Display(name, readable(value), eq.at))]
 
 
-def _solved(potential: str | None, label: str, spin: str, name: str,
+def _solved(asked: Asked, label: str, name: str,
             numbers: Mapping[str, Expr]) -> tuple[Report, Solution]:
     """The first form of the family in which the name can be solved for.
 
     E3 as it is, along its tilts, or with k3 expressed.
     """
     failed: list[GyrostatError] = []
-    for report in _forms(potential, label, spin, name):
+    for report in _forms(asked, label, name, numbers):
         try:
             return report, stabilizing_set(report, name, numbers)
         except (ScopeError, EquilibriumError) as error:
@@ -71,12 +70,13 @@ def _solved(potential: str | None, label: str, spin: str, name: str,
     raise failed[0]
 
 
-def _forms(potential: str | None, label: str, spin: str, name: str) -> Iterator[Report]:
-    yield report_of(potential, label, spin)
-    potential_given = (field := scene_of(potential).potential) is not None and field.given
-    for eliminated in (name, "k3") if FAMILIES[label].tilted and potential_given else ():
-        with contextlib.suppress(EquilibriumError):        # the relation is not affine in it
-            yield analyze(FAMILIES[label].of(scene_of(potential), eliminate=eliminated))
+def _forms(asked: Asked, label: str, name: str, numbers: Mapping[str, Expr]) -> Iterator[Report]:
+    yield report_at(asked, label, {**numbers, name: None})
+    scene = scene_of(asked)
+    if label in FAMILIES and FAMILIES[label].tilted and scene.potential and scene.potential.given:
+        for eliminated in (name, "k3") if asked.eliminate is None else ():
+            with contextlib.suppress(EquilibriumError):    # the relation is not affine in it
+                yield analyze(FAMILIES[label].of(scene, eliminate=eliminated))
 
 
 def solution_data(solution: Solution) -> dict[str, Any]:

@@ -80,8 +80,8 @@ class Equilibrium(Shown, Stored):
                 left.append((f"d{coordinate}/dt = {residual}", is_identically_zero(residual)))
         if wrong := [rate for rate, zero in left if zero is False]:
             raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong)}. Check the "
-                                   "point, or pass the relation that makes these vanish as "
-                                   "relations=((symbol, value),).")
+                                   "point, or in Python pass the relation that makes these vanish "
+                                   "as relations=((symbol, value),).")
         if left:
             raise EquilibriumError(f"{self.label} is not proved to be an equilibrium: whether "
                                    f"{', '.join(rate for rate, _ in left)} is 0 is not decided. Write its "

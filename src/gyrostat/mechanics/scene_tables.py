@@ -12,6 +12,8 @@ from ..errors import PublishedError, brief
 from ..kept import cached_property
 from ..notation import symbol
 from .body import Gyrostat
+from .families import FAMILIES
+from .family import Family
 from .potential import Potential
 from .potentials import axial_potential, general_potential
 from .system import System, assemble
@@ -65,6 +67,16 @@ class SceneTable:
         )
 
     @cached_property
+    def family(self) -> Family | None:
+        """The family of equilibria that the table asks for: E1, E2, E3, axis 1 and so on."""
+        asked = self.table.get("equilibrium")
+        known = {family.asked_for: family for family in FAMILIES.values() if family.asked_for}
+        if asked is not None and asked not in known:
+            *others, last = known
+            raise PublishedError(f"equilibrium = {brief(asked)}: give {', '.join(others)} or {last}")
+        return None if asked is None else known[asked]
+
+    @cached_property
     def system(self) -> System:
         """The Lie-Poisson system."""
         return assemble(self.body, self.potential)
@@ -74,8 +86,8 @@ def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str,
     """The [scene.NAME] tables of a file."""
     tables = data.get("scene", {})
     if not isinstance(tables, dict) or not all(isinstance(table, dict) for table in tables.values()):
-        raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: see docs/published.md for an "
-                             "example")
+        raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: see docs/published.md for "
+                             "an example")
     return tables
 
 

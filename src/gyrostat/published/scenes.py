@@ -7,10 +7,9 @@ from typing import Any
 
 from sympy import Expr
 
-from ..errors import PublishedError, brief
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import E3, FAMILIES
+from ..mechanics.families import E3
 from ..mechanics.scene_tables import SceneTable
 from ..notation import jet, symbol
 
@@ -29,15 +28,9 @@ class Scene(SceneTable):
 
     @cached_property
     def equilibrium(self) -> Equilibrium | None:
-        """Of the family that the table asks for: E1, E2, E3, axis 1 and so on."""
-        asked = self.table.get("equilibrium")
-        if asked is None:
-            return None
-        known = {family.asked_for: family for family in FAMILIES.values() if family.asked_for}
-        if asked not in known:
-            *others, last = known
-            raise PublishedError(f"equilibrium = {brief(asked)}: give {', '.join(others)} or {last}")
-        return known[asked].of(self.system, self.table.get("spin", "pi3_0"), self.table.get("eliminate"))
+        """Of the family that the table asks for."""
+        spin, eliminated = self.table.get("spin", "pi3_0"), self.table.get("eliminate")
+        return None if self.family is None else self.family.of(self.system, spin, eliminated)
 
     @property
     def point(self) -> tuple[Expr, ...]:

@@ -109,9 +109,9 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
         raise PublishedError(f"{path}: formulas are [[formula]] tables, and what is expected one "
                              "[expected] table: see the README")
     scenes = {"": Scene()}
-    for name, table in tables.items():
+    for name, entries in tables.items():
         with _at(path, f"scene.{name}"):
-            scenes[name] = Scene(table)
+            scenes[name] = Scene(entries)
     statements = [_statement(path, header, scenes, entry) for entry in listed]
     keys = [s.key for s in statements]
     if twice := {key for key, times in Counter(keys).items() if times > 1}:

@@ -1,0 +1,108 @@
+"""What is asked of a scene: the texts of its options, and the body and the field that they name."""
+import argparse
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, fields, replace
+from functools import lru_cache
+
+from ..errors import ValuesError, brief
+from ..mechanics.potential import Potential
+from ..mechanics.scene_tables import AXIAL, SceneTable
+from ..mechanics.system import System
+from ..stability.values import names_in
+
+ROTOR = ("l1", "l2", "l3")
+
+
+@dataclass(frozen=True)
+class Asked:
+    """The texts that name a scene, and what of its equilibria is asked for; None where one is left out.
+
+    Parameters
+    ----------
+    potential : str or None
+    inertia, gyrostatic_momentum : str or None
+        three expressions, with , between them
+    point : str or None
+        an expression for each coordinate
+    spin, eliminate : str or None
+        the name of the spin of E1 and E2; the name that the relation of E3 expresses
+    """
+
+    potential: str | None = None
+    inertia: str | None = None
+    gyrostatic_momentum: str | None = None
+    point: str | None = None
+    spin: str | None = None
+    eliminate: str | None = None
+
+    def of_body(self, names: Collection[str]) -> "Asked":
+        """With a body, where none is given: that which the names belong to.
+
+        I1, I3, or with I2, or k1 and k2 in U, or without a field I1, I2, I3; l, or l1, l2, l3.
+        """
+        potential = AXIAL if self.potential is None else self.potential
+        inertia, momentum = self.inertia, self.gyrostatic_momentum
+        if inertia is None:
+            field = _field(potential)
+            three = field is None or not field.axial or "I2" in names
+            inertia = f"I1,{'I2' if three else 'I1'},I3"
+        if momentum is None:
+            rotor = [name for name in ROTOR if name in names]
+            if rotor and "l" in names:
+                raise ValuesError(f"both l and {rotor[0]} are given, l is the rotor along axis 3: give l, or "
+                                  f"{', '.join(ROTOR)}")
+            momentum = ",".join(ROTOR) if rotor else "0,0,l"
+        return replace(self, potential=potential, inertia=inertia, gyrostatic_momentum=momentum)
+
+
+def asked_of(given: argparse.Namespace, names: Collection[str]) -> Asked:
+    """What the options say, with the body that the names belong to."""
+    texts = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
+    return Asked(**texts).of_body(names)
+
+
+@lru_cache(maxsize=64)
+def scene_of(asked: Asked) -> System:
+    """The scene of a body in a field."""
+    body = {name: entries(getattr(asked, name)) for name in ("inertia", "gyrostatic_momentum")}
+    return SceneTable({"potential": asked.potential, **body}).system
+
+
+@lru_cache(maxsize=64)
+def _field(potential: str) -> Potential | None:
+    return SceneTable({"potential": potential}).potential
+
+
+def entries(text: str) -> list[str]:
+    """The expressions of a list."""
+    return text.split(",")
+
+
+def whole_scene(given: argparse.Namespace, names: Collection[str]) -> System:
+    """The scene of a motion: every name in it has a number."""
+    if given.potential is None:
+        raise ValuesError('--potential is missing, and an unspecified U moves nothing: write --potential '
+                          '"m0*k3", or none for a free body')
+    scene = scene_of(asked_of(given, names))
+    body, potential = scene.body, scene.potential
+    if potential is not None and not potential.given:
+        raise ValuesError(f'--potential is {potential.expression}, and an unspecified U moves nothing: write '
+                          '--potential "m0*k3", or none for a free body')
+    parameters = potential.parameters if potential else ()
+    if missing := [name for name in names_in([*body.inertia, *body.gyrostatic_momentum, *parameters])
+                   if name not in names]:
+        moments, momentum = (f"({', '.join(map(str, vector))})"
+                             for vector in (body.inertia, body.gyrostatic_momentum))
+        raise ValuesError(f"--set gives no number for {', '.join(missing)}, and the body has the moments "
+                          f"{moments}, the rotor {momentum}: "
+                          f"add --set {missing[0]}=…")
+    return scene
+
+
+def one_for_each(option: str, text: str, scene: System) -> Sequence[str]:
+    """The texts of a point or a state, one for each coordinate."""
+    texts, names = entries(text), [str(s) for s in scene.space.coordinates]
+    if len(texts) != len(names):
+        raise ValuesError(f"{option} {brief(text)[1:-1]} has {len(texts)} numbers, the body {len(names)} "
+                          f"coordinates: give {','.join(names)}")
+    return texts

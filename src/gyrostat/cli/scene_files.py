@@ -1,0 +1,82 @@
+"""--scene FILE#NAME: the [scene.NAME] table of a file, in the place of the options that are left out."""
+import argparse
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from ..algebra.inputs import toml_of
+from ..errors import GyrostatError, PublishedError, brief
+from ..mechanics.scene_tables import NONE, SceneTable, scene_tables
+from .options import SPINS, numbers_of, unless_given
+
+# what a file means where it does not say it, as for a formula
+BODY: dict[str, Any] = {"inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "0"],
+                        "potential": NONE}
+TEXTS = (*BODY, "spin", "eliminate", "point", "state")   # what an option of that name has too
+NAMING = frozenset({"equilibrium", "point"})           # one goes before the other
+SEVERAL = ("report", "conditions")                     # verbs that take more than one --equilibrium
+
+
+def with_scene(given: argparse.Namespace) -> argparse.Namespace:
+    """The options, and where they are left out what the file of --scene says.
+
+    A number of the file gives way to one of --set and to an axis; its equilibrium, or its point, to either;
+    and with a text that gives way go the numbers that it alone names.
+    """
+    if getattr(given, "scene", None) is None:
+        return given
+    options, table = vars(given), {**BODY, **_table(given.scene)}
+    taken = {name for name, x in options.items() if x is not None}
+    if options.get("equilibrium") or options.get("point"):
+        taken |= NAMING
+    asked: dict[str, Any] = {name: _text(table[name]) for name in TEXTS
+                             if name in table and name in options.keys() | BODY and name not in taken}
+    if "equilibrium" in table and not taken & NAMING:
+        asked["equilibrium"] = [table["equilibrium"]] if given.verb in SEVERAL else table["equilibrium"]
+    names = {*numbers_of(given.values), *_axes(given)}
+    if SPINS & names:
+        asked.pop("spin", None)
+    left = _names(table[name] for name in TEXTS if name in table and name not in asked)
+    kept = _names(str(x) for x in (*asked.values(), *(options.get(name) for name in TEXTS)))
+    values = unless_given(table.get("values", {}), names | (left - kept))
+    return argparse.Namespace(**{**options, **asked, "values": [
+        *(f"{name}={x}" for name, x in values.items()), *given.values]})
+
+
+def _table(place: str) -> Mapping[str, Any]:
+    """The table of FILE#NAME, or the only one of FILE."""
+    file, _, name = place.rpartition("#") if "#" in place else (place, "", "")
+    path = Path(file)
+    tables = scene_tables(toml_of(path), path)
+    known = ", ".join(tables)
+    if not tables:
+        raise PublishedError(f"{path}: has no [scene.NAME] table: see docs/published.md for an example")
+    if name and name not in tables:
+        raise PublishedError(f"{path}: has no scene {brief(name)[1:-1]}: its scenes are {known}")
+    if not name and len(tables) > 1:
+        raise PublishedError(f"{path}: has several scenes, {known}: name one, --scene "
+                             f"{path}#{next(iter(tables))}")
+    name = name or next(iter(tables))
+    try:
+        scene = SceneTable(tables[name])
+        _ = scene.system, scene.family                     # what is wrong in it is said of the file
+        return scene.table
+    except GyrostatError as error:
+        raise PublishedError(f"{path}: scene.{name}: {error}") from None
+
+
+def _text(value: Any) -> str:
+    """As an option has it."""
+    return value if isinstance(value, str) else ",".join(value)
+
+
+def _names(texts: Iterable[Any]) -> set[str]:
+    """What reads as a name in them."""
+    return {name for text in texts for name in re.findall(r"[^\W\d]\w*", _text(text))}
+
+
+def _axes(given: argparse.Namespace) -> list[str]:
+    """The names of the axes."""
+    texts = [getattr(given, "x", None), getattr(given, "y", None), *(getattr(given, "axis", None) or ())]
+    return [text.partition("=")[0].strip() for text in texts if text is not None]
