@@ -49,7 +49,7 @@ def parser() -> argparse.ArgumentParser:
                             "all other names")
     for verb in (report, conditions):
         verb.add_argument("--equilibrium", action="append", choices=labels,
-                          help=f"{families}; may be repeated; left out: all of them")
+                          help=f"{families}; may be repeated; left out: all that are known")
     decide.add_argument("--equilibrium", choices=labels,
                         help=f"{families}; left out: every relative equilibrium that the numbers "
                         "allow")
@@ -60,7 +60,7 @@ def parser() -> argparse.ArgumentParser:
                         help="the line of the batch to begin with, to go on "
                         "after an interruption; left out: 1")
     chart.add_argument("--equilibrium", choices=labels,
-                       help=f"{families}; left out for a free body")
+                       help=f"{families}; left out: of a free body axis 3")
     for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"),
                          ("--y", "the vertical axis")):
         chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
@@ -163,7 +163,7 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     _scene(eigenvalues, "all names in the spectrum but the axis")
     labels, families = _families()
     eigenvalues.add_argument("--equilibrium", choices=labels,
-                             help=f"{families}; left out for a free body")
+                             help=f"{families}; left out: of a free body axis 3")
     claimed_point(eigenvalues)
     eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
                              help="the parameter, its range, either way, and how many values; "

@@ -51,7 +51,8 @@ def _table(place: str) -> Mapping[str, Any]:
     tables = scene_tables(toml_of(path), path)
     known = ", ".join(tables)
     if not tables:
-        raise PublishedError(f"{path}: has no [scene.NAME] table: see docs/published.md for an example")
+        raise PublishedError(f"{path}: has no [scene.NAME] table: write [scene.top] and below it "
+                             'potential = "m0*k3"')
     if name and name not in tables:
         raise PublishedError(f"{path}: has no scene {brief(name)[1:-1]}: its scenes are {known}")
     if not name and len(tables) > 1:

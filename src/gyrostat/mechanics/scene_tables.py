@@ -86,8 +86,8 @@ def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str,
     """The [scene.NAME] tables of a file."""
     tables = data.get("scene", {})
     if not isinstance(tables, dict) or not all(isinstance(table, dict) for table in tables.values()):
-        raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: see docs/published.md for "
-                             "an example")
+        raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: write [scene.top] and below "
+                             'it potential = "m0*k3"')
     return tables
 
 
