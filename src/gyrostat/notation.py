@@ -161,11 +161,12 @@ def _typeset_jet(order: int, axes: str, at: Any, style: str) -> str:
 
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "kappa": "κ", "lambda": "λ",
-          "mu": "μ",
-          "nu": "ν", "rho": "ρ", "sigma": "σ", "tau": "τ", "theta": "θ", "phi": "φ", "chi": "χ", "psi": "ψ",
-          "xi": "ξ",
-          "omega": "ω", "Omega": "Ω", "pi": "π"}
+GREEK = MappingProxyType({
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η",
+    "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ",
+    "sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω",
+    "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ",
+    "Psi": "Ψ", "Omega": "Ω"})
 
 
 def _typeset_parameter(name: str, style: str) -> str:
@@ -177,9 +178,9 @@ def _typeset_parameter(name: str, style: str) -> str:
     if name.startswith("delta_"):                      # a variation
         return (r"\delta " if style == "latex" else "δ") + typeset(name[6:], style=style)
     if (subscript := re.fullmatch(r"([A-Za-z]+)_([A-Za-z]+)", name)) and (
-        subscript[1] in _GREEK or len(subscript[1]) == 1
+        subscript[1] in GREEK or len(subscript[1]) == 1
     ):
-        below = _typeset_parameter(subscript[2], style) if subscript[2] in _GREEK else subscript[2]
+        below = _typeset_parameter(subscript[2], style) if subscript[2] in GREEK else subscript[2]
         return _typeset_parameter(subscript[1], style) + (rf"_{{{below}}}" if style == "latex"
                                                           else f"_{below}")
     match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
@@ -187,8 +188,8 @@ def _typeset_parameter(name: str, style: str) -> str:
         return r"\mathrm{" + name.replace("_", r"\_") + "}" if style == "latex" else name
     word, digits = match.groups()
     if style != "latex":
-        return _GREEK.get(word, word) + digits.translate(SUBSCRIPTS)
-    if word in _GREEK:
+        return GREEK.get(word, word) + digits.translate(SUBSCRIPTS)
+    if word in GREEK:
         word = "\\" + word
     elif len(word) > 1:
         word = rf"\mathrm{{{word}}}"

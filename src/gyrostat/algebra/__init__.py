@@ -1,7 +1,7 @@
 """Exact mathematics, without mechanics.
 
-A text becomes an expression through a whitelist (`inputs`, `scanner`, `grammar`, within `limits` by
-`magnitudes` and `parts`; numbers in `numbers`). Expressions become polynomials over Q and matrices of them
+A text becomes an expression through a whitelist (`inputs`, `spelling`, `scanner`, `grammar`, within `limits`
+by `magnitudes` and `parts`; numbers in `numbers`). Expressions become polynomials over Q and matrices of them
 (`generators`, `polynomials`, `matrices`) and are written again as a person would (`readable`). The sign of a
 number is exact (`exact`): rational, in `balls` of any `precision`, 0 by a separation bound (`algebraic`) or a
 normal form (`transcendental`, of its `constituents`, over `quotients`); that of a polynomial is known from

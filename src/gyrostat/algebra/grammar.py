@@ -4,6 +4,8 @@ sum     := product (('+' | '-') product)*
 product := factor (('*' | '/') factor)*
 factor  := ('+' | '-') factor | atom ['**' factor]
 atom    := number | name | function '(' sum ')' | '(' sum ')'
+
+The scanner reads ^ as **, x² as x**(2), √x as sqrt(x) and Greek names as their words.
 """
 import operator
 import re
@@ -38,7 +40,7 @@ class Parser(Limited):
         part = self.sum()
         if self.peek():
             self.fail(f"{self.peek()!r} comes where an operator or the end should be",
-                      "check the operators and parentheses")
+                      "write * between factors, and check the parentheses")
         return part
 
     def sum(self) -> Part:
@@ -148,7 +150,8 @@ class Parser(Limited):
     def guess(self, token: str, functions: Sequence[str]) -> str:
         """What may have been meant."""
         near = [_MEANT[token.lower()]] if token.lower() in _MEANT else get_close_matches(token, functions, 1)
-        return f"{f'did you mean {near[0]}? ' if near else ''}the functions are {', '.join(functions)}"
+        meant = f"did you mean {near[0]}?" if near else f"write {token}*(...) for a product;"
+        return f"{meant} the functions are {', '.join(functions)}"
 
     def apply(self, token: str, inner: Part) -> Part:
         """An elementary function of a part."""
@@ -174,7 +177,8 @@ def parse(text: str) -> Expr:
     Parameters
     ----------
     text : str
-        names, numbers (read exactly), + - * / **, parentheses, elementary functions, pi
+        names, numbers (read exactly), + - * / and ^ or **, parentheses, elementary functions, pi; what the
+        library prints is read as well: k₃², π₃⁰, I₁, √2, −
 
     Returns
     -------
@@ -189,6 +193,8 @@ def parse(text: str) -> Expr:
     --------
     >>> parse("m0*k3 + 0.5*k3**2")
     k3**2/2 + k3*m0
+    >>> parse("m₀·k₃ − √2·k₃^2/3")
+    -sqrt(2)*k3**2/3 + k3*m0
     >>> parse("9**9**9")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
     gyrostat.errors.ExpressionError: cannot read '9**9**9': the exponent 387420489 is too large; ...

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from ..errors import GyrostatError, PublishedError, ValuesError, brief, printable
+from .spelling import spelled
 
 # bytes of a file of formulas and of a line of numbers; characters of a name
 FILE, LINE, NAME = 500_000, 100_000, 60
@@ -31,9 +32,14 @@ class Written:
         return self.text
 
 
+def name_of(text: str) -> str:
+    """The name of a parameter that a text is, in ASCII, π₃⁰ as pi3_0; "" if it is none."""
+    return spelled(text) if len(text) <= NAME else ""
+
+
 def is_name(text: str) -> bool:
-    """Whether it can be the name of a parameter."""
-    return text.isidentifier() and len(text) <= NAME
+    """Whether it is the name of a parameter, in ASCII."""
+    return text != "" and name_of(text) == text
 
 
 def toml_of(path: Path | Traversable) -> dict[str, Any]:

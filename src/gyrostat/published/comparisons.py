@@ -7,6 +7,7 @@ from typing import Any
 from sympy import Abs, Expr, MatrixBase, nan, oo, zoo
 
 from ..algebra.exact import sign_of_constant
+from ..algebra.spelling import RELATIONS
 from ..errors import ExpressionError, brief
 from .language import read
 
@@ -74,9 +75,9 @@ def _is_real(value: Expr) -> bool:
 def _chains(printed: str, names: Mapping[str, Any]) -> list[tuple[list[Expr], list[str]]]:
     """The sides and the signs of each chain of comparisons, in the order in which they are printed."""
     found = []
-    if len(_COMPARISON.findall(printed)) > COMPARISONS:
+    if len(_COMPARISON.findall(printed.translate(RELATIONS))) > COMPARISONS:
         raise ExpressionError(f"cannot read {brief(printed)}: it has more than {COMPARISONS} comparisons")
-    for part in re.split(r"\band\b", printed):
+    for part in re.split(r"\band\b", printed.translate(RELATIONS)):
         pieces = _COMPARISON.split(part)
         if len(pieces) < 3:
             raise ExpressionError(f"cannot read {brief(part.strip())} as a condition: write left > right, "

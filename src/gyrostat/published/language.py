@@ -21,7 +21,7 @@ class Formula(Parser):
     TOKEN = re.compile(Parser.TOKEN.pattern.replace("-+*/()", "-+*/(),"), re.ASCII)
     # of an entry: a tensor in Euler angles has some thousands
     TERMS = 10_000
-    HINT = "allowed are names, numbers, + - * / ** , and parentheses; matrices are lists of texts"
+    HINT = "allowed are names, numbers, + - * / ^ , and parentheses; matrices are lists of texts"
 
     def __init__(self, text: str, names: Mapping[str, Any]):
         self.names = names

@@ -1,10 +1,10 @@
 """Reading: a statement with its texts read, in the names of its scene and its own abbreviations."""
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from sympy import Expr, MatrixBase, Symbol
 
+from ..algebra.spelling import names_in
 from ..errors import PublishedError
 from ..kept import cached_property
 from ..notation import symbol
@@ -15,8 +15,6 @@ from .language import part_of, read
 from .names import names
 from .sampling import points
 from .statements import Statement
-
-_NAME = re.compile(r"[A-Za-z_]\w*")
 
 
 class Reading:
@@ -62,10 +60,10 @@ class Reading:
         Not those that an abbreviation hides.
         """
         s = self.statement
-        found = set(_NAME.findall(str([s.given, self.scene.table.get("given", ""), s.at])))
+        found = names_in(str([s.given, self.scene.table.get("given", ""), s.at]))
         own = list(s.let)
         for n, text in enumerate([*s.let.values(), str([s.printed, s.quantity])]):
-            found |= set(_NAME.findall(text)) - set(own[:n])
+            found |= names_in(text) - set(own[:n])
         values = [self.names[name] for name in found if name in self.names]
         return {x for value in values if isinstance(value, (Expr, MatrixBase))
                 for x in self.finish(value).free_symbols}

@@ -9,6 +9,7 @@ from typing import Any
 from sympy import Rational
 
 from ..algebra.parts import FUNCTIONS, Part
+from ..algebra.spelling import RELATIONS
 from ..notation import typeset
 from .language import Formula
 
@@ -114,7 +115,7 @@ def formula_of(printed: str, at: Any = None) -> str:
     \frac{\omega^{2} I_1}{2} - k_3 U'(1) > 0
     """
     words = []
-    for part in re.split(r"\band\b", printed):
+    for part in re.split(r"\band\b", printed.translate(RELATIONS)):
         pieces = re.split(r"\s*(<=|>=|<|>)\s*", part.strip())
         sides = [_Typesetter(piece, at).whole().value.text for piece in pieces[::2]]
         relations = [{"<=": r"\leq", ">=": r"\geq"}.get(sign, sign) for sign in pieces[1::2]]
