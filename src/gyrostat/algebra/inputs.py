@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from ..errors import GyrostatError, PublishedError, ValuesError, brief, printable
-from .spelling import spelled
+from .spelling import character, spelled
 
 # bytes of a file of formulas and of a line of numbers; characters of a name
 FILE, LINE, NAME = 500_000, 100_000, 60
@@ -35,6 +35,12 @@ class Written:
 def name_of(text: str) -> str:
     """The name of a parameter that a text is, in ASCII, π₃⁰ as pi3_0; "" if it is none."""
     return spelled(text) if len(text) <= NAME else ""
+
+
+def unknown_letter(text: str) -> str:
+    """What to say of the first letter of a name that no name has; "" where there is none."""
+    strange = [c for c in text if c.isalpha() and not c.isascii() and not spelled(c)]
+    return f", {character(strange[0])} is in no name" if strange else ""
 
 
 def is_name(text: str) -> bool:

@@ -10,12 +10,12 @@ from typing import Any, BinaryIO
 
 from sympy import Expr
 
-from ..algebra.inputs import LINE, is_name, json_object
+from ..algebra.inputs import LINE, json_object, name_of
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError, brief
+from ..mechanics.families import called, in_a_field, in_words
 from ..printing.files import moved, replaceable
 from .asked import Asked, asked_of
-from .equilibria import labels
 from .options import one_spin, unless_given
 from .output import printed
 
@@ -87,21 +87,19 @@ def question(line: bytes, given: argparse.Namespace,
     own = json_object(line)
     point = None if "equilibrium" in own else given.point
     potential, label = own.pop("potential", given.potential), own.pop("equilibrium", given.equilibrium)
-    if (
-        not isinstance(potential, str | None)
-        or not isinstance(label, str | None)
-        or label not in (None, *labels())
-    ):
+    family = called(label, in_a_field()) if isinstance(label, str) else None
+    if not isinstance(potential, str | None) or label is not None and family is None:
         raise ValuesError(f"potential = {brief(potential)}, equilibrium = {brief(label)}: a potential is a "
-                          "text in the grammar of "
-                          f"--potential, an equilibrium one of {', '.join(labels())}")
-    if wrong := [name for name in own if not is_name(name)]:
+                          f"text in the grammar of --potential, an equilibrium {in_words(in_a_field())}")
+    if wrong := [name for name in own if not name_of(name)]:
         raise ValuesError(f"{brief(wrong[0])} is not a name: write {{\"I1\": 1.6}}")
-    numbers = {name: exact_number(value, name) for name, value in own.items()}
+    numbers = {name_of(name): exact_number(value, name) for name, value in own.items()}
+    if len(numbers) < len(own):
+        raise ValuesError(f"{brief(', '.join(own))[1:-1]} gives a name twice: give it once")
     one_spin(numbers)
     numbers = unless_given(defaults, numbers) | numbers
     own_scene = argparse.Namespace(**{**vars(given), "potential": potential, "point": point})
-    return asked_of(own_scene, numbers), label, numbers
+    return asked_of(own_scene, numbers), None if family is None else family.asked_for, numbers
 
 
 class Kept:

@@ -4,7 +4,7 @@ from typing import TypeVar
 
 from sympy import Expr
 
-from ..algebra.inputs import is_name
+from ..algebra.inputs import name_of, unknown_letter
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError, brief
 
@@ -17,11 +17,10 @@ def numbers_of(settings: Sequence[str]) -> dict[str, Expr]:
     """The numbers of --set NAME=VALUE."""
     numbers: dict[str, Expr] = {}
     for setting in settings:
-        name, equals, value = setting.partition("=")
-        name = name.strip()
-        if not equals or not is_name(name):
-            raise ValuesError(f"--set {brief(setting)[1:-1]} is not NAME=VALUE: write, for example, --set "
-                              "I1=1.6")
+        typed, equals, value = setting.partition("=")
+        if not equals or "=" in value or value.endswith(",") or not (name := name_of(typed.strip())):
+            raise ValuesError(f"--set {brief(setting)[1:-1]} is not NAME=VALUE{unknown_letter(typed)}: "
+                              "write, for example, --set I1=1.6 l=1/2")
         if name in numbers:
             raise ValuesError(f"--set gives {name} twice: give it once")
         numbers[name] = exact_number(value, name)
@@ -41,11 +40,11 @@ def axis_of(option: str, text: str, form: str = "NAME=LOW:HIGH:COUNT",
 
     Its COUNT may be left out where the form has it in brackets.
     """
-    name, equals, values = text.partition("=")
-    name, ends = name.strip(), [value.strip() for value in values.split(":")]
-    if not equals or not is_name(name) or len(ends) not in {form.count(":") + 1, 2 if "[" in form else 0}:
-        raise ValuesError(f"{option} {brief(text)} is not {form}: write, for example, {option} "
-                          f"l=-2:2{':400' if 'COUNT' in form else ''}")
+    typed, equals, values = text.partition("=")
+    name, ends = name_of(typed.strip()), [value.strip() for value in values.split(":")]
+    if not equals or not name or len(ends) not in {form.count(":") + 1, 2 if "[" in form else 0}:
+        raise ValuesError(f"{option} {brief(text)} is not {form}{unknown_letter(typed)}: write, "
+                          f"for example, {option} l=-2:2{':400' if 'COUNT' in form else ''}")
     if ends[2:] and (not ends[2].isdecimal() or len(ends[2]) > 20 or not 2 <= int(ends[2]) <= LONGEST):
         raise ValuesError(f"{option} has the COUNT {brief(ends[2])[1:-1]}: give a whole number, 2 to "
                           f"{LONGEST}; one value goes to --set")

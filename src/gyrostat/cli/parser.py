@@ -4,11 +4,12 @@ import math
 import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
-from pkgutil import get_data
+from difflib import get_close_matches
 
-from ..mechanics.families import FAMILIES, in_a_field
+from ..mechanics.families import called, in_words, known_families, named
 from ..version import __version__
 from .carried import carried_out
+from .help import KINDS, PROGRAM, VERBS, Formatter, examples
 from .output import standard_streams, told
 from .scene_options import claimed_point, scene_file
 from .watch import signals
@@ -18,23 +19,13 @@ LIMIT = 60.0                                           # seconds of a verb, or o
 
 def parser() -> argparse.ArgumentParser:
     """The command line's grammar."""
-    labels, families = _families()
-    top = argparse.ArgumentParser(prog="gyrostat", description=(
-        "Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the "
-        "inequalities."),
-        epilog=_examples("report"), formatter_class=argparse.RawDescriptionHelpFormatter)
+    top = argparse.ArgumentParser(prog="gyrostat", description=PROGRAM, epilog=examples("report"),
+                                  formatter_class=Formatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
     report, conditions, decide, chart, motion, plot, verify = (
-        verbs.add_parser(name, help=text, epilog=_examples(name),
-                         formatter_class=argparse.RawDescriptionHelpFormatter) for name, text in (
-            ("report", "the whole derivation, and verdicts where numbers are set"),
-            ("conditions", "where each equilibrium exists, its conditions, and what decides between them"),
-            ("decide", "verdicts at numbers, of one body or of many"),
-            ("chart", "verdicts over a grid of parameters, as a picture or as data"),
-            ("motion", "the motion from a state on, as a table, data, a picture or an animation"),
-            ("plot", "polhodes, nutation, bifurcations, eigenvalues, …, as a picture"),
-            ("verify", "check published formulas against what is derived")))
+        verbs.add_parser(name, help=line, description=sentences, epilog=examples(name),
+                         formatter_class=Formatter) for name, (line, sentences) in VERBS.items())
     for verb, meaning in ((report, "with enough of them a verdict is added"),
                           (conditions, "put in the place of the name"),
                           (decide, "names of the moments, l, U and the motion"),
@@ -48,19 +39,15 @@ def parser() -> argparse.ArgumentParser:
                             "equilibrium exists and is stable; in closed form, or exact where --set gives "
                             "all other names")
     for verb in (report, conditions):
-        verb.add_argument("--equilibrium", action="append", choices=labels,
-                          help=f"{families}; may be repeated; left out: all that are known")
-    decide.add_argument("--equilibrium", choices=labels,
-                        help=f"{families}; left out: every relative equilibrium that the numbers "
-                        "allow")
+        _equilibrium(verb, "may be repeated; left out: all that are known", "append")
+    _equilibrium(decide, "left out: every relative equilibrium that the numbers allow")
     decide.add_argument("--batch", metavar="FILE",
                         help="an object of numbers in each line, - for standard input; "
                         "--set gives numbers for all lines")
     decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start",
                         help="the line of the batch to begin with, to go on "
                         "after an interruption; left out: 1")
-    chart.add_argument("--equilibrium", choices=labels,
-                       help=f"{families}; left out: of a free body axis 3")
+    _equilibrium(chart, "left out: of a free body axis 3")
     for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"),
                          ("--y", "the vertical axis")):
         chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
@@ -88,31 +75,37 @@ def parser() -> argparse.ArgumentParser:
     return top
 
 
-def _families() -> tuple[tuple[str, ...], str]:
-    """The families that are asked for, and the names of those in a field as a list in words."""
-    *others, last = (family.name for family in in_a_field())
-    asked_for = tuple(family.asked_for for family in FAMILIES.values() if family.asked_for)
-    return asked_for, f"{', '.join(others)} or {last}, or a principal rotation of a free body"
+def _equilibrium(verb: argparse.ArgumentParser, left_out: str, action: str = "store") -> None:
+    """The equilibria, by their labels or by the words of the field."""
+    families = known_families()
+    verb.add_argument("--equilibrium", action=action, type=_label, choices=tuple(named(families)),
+                      metavar="NAME", help=f"{in_words(families)}; {left_out}")
 
 
-def _examples(verb: str) -> str:
-    """What stands below the help of a verb, as it is typed; from a folder, or from part of an archive."""
-    return (get_data(__package__, f"examples/{verb}.txt") or b"").decode()
+def _label(text: str) -> str:
+    """What the equilibrium of a name is asked for."""
+    families = known_families()
+    if (family := called(text, families)) is None:
+        near = get_close_matches(text.lower(), list(named(families)), 1)
+        raise argparse.ArgumentTypeError(f"{text} is no equilibrium: "
+                                         f"{f'did you mean {near[0]}? ' if near else ''}"
+                                         f"give {in_words(families)}")
+    return family.asked_for
 
 
 def _scene(verb: argparse.ArgumentParser, meaning: str,
            potential: str = "none for a free body; left out: U unspecified") -> None:
     """A field and numbers."""
     verb.add_argument("--potential", metavar="EXPR",
-                      help="U in k3, or k1, k2, k3, and parameters: names, numbers, + - * / **, "
+                      help="U in k3, or k1, k2, k3, and parameters: names, numbers, + - * / ^, "
                       f"parentheses, sqrt, exp, log, sin, …; {potential}")
     scene_file(verb)
     _numbers(verb, meaning)
 
 
 def _numbers(verb: argparse.ArgumentParser, meaning: str) -> None:
-    verb.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", dest="values",
-                      help=f"a number, exact: I1=1.6, l=1/2, k3='sqrt(3)/2'; {meaning}")
+    verb.add_argument("--set", action="extend", nargs="+", default=[], metavar="NAME=VALUE", dest="values",
+                      help=f"numbers, exact: I1=1.6 l=1/2 k3='sqrt(3)/2'; {meaning}")
 
 
 def _motion(verb: argparse.ArgumentParser) -> None:
@@ -136,17 +129,8 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     """The pictures and what each needs."""
     kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
     sphere, nutation, well, branches, diagram, eigenvalues, cones = (
-        kinds.add_parser(name, help=text, description=text)
-        for name, text in (
-            ("momentum-sphere", "polhodes, separatrices and equilibria of a free body or gyrostat"),
-            ("nutation", "the path of the axis of the body on the sphere of directions"),
-            ("effective-potential", "V of a body of revolution in U(k3) on a level of its momenta"),
-            ("bifurcations", "k3 of all relative equilibria against a parameter"),
-            ("energy-momentum", "critical values of the energy and C1 at a fixed axial momentum"),
-            ("eigenvalues", "the spectrum of an equilibrium along a parameter"),
-            ("cones", "body cone and space cone of a free body of revolution"),
-        )
-    )
+        kinds.add_parser(name, help=line, description=sentences, formatter_class=Formatter)
+        for name, (line, sentences) in KINDS.items())
     scene_file(sphere)
     _numbers(sphere, "I1, I2, I3; l or l1, l2, l3")
     sphere.add_argument("--momentum", metavar="M", required=True, help="the radius, |M|")
@@ -161,9 +145,7 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
                           help="the parameter, omega or another name, and its range")
     _scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")
     _scene(eigenvalues, "all names in the spectrum but the axis")
-    labels, families = _families()
-    eigenvalues.add_argument("--equilibrium", choices=labels,
-                             help=f"{families}; left out: of a free body axis 3")
+    _equilibrium(eigenvalues, "left out: of a free body axis 3")
     claimed_point(eigenvalues)
     eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
                              help="the parameter, its range, either way, and how many values; "

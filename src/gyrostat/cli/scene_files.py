@@ -1,11 +1,11 @@
 """--scene FILE#NAME: the [scene.NAME] table of a file, in the place of the options that are left out."""
 import argparse
-import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from ..algebra.inputs import toml_of
+from ..algebra.inputs import name_of, toml_of
+from ..algebra.spelling import names_in
 from ..errors import GyrostatError, PublishedError, brief
 from ..mechanics.scene_tables import NONE, SceneTable, scene_tables
 from .options import SPINS, numbers_of, unless_given
@@ -61,8 +61,8 @@ def _table(place: str) -> Mapping[str, Any]:
     name = name or next(iter(tables))
     try:
         scene = SceneTable(tables[name])
-        _ = scene.system, scene.family                     # what is wrong in it is said of the file
-        return scene.table
+        _, family = scene.system, scene.family             # what is wrong in it is said of the file
+        return scene.table if family is None else {**scene.table, "equilibrium": family.asked_for}
     except GyrostatError as error:
         raise PublishedError(f"{path}: scene.{name}: {error}") from None
 
@@ -74,10 +74,10 @@ def _text(value: Any) -> str:
 
 def _names(texts: Iterable[Any]) -> set[str]:
     """What reads as a name in them."""
-    return {name for text in texts for name in re.findall(r"[^\W\d]\w*", _text(text))}
+    return {name for text in texts for name in names_in(_text(text))}
 
 
 def _axes(given: argparse.Namespace) -> list[str]:
     """The names of the axes."""
     texts = [getattr(given, "x", None), getattr(given, "y", None), *(getattr(given, "axis", None) or ())]
-    return [text.partition("=")[0].strip() for text in texts if text is not None]
+    return [name_of(text.partition("=")[0].strip()) for text in texts if text is not None]

@@ -9,6 +9,7 @@ from typing import Any
 
 from sympy import Expr
 
+from ..algebra.inputs import name_of
 from ..algebra.readable import readable
 from ..errors import EquilibriumError, GyrostatError, ScopeError
 from ..mechanics.families import FAMILIES
@@ -29,8 +30,8 @@ from .output import Output
 def run(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers: Mapping[str, Expr],
         out: Output) -> int:
     """Write the sets; 0."""
-    found, missing = of_each(labels,
-                             lambda label: [(label, *_solved(asked, label, given.solve_for, numbers))])
+    name = name_of(given.solve_for) or given.solve_for
+    found, missing = of_each(labels, lambda label: [(label, *_solved(asked, label, name, numbers))])
     if given.format == "json":
         out(json_text({"equilibria": [{"label": label} | solution_data(solution)
                                       for label, _, solution in found]
@@ -41,7 +42,7 @@ def run(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers:
         blocks += [Heading(label), *_family(report), *result_blocks(solution)]
     blocks += [block for m in missing for block in m.blocks()]
     if given.format == "latex":
-        out(article(f"Values of {given.solve_for} that stabilise".replace("_", r"\_"), blocks,
+        out(article(f"Values of {name} that stabilise".replace("_", r"\_"), blocks,
                     given.fragment))
     else:
         out(text(blocks))

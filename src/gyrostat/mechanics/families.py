@@ -4,6 +4,8 @@ free body.
 FAMILIES is the one list of them: a family that is added to it is known to the command line, to documents, to
 pictures and to published files. They are words: what makes an equilibrium of them is loaded when one is made.
 """
+from collections import Counter
+from collections.abc import Collection
 from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -35,6 +37,29 @@ POLES = {1: E1, -1: E2}
 FAMILIES = {family.label: family for family in (E1, E2, E3, E3_AT_REST, *PRINCIPAL)}
 
 
+def known_families() -> list[Family]:
+    """The families that are asked for by their label, of a body in a field or free."""
+    return [family for family in FAMILIES.values() if family.asked_for]
+
+
 def in_a_field() -> list[Family]:
     """The families that are asked for by their label, of a body in a field."""
-    return [family for family in FAMILIES.values() if family.asked_for and not family.free]
+    return [family for family in known_families() if not family.free]
+
+
+def named(families: Collection[Family]) -> dict[str, Family]:
+    """Families by what they are asked for, and by the word of the field where it is that of one of them."""
+    words = Counter(family.name for family in families)
+    return {**{family.asked_for: family for family in families},
+            **{family.name: family for family in families if words[family.name] == 1}}
+
+
+def called(text: str, families: Collection[Family]) -> Family | None:
+    """The family that a text names, in large or small letters; None if it names none."""
+    return {name.lower(): family for name, family in named(families).items()}.get(text.lower())
+
+
+def in_words(families: Collection[Family]) -> str:
+    """The names of families as a list in words: E1 or upright, E2 or hanging."""
+    names = named(families)
+    return ", ".join(" or ".join(name for name in names if names[name] is family) for family in families)

@@ -12,7 +12,7 @@ from ..errors import PublishedError, brief
 from ..kept import cached_property
 from ..notation import symbol
 from .body import Gyrostat
-from .families import FAMILIES
+from .families import called, in_words, known_families
 from .family import Family
 from .potential import Potential
 from .potentials import axial_potential, general_potential
@@ -68,13 +68,11 @@ class SceneTable:
 
     @cached_property
     def family(self) -> Family | None:
-        """The family of equilibria that the table asks for: E1, E2, E3, axis 1 and so on."""
-        asked = self.table.get("equilibrium")
-        known = {family.asked_for: family for family in FAMILIES.values() if family.asked_for}
-        if asked is not None and asked not in known:
-            *others, last = known
-            raise PublishedError(f"equilibrium = {brief(asked)}: give {', '.join(others)} or {last}")
-        return None if asked is None else known[asked]
+        """The family of equilibria that the table asks for: E1 or upright, axis 1 and so on."""
+        asked, families = self.table.get("equilibrium"), known_families()
+        if asked is not None and called(asked, families) is None:
+            raise PublishedError(f"equilibrium = {brief(asked)}: give {in_words(families)}")
+        return None if asked is None else called(asked, families)
 
     @cached_property
     def system(self) -> System:

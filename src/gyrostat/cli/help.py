@@ -1,0 +1,126 @@
+"""The words of the help: what each verb does, its examples, and both in the width of the terminal."""
+import argparse
+import re
+import shutil
+from functools import partial
+from pkgutil import get_data
+from textwrap import wrap
+
+WIDEST = 100                                           # columns of a text that is read
+PROGRAM = ("Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the "
+           "inequalities, to verdicts at numbers, charts and motions. Verdicts are exact or proved.")
+# of each verb: the line in the list of verbs, and what its help begins with
+VERBS = {
+    "report": (
+        "the whole derivation, and verdicts where numbers are set",
+        "Derives the stability of the equilibria of a body in a field, step by step: bracket, "
+        "equations of motion, linearisation, second variation, the necessary and the sufficient "
+        "condition, and what decides between them. With enough numbers a verdict is added."),
+    "conditions": (
+        "where each equilibrium exists, its conditions, and what decides between them",
+        "Gives the conditions of each equilibrium alone, without the derivation: where it exists, "
+        "the necessary and the sufficient one. With --solve-for it gives the values of one name for"
+        " which the equilibrium is stable."),
+    "decide": (
+        "verdicts at numbers, of one body or of many",
+        "Decides at numbers whether equilibria are stable, each verdict with its notion of "
+        "stability and its reason. Without --equilibrium it finds every relative equilibrium that "
+        "the numbers allow; with --batch it answers a file of bodies, line by line."),
+    "chart": (
+        "verdicts over a grid of parameters, as a picture or as data",
+        "Decides at every point of a grid of parameters, and writes a picture of two axes, or data "
+        "of any number of axes."),
+    "motion": (
+        "the motion from a state on, as a table, data, a picture or an animation",
+        "Follows the motion from a state: exactly, at any time, where the body is one of revolution"
+        " in U(k3) or free; integrated and checked otherwise."),
+    "plot": (
+        "polhodes, nutation, bifurcations, eigenvalues, …, as a picture",
+        "Draws one of the pictures below; each has its own options."),
+    "verify": (
+        "check published formulas against what is derived",
+        "Derives published formulas and claims anew and says of each whether it is confirmed, a "
+        "misprint, with a counterexample at numbers, or unchecked.")}
+KINDS = {
+    "momentum-sphere": (
+        "polhodes, separatrices and equilibria of a free body or gyrostat",
+        "Draws the momentum sphere of a free body or gyrostat: polhodes, separatrices and every "
+        "permanent rotation with its verdict."),
+    "nutation": (
+        "the path of the axis of the body on the sphere of directions",
+        "Draws the path of the axis of the body on the sphere of directions, between its limits."),
+    "effective-potential": (
+        "V of a body of revolution in U(k3) on a level of its momenta",
+        "Draws the effective potential V of a body of revolution in U(k3) on a level of its "
+        "momenta, with the relative equilibria in it."),
+    "bifurcations": (
+        "k3 of all relative equilibria against a parameter",
+        "Draws k3 of all relative equilibria against a parameter, with their verdicts and the "
+        "points where they meet or change stability."),
+    "energy-momentum": (
+        "critical values of the energy and C1 at a fixed axial momentum",
+        "Draws the energy-momentum diagram: the critical values of the energy and C1 at a fixed "
+        "axial momentum."),
+    "eigenvalues": (
+        "the spectrum of an equilibrium along a parameter",
+        "Draws the eigenvalues of an equilibrium along a parameter, and where they collide."),
+    "cones": (
+        "body cone and space cone of a free body of revolution",
+        "Draws the body cone rolling on the space cone of a free body of revolution.")}
+
+
+_COMMENT = re.compile(r"(?<=\S) {2,}")
+# an option stays with its value
+_WORD = re.compile(r'(?:--\S+ (?!--))?(?:"[^"]*"|\S)+')
+
+
+class Formatter(argparse.HelpFormatter):
+    """Sentences and examples in the width of the terminal, and no wider than a text is read."""
+
+    def __init__(self, prog: str):
+        super().__init__(prog, width=min(shutil.get_terminal_size().columns, WIDEST) - 2)
+
+    def _format_args(self, action: argparse.Action, default_metavar: str) -> str:
+        if action.nargs == "+":                        # NAME=VALUE [NAME=VALUE ...] is wider and says no more
+            return f"{action.metavar} ..."
+        return super()._format_args(action, default_metavar)
+
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        return "\n\n".join(map(partial(_part, width), text.split("\n\n")))
+
+
+def examples(verb: str) -> str:
+    """What stands below the help of a verb; from a folder, or from part of an archive."""
+    return (get_data(__package__, f"examples/{verb}.txt") or b"").decode().strip()
+
+
+def _part(width: int, part: str) -> str:
+    if part.startswith("examples:"):
+        return _typed(part, width)
+    return "\n".join(wrap(part, width, break_on_hyphens=False))
+
+
+def _typed(part: str, width: int) -> str:
+    """Examples, a command that is too long in several lines, its comment below where there is no room."""
+    title, *commands = re.sub(r" \\\n +", " ", part).split("\n")
+    roomy = all(len(line) <= width for line in commands if _COMMENT.search(line))
+    lines = [title]
+    for line in commands:
+        command, _, comment = _COMMENT.sub("\0", line.strip()).partition("\0")
+        shown = line if roomy else f"  {command}   {comment}".rstrip()
+        if len(shown) <= width:
+            lines.append(shown)
+        else:
+            below = wrap(comment, width, initial_indent=" " * 6, subsequent_indent=" " * 6)
+            lines += [*_continued(command, width), *below]
+    return "\n".join(lines)
+
+
+def _continued(command: str, width: int) -> list[str]:
+    r"""A command, broken between its options with \, as it may be typed."""
+    lines, line = list[str](), " "
+    for word in _WORD.findall(command):
+        if len(line) + 1 + len(word) > width - 2 and line.strip():
+            lines, line = [*lines, f"{line} \\"], " " * 5
+        line += f" {word}"
+    return [*lines, line]
