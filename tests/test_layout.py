@@ -138,7 +138,7 @@ def test_a_verdict_loads_no_view_and_no_numpy():
 
 
 @pytest.mark.parametrize("arguments", ["--version", "--help", "report --help", "plot cones --help",
-                                       "report --potential", "chart --axis"])
+                                       "report --potential", "chart --axis", "--print-completion bash"])
 def test_the_command_line_is_understood_without_mathematics(arguments):
     """Versions, help and bad options load nothing that a verb needs."""
     new = loaded(f"""

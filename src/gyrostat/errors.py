@@ -120,7 +120,8 @@ class MissingExtraError(GyrostatError, ImportError):
 _EXTRAS = {
     "fast": ("numba",), "charts": ("xarray", "dask", "distributed", "zarr", "netCDF4", "contourpy"),
     "plot": ("matplotlib",),
-    "interactive": ("plotly",), "trajectories": ("scipy",), "heyoka": ("heyoka",)}
+    "interactive": ("plotly",), "trajectories": ("scipy",), "heyoka": ("heyoka",),
+    "completion": ("shtab",)}
 
 
 def optional(module: str, extra: str) -> ModuleType:

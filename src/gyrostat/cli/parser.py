@@ -9,6 +9,7 @@ from difflib import get_close_matches
 from ..mechanics.families import called, in_words, known_families, named
 from ..version import __version__
 from .carried import carried_out
+from .completion import SHELLS, PrintCompletion
 from .help import KINDS, PROGRAM, VERBS, Formatter, examples
 from .output import standard_streams, told
 from .scene_options import claimed_point, scene_file
@@ -22,6 +23,9 @@ def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="gyrostat", description=PROGRAM, epilog=examples("report"),
                                   formatter_class=Formatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
+    top.add_argument("--print-completion", choices=SHELLS, action=PrintCompletion,
+                     help="a script with which the shell completes verbs, options and names of files; "
+                     "gyrostat[completion]")
     verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
     report, conditions, decide, chart, motion, plot, verify = (
         verbs.add_parser(name, help=line, description=sentences, epilog=examples(name),
