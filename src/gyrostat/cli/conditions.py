@@ -40,7 +40,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
     elif given.format == "latex":
         out(conditions_table(reports, given.fragment, after))
     else:
-        out(text([block for report in reports for block in conditions_blocks(report)] + after))
+        out(text([block for report in reports for block in conditions_blocks(report)] + after,
+                 out.width))
     return 0
 
 

@@ -31,7 +31,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
         out(json_text(answers_data(answers)))
     else:
         out(text([block for a in answers for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))]
-                 or [sentence(_NOWHERE)]))
+                 or [sentence(_NOWHERE)], out.width))
     return 0
 
 

@@ -1,6 +1,7 @@
 """Where a verb writes its results: standard output, or a file of a kind that is that of its name."""
 import errno
 import os
+import shutil
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
@@ -14,6 +15,9 @@ from ..printing.files import written
 
 PICTURES, FILMS = (".png", ".pdf", ".svg"), (".gif", ".mp4")
 EXTRAS = dict.fromkeys((*PICTURES, *FILMS), ("matplotlib", "plot")) | {".nc": ("netCDF4", "charts")}
+
+
+NARROWEST, WIDTH = 60, 100                             # columns of a text; of one that goes to no terminal
 
 
 class Output:
@@ -39,6 +43,13 @@ class Output:
             new = self.stack.enter_context(written(self.path))
             self.file = self.stack.enter_context(open(new, "w", encoding="utf-8"))  # noqa: SIM115
         self.file.write(text)
+
+    @property
+    def width(self) -> int:
+        """The columns of a text: those of the terminal it goes to, 100 in files and pipes."""
+        if self.path is not None or not on_terminal():
+            return WIDTH
+        return max(NARROWEST, shutil.get_terminal_size().columns)
 
     def noted(self, note: str) -> None:
         """What is unusual, if anything, to standard error: a picture has no place for it."""

@@ -50,5 +50,5 @@ def run(given: argparse.Namespace, out: Output) -> int:
         for report, decision in zip(reports, decisions):
             blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision
                                                else [])
-        out(text(blocks + after))
+        out(text(blocks + after, out.width))
     return 0

@@ -45,7 +45,7 @@ def run(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers:
         out(article(f"Values of {name} that stabilise".replace("_", r"\_"), blocks,
                     given.fragment))
     else:
-        out(text(blocks))
+        out(text(blocks, out.width))
     return 0
 
 

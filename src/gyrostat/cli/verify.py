@@ -22,7 +22,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     elif given.format == "latex":
         out(errata.latex(findings, given.fragment))
     else:
-        out(listing.text(findings) + _summary(findings) + "\n")
+        out(listing.text(findings, out.width) + _summary(findings) + "\n")
     return int(any(f.status != f.expected for f in findings))
 
 

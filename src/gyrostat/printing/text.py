@@ -1,4 +1,4 @@
-"""What print shows of every public object, and whole documents, in Unicode of 100 columns."""
+"""What print shows of every public object, and whole documents, in Unicode."""
 import re
 from collections.abc import Iterable
 from functools import singledispatch
@@ -24,6 +24,10 @@ from .blocks import Block, Display, Heading, Sentence, Word
 from .conditions import comparison, trivial
 from .document import point_blocks, report_blocks, scene_blocks
 from .unicode import matrix_lines, unicode
+
+# columns of a sentence that is read, and of a formula in it that stays on one line
+READ, SHORT = 100, 36
+NO_BREAK = "\u00a0"
 
 
 @singledispatch
@@ -123,7 +127,10 @@ def _row(values: Iterable[Expr]) -> str:
 
 
 def text(blocks: Iterable[Block], width: int = 100) -> str:
-    """The document in Unicode, no line longer than the width unless one term of a formula is."""
+    """The document in Unicode, no line longer than the width unless one term of a formula is.
+
+    Sentences are no wider than is read, and short formulas in them are left whole.
+    """
     lines: list[str] = []
     for block in blocks:
         if isinstance(block, Heading):
@@ -131,11 +138,19 @@ def text(blocks: Iterable[Block], width: int = 100) -> str:
                 ["", block.title, "═" * len(block.title)] if block.level == 1 else ["", f"  {block.title}"]
             )
         elif isinstance(block, Sentence):
-            lines += wrap("".join(_inline(part, block.at) for part in block.parts), width,
-                          initial_indent="  ", subsequent_indent="  ", break_long_words=False)
+            sentence = "".join(_whole(part, block.at) for part in block.parts)
+            lines += [line.replace(NO_BREAK, " ") for line in wrap(
+                sentence, min(width, READ), initial_indent="  ", subsequent_indent="  ",
+                break_long_words=False)]
         else:
             lines += _displayed(block, width)
     return "\n".join(lines).strip("\n") + "\n"
+
+
+def _whole(part: Any, at: Any) -> str:
+    """A part of a sentence, in which no line ends if it is a short formula."""
+    shown = _inline(part, at)
+    return shown if isinstance(part, str) or len(shown) > SHORT else shown.replace(" ", NO_BREAK)
 
 
 def _inline(part: Any, at: Any) -> str:

@@ -68,7 +68,7 @@ def place(finding: Finding) -> Any:
     return eq.at if eq and eq.system.potential else None
 
 
-def text(findings: Iterable[Finding], width: int = 110) -> str:
+def text(findings: Iterable[Finding], width: int = 100) -> str:
     """A table by source, each misprint with what is derived and its counterexample."""
     lines: list[str] = []
     for _, group in groupby(findings, key=lambda f: f.statement.file):
@@ -78,8 +78,8 @@ def text(findings: Iterable[Finding], width: int = 110) -> str:
         size = max(len(f.statement.key) for f in found)
         for f in found:
             unexpected = "" if f.status == f.expected else f"   ← expected: {f.expected}"
-            lines.append(f"  {_MARK[f.status]} {f.status:<10} {f.statement.key:<{size}}  "
-                         f"{f.statement.where}{unexpected}")
+            lines += wrap(f"  {_MARK[f.status]} {f.status:<10} {f.statement.key:<{size}}  "
+                          f"{f.statement.where}{unexpected}", width, subsequent_indent=" " * 15)
             lines += [] if f.status == "confirmed" else _details(f, width)
         lines.append("")
     return "\n".join(lines)

@@ -1,0 +1,56 @@
+"""Documents in the width of the terminal."""
+import pytest
+from commands import run
+
+from gyrostat.cli import output
+from gyrostat.cli.output import Output
+
+SCENE = ["--potential", "m0*k3", "--equilibrium", "E1"]
+
+
+@pytest.fixture
+def terminal(monkeypatch):
+    """Standard output as a terminal of some columns."""
+    def opened(columns):
+        monkeypatch.setattr(output, "on_terminal", lambda: True)
+        monkeypatch.setenv("COLUMNS", str(columns))
+    return opened
+
+
+@pytest.mark.parametrize(("columns", "widest"), [(40, 60), (60, 60), (80, 80), (140, 100)])
+@pytest.mark.parametrize("arguments", [
+    ("report", *SCENE), ("conditions",), ("conditions", *SCENE, "--solve-for", "l"),
+    ("decide", *SCENE, "--set", "I1=1", "l=1", "m0=1", "pi3_0=1")])
+def test_documents_fit_the_terminal(capsys, terminal, columns, widest, arguments):
+    """Nothing is narrower than 60, no sentence wider than is read; the words are the same."""
+    verb, *given = arguments
+    _, wide, _ = run(capsys, *given, verb=verb)
+    terminal(columns)
+    _, fitted, _ = run(capsys, *given, verb=verb)
+    assert max(map(len, fitted.splitlines())) <= widest
+    assert ("J₁₂ = " in fitted) == (widest <= 60 and verb == "report")       # a matrix that does not fit
+    if verb != "report":
+        assert fitted.split() == wide.split()
+
+
+def test_files_and_pipes_have_a_width_of_their_own(capsys, terminal, tmp_path):
+    """Whatever the terminal is."""
+    _, piped, _ = run(capsys, *SCENE)
+    terminal(60)
+    assert run(capsys, *SCENE, "--output", str(tmp_path / "e1.txt"))[0] == 0
+    assert (tmp_path / "e1.txt").read_text(encoding="utf-8") == piped
+    assert Output(None).width == 60 and Output("e1.txt").width == 100
+
+
+def test_short_formulas_are_left_whole(capsys, terminal):
+    """No line ends in √(−I₁ m₀)."""
+    terminal(60)
+    _, out, _ = run(capsys, *SCENE[:3], "E2", "--solve-for", "l", verb="conditions")
+    assert out.count("2 √(−I₁ m₀)") == 2 and "or l ≥\n  2 √" in out
+
+
+def test_findings_fit_the_terminal(capsys, terminal):
+    """Of verify, of which only formulas without a blank are wider."""
+    terminal(60)
+    _, out, _ = run(capsys, "literature", verb="verify")
+    assert max(map(len, out.splitlines()[:-1])) <= 60
