@@ -14,8 +14,8 @@ _PRIMES = "′″‴"
 _DERIVATIVE = rf"U(?:[{_PRIMES}]|⁽[{_HIGH}]{{1,3}}⁾)(?:\(k[3₃]\))?|∂[₁₂₃]{{1,9}}U"
 # a superscript 0 marks the value at the equilibrium: of π₃ and ω₃, as they are printed
 _AT = rf"(?:(?<=[πω][123₁₂₃])⁰(?![{_HIGH}]))?"
-NAME = (rf"(?:{_DERIVATIVE}|(?:[A-Za-z][A-Za-z0-9_]*|[{_GREEK}])"
-        rf"(?:[0-9_{_LOW}]|(?<=_)(?:[{_GREEK}]|[A-Za-z]+))*{_AT})")
+NAME = (rf"(?:{_DERIVATIVE}|(?:[A-Za-z][A-Za-z0-9_]*+|[{_GREEK}])"
+        rf"(?:[0-9_{_LOW}]|(?<=_)(?:[{_GREEK}]|[A-Za-z]++))*{_AT})")
 RAISED = rf"[{_HIGH}]+"
 # each sign that is read beside its own
 SIGNS = {"^": "**", "·": "*", "⋅": "*", "−": "-"}

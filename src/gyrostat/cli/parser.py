@@ -20,7 +20,7 @@ LIMIT = 60.0                                           # seconds of a verb, or o
 
 def parser() -> argparse.ArgumentParser:
     """The command line's grammar."""
-    top = argparse.ArgumentParser(prog="gyrostat", description=PROGRAM, epilog=examples("report"),
+    top = argparse.ArgumentParser(prog="gyrostat", description=PROGRAM, epilog=examples("gyrostat"),
                                   formatter_class=Formatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     top.add_argument("--print-completion", choices=SHELLS, action=PrintCompletion,
