@@ -157,15 +157,21 @@ def test_spin_and_eliminated_name(capsys, file):
     assert out == run(capsys, "--equilibrium", "E1", "--spin", "omega3_0", verb="conditions")[1]
     status, _, err = run(capsys, *any_field)
     assert status == 2 and "d2U" in err
+    numbers = [f"--set={s}" for s in ("I1=1", "I3=2", "l=0", "dU=1", "pi3_0=3")]
+    found = run(capsys, *any_field, "--equilibrium", "E1", *numbers, verb="decide")
+    assert found == run(capsys, "--equilibrium", "E1", *numbers, verb="decide") and found[0] == 0
 
 
-def test_a_motion_leaves_the_numbers_of_the_point_aside(capsys, file, monkeypatch):
-    """w is of the point alone; a verb that takes no point does without it."""
+def test_a_motion_leaves_the_numbers_of_an_equilibrium_aside(capsys, file, monkeypatch):
+    """w is of the point alone, the spin of E1; a verb that takes neither does without them."""
     monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
     status, out, _ = run(capsys, "--scene", f"{file}#general", "--until", "1/10", "--count", "2",
                          verb="motion")
     assert status == 0 and "# gyrostatic_momentum = (0, 0, 1/2)\n" in out
     assert "# state = (1/10, 0, 5, 3/5, 0, 4/5)\n" in out
+    status, out, _ = run(capsys, "--scene", f"{file}#top", "--state", "0,0,1,0.6,0,0.8", "--until", "1",
+                         verb="motion")
+    assert status == 0 and "# inertia = (1, 1, 8/5)\n" in out
 
 
 def test_a_file_with_one_scene_needs_no_name(capsys, tmp_path):

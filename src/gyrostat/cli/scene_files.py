@@ -38,6 +38,8 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
     if SPINS & names:
         asked.pop("spin", None)
     left = _names(table[name] for name in TEXTS if name in table and name not in asked)
+    if "equilibrium" in table and "equilibrium" not in options:
+        left |= SPINS                                  # of E1 or E2, which the verb does not ask for
     kept = _names(str(x) for x in (*asked.values(), *(options.get(name) for name in TEXTS)))
     values = unless_given(table.get("values", {}), names | (left - kept))
     return argparse.Namespace(**{**options, **asked, "values": [
