@@ -13,8 +13,8 @@ def test_a_false_claim_is_refused_with_its_residual(scene):
     """The components that do not vanish are named and shown."""
     heavy = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     with pytest.raises(EquilibriumError,
-                       match=r"E0 is not an equilibrium: dpi2/dt = -m0\. Check the point, or pass the "
-                             r"relation"):
+                       match=r"E0 is not an equilibrium: dpi2/dt = -m0\. Check the point, or in "
+                             r"Python pass the relation"):
         gs.equilibrium(heavy, (0, 0, 0, 1, 0, 0), label="E0")
     with pytest.raises(EquilibriumError, match="dpi1/dt = .*dk1/dt"):
         gs.equilibrium(scene, (0, 1, 2, 0, Rational(3, 5), Rational(4, 5)))
