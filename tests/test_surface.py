@@ -228,7 +228,7 @@ def enum_class(what):
 def test_imports_in_documents_are_public():
     """README, docs and notebooks import gyrostat and its namespaces only, and public names from them."""
     root = Path(__file__).parents[1]
-    for path in (root / "README.md", *root.glob("docs/*.md"), *root.glob("notebooks/*.ipynb")):
+    for path in (root / "README.md", *root.glob("docs/**/*.md"), *root.glob("notebooks/*.ipynb")):
         text = path.read_text(encoding="utf-8")
         for module, names in re.findall(r"from (gyrostat[\w.]*) import ([^\n\"\\]+)", text):
             home = gs if module == "gyrostat" else getattr(gs, module.removeprefix("gyrostat."), None)

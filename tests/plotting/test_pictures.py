@@ -9,8 +9,8 @@ import matplotlib
 import pytest
 from PIL import Image
 
-PAGE = Path(__file__).parents[2] / "docs" / "pictures.md"
-SHOWN = re.findall(r"!\[[^\]]+\]\(([\w-]+\.\w+)\)", PAGE.read_text(encoding="utf-8"))
+PAGE = Path(__file__).parents[2] / "docs" / "gallery" / "index.md"
+SHOWN = re.findall(r"!\[[^\]]+\]\(\.\./images/([\w-]+\.\w+)\)", PAGE.read_text(encoding="utf-8"))
 BLOCKS = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
 
 
@@ -18,7 +18,7 @@ def test_every_picture_has_its_block():
     """The picture that is shown is the one that the block after it writes; it is there, and small."""
     assert len(SHOWN) == len(BLOCKS)
     for name, block in zip(SHOWN, BLOCKS):
-        assert f'"{name}"' in block and 1000 < (PAGE.parent / name).stat().st_size < 150_000
+        assert f'"{name}"' in block and 1000 < (PAGE.parents[1] / "images" / name).stat().st_size < 150_000
 
 
 @pytest.mark.slow
@@ -33,7 +33,7 @@ def test_the_blocks_run_as_shown(name, block, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
     exec(block, names)
-    with Image.open(tmp_path / name) as ours, Image.open(PAGE.parent / name) as shown:
+    with Image.open(tmp_path / name) as ours, Image.open(PAGE.parents[1] / "images" / name) as shown:
         assert ours.size == shown.size
     for kind in ("pdf", "svg"):
         names["figure"].savefig(tmp_path / f"picture.{kind}")

@@ -134,7 +134,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
 
     References
     ----------
-    The exponents on a boundary: docs/stability.md.
+    The exponents on a boundary: docs/explanation/stability.md.
 
     Examples
     --------
