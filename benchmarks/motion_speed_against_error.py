@@ -259,7 +259,7 @@ def main():
                       and not panels}
             rows = measured(case, t, ours(case) | others, truth, given.limit, known, rounds)
             panels.append((case, label, rows))
-            say(f"### {case.name}, {label}", "", f"Reference: {source}.", "",
+            say(f"## {case.name}, {label}", "", f"Reference: {source}.", "",
                 *table(case, rows, given.limit), "")
             wrong += failures(case, rows) if given.quick else []
     say(*short_table(panels), "", *checks(list({case.name: case for case, _, _ in panels}.values()), wrong),

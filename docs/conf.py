@@ -1,0 +1,77 @@
+"""The site: sphinx-build -W -b html docs build/site, with the extra docs."""
+import sys
+from pathlib import Path
+from shutil import copytree
+
+from sphinx.application import Sphinx
+
+import gyrostat as gs
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE))                          # command_line, the directive
+
+project = "gyrostat"
+author = "The gyrostat developers"
+version = release = gs.__version__
+
+extensions = [
+    "command_line",
+    "myst_nb",
+    "numpydoc",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "sphinx.ext.mathjax",
+    "sphinx-mathjax-offline",
+    "sphinx_copybutton",
+    "sphinx_design",
+]
+nitpicky = True
+templates_path = ["_templates"]
+
+autosummary_filename_map = {                           # spectrum and Spectrum are one file on some disks
+    f"gyrostat.{name}": f"gyrostat.{name}-class" for name in gs.__all__
+    if name != name.lower() and name.lower() in gs.__all__}
+autodoc_typehints = "none"                             # the types are in the docstrings
+numpydoc_show_class_members = False                    # autodoc shows them
+
+nb_execution_mode = "off"                              # their outputs are stored; CI runs them
+myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath", "html_image"]
+myst_heading_anchors = 4
+
+html_theme = "pydata_sphinx_theme"
+html_title = f"gyrostat {release}"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_theme_options = {
+    "header_links_before_dropdown": 6,
+    "show_toc_level": 2,
+    "footer_start": ["copyright"],
+    "footer_end": [],
+}
+copybutton_prompt_text = r">>> |\.\.\. |\$ "
+copybutton_prompt_is_regexp = True
+
+
+def pages_from_elsewhere() -> None:
+    """The notebooks and what the benchmarks measured are pages too, with links that hold in the site."""
+    for pattern, folder in (("notebooks/*.ipynb", "notebooks"), ("benchmarks/*.md", "measured"),
+                            ("benchmarks/*.png", "measured")):
+        (HERE / folder).mkdir(exist_ok=True)
+        for file in HERE.parent.glob(pattern):
+            page = HERE / folder / file.name
+            content = file.read_bytes().replace(b"](../docs/", b"](../").replace(b"](../benchmarks/", b"](../measured/")
+            if not page.exists() or page.read_bytes() != content:      # what is unchanged is not built again
+                page.write_bytes(content)
+
+
+def schemas_beside_their_page(app: Sphinx, error: Exception | None) -> None:
+    """A schema has an address that stays."""
+    if error is None:
+        copytree(HERE / "reference" / "schema", Path(app.outdir) / "reference" / "schema", dirs_exist_ok=True)
+
+
+def setup(app: Sphinx) -> None:
+    """What is done before and after the build."""
+    pages_from_elsewhere()
+    app.connect("build-finished", schemas_beside_their_page)
