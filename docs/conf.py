@@ -60,7 +60,8 @@ def pages_from_elsewhere() -> None:
         (HERE / folder).mkdir(exist_ok=True)
         for file in HERE.parent.glob(pattern):
             page = HERE / folder / file.name
-            content = file.read_bytes().replace(b"](../docs/", b"](../").replace(b"](../benchmarks/", b"](../measured/")
+            content = file.read_bytes().replace(b"](../docs/", b"](../")
+            content = content.replace(b"](../benchmarks/", b"](../measured/")
             if not page.exists() or page.read_bytes() != content:      # what is unchanged is not built again
                 page.write_bytes(content)
 

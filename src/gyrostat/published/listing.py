@@ -141,7 +141,7 @@ def number(value: Any) -> str:
 
 
 def to_json(findings: Iterable[Finding]) -> list[dict[str, Any]]:
-    """One object for each statement, as docs/reference/published.md describes."""
+    """One object for each statement, as docs/reference/formats.md describes."""
     return [{"source": f.statement.source, "key": f.statement.key, "where": f.statement.where,
              "quantity": f.statement.quantity,
              "kind": f.statement.kind, "printed": f.statement.printed,
