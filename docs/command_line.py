@@ -33,11 +33,18 @@ def section(verb: argparse.ArgumentParser, state: object) -> nodes.section:
     state.document.note_explicit_target(made)
     if verb.description:
         made += nodes.paragraph("", verb.description)
-    made += console(verb.format_usage().removeprefix("usage: "))
+    made += console(usage(verb))
     made += options(verb)
     if verb.epilog:
         made += console(verb.epilog)
     return made
+
+
+def usage(verb: argparse.ArgumentParser) -> str:
+    """The usage in lines that a telephone shows."""
+    formatter = verb.formatter_class(prog=verb.prog, width=44)
+    formatter.add_usage(verb.usage, verb._actions, verb._mutually_exclusive_groups, prefix="")
+    return formatter.format_help()
 
 
 def options(verb: argparse.ArgumentParser) -> nodes.definition_list:

@@ -26,23 +26,28 @@ extensions = [
     "sphinx_design",
 ]
 nitpicky = True
+smartquotes = False                                    # U'' and --set are written so
 templates_path = ["_templates"]
 
 autosummary_filename_map = {                           # spectrum and Spectrum are one file on some disks
     f"gyrostat.{name}": f"gyrostat.{name}-class" for name in gs.__all__
     if name != name.lower() and name.lower() in gs.__all__}
+autodoc_member_order = "bysource"
 autodoc_typehints = "none"                             # the types are in the docstrings
 numpydoc_show_class_members = False                    # autodoc shows them
 
 nb_execution_mode = "off"                              # their outputs are stored; CI runs them
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath", "html_image"]
+myst_dmath_double_inline = True                        # $$ within a paragraph, as notebooks have it
 myst_heading_anchors = 4
 
 html_theme = "pydata_sphinx_theme"
 html_title = f"gyrostat {release}"
+html_favicon = "_static/favicon.svg"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_copy_source = False
+html_sidebars = {"faq": [], "gallery/index": []}       # no pages below these
 html_theme_options = {
     "header_links_before_dropdown": 6,
     "show_toc_level": 2,
