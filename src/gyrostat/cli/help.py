@@ -77,8 +77,8 @@ _WORD = re.compile(r'(?:--\S+ (?!--))?(?:"[^"]*"|\S)+')
 class Formatter(argparse.HelpFormatter):
     """Sentences and examples in the width of the terminal, and no wider than a text is read."""
 
-    def __init__(self, prog: str):
-        super().__init__(prog, width=min(shutil.get_terminal_size().columns, WIDEST) - 2)
+    def __init__(self, prog: str, width: int | None = None):
+        super().__init__(prog, width=width or min(shutil.get_terminal_size().columns, WIDEST) - 2)
 
     def _format_args(self, action: argparse.Action, default_metavar: str) -> str:
         if action.nargs == "+":                        # NAME=VALUE [NAME=VALUE ...] is wider and says no more
