@@ -95,8 +95,8 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
     header = data.get("source")
     if not isinstance(header, dict) or not all(isinstance(header.get(field), str)
                                                for field in ("name", "title")):
-        raise PublishedError(f"{path}: has no [source] table with name and title: see the README for an "
-                             "example")
+        raise PublishedError(f"{path}: has no [source] table with name and title: docs/reference/published.md "
+                             "has an example")
     if unknown := set(data) - {"source", "scene", "formula", "expected"}:
         raise PublishedError(f"{path}: has the unknown tables {', '.join(sorted(unknown))}: a file has "
                              "source, scene, formula, expected")
@@ -107,7 +107,7 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
         or not isinstance(status, dict)
     ):
         raise PublishedError(f"{path}: formulas are [[formula]] tables, and what is expected one "
-                             "[expected] table: see the README")
+                             "[expected] table: see docs/reference/published.md")
     scenes = {"": Scene()}
     for name, entries in tables.items():
         with _at(path, f"scene.{name}"):
@@ -169,7 +169,7 @@ def _statement(path: Path | Traversable, header: Mapping[str, Any], scenes: Mapp
             wanted = _OPTIONAL.get(field, (str, list) if field in ("quantity", "printed") else str)
             if not isinstance(value, wanted) or not _texts(value):
                 raise PublishedError(f"{field} = {brief(value)} is a {type(value).__name__}: write it as "
-                                     "in the README's example")
+                                     "in the example of docs/reference/published.md")
         if not key.isprintable():
             raise PublishedError("key has more than one line: write a name")
         if entry["kind"] not in KINDS:
