@@ -95,8 +95,8 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
     header = data.get("source")
     if not isinstance(header, dict) or not all(isinstance(header.get(field), str)
                                                for field in ("name", "title")):
-        raise PublishedError(f"{path}: has no [source] table with name and title: docs/reference/published.md "
-                             "has an example")
+        raise PublishedError(f"{path}: has no [source] table with name and title: "
+                             "docs/reference/published.md has an example")
     if unknown := set(data) - {"source", "scene", "formula", "expected"}:
         raise PublishedError(f"{path}: has the unknown tables {', '.join(sorted(unknown))}: a file has "
                              "source, scene, formula, expected")
