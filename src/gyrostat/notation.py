@@ -87,10 +87,22 @@ def _table() -> Mapping[str, Entry]:
 
 
 NOTATION = _table()
-ORDER = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
+_PLACES = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
 PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1", "r", "p0", "mass1", "mass3"}
                        | {f"J{n}" for n in _ORDERS})    # the names of the table a body or a potential may use
 INTERNAL = frozenset({"nu1", "nu2", "nu3", "lamda"})   # names that a derivation introduces itself
+
+
+def order(name: str) -> tuple[int, str, int]:
+    """Where a name stands among others: as in the table, derivatives of U with U.
+
+    Parameters of the user before k, by name, a2 before a10.
+    """
+    if name in _PLACES:
+        return _PLACES[name], "", 0
+    place = _PLACES["d3U"] if jet(name) else _PLACES["k1"] - 1
+    word = name.rstrip("0123456789")
+    return place, word, int(name[len(word):] or 0)
 
 
 def of_the_motion(symbols: Iterable[Symbol]) -> list[str]:

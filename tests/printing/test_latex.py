@@ -1,5 +1,8 @@
 """LaTeX in the notation of the sources; every public object; documents that are complete."""
+import os
 import re
+import subprocess
+import sys
 
 import pytest
 from sympy import Matrix, symbols
@@ -69,6 +72,26 @@ def test_a_report_is_a_document(e1, e2, e3):
         assert document.count(r"\begin{equation}") == document.count(r"\end{equation}") > 20
         assert document.isascii()
     assert to_latex([e1, e2, e3]).count(r"\section*") == 5       # scene, three equilibria, references
+
+
+def test_products_are_written_as_the_papers_do():
+    """Numbers, moments, what is in the motion, parameters, k, sums and functions; so do the terms of a sum."""
+    a, b, I1, k3, omega = map(gs.symbol, ("a", "b", "I1", "k3", "omega"))
+    U = gs.axial_potential(a * k3 + b * k3**2)
+    assert to_latex(U) == "U = a k_3 + b k_3^{2}"
+    assert to_latex(I1 * omega**2 * k3 * a) == r"I_1 \omega^{2} a k_3"
+    assert to_latex(U.expression.diff(k3) * k3 * (1 - k3**2)) == (
+        r"k_3 \left(1 - k_3^{2}\right) \left(a + 2 b k_3\right)")
+
+
+def test_the_order_is_that_of_no_process():
+    """Another seed of the hashes, symbols made in another order: the same formula."""
+    code = ("import gyrostat as gs; d, k3, b, a = map(gs.symbol, ('d', 'k3', 'b', 'a')); "
+            "print(gs.to_latex(gs.analyze(gs.hanging(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential("
+            "d*k3**3 + b*k3**2 + a*k3))))))")
+    shown = {subprocess.run([sys.executable, "-c", code], env=os.environ | {"PYTHONHASHSEED": seed},
+                            capture_output=True, text=True, check=True).stdout for seed in "12"}
+    assert len(shown) == 1 and "a - 2 b + 3 d" in shown.pop()
 
 
 @pytest.mark.parametrize("potential", [

@@ -3,7 +3,7 @@
 from flint import fmpq_mpoly
 from sympy import Add, Expr, ImmutableMatrix, Mul, Pow, Symbol
 
-from ..notation import ORDER
+from ..notation import order
 from .polynomials import Ring, cancel
 
 
@@ -113,10 +113,10 @@ def _collected(ring: Ring, polynomial: fmpq_mpoly) -> Expr:
     return Add(*terms)
 
 
-def term_order(term: Expr) -> tuple[int, ...]:
+def term_order(term: Expr) -> tuple[tuple[int, str, int], ...]:
     """Where a term stands in a sum.
 
     Constants, then momenta, rates, parameters, k and U, as in notation.py.
     """
     symbols = {s for s in term.free_symbols if not s.is_positive} or term.free_symbols
-    return tuple(sorted(ORDER.get(s.name, len(ORDER)) for s in symbols))
+    return tuple(sorted(order(s.name) for s in symbols))

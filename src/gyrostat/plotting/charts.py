@@ -6,7 +6,7 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import ValuesError
-from ..notation import ORDER
+from ..notation import order
 from .looks import INK, LOOKS, axes_of, legend
 
 MODULO = {"the flow of pi3": "the spin"}                   # about the axis of the body
@@ -106,8 +106,7 @@ def caption(ds: Any) -> str:
     field = ds.attrs.get("potential_latex", "")
     name = ds.attrs["equilibrium"] + (f", $U = {field}$" if 0 < len(field) <= 60 and "dfrac" not in field
                                       else "")
-    names = sorted((name for name, c in ds.coords.items() if c.ndim == 0),
-                   key=lambda name: (ORDER.get(name, len(ORDER)), name))
+    names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=order)
     fixed = [f"${ds[name].attrs.get('latex', name)} = {_number(ds[name])}$" for name in names]
     rows = [", ".join(fixed[i:i + 6]) for i in range(0, len(fixed), 6)]
     return ": ".join([name, *([",\n".join(rows)] if rows else [])])
