@@ -76,7 +76,7 @@ def test_derivatives_print_with_their_argument():
 def test_parameters_of_the_user_are_typeset():
     """Greek letters and numbers are set, underscores are escaped."""
     assert typeset("alpha2") == r"\alpha_{2}" and typeset("mass_a") == r"\mathrm{mass\_a}"
-    assert typeset("m_0") != typeset("m0") and typeset("x_1") != typeset("x1")
+    assert typeset("mass_1") == r"\mathrm{mass\_1}" and typeset("m_0", style="text") == "m_0"
     assert typeset("c") == "c"
     assert typeset("beta", style="text") == "β"
     assert typeset("a1", style="text") == "a₁"
@@ -88,10 +88,14 @@ def test_parameters_of_the_user_are_typeset():
     ("delta_pi3", r"\delta \pi_3", "δπ₃"), ("Omega_b", r"\Omega_{b}", "Ω_b"), ("omega2", r"\omega_{2}", "ω₂"),
     ("mass1", r"\bar{m}_1", "mass₁"), ("mass3", r"\bar{m}_3", "mass₃"), ("p0", "p_0", "p₀"), ("r", "r", "r"),
     ("J3", "J_3", "J₃"),
-    ("J9", "J_9", "J₉"), ("J10", "J_{10}", "J₁₀"), ("spring_rate", r"\mathrm{spring\_rate}", "spring_rate")])
+    ("J9", "J_9", "J₉"), ("J10", "J_{10}", "J₁₀"), ("spring_rate", r"\mathrm{spring\_rate}", "spring_rate"),
+    ("alpha_1", r"\alpha_{1}", "α₁"), ("x_12", "x_{12}", "x₁₂"), ("delta_2", r"\delta_{2}", "δ₂"),
+    ("eta", r"\eta", "η"), ("I1_b", "I_{1,b}", "I₁_b"), ("c_phi2", r"c_{\phi_{2}}", "c_φ₂"),
+    ("pi_3", r"\mathrm{pi\_3}", "pi_3"), ("spring_2", r"\mathrm{spring}_{2}", "spring₂"),
+    ("alpha_", r"\mathrm{alpha\_}", "alpha_")])
 def test_names_are_typeset(name, latex, text):
-    """A rate has its dots, a variation its δ, a single letter or Greek name its subscript.
+    """A rate has its dots, a variation its δ, a single letter or Greek name its subscripts.
 
-    Masses keep apart from m1 = 3 g/r.
+    Masses keep apart from m1 = 3 g/r, names of the user from those of the table.
     """
     assert typeset(name) == latex and typeset(name, style="text") == text

@@ -179,30 +179,28 @@ GREEK = MappingProxyType({
     "sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω",
     "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ",
     "Psi": "Ψ", "Omega": "Ω"})
+# a letter or a word, its number, with or without _, and a subscript
+_NAME = re.compile(r"([A-Za-z]+?)(?:_?(\d+))?(?:_([A-Za-z][A-Za-z0-9]*))?")
 
 
 def _typeset_parameter(name: str, style: str) -> str:
-    """A user's parameter: greek letters and a trailing number are set, anything else stays upright."""
+    """A user's parameter: a letter or Greek name with its subscripts, a word upright, else as it is."""
+    latex = style == "latex"
     if rate := re.fullmatch(r"(\w+)_(d?dot)", name):        # a rate: one dot, or two in phi_ddot
         inner = _typeset_parameter(rate[1], style)
         dots = "\u0307" if rate[2] == "dot" else "\u0308"
-        return rf"\{rate[2]}{{{inner}}}" if style == "latex" else f"{inner[0]}{dots}{inner[1:]}"
-    if name.startswith("delta_"):                      # a variation
-        return (r"\delta " if style == "latex" else "δ") + typeset(name[6:], style=style)
-    if (subscript := re.fullmatch(r"([A-Za-z]+)_([A-Za-z]+)", name)) and (
-        subscript[1] in GREEK or len(subscript[1]) == 1
-    ):
-        below = _typeset_parameter(subscript[2], style) if subscript[2] in GREEK else subscript[2]
-        return _typeset_parameter(subscript[1], style) + (rf"_{{{below}}}" if style == "latex"
-                                                          else f"_{below}")
-    match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
-    if match is None:
-        return r"\mathrm{" + name.replace("_", r"\_") + "}" if style == "latex" else name
-    word, digits = match.groups()
-    if style != "latex":
-        return GREEK.get(word, word) + digits.translate(SUBSCRIPTS)
-    if word in GREEK:
-        word = "\\" + word
-    elif len(word) > 1:
-        word = rf"\mathrm{{{word}}}"
-    return f"{word}_{{{digits}}}" if digits else word
+        return rf"\{rate[2]}{{{inner}}}" if latex else f"{inner[0]}{dots}{inner[1:]}"
+    if name.startswith("delta_") and len(name) > 6 and not name[6:].isdecimal():          # a variation
+        return (r"\delta " if latex else "δ") + typeset(name[6:], style=style)
+    word, digits, below = match.groups("") if (match := _NAME.fullmatch(name)) else ("", "", "")
+    single = word in GREEK or len(word) == 1
+    # m_0 is not the m0 of the table
+    if not word or (below and not single) or (digits and f"_{digits}" in name and word + digits in NOTATION):
+        return r"\mathrm{" + name.replace("_", r"\_") + "}" if latex else name
+    if below and below.rstrip("0123456789") in GREEK:
+        below = _typeset_parameter(below, style)
+    if not latex:
+        return GREEK.get(word, word) + digits.translate(SUBSCRIPTS) + (f"_{below}" if below else "")
+    shown = "\\" + word if word in GREEK else word if single else rf"\mathrm{{{word}}}"
+    subscripts = ",".join(filter(None, (digits, below)))
+    return f"{shown}_{{{subscripts}}}" if subscripts else shown

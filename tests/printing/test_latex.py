@@ -75,7 +75,7 @@ def test_a_report_is_a_document(e1, e2, e3):
 
 
 def test_products_are_written_as_the_papers_do():
-    """Numbers, moments, what is in the motion, parameters, k, sums and functions; so do the terms of a sum."""
+    """Numbers, moments, what is in the motion, parameters, k, sums and functions; terms alike."""
     a, b, I1, k3, omega = map(gs.symbol, ("a", "b", "I1", "k3", "omega"))
     U = gs.axial_potential(a * k3 + b * k3**2)
     assert to_latex(U) == "U = a k_3 + b k_3^{2}"
