@@ -8,6 +8,7 @@ from gyrostat.algebra.numbers import exact_number
 from gyrostat.algebra.spelling import RELATIONS, SIGNS, spelled
 from gyrostat.errors import ExpressionError
 from gyrostat.notation import GREEK, NOTATION, jet_name, symbol, typeset
+from gyrostat.printing.names import Names
 from gyrostat.printing.unicode import unicode
 from gyrostat.published.comparisons import comparisons
 from gyrostat.published.language import read
@@ -96,4 +97,4 @@ def test_numbers_and_published_formulas_are_read_alike():
     names = {"a": symbol("a"), "omega": symbol("omega")}
     assert read("a·ω²", names) == symbol("a") * symbol("omega")**2
     assert comparisons("0 < a ≤ ω²", names) == comparisons("0 < a <= omega**2", names)
-    assert formula_of("√a ≥ ω²") == formula_of("sqrt(a) >= omega**2")
+    assert formula_of("√a ≥ ω²", Names()) == formula_of("sqrt(a) >= omega**2", Names())

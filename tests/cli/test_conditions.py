@@ -15,10 +15,10 @@ def test_conditions_and_fragments(capsys):
     _, out, _ = run(capsys, verb="conditions")
     assert "|k₃| < 1" in out and "E2" in out and "E3" in out
     _, out, _ = run(capsys, "--format", "latex", "--fragment", verb="conditions")
-    assert out.startswith("% needs amsmath and array\n" + r"\begin{tabular}")
+    assert out.startswith("% needs amsmath and array\n" + r"\begin{table}[htbp]")
     assert "E3" in out
     assert r"$-c_{3} \propto U'(1) + U''(1)$" in out
-    assert out.endswith("of an odd power at E3 both are unstable.\\par\n")
+    assert "of an odd power at E3 both are unstable." in out and out.endswith("\\end{table}\n")
     _, out, _ = run(capsys, "--equilibrium", "E1", "--format", "latex", "--fragment")
     assert r"\documentclass" not in out and r"\begin{equation}" in out
     for verb in ("report", "conditions"):

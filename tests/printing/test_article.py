@@ -1,17 +1,18 @@
-"""LaTeX documents: numbered equations that fit, references, fragments, tables of conditions."""
+"""LaTeX documents: numbered equations that fit, labels, symbols of a paper, references, fragments."""
 import re
 
 import pytest
 from sympy import symbols
 
 import gyrostat as gs
-from gyrostat.printing.article import LINE, NARROW, conditions_table, document
+from gyrostat.printing.article import LINE, NARROW, document, to_latex
 from gyrostat.printing.linebreaks import width
+from gyrostat.printing.names import Paper
 
 
 def displayed(tex):
     """The lines of all numbered equations."""
-    for body in re.findall(r"\\begin\{equation\} (.*?) \\end\{equation\}", tex):
+    for body in re.findall(r"\\begin\{equation\} (?:\\label\{\S*\} )?(.*?) \\end\{equation\}", tex):
         inner = re.fullmatch(r"\\begin\{aligned\}\[b\] (.*) \\end\{aligned\}", body)
         yield from (line.replace("& ", "", 1) for line in re.split(r" \\\\ ", inner[1])) if inner else [body]
 
@@ -35,7 +36,7 @@ def crowded():
 def test_every_equation_fits(e1, e3, crowded, fragment, limit):
     """No line of a display is wider than the column it is made for."""
     for reports in ([e1, e3], [crowded]):
-        lines = list(displayed(document(reports, fragment=fragment)))
+        lines = list(displayed(document(reports, paper=Paper(fragment=fragment))))
         assert len(lines) > 20 and all(shown_width(line) <= limit for line in lines)
 
 
@@ -53,36 +54,47 @@ def test_a_document_is_complete(e1, e3):
         assert part in tex
     assert tex.count(r"\item") == 5
     # every formula of a sentence has been set
-    assert not re.search(r"(?<![a-z])\{\}", tex)
+    assert not re.search(r"(?<![a-z@])\{\}", tex)
 
 
 def test_a_fragment_is_a_part(e1):
     """No preamble, and the works it cites in comments."""
-    tex = document([e1], fragment=True)
+    tex = document([e1], paper=Paper(fragment=True))
     assert r"\documentclass" not in tex
     assert r"\begin{document}" not in tex
     assert tex.startswith("% needs amsmath; it cites\n% A. M. Lyapunov")
 
 
-def test_conditions_table(e1, e3):
-    """One row for each condition, and where the family exists."""
-    tex = conditions_table([e1, e3], fragment=True)
-    assert r"E1 & necessary (spectral) & $(\pi_3^0 + l)^{2} \geq 4 I_1 U'(1)$" in tex
-    assert r"E3 & exists where & $\left|{k_3}\right| < 1$" in tex
-    assert r"\text{modulo the flow of } \pi_3" in tex
-    assert conditions_table([e1]).startswith(r"\documentclass")
+def test_results_have_labels(e1, e3):
+    """What is cited in a paper: each label once, below the prefix that is asked for."""
+    labels = re.findall(r"\\label\{(.*?)\}", to_latex([e1, e3], label="top:heavy"))
+    assert len(set(labels)) == len(labels) > 30 and all(label.startswith("top:heavy:") for label in labels)
+    assert {"top:heavy:E1:necessary", "top:heavy:E1:sufficient", "top:heavy:E3:linearised",
+            "top:heavy:scene:casimir-2", "top:heavy:E1:c4", "top:heavy:scene:symbols"} <= set(labels)
+    assert r"\label{gyrostat:E1:sufficient} \left(\pi_3^0 + l\right)^{2} > 4 I_1 U'(1)" in to_latex(e1)
+    with pytest.raises(gs.errors.ExpressionError, match="no label: write letters"):
+        to_latex(e1, label="a}b")
 
 
-def test_the_table_says_what_decides_between_the_two(e1, free):
-    """The first coefficient has the name, those after it have none, and below the table is what they mean.
+def test_a_paper_has_its_own_symbols(e1, e3):
+    """In every formula, matrix, sentence and derivative of U of a document; what it has not is refused."""
+    symbols = {"I1": "A", "I3": "C", "l": r"\sigma", "sigma": r"\rho", "U": "V", "k3": r"\gamma",
+               "pi3": "M_3", "vector_pi": "M", "vector_M": "G", "x": r"\xi"}
+    tex = to_latex([e1, e3], symbols=symbols)
+    assert not re.search(r"I_1|I_3|k_3|\\pi_3(?!\^0)|(?<![A-Za-z{])U(?!p)|\bx\b", tex)
+    for part in ("V'(1)", r"V''(\gamma)", r"\dot{M}_3 = 0", r"\dot{\gamma} =", r"A^2 \dot{\gamma}^2 = g",
+                 r"gyrostatic momentum $l$ = ($0$, $0$, $\sigma$), $G = M + l$", r"$A$ $>$ 0 & principal",
+                 r"$A = C,\ \sigma = 0,\ \omega \neq 0$", r"\partial\rho/\partial \gamma", r"c_3 \xi^3"):
+        assert part in tex, part
+    with pytest.raises(gs.errors.ValuesError, match=r"l and sigma would both be \\sigma: give one of them"):
+        to_latex(e3, symbols={"l": r"\sigma"})
+    with pytest.raises(gs.errors.ValuesError, match=r"has no parameter I_1: did you mean I1\?"):
+        to_latex(e1, symbols={"I_1": "A"})
 
-    Not where nothing is left between the two conditions.
-    """
-    rows = [line.split(" & ") for line in conditions_table([e1], fragment=True).splitlines() if " & " in line]
-    assert [row[:2] for row in rows] == [
-        ["E1", "necessary (spectral)"], ["", "sufficient (formal)"], ["", "between the two"],
-        ["", ""], ["", ""]]
-    assert [row[2][:6] for row in rows[2:]] == ["$-c_{3", "$-c_{4", "$-c_{5"]
-    assert "Between the two, $I_1^2" in conditions_table([e1])
-    spin = gs.analyze(gs.principal_rotation(free, 3))
-    assert "etween the two" not in conditions_table([spin])
+
+def test_what_the_symbols_are_stands_in_the_document(e1, e3):
+    """Those that occur, with U; positive ones as such."""
+    rows = dict(re.findall(r"(?m)^(.*) & (.*) \\\\$", to_latex(e1)))
+    assert rows["$I_1$ $>$ 0"] == "principal moment of inertia, axes 1 and 2"
+    assert rows["$U(k_3)$"] == "potential, any smooth function; $U', U''$ and so on are its derivatives"
+    assert r"$\omega$" not in rows and r"$\omega$ & rate about the vertical" in to_latex(e3)

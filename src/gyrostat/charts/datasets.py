@@ -10,6 +10,7 @@ from ..errors import optional
 from ..mechanics.equilibria import Equilibrium
 from ..notation import NOTATION, jet, typeset, units
 from ..printing.latex import tex
+from ..printing.names import Names
 from ..version import __version__
 from .codes import FLAGS
 from .request import Request
@@ -49,7 +50,7 @@ def variable_attributes(name: str, request: Request) -> dict[str, Any]:
     eq = request.report.equilibrium
     if name != "verdict":
         margin = request.all_margins[int(name.removeprefix("margin_"))]
-        return {"long_name": str(margin), "latex": tex(readable(margin), eq.at)}
+        return {"long_name": str(margin), "latex": tex(readable(margin), Names(), eq.at)}
     modulo = ", ".join(map(str, request.report.sufficient.modulo))
     return {"long_name": f"stability of {eq.label}",
             "flag_values": np.array(list(FLAGS.values()), dtype=np.int8),
@@ -79,6 +80,7 @@ def _attributes(eq: Equilibrium) -> dict[str, str]:
     )
     return {"Conventions": "CF-1.11", "title": f"Stability of {eq.label}", "equilibrium": eq.label,
             "potential": str(potential.expression) if potential else "none",
-            **({"potential_latex": tex(potential.expression)} if potential and potential.given else {}),
+            **({"potential_latex": tex(potential.expression, Names())}
+               if potential and potential.given else {}),
             **relations,
             **({"eliminated": eq.eliminated} if eq.eliminated else {}), "gyrostat_version": __version__}

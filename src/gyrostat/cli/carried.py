@@ -17,8 +17,10 @@ def carried_out(given: argparse.Namespace, limited: bool) -> int:
     """Run the verb, limited to its time in a process of its own; the exit status."""
     try:
         with Output(given.output) as out:
-            if getattr(given, "fragment", False) and given.format != "latex":
-                raise ValuesError(f"--fragment is for LaTeX, --format is {given.format}: add --format latex")
+            for option in ("fragment", "symbols", "label"):
+                if getattr(given, option, None) and given.format != "latex":
+                    raise ValuesError(f"--{option} is for LaTeX, --format is {given.format}: "
+                                      "add --format latex")
             if limited and given.timeout is not None and getattr(given, "batch", None) is None:
                 watched(given.verb, given.timeout, given.output)
             status = int(_loaded(given.verb, limited).run(given, out))

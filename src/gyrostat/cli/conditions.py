@@ -1,18 +1,17 @@
 """gyrostat conditions: where each equilibrium exists, its two conditions, and what decides between them."""
 import argparse
 
-from ..printing.article import conditions_table
-from ..printing.blocks import Block, Heading
-from ..printing.boundary import boundary_blocks
-from ..printing.conditions import criterion_blocks, existence
 from ..printing.data import conditions_data, json_text
+from ..printing.document import conditions_blocks
+from ..printing.symbols import occurring, symbol_rows
+from ..printing.tables import conditions_table
 from ..printing.text import text
-from ..stability.report import Report
 from ..stability.stabilizing import inserted
 from .asked import asked_of
 from .equilibria import known_names, labels_of, of_each, reports_of, some
 from .options import numbers_of
 from .output import Output
+from .paper import paper_of
 from .scene_files import with_scene
 from .solve_for import run as solve
 
@@ -38,17 +37,9 @@ def run(given: argparse.Namespace, out: Output) -> int:
         out(json_text({"equilibria": [conditions_data(report) for report in reports]
                        + [m.data() for m in missing]}))
     elif given.format == "latex":
-        out(conditions_table(reports, given.fragment, after))
+        out(conditions_table(reports, paper_of(given), after))
     else:
-        out(text([block for report in reports for block in conditions_blocks(report)] + after,
-                 out.width))
+        blocks = [block for report in reports for block in conditions_blocks(report)]
+        symbols = symbol_rows(reports[0].equilibrium.system, occurring(blocks))
+        out(text([*blocks, *after, symbols], out.width))
     return 0
-
-
-def conditions_blocks(report: Report) -> list[Block]:
-    """The conditions of one equilibrium."""
-    eq = report.equilibrium
-    return [Heading(eq.label), *(existence(d, eq.at) for d in eq.existence() if d.free_symbols),
-            *criterion_blocks("Necessary", report.necessary, eq.at),
-            *criterion_blocks("Sufficient", report.sufficient, eq.at),
-            *boundary_blocks(report)]

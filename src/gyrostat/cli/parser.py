@@ -69,6 +69,10 @@ def parser() -> argparse.ArgumentParser:
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")
         verb.add_argument("--fragment", action="store_true",
                           help="with --format latex: without preamble, for \\input")
+        verb.add_argument("--symbols", nargs="+", action="extend", default=[], metavar="NAME=LATEX",
+                          help="with --format latex: the symbols of a paper, I1=A I3=C 'l=\\sigma'")
+        verb.add_argument("--label", metavar="PREFIX",
+                          help="with --format latex: what labels begin with; left out: gyrostat")
     motion.add_argument("--precision", type=int, metavar="DIGITS",
                         help="of a table, any number of digits; left out: doubles")
     for verb in (report, conditions, decide, motion, *kinds, chart, verify):

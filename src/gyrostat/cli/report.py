@@ -5,13 +5,14 @@ from ..printing.article import article, document
 from ..printing.blocks import Block
 from ..printing.data import decision_data, json_text, report_data, scene_data
 from ..printing.decision import decision_blocks
-from ..printing.document import report_blocks, scene_blocks
+from ..printing.document import report_blocks, whole_blocks
 from ..printing.text import text
 from ..stability.report import Decision
 from .asked import asked_of, scene_of
 from .equilibria import enough, its_own, known_names, labels_of, of_each, reports_of
 from .options import numbers_of
 from .output import Output
+from .paper import paper_of
 from .scene_files import with_scene
 
 TITLE = "Equations of motion of a gyrostat"
@@ -43,12 +44,12 @@ def run(given: argparse.Namespace, out: Output) -> int:
                       for report, decision in zip(reports, decisions)]
         out(json_text(scene_data(scene) | {"equilibria": equilibria + [m.data() for m in missing]}))
     elif given.format == "latex":
-        out(document(reports, decisions, given.fragment, after) if reports
-            else article(TITLE, scene_blocks(scene) + after, given.fragment))
+        out(document(reports, decisions, paper_of(given), after) if reports
+            else article(TITLE, whole_blocks(scene, after), paper_of(given)))
     else:
-        blocks: list[Block] = scene_blocks(scene)
+        blocks: list[Block] = []
         for report, decision in zip(reports, decisions):
             blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision
                                                else [])
-        out(text(blocks + after, out.width))
+        out(text(whole_blocks(scene, blocks + after), out.width))
     return 0

@@ -25,6 +25,7 @@ from ..stability.stabilizing import stabilizing_set
 from .asked import Asked, scene_of
 from .equilibria import of_each, report_at
 from .output import Output
+from .paper import paper_of
 
 
 def run(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers: Mapping[str, Expr],
@@ -42,8 +43,8 @@ def run(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers:
         blocks += [Heading(label), *_family(report), *result_blocks(solution)]
     blocks += [block for m in missing for block in m.blocks()]
     if given.format == "latex":
-        out(article(f"Values of {name} that stabilise".replace("_", r"\_"), blocks,
-                    given.fragment))
+        title = f"Values of {name} that stabilise".replace("_", r"\_")
+        out(article(title, blocks, paper_of(given)))
     else:
         out(text(blocks, out.width))
     return 0

@@ -5,6 +5,7 @@ from ..charts.progress import Progress
 from ..printing.data import json_text
 from ..published import SOURCES, Finding, check, errata, listing
 from .output import Output
+from .paper import paper_of
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
@@ -20,7 +21,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.format == "json":
         out(json_text({"statements": listing.to_json(findings)}))
     elif given.format == "latex":
-        out(errata.latex(findings, given.fragment))
+        out(errata.latex(findings, paper_of(given)))
     else:
         out(listing.text(findings, out.width) + _summary(findings) + "\n")
     return int(any(f.status != f.expected for f in findings))

@@ -1,35 +1,24 @@
-"""Reports as LaTeX articles and fragments: sentences, numbered equations that fit the line, references.
-
-Tables of conditions.
-"""
-from collections.abc import Iterable, Sequence
+"""Reports as LaTeX articles and fragments: sentences, numbered equations that fit the line, references."""
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from sympy import MatrixBase
 
 from ..stability.report import Decision, Report
-from .blocks import Block, Display, Heading, Sentence, Word
-from .boundary import ladder, rung_display, undecided
-from .conditions import existence
+from .blocks import Block, Display, Heading, Rows, Sentence, Word
 from .decision import decision_blocks
-from .document import report_blocks, scene_blocks
+from .document import report_blocks, whole_blocks
 from .latex import RELATIONS, display, formula, tex
 from .linebreaks import broken, width
+from .names import PLAIN, Names, Paper
 from .references import cited
 
-_BETWEEN = "\n".join((
-    r"\par\smallskip\noindent Between the two, $I_1^2 \dot{k}_3^2 = c_3 x^3 + c_4 x^4 + \dots$, "
-    r"where $x \geq 0$ is the distance of",
-    r"$k_3$ from $\pm 1$, at E3 its deviation, and $\propto$ means up to a positive factor. "
-    r"The first coefficient that is not 0 decides. At E1",
-    r"and E2, and of an even power at E3: $-c_n > 0$ is stable, $-c_n < 0$ unstable; "
-    r"of an odd power at E3 both are unstable.\par",
-    ""))
 LINE, NARROW = 440.0, 315.0                                # points: a line of a document, of a fragment
-_COLUMNS = 0.13, 0.2, 0.56                                 # of a line: equilibrium, what, formula
+_SYMBOLS = 0.22, 0.72                                      # of a line: symbols, what they are
 
 
-def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (), fragment: bool = False,
+def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (), paper: Paper = PLAIN,
              after: Sequence[Block] = ()) -> str:
     """An article with the scene of the first report, every report, the decisions that go with them, and what
     comes after.
@@ -37,20 +26,22 @@ def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (
     A fragment has no preamble, fits a column of 12 cm, and names its references in comments.
     """
     given = list(reports)
-    blocks = scene_blocks(given[0].equilibrium.system)
+    blocks: list[Block] = []
     for report, decision in zip(given, list(decisions) or [None] * len(given)):
         blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision
                                            else [])
-    blocks += after
-    return article("Stability of the relative equilibria of a gyrostat", blocks, fragment)
+    blocks = whole_blocks(given[0].equilibrium.system, [*blocks, *after])
+    return article("Stability of the relative equilibria of a gyrostat", blocks, paper)
 
 
-def article(title: str, blocks: Sequence[Block], fragment: bool = False) -> str:
+def article(title: str, blocks: Sequence[Block], paper: Paper = PLAIN) -> str:
     """Blocks as an article or a fragment, with the works they cite."""
-    body = "\n".join(_block(block, NARROW if fragment else LINE) for block in blocks)
+    names, labels, limit = Names(paper.symbols), Labels(paper), NARROW if paper.fragment else LINE
+    body = "\n".join(block_latex(block, names, limit, labels) for block in blocks)
+    names.check(whole=True)
     works = cited([part for block in blocks if isinstance(block, Sentence)
                    for part in block.parts if isinstance(part, str)])
-    if fragment:
+    if paper.fragment:
         return "\n".join(["% needs amsmath" + ("; it cites" if works else ""),
                           *(f"% {_words(work)}" for work in works), body, ""])
     listed = "\n".join(rf"\item {_words(work)}" for work in works)
@@ -58,38 +49,20 @@ def article(title: str, blocks: Sequence[Block], fragment: bool = False) -> str:
     return preamble(title) + body + "\n" + references + "\\end{document}\n"
 
 
-def conditions_table(reports: Iterable[Report], fragment: bool = False, after: Sequence[Block] = ()) -> str:
-    """Where each equilibrium exists, its necessary and its sufficient condition, as a table.
+class Labels:
+    """The labels of a document, each once."""
 
-    Below it what comes after.
-    """
-    rows = []
-    for report in reports:
-        eq = report.equilibrium
-        exists = [("exists where", display(existence(d, eq.at))) for d in eq.existence() if d.free_symbols]
-        lines = [*exists, ("necessary (spectral)", formula(report.necessary)),
-                 ("sufficient (formal)", formula(report.sufficient)),
-                 *_between(report)]
-        rows += [
-            rf"{eq.label if n == 0 else ''} & {name} & ${_inline(line)}$ \\"
-            for n, (name, line) in enumerate(lines)
-        ] + [r"\hline"]
-    columns = "".join(rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" for width in _COLUMNS)
-    table = "\n".join((rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\end{tabular}", ""))
-    if "between the two" in table:
-        table += _BETWEEN
-    table += "".join(_block(block, NARROW) + "\n" for block in after)
-    if fragment:
-        return "% needs amsmath and array\n" + table
-    return preamble("Conditions for stability", ("array",)) + table + "\\end{document}\n"
+    def __init__(self, paper: Paper):
+        self.paper, self.part = paper, ""
+        self.given: Counter[str] = Counter()
 
-
-def _between(report: Report) -> list[tuple[str, str]]:
-    """The ladder between the two conditions, as rows."""
-    if not undecided(report) or report.boundary is None:
-        return []
-    rungs, _ = ladder(report.boundary)
-    return [("" if n else "between the two", display(rung_display(rung))) for n, rung in enumerate(rungs)]
+    def of(self, block: Display | Rows) -> str:
+        r"""The \label of a result, with its number where others have the same; "" for what has none."""
+        if not block.label:
+            return ""
+        name = ":".join(filter(None, (self.part, block.label)))
+        self.given[name] += 1
+        return " " + self.paper.labelled(name if self.given[name] == 1 else f"{name}-{self.given[name]}")
 
 
 def preamble(title: str, packages: Iterable[str] = ()) -> str:
@@ -103,40 +76,64 @@ def preamble(title: str, packages: Iterable[str] = ()) -> str:
                       ""))
 
 
-def _block(block: Block, limit: float) -> str:
+def block_latex(block: Block, names: Names, limit: float, labels: Labels | None = None) -> str:
+    """A block; without labels where none are asked for."""
     if isinstance(block, Heading):
+        if labels and block.level == 1:
+            labels.part = block.label
         return rf"\{'section' if block.level == 1 else 'subsection'}*{{{_words(block.title)}}}"
     if isinstance(block, Sentence):
-        return "".join(_words(part) if isinstance(part, str) else f"${_inline(tex(part, block.at))}$"
-                       for part in block.parts) + r"\par"
-    lines = _equations(block, limit)
-    listed = rf"The entries of ${tex(block.name, block.at)}$ that are not 0:\par" if len(lines) > 1 else ""
+        return sentence_latex(block, names)
+    label = labels.of(block) if labels else ""
+    if isinstance(block, Rows):
+        return _symbols(block, names, label)
+    lines = _equations(block, names, limit)
+    name = tex(block.name, names, block.at)
+    listed = rf"The entries of ${name}$ that are not 0:\par" if len(lines) > 1 else ""
     return "\n".join([*filter(None, [listed]),
-                      *(rf"\begin{{equation}} {line} \end{{equation}}" for line in lines)])
+                      *(rf"\begin{{equation}}{'' if n else label} {line} \end{{equation}}"
+                        for n, line in enumerate(lines))])
 
 
-def _equations(block: Display, limit: float) -> list[str]:
+def sentence_latex(block: Sentence, names: Names) -> str:
+    """Prose with its formulas."""
+    return "".join(_words(part) if isinstance(part, str) else f"${inline(tex(part, names, block.at))}$"
+                   for part in block.parts) + r"\par"
+
+
+def _symbols(block: Rows, names: Names, label: str) -> str:
+    """A table of two columns with a caption."""
+    columns = "".join(rf"p{{{width}\linewidth}}" for width in _SYMBOLS)
+    rows = [" & ".join(sentence_latex(Sentence(cell), names).removesuffix(r"\par") for cell in row) + r" \\"
+            for row in block.rows]
+    return "\n".join((r"\begin{table}[htbp]", rf"\caption{{{block.title}}}{label}",
+                      rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\hline",
+                      r"\end{tabular}", r"\end{table}"))
+
+
+def _equations(block: Display, names: Names, limit: float) -> list[str]:
     """The display, broken where it is too wide.
 
     A matrix that stays too wide by its entries that are not 0.
     """
-    whole = display(block)
+    whole = display(block, names)
     if width(whole) <= limit:
         return [whole]
-    name, relation = tex(block.name, block.at), RELATIONS.get(block.relation, block.relation)
+    name, relation = tex(block.name, names, block.at), RELATIONS.get(block.relation, block.relation)
     if not isinstance(block.value, MatrixBase) and width(name) > limit / 3:
         return [r"\begin{aligned}[b] & " + r" \\ & \quad ".join(broken(whole, limit)) + r" \end{aligned}"]
     if not isinstance(block.value, MatrixBase):
-        first, *rest = broken(f"{relation} {tex(block.value, block.at)}", limit - width(name))
+        first, *rest = broken(f"{relation} {tex(block.value, names, block.at)}", limit - width(name))
         return [rf"\begin{{aligned}}[b] {name} & {first} \\ "
                 + r" \\ ".join(rf"& \quad {line}" for line in rest) + r" \end{aligned}"]
     if width(whole) <= 1.2 * limit:
         return [rf"\text{{\footnotesize$\displaystyle {whole}$}}"]
+    base = f"{{{name}}}" if "_" in name else name
     return [line for i, row in enumerate(block.value.tolist(), 1) for j, entry in enumerate(row, 1) if entry
-            for line in _equations(Display(Word("", rf"{name}_{{{i}{j}}}"), entry, block.at), limit)]
+            for line in _equations(Display(Word("", rf"{base}_{{{i}{j}}}"), entry, block.at), names, limit)]
 
 
-def _inline(formula: str) -> str:
+def inline(formula: str) -> str:
     """A formula in a sentence: its parentheses do not keep it from being broken."""
     return formula.replace(r"\left(", "(").replace(r"\right)", ")")
 
@@ -156,13 +153,17 @@ def _words(text: str) -> str:
     return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}")
 
 
-def to_latex(obj: Any) -> str:
+def to_latex(obj: Any, symbols: Mapping[str, str] | None = None, label: str = "gyrostat") -> str:
     r"""LaTeX of a public object: a formula for everything but a report, which becomes a whole document.
 
     Parameters
     ----------
     obj : Expr, Condition, Criterion, Linearization, SecondVariation, System, Equilibrium, Report, …
         or a matrix, LiePoisson, Gyrostat, Potential, Decision; or a sequence of Report, for one document
+    symbols : mapping of str to str, optional
+        the LaTeX of names that a paper writes otherwise, one symbol each; U renames its derivatives too
+    label : str
+        what the labels of a document's equations begin with: gyrostat:E1:sufficient
 
     Returns
     -------
@@ -173,16 +174,27 @@ def to_latex(obj: Any) -> str:
     ------
     TypeError
         for anything else
+    ValuesError
+        two names would have one symbol, or a name does not occur in the document
+    ExpressionError
+        what is given for a name is not one symbol
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> print(gs.to_latex(gs.analyze(gs.upright(top)).sufficient))
+    >>> report = gs.analyze(gs.upright(top))
+    >>> print(gs.to_latex(report.sufficient))
     \left(\pi_3^0 + l\right)^{2} > 4 I_1 U'(1)
+    >>> print(gs.to_latex(report.sufficient, symbols={"I1": "A", "l": r"\sigma", "U": "V"}))
+    \left(\pi_3^0 + \sigma\right)^{2} > 4 A V'(1)
     """
+    paper = Paper(symbols or {}, label)
     if isinstance(obj, Report):
-        return document([obj])
+        return document([obj], paper=paper)
     if isinstance(obj, (list, tuple)) and obj and all(isinstance(report, Report) for report in obj):
-        return document(obj)
-    return formula(obj)
+        return document(obj, paper=paper)
+    names = Names(paper.symbols)
+    shown = formula(obj, names)
+    names.check()
+    return shown

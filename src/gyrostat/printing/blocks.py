@@ -6,7 +6,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Word:
-    r"""A name in both typesettings, such as π̇₁ and \dot\pi_1."""
+    r"""A name in both typesettings, such as π̇₁ and ⟨pi1_dot⟩, in LaTeX the names of symbols in ⟨ ⟩."""
 
     text: str
     latex: str
@@ -18,6 +18,7 @@ class Heading:
 
     title: str
     level: int = 1
+    label: str = ""
 
 
 @dataclass(frozen=True)
@@ -36,14 +37,25 @@ class Display:
     value: Any
     at: Any = None
     relation: str = "="
+    label: str = ""
 
 
-Block = Heading | Sentence | Display
-DOT = {f"{x}{i}": Word(f"{g}̇{'₀₁₂₃'[i]}", rf"\dot{{{t}}}_{i}")
-       for x, g, t in (("pi", "π", r"\pi"), ("k", "k", "k")) for i in (1, 2, 3)}
-VECTOR_FORM = {False: Word("π̇ = M × ω", r"\dot{\pi} = M\times\omega"), True: Word(
+@dataclass(frozen=True)
+class Rows:
+    """What symbols are: on the left formulas and texts of each, on the right its meaning."""
+
+    rows: tuple[tuple[tuple[Any, ...], tuple[Any, ...]], ...]
+    title: str = "Symbols and assumptions"
+    label: str = "symbols"
+
+
+Block = Heading | Sentence | Display | Rows
+DOT = {f"{x}{i}": Word(f"{g}̇{'₀₁₂₃'[i]}", f"⟨{x}{i}_dot⟩")
+       for x, g in (("pi", "π"), ("k", "k")) for i in (1, 2, 3)}
+VECTOR_FORM = {False: Word("π̇ = M × ω", r"⟨vector_pi_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩"), True: Word(
     "π̇ = M × ω + k × ∇U,  k̇ = k × ω",
-    r"\dot{\pi} = M\times\omega + k\times\nabla U,\quad \dot{k} = k\times\omega")}
+    r"⟨vector_pi_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩ + ⟨vector_k⟩\times\nabla ⟨U⟩,"
+    r"\quad ⟨vector_k_dot⟩ = ⟨vector_k⟩\times⟨vector_omega⟩")}
 
 
 def sentence(*parts: Any, at: Any = None) -> Sentence:

@@ -37,15 +37,15 @@ def boundary_blocks(report: Report) -> list[Block]:
     levels = {ENERGY: symbol("h"), V: symbol("C1"),
               P: eq.system.space.coordinates[2] + eq.system.body.gyrostatic_momentum[2]}
     levels |= {name: value for name, value in eq.relations if not value.free_symbols and name != K3}
-    motion = Word("I₁² k̇₃² = g", r"I_1^2 \dot{k}_3^2 = g")
+    motion = Word("I₁² k̇₃² = g", "⟨I1⟩^2 ⟨k3_dot⟩^2 = ⟨g⟩")
     blocks: list[Block] = [
         sentence(between, "the motion of ", K3, " by itself decides, on the level of the equilibrium: ",
                  motion, " with"),
-        Display(Word("g", "g"), reduce(eq.system).square().xreplace(levels))]
-    series = Word("g = c₃ x³ + c₄ x⁴ + …", r"g = c_3 x^3 + c_4 x^4 + \dots")
+        Display(Word("g", "⟨g⟩"), reduce(eq.system).square().xreplace(levels), label="reduced")]
+    series = Word("g = c₃ x³ + c₄ x⁴ + …", r"⟨g⟩ = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots")
     place: tuple[Any, ...] = (DISTANCE, " the deviation of ", K3)
     if boundary.pole:
-        place = (K3, " = ", eq.at * (1 - DISTANCE), ", ", Word("x ≥ 0", r"x \geq 0"))
+        place = (K3, " = ", eq.at * (1 - DISTANCE), ", ", Word("x ≥ 0", r"⟨x⟩ \geq 0"))
     rungs, more = ladder(boundary)
     if not rungs:
         return [*blocks, sentence("There ", series, ", with ", *place, "; all coefficients are 0: unstable.")]
@@ -77,7 +77,8 @@ def rung_display(rung: Rung) -> Display:
     """−c ∝ what has its sign: the margin, with its even factors."""
     condition, sub = rung.condition, str(rung.power).translate(SUBSCRIPTS)
     value = Mul(condition.margin, *(factor**2 for factor in condition.degenerate))
-    return Display(Word(f"−c{sub}", f"-c_{{{rung.power}}}"), readable(value), condition.at, "∝")
+    name = Word(f"−c{sub}", f"-⟨c⟩_{{{rung.power}}}")
+    return Display(name, readable(value), condition.at, "∝", f"c{rung.power}")
 
 
 def _outcome(boundary: Boundary, rungs: list[Rung], more: bool, modulo: tuple[Expr, ...]) -> list[Any]:
@@ -98,7 +99,7 @@ def _outcome(boundary: Boundary, rungs: list[Rung], more: bool, modulo: tuple[Ex
     if further:
         potential = boundary.equilibrium.system.potential
         if potential is not None and potential.given:
-            power = Word(f"x{str(end).translate(SUPERSCRIPTS)}", f"x^{{{end}}}")
+            power = Word(f"x{str(end).translate(SUPERSCRIPTS)}", f"⟨x⟩^{{{end}}}")
             parts += [" And so on, up to ", power, "."]
         else:
             parts.append(" And so on, to any order.")

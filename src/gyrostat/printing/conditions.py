@@ -1,4 +1,6 @@
 """Where an equilibrium exists, abs(k3) < 1, and its criteria, as comparisons."""
+import re
+from dataclasses import replace
 from typing import Any
 
 from sympy import Abs, Expr, Pow, S
@@ -21,8 +23,8 @@ def existence(domain: Expr, at: Any) -> Display:
     return Display(Abs(-root if root.could_extract_minus_sign() else root, evaluate=False), S.One, at, "<")
 
 
-def criterion_blocks(title: str, criterion: Criterion, at: Any) -> list[Block]:
-    """Each alternative as its comparisons."""
+def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> list[Block]:
+    """Each alternative as its comparisons, labelled."""
     if criterion.alternatives == () and criterion.notion == "spectral":
         return [sentence(f"{title}: never.")]
     if criterion.alternatives == ():
@@ -33,18 +35,18 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any) -> list[Block]:
     blocks: list[Block] = []
     for alternative in criterion.alternatives:
         blocks.append(sentence("or") if blocks else sentence(title, *modulo, ":"))
-        blocks += _alternative(alternative, at)
+        blocks += _alternative(alternative, at, label)
     return blocks + _implied(criterion, at)
 
 
-def _alternative(alternative: tuple[Condition, ...], at: Any) -> list[Block]:
+def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> list[Block]:
     """Conditions that hold together: comparisons, then where even factors vanish."""
     telling = [c for c in alternative if not trivial(c)]
-    blocks: list[Block] = [comparison(condition) for condition in telling]
+    blocks: list[Block] = [replace(comparison(condition), label=label) for condition in telling]
     for c in alternative:
         for factor in map(readable, c.degenerate):
             if c.strict and not telling:
-                blocks.append(Display(factor, S.Zero, at, "≠"))
+                blocks.append(Display(factor, S.Zero, at, "≠", label))
             elif c.strict:
                 blocks.append(sentence("and ", factor, " ≠ 0", at=at))
             else:
@@ -56,7 +58,8 @@ def _implied(criterion: Criterion, at: Any) -> list[Block]:
     """What is left out because the other conditions imply it, with the identity that shows it."""
     blocks: list[Block] = []
     for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
-        name = Word(proof.source, proof.source.replace("²", "^2").replace("−", "-"))
+        latex = re.sub("[pq]", r"⟨\g<0>⟩", proof.source).replace("²", "^2").replace("−", "-")
+        name = Word(proof.source, latex)
         identity = readable(proof.square), " + ", readable(proof.factor), " (", readable(proof.by), ")"
         blocks.append(sentence("Here ", name, " is, up to a positive factor, ", *identity,
                                ": it adds nothing.", at=at))

@@ -14,7 +14,7 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
     modulo = (" ", *modulo_flow(decision.modulo)) if decision.modulo and decision.notion else ()
     blocks: list[Block] = [sentence(f"{of}: {_TITLES[decision.verdict]}", *modulo,
                                     f"; {decision.verdict.value}.")]
-    blocks += [Display(readable(margin), Word(shown(value), shown(value)), at)
+    blocks += [Display(readable(margin), Word(shown(value), shown(value)), at, label="value")
                for margin, value in decision.margins if margin.free_symbols]
     if decision.note:
         blocks.append(sentence(f"Note: {decision.note}."))

@@ -1,4 +1,6 @@
 """A report as a sequence of headings, sentences and displayed formulas, before any typesetting."""
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from sympy import Expr, ImmutableMatrix, Pow, S, Symbol
@@ -26,6 +28,7 @@ from .blocks import (
 from .boundary import boundary_blocks
 from .conditions import criterion_blocks, existence
 from .drift import drift_blocks
+from .symbols import occurring, symbol_rows
 
 IMAGINARY = Word("±i", r"\pm i")
 # characters of a formula that does not go into a sentence
@@ -35,28 +38,46 @@ LONG = 80
 def scene_blocks(scene: System) -> list[Block]:
     """Body, field, bracket, equations of motion and integrals."""
     body, space, potential = scene.body, scene.space, scene.potential
-    momentum = Word("M = π + l", r"M = \pi + l")
+    momentum = Word("M = π + l", "⟨vector_M⟩ = ⟨vector_pi⟩ + ⟨vector_l⟩")
     field: tuple[Any, ...] = ("no field.",)
     if potential:
         field = ("potential ", potential.expression, ".")
-    bracket = Word("{F, G} = ∇F·B∇G", r"\{F, G\} = \nabla F\cdot B\,\nabla G")
+    bracket = Word("{F, G} = ∇F·B∇G", r"\{F, G\} = \nabla F\cdot ⟨B⟩\,\nabla G")
     blocks: list[Block] = [
-        Heading("Scene"),
-        sentence("Principal moments (", *listed(body.inertia), "), gyrostatic momentum ", Word("l", "l"),
-                 " = (", *listed(body.gyrostatic_momentum), "), ", momentum, ", ", *field),
+        Heading("Scene", label="scene"),
+        sentence("Principal moments (", *listed(body.inertia), "), gyrostatic momentum ",
+                 Word("l", "⟨vector_l⟩"), " = (", *listed(body.gyrostatic_momentum), "), ", momentum, ", ",
+                 *field),
         sentence(f"Poisson tensor on {'e' if potential else 'so'}(3)*, ", bracket, "; the Jacobi identity "
                  "holds (Marsden, Ratiu & Weinstein 1984; with a rotor, Vera & Viguera 2003, §2)."),
-        Display(Word("B", "B"), space.tensor)]
-    names = (Word("C₁", "C_1"), Word("C₂", "C_2")) if potential else (Word("C", "C"),)
-    blocks += [sentence("Casimirs and Hamiltonian:"), *(Display(n, c) for n, c in zip(names, space.casimirs)),
-               Display(Word("h", "h"), scene.hamiltonian)]
+        Display(Word("B", "⟨B⟩"), space.tensor, label="bracket")]
+    names = (Word("C₁", "⟨C1⟩"), Word("C₂", "⟨C2⟩")) if potential else (Word("C", "⟨C⟩"),)
+    blocks += [sentence("Casimirs and Hamiltonian:"),
+               *(Display(n, c, label="casimir") for n, c in zip(names, space.casimirs)),
+               Display(Word("h", "⟨h⟩"), scene.hamiltonian, label="hamiltonian")]
     vector = VECTOR_FORM[potential is not None]
     blocks += [sentence("Equations of motion, ", vector, ":"),
-               *(Display(DOT[str(x)], rate) for x, rate in zip(space.coordinates, scene.vector_field()))]
+               *(Display(DOT[str(x)], rate, label=f"motion:{x}")
+                 for x, rate in zip(space.coordinates, scene.vector_field()))]
     if scene.integrals:
-        found = Word("{F, h} = 0", r"\{F, h\} = 0")
+        found = Word("{F, h} = 0", r"\{F, ⟨h⟩\} = 0")
         blocks.append(sentence("Integral found, ", found, ": ", *listed(scene.integrals), "."))
     return blocks
+
+
+def whole_blocks(scene: System, found: Sequence[Block]) -> list[Block]:
+    """A scene, what its symbols are, and what is found of it."""
+    blocks = scene_blocks(scene)
+    return [*blocks, symbol_rows(scene, occurring([*blocks, *found])), *found]
+
+
+def conditions_blocks(report: Report) -> list[Block]:
+    """The conditions of one equilibrium, without the way to them."""
+    eq = report.equilibrium
+    return [Heading(eq.label), *(existence(d, eq.at) for d in eq.existence() if d.free_symbols),
+            *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
+            *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
+            *boundary_blocks(report)]
 
 
 def report_blocks(report: Report) -> list[Block]:
@@ -64,7 +85,7 @@ def report_blocks(report: Report) -> list[Block]:
     eq = report.equilibrium
     family = FAMILIES.get(eq.label)
     title = f"{eq.label}: {family.title}" if family and family.title else eq.label[0].upper() + eq.label[1:]
-    blocks: list[Block] = [Heading(title), *point_blocks(eq)]
+    blocks: list[Block] = [Heading(title, label=eq.label), *point_blocks(eq)]
     blocks += _linearization(report)
     blocks += _second_variation(report)
     modulo = "; modulo the flow of an integral, Ortega & Ratiu 1999." if report.sufficient.modulo else "."
@@ -72,10 +93,12 @@ def report_blocks(report: Report) -> list[Block]:
         "Necessary: where a spectral condition fails, an eigenvalue has a positive real part, and the "
         "equilibrium is unstable (Lyapunov 1892). Sufficient: where the second variation is definite, the "
         f"equilibrium is Lyapunov stable (Holm, Marsden, Ratiu & Weinstein 1985){modulo}")]
-    blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at),
-               *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at)]
+    blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at, "necessary"),
+               *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at,
+                                 "sufficient")]
     if report.casimirs_only != report.sufficient:
-        blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at)
+        blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at,
+                                   "casimirs-alone")
     blocks += [*boundary_blocks(report), *drift_blocks(report)]
     return blocks
 
@@ -97,11 +120,11 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
         blocks.append(sentence("Of this potential: ", *equations(zip(jets, values)), ".", at=eq.at))
     if eq.relations:
         blocks.append(sentence("On the family:"))
-        blocks += [Display(name, value if jet(name.name) else readable(value), eq.at)
+        blocks += [Display(name, value if jet(name.name) else readable(value), eq.at, label="relation")
                    for name, value in eq.relations]
     if open_ones := [d for d in eq.existence() if d.free_symbols]:
         blocks.append(sentence("It exists where:"))
-        blocks += [existence(d, eq.at) for d in open_ones]
+        blocks += [replace(existence(d, eq.at), label="exists") for d in open_ones]
     if (tilt := solved_tilt(eq)) is not None:
         blocks += [sentence("Solved for the tilt:"), Display(symbol("k3"), readable(tilt)),
                    sentence("which exists where:"), existence(1 - tilt**2, eq.at)]
@@ -121,20 +144,21 @@ def _linearization(report: Report) -> list[Block]:
     matrix, _ = _named_roots(eq, entries(eq.insert_field(linear.matrix)))
     basis, _ = _named_roots(eq, linear.basis.T)
     blocks: list[Block] = [Heading("Linearisation on the tangent space of the coadjoint orbit", 2),
-                           sentence("Basis, one vector in each row:"), Display(Word("T", "T"), basis, eq.at),
+                           sentence("Basis, one vector in each row:"),
+                           Display(Word("T", "⟨T⟩"), basis, eq.at, label="tangent"),
                            sentence("The linearised field in that basis (Vera & Viguera 2003, §4.1.1 and "
                                     "§5):"),
-                           Display(Word("J", "J"), matrix, eq.at)]
+                           Display(Word("J", "⟨J⟩"), matrix, eq.at, label="linearised")]
     values = tuple(map(eq.insert_field, linear.coefficients))
     if len(values) == 1:
         q = symbol("q")
-        return [*blocks, sentence("Characteristic polynomial ", Word("λ² + q", r"\lambda^2 + q"), " with"),
-                Display(q, readable(values[0]), eq.at), *_eigenvalues(linear, eq.at)]
+        return [*blocks, sentence("Characteristic polynomial ", Word("λ² + q", r"⟨lamda⟩^2 + ⟨q⟩"), " with"),
+                Display(q, readable(values[0]), eq.at, label="q"), *_eigenvalues(linear, eq.at)]
     (p, q), (a, b) = values, (symbol("p"), symbol("q"))
-    polynomial = Word("λ⁴ + p λ² + q", r"\lambda^4 + p\,\lambda^2 + q")
+    polynomial = Word("λ⁴ + p λ² + q", r"⟨lamda⟩^4 + ⟨p⟩\,⟨lamda⟩^2 + ⟨q⟩")
     return [*blocks, sentence("Characteristic polynomial ", polynomial, " with"),
-            Display(a, readable(p), eq.at), Display(b, readable(q), eq.at),
-            Display(a**2 - 4 * b, readable(p**2 - 4 * q), eq.at),
+            Display(a, readable(p), eq.at, label="p"), Display(b, readable(q), eq.at, label="q"),
+            Display(a**2 - 4 * b, readable(p**2 - 4 * q), eq.at, label="discriminant"),
             *_eigenvalues(linear, eq.at)]
 
 
@@ -148,7 +172,7 @@ def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
     potential = linear.equilibrium.system.potential
     # p stands above
     if inner == outer and potential and potential.given and len(str(2 * outer)) > LONG:
-        return [sentence("Eigenvalues 0, 0 and ", IMAGINARY, " ", Word("√p", r"\sqrt{p}"), ".", at=at)]
+        return [sentence("Eigenvalues 0, 0 and ", IMAGINARY, " ", Word("√p", r"\sqrt{⟨p⟩}"), ".", at=at)]
     if inner == outer:
         return [sentence("Eigenvalues 0, 0 and ", IMAGINARY, " ", 2 * outer, ".", at=at)]
     return [sentence("Eigenvalues ", IMAGINARY, " (", outer, " ", Word("±", r"\pm"), " ", inner, ").", at=at)]
@@ -168,7 +192,7 @@ def _second_variation(report: Report) -> list[Block]:
     matrix, _ = _named_roots(eq, ImmutableMatrix(eq.insert_field(variation.matrix).applyfunc(readable)))
     basis, _ = _named_roots(eq, variation.basis.T)
     blocks: list[Block] = [Heading("Second variation on the symplectic slice", 2)]
-    functions = [name for name, _ in zip((Word("C₁", "C_1"), Word("C₂", "C_2")), eq.system.space.casimirs)]
+    functions = [name for name, _ in zip((Word("C₁", "⟨C1⟩"), Word("C₂", "⟨C2⟩")), eq.system.space.casimirs)]
     functions += [function for function, _ in variation.multipliers[len(functions):]]
     values = [split(eq.insert_field(nu)) for _, nu in variation.multipliers]
     multipliers = joined(", ", [(function, ": ", nu) for function, nu in zip(functions, values)])
@@ -181,8 +205,10 @@ def _second_variation(report: Report) -> list[Block]:
     if not matrix.rows:
         return [*blocks, sentence("The slice is a point.")]
     if variation.basis != report.linearization.basis:
-        blocks += [sentence("Basis, one vector in each row:"), Display(Word("S", "S"), basis, eq.at)]
-    blocks.append(Display(Word("H", "H"), matrix, eq.at))
-    blocks += [Display(Word(f"Δ{'₀₁₂₃₄'[n]}", rf"\Delta_{n}"), readable(eq.insert_field(minor)), eq.at)
+        blocks += [sentence("Basis, one vector in each row:"),
+                   Display(Word("S", "⟨S⟩"), basis, eq.at, label="slice")]
+    blocks.append(Display(Word("H", "⟨H⟩"), matrix, eq.at, label="second-variation"))
+    blocks += [Display(Word(f"Δ{'₀₁₂₃₄'[n]}", rf"\Delta_{n}"), readable(eq.insert_field(minor)), eq.at,
+                       label=f"minor{n}")
                for n, minor in enumerate(variation.minors, 1)]
     return blocks

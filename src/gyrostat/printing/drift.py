@@ -5,7 +5,7 @@ from ..stability.drift import Drift
 from ..stability.report import Report
 from .blocks import Block, Display, Word, sentence
 
-_SIGMA = Word("σ", r"\sigma")
+_SIGMA = Word("σ", "⟨sigma⟩")
 
 
 def drift_blocks(report: Report) -> list[Block]:
@@ -16,7 +16,7 @@ def drift_blocks(report: Report) -> list[Block]:
     if report.recognised:
         blocks.append(sentence(f"The scene is {report.recognised.sentence}; with that axis for the third:"))
     *rates, defect = drift_displays(drift)
-    spin = Word("ω k + σ e₃", r"\omega k + \sigma e_3")
+    spin = Word("ω k + σ e₃", "⟨omega⟩ ⟨vector_k⟩ + ⟨sigma⟩ ⟨e3⟩")
     blocks += [sentence("The point itself is not Lyapunov stable: near it are relative equilibria ", spin,
                         " that turn about the axis of the body and leave it, at a rate ", _SIGMA,
                         " with" if drift.omega else " that is free."),
@@ -25,17 +25,17 @@ def drift_blocks(report: Report) -> list[Block]:
                         "besides, by a Jordan block of the eigenvalue 0:"),
                defect]
     if drift.omega:
-        exception = Word("I₁ = I₃, l = 0, ω ≠ 0", r"I_1 = I_3,\ l = 0,\ \omega \neq 0")
-        blocks.append(sentence("The only exception: ", exception, " and a constant ", Word("U", "U"), "."))
+        exception = Word("I₁ = I₃, l = 0, ω ≠ 0", r"⟨I1⟩ = ⟨I3⟩,\ ⟨l⟩ = 0,\ ⟨omega⟩ \neq 0")
+        blocks.append(sentence("The only exception: ", exception, " and a constant ", Word("U", "⟨U⟩"), "."))
     return blocks
 
 
 def drift_displays(drift: Drift) -> list[Block]:
     """The rates of the relative equilibria nearby, unless any goes, and D."""
     at = drift.equilibrium.at
-    names = (Word("∂σ/∂k₃", r"\partial\sigma/\partial k_3"),
-             Word("∂σ/∂ω", r"\partial\sigma/\partial \omega"))
+    names = (Word("∂σ/∂k₃", r"\partial⟨sigma⟩/\partial ⟨k3⟩"),
+             Word("∂σ/∂ω", r"\partial⟨sigma⟩/\partial ⟨omega⟩"))
     blocks: list[Block] = []
     if drift.omega:
-        blocks += [Display(name, readable(rate), at) for name, rate in zip(names, drift.rates)]
-    return [*blocks, Display(symbol("D"), readable(drift.defect), at)]
+        blocks += [Display(name, readable(rate), at, label="drift") for name, rate in zip(names, drift.rates)]
+    return [*blocks, Display(symbol("D"), readable(drift.defect), at, label="jordan")]

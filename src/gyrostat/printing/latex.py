@@ -17,7 +17,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.liepoisson import LiePoisson
 from ..mechanics.potential import Potential
 from ..mechanics.system import System
-from ..notation import jet_name, typeset
+from ..notation import jet_name
 from ..stability.conditions import Condition, Criterion
 from ..stability.energy_casimir import SecondVariation
 from ..stability.linearization import Linearization
@@ -25,6 +25,7 @@ from ..stability.report import Decision, Report
 from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word
 from .conditions import comparison, trivial
 from .linebreaks import width
+from .names import Names, raised
 from .order import ordered_factors, ordered_terms, over, signed
 
 FRACTION = 200.0                                           # points: the widest numerator
@@ -33,17 +34,17 @@ _RELATION = re.compile(r" ([<>=≥≤≠]) ")
 
 
 class Printer(LatexPrinter):
-    """Symbols from the notation, terms and factors in its order.
+    """Terms and factors in the order of the notation.
 
     Derivatives of U take their argument from at.
     """
 
-    def __init__(self, at: Any = None):
+    def __init__(self, names: Names, at: Any = None):
         super().__init__()
-        self.at = at
+        self.names, self.at = names, at
 
     def _print_Symbol(self, expr: Symbol, style: str = "plain") -> str:
-        return typeset(expr.name, self.at)
+        return self.names.of(expr.name, self.at)
 
     def _print_Add(self, expr: Add, order: Any = None) -> str:
         return signed([self._print(term) for term in ordered_terms(expr)], "-")
@@ -73,123 +74,129 @@ class Printer(LatexPrinter):
             return rf"\frac{{1}}{{{self._print(Pow(base, -exponent))}}}"
         inner = self._print(base)
         return (
-            rf"\left({inner}\right)" if base.is_Add or "^" in inner or "'" in inner else inner
+            rf"\left({inner}\right)" if base.is_Add or raised(inner) else inner
         ) + f"^{{{exponent}}}"
 
     def _print_AppliedUndef(self, expr: Any) -> str:
-        return f"{expr.func}({', '.join(map(self._print, expr.args))})"
+        return f"{self.names.of(str(expr.func))}({', '.join(map(self._print, expr.args))})"
 
     def _print_Derivative(self, expr: Any) -> str:
         variables = "".join(str(v)[-1] * n for v, n in expr.variable_count)
-        return typeset(jet_name(len(variables), variables if len(expr.expr.args) > 1 else ""))
+        return self.names.of(jet_name(len(variables), variables if len(expr.expr.args) > 1 else ""))
 
 
-def tex(value: Any, at: Any = None) -> str:
+def tex(value: Any, names: Names, at: Any = None) -> str:
     """An expression, a matrix or a name."""
     if isinstance(value, Word):
-        return value.latex
+        return names.fill(value.latex)
     if isinstance(value, MatrixBase):
-        cells = [[tex(entry, at) for entry in row] for row in value.tolist()]
+        cells = [[tex(entry, names, at) for entry in row] for row in value.tolist()]
         gap = r" \\[3pt] " if any(r"\frac" in cell for row in cells for cell in row) else r" \\ "
         return r"\begin{pmatrix} " + gap.join(" & ".join(row) for row in cells) + r" \end{pmatrix}"
-    return Printer(at)._print(value)
+    return Printer(names, at)._print(value)
+
+
+def formula(obj: Any, names: Names | None = None) -> str:
+    """A single formula for any public object; a report is its two criteria."""
+    return _formula(obj, names or Names())
 
 
 @singledispatch
-def formula(obj: Any) -> str:
-    """A single formula for any public object; a report is its two criteria."""
+def _formula(obj: Any, names: Names) -> str:
     results = import_module(".results", __package__)       # what a report does without
     if not isinstance(obj, results.RESULTS):
         raise TypeError("to_latex takes expressions, matrices and the library's own objects, not "
                         f"{type(obj).__name__}")
-    return r"\begin{aligned} & " + r" \\ & ".join(map(_line, results.result_blocks(obj))) + r" \end{aligned}"
+    lines = [_line(block, names) for block in results.result_blocks(obj)]
+    return r"\begin{aligned} & " + r" \\ & ".join(lines) + r" \end{aligned}"
 
 
-formula.register(Basic, tex)
-formula.register(MatrixBase, tex)
+_formula.register(Basic, tex)
+_formula.register(MatrixBase, tex)
 
 
-@formula.register
-def _condition(condition: Condition) -> str:
-    shown = display(comparison(condition))
+@_formula.register
+def _condition(condition: Condition, names: Names) -> str:
+    shown = display(comparison(condition), names)
     joint, relation = (r" \;\land\; ", r" \neq 0") if condition.strict else (r" \;\lor\; ", " = 0")
-    factors = [tex(readable(factor), condition.at) + relation for factor in condition.degenerate]
+    factors = [tex(readable(factor), names, condition.at) + relation for factor in condition.degenerate]
     if condition.strict and factors and trivial(condition):
         return joint.join(factors)
     return joint.join([shown, *factors])
 
 
-@formula.register
-def _criterion(criterion: Criterion) -> str:
+@_formula.register
+def _criterion(criterion: Criterion, names: Names) -> str:
     if not criterion.alternatives:
         return r"\text{never}" if criterion.notion == "spectral" else r"\text{no information}"
-    rows = [r" \;\land\; ".join(map(formula, a)) or r"\text{always}" for a in criterion.alternatives]
+    rows = [r" \;\land\; ".join(_formula(c, names) for c in a) or r"\text{always}"
+            for a in criterion.alternatives]
     shown = rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
-    return shown + _modulo(criterion.modulo)
+    return shown + _modulo(criterion.modulo, names)
 
 
-@formula.register
-def _linearization(linearization: Linearization) -> str:
+@_formula.register
+def _linearization(linearization: Linearization, names: Names) -> str:
     eq = linearization.equilibrium
-    return tex(entries(eq.insert_field(linearization.matrix)), eq.at)
+    return tex(entries(eq.insert_field(linearization.matrix)), names, eq.at)
 
 
-@formula.register
-def _second_variation(variation: SecondVariation) -> str:
+@_formula.register
+def _second_variation(variation: SecondVariation, names: Names) -> str:
     eq = variation.equilibrium
-    return tex(eq.insert_field(variation.matrix).applyfunc(readable), eq.at)
+    return tex(eq.insert_field(variation.matrix).applyfunc(readable), names, eq.at)
 
 
-@formula.register
-def _bracket(space: LiePoisson) -> str:
-    return tex(space.tensor)
+@_formula.register
+def _bracket(space: LiePoisson, names: Names) -> str:
+    return tex(space.tensor, names)
 
 
-@formula.register
-def _system(scene: System) -> str:
-    vector = VECTOR_FORM[scene.potential is not None].latex
+@_formula.register
+def _system(scene: System, names: Names) -> str:
+    vector = tex(VECTOR_FORM[scene.potential is not None], names)
     rates = ((DOT[str(x)], rate) for x, rate in zip(scene.space.coordinates, scene.vector_field()))
-    return rf"\begin{{gathered}} {vector} \\ {_aligned(rates)} \end{{gathered}}"
+    return rf"\begin{{gathered}} {vector} \\ {_aligned(rates, names)} \end{{gathered}}"
 
 
-@formula.register
-def _equilibrium(eq: Equilibrium) -> str:
-    return rf"\left({', '.join(tex(x) for x in eq.point)}\right)"
+@_formula.register
+def _equilibrium(eq: Equilibrium, names: Names) -> str:
+    return rf"\left({', '.join(tex(x, names) for x in eq.point)}\right)"
 
 
-@formula.register
-def _body(body: Gyrostat) -> str:
-    return _aligned(((Word("I", r"\left(I_1, I_2, I_3\right)"), body.inertia),
-                     (Word("l", r"\left(l_1, l_2, l_3\right)"), body.gyrostatic_momentum)))
+@_formula.register
+def _body(body: Gyrostat, names: Names) -> str:
+    return _aligned(((Word("I", r"\left(⟨I1⟩, ⟨I2⟩, ⟨I3⟩\right)"), body.inertia),
+                     (Word("l", r"\left(⟨l1⟩, ⟨l2⟩, ⟨l3⟩\right)"), body.gyrostatic_momentum)), names)
 
 
-@formula.register
-def _potential(potential: Potential) -> str:
-    return "U = " + tex(potential.expression)
+@_formula.register
+def _potential(potential: Potential, names: Names) -> str:
+    return f"{names.of('U')} = {tex(potential.expression, names)}"
 
 
-@formula.register
-def _decision(decision: Decision) -> str:
+@_formula.register
+def _decision(decision: Decision, names: Names) -> str:
     verdict = decision.verdict.name.lower()
     if not decision.notion:
         return rf"\text{{{verdict}}}"
-    return rf"\text{{{verdict} ({decision.notion})}}" + _modulo(decision.modulo)
+    return rf"\text{{{verdict} ({decision.notion})}}" + _modulo(decision.modulo, names)
 
 
-@formula.register
-def _report(report: Report) -> str:
+@_formula.register
+def _report(report: Report, names: Names) -> str:
     return _aligned(((Word("necessary", r"\text{necessary: }"), report.necessary),
-                     (Word("sufficient", r"\text{sufficient: }"), report.sufficient)))
+                     (Word("sufficient", r"\text{sufficient: }"), report.sufficient)), names)
 
 
-def _line(block: Block) -> str:
+def _line(block: Block, names: Names) -> str:
     """A sentence or a display as one line of a formula."""
     if not isinstance(block, Sentence):
-        return display(block) if isinstance(block, Display) else rf"\text{{{block.title}}}"
+        return display(block, names) if isinstance(block, Display) else rf"\text{{{block.title}}}"
     line = ""
     for part in block.parts:
         if not isinstance(part, str):
-            line += tex(part, block.at)
+            line += tex(part, names, block.at)
             continue
         for n, words in enumerate(_RELATION.split(part)):
             if n % 2:                                      # a relation
@@ -199,27 +206,28 @@ def _line(block: Block) -> str:
     return line
 
 
-def _modulo(integrals: tuple[Expr, ...]) -> str:
-    return rf" \quad \text{{modulo the flow of }} {', '.join(map(tex, integrals))}" if integrals else ""
+def _modulo(integrals: tuple[Expr, ...], names: Names) -> str:
+    shown = ", ".join(tex(integral, names) for integral in integrals)
+    return rf" \quad \text{{modulo the flow of }} {shown}" if integrals else ""
 
 
-def _aligned(rows: Iterable[tuple[Word, Any]]) -> str:
+def _aligned(rows: Iterable[tuple[Word, Any]], names: Names) -> str:
     def right(value: Any) -> str:
-        return (
-            rf"\left({', '.join(map(_entered, value))}\right)" if isinstance(value, tuple) else formula(value)
-        )
+        if isinstance(value, tuple):
+            return rf"\left({', '.join(_entered(x, names) for x in value)}\right)"
+        return _formula(value, names)
 
-    lines = [f"{name.latex} & {'' if isinstance(value, Criterion) else '= '}{right(value)}"
+    lines = [f"{tex(name, names)} & {'' if isinstance(value, Criterion) else '= '}{right(value)}"
              for name, value in rows]
     return r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}"
 
 
-def _entered(value: Any) -> str:
+def _entered(value: Any, names: Names) -> str:
     """A number that was given as a decimal with it."""
-    return tex(value) + (rf" \; ({decimal})" if (decimal := double(value)) else "")
+    return tex(value, names) + (rf" \; ({decimal})" if (decimal := double(value)) else "")
 
 
-def display(block: Display) -> str:
+def display(block: Display, names: Names) -> str:
     """name = value, or a comparison."""
     relation = RELATIONS.get(block.relation, block.relation)
-    return f"{tex(block.name, block.at)} {relation} {tex(block.value, block.at)}"
+    return f"{tex(block.name, names, block.at)} {relation} {tex(block.value, names, block.at)}"

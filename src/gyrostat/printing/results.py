@@ -192,7 +192,8 @@ def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
     circle = "" if rotation.circle is None else f", and on the circle about axis {rotation.circle + 1}"
     verdict = rotation.decision.verdict.name.lower()
     place = listed(map(number, rotation.momentum))
-    return [sentence("permanent rotation at ", Word("M", "M"), " = (", *place, f"){circle}: {verdict}")]
+    momentum = Word("M", "⟨vector_M⟩")
+    return [sentence("permanent rotation at ", momentum, " = (", *place, f"){circle}: {verdict}")]
 
 
 @result_blocks.register
@@ -219,7 +220,7 @@ def _drift(drift: Drift) -> list[Block]:
 
 @result_blocks.register
 def _reduction(motion: Reduction) -> list[Block]:
-    return [Display(Word("I₁² k̇₃²", r"I_1^2 \dot{k}_3^2"), motion.square())]
+    return [Display(Word("I₁² k̇₃²", "⟨I1⟩^2 ⟨k3_dot⟩^2"), motion.square())]
 
 
 RESULTS = (Solution, Branch, PermanentRotation, Bifurcation, BifurcationPoint, Boundary, Drift, Reduction)

@@ -20,7 +20,7 @@ from ..stability.conditions import Condition, Criterion
 from ..stability.energy_casimir import SecondVariation
 from ..stability.linearization import Linearization
 from ..stability.report import Decision, Report
-from .blocks import Block, Display, Heading, Sentence, Word
+from .blocks import Block, Display, Heading, Rows, Sentence, Word
 from .conditions import comparison, trivial
 from .document import point_blocks, report_blocks, scene_blocks
 from .unicode import matrix_lines, unicode
@@ -142,6 +142,8 @@ def text(blocks: Iterable[Block], width: int = 100) -> str:
             lines += [line.replace(NO_BREAK, " ") for line in wrap(
                 sentence, min(width, READ), initial_indent="  ", subsequent_indent="  ",
                 break_long_words=False)]
+        elif isinstance(block, Rows):
+            lines += _symbols(block, min(width, READ))
         else:
             lines += _displayed(block, width)
     return "\n".join(lines).strip("\n") + "\n"
@@ -158,6 +160,17 @@ def _inline(part: Any, at: Any) -> str:
     if isinstance(part, str):
         return part
     return part.text if isinstance(part, Word) else unicode(part, at)
+
+
+def _symbols(block: Rows, width: int) -> list[str]:
+    """Symbols on the left, meanings beside them."""
+    cells = [["".join(_whole(part, None) for part in cell) for cell in row] for row in block.rows]
+    size = max((len(left) for left, _ in cells), default=0)
+    lines = ["", f"  {block.title}"] if cells else []
+    for left, right in cells:
+        lines += wrap(right, width, initial_indent=f"    {left:<{size}}   ",
+                      subsequent_indent=" " * (size + 7), break_long_words=False)
+    return [line.replace(NO_BREAK, " ") for line in lines]
 
 
 def _displayed(block: Display, width: int) -> list[str]:

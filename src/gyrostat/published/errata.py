@@ -6,45 +6,45 @@ from typing import Any
 from sympy import Expr
 
 from ..errors import ExpressionError
-from ..notation import symbol
 from ..printing.article import preamble
-from ..printing.latex import Printer, formula
+from ..printing.latex import formula, tex
+from ..printing.names import PLAIN, Names, Paper
 from ..stability.conditions import Criterion
 from .checks import Finding, source_of
 from .listing import NOT_SHARP, as_text, number, place, rows
 from .typesetting import formula_of
 
 
-def _latex(printed: Any, at: Any) -> str:
+def _latex(printed: Any, names: Names, at: Any) -> str:
     """A printed text, or texts, in LaTeX: a formula, comparisons, or words."""
     if isinstance(printed, list):
         # so that lines may end at the commas
-        entries = "$, $".join(_latex(entry, at) for entry in printed)
+        entries = "$, $".join(_latex(entry, names, at) for entry in printed)
         return rf"\bigl({entries}\bigr)"
     try:
-        return formula_of(printed, at)
+        return formula_of(printed, names, at)
     except ExpressionError:                                # a verdict in words
         return rf"\text{{{_tex(printed)}}}"
 
 
-def _about(f: Finding, at: Any) -> str:
+def _about(f: Finding, names: Names, at: Any) -> str:
     """What the statement is about: a quantity, or a claim in words."""
     quantity = f.statement.quantity
     if f.statement.kind in ("identity", "family", "number", "solution") and quantity != "0":
-        return f"${_latex(quantity, at)}$"
+        return f"${_latex(quantity, names, at)}$"
     return _tex(quantity) if isinstance(quantity, str) and quantity != "0" else "$0$"
 
 
-def latex(findings: Iterable[Finding], fragment: bool = False) -> str:
+def latex(findings: Iterable[Finding], paper: Paper = PLAIN) -> str:
     """A table of errata: where, what is printed, what is derived, a counterexample."""
-    body = []
+    body, names = [], Names(paper.symbols)
     for _, group in groupby((f for f in findings if f.status == "misprint"),
                             key=lambda f: f.statement.source):
         found = list(group)
         source = source_of(found[0])
         title = rf"\rule{{0pt}}{{3ex}}\textbf{{{_tex(source.name)}}}: {_tex(source.title)}"
         body += [rf"\multicolumn{{3}}{{@{{}}p{{0.96\textwidth}}@{{}}}}{{{title}}}\\[1ex]"]
-        body += [_erratum(f) for f in found]
+        body += [_erratum(f, names) for f in found]
     table = "\n".join(
         (
             r"\begingroup\small\setlength{\LTleft}{0pt}\setlength{\LTright}{0pt}"
@@ -52,6 +52,7 @@ def latex(findings: Iterable[Finding], fragment: bool = False) -> str:
             r"\begin{longtable}{@{}"
             r">{\raggedright\arraybackslash}p{0.19\textwidth}>{\raggedright\arraybackslash}p{0.42\textwidth}"
             r">{\raggedright\arraybackslash}p{0.31\textwidth}@{}}",
+            rf"\caption{{Misprints}}{paper.labelled('errata')}\\",
             r"\textbf{Where} & \textbf{Printed, and derived} & "
             r"\textbf{Counterexample}\\ \hline \endhead",
             *body,
@@ -59,25 +60,26 @@ def latex(findings: Iterable[Finding], fragment: bool = False) -> str:
             "",
         )
     )
-    if fragment:
+    names.check(whole=True)
+    if paper.fragment:
         return "% needs amsmath, array and longtable\n" + table
     return preamble("Errata", ("longtable", "array")) + table + "\\end{document}\n"
 
 
-def _erratum(f: Finding) -> str:
-    at, lines = place(f), [rf"about {_about(f, place(f))}"]
+def _erratum(f: Finding, names: Names) -> str:
+    at, lines = place(f), [rf"about {_about(f, names, place(f))}"]
     for entry, printed, right in rows(f):
         label, whole = f"{entry}: " if entry else "", printed == f.statement.printed
         if not whole:
-            lines.append(rf"{label}\textbf{{printed}} ${_latex(printed, at)}$")
+            lines.append(rf"{label}\textbf{{printed}} ${_latex(printed, names, at)}$")
         elif len(lines) == 1:
-            lines.append(rf"\textbf{{printed}} ${_latex(printed, at)}$")
-        lines.append(rf"{label}\textbf{{right}} {_right(right, at, f)}")
+            lines.append(rf"\textbf{{printed}} ${_latex(printed, names, at)}$")
+        lines.append(rf"{label}\textbf{{right}} {_right(right, names, at, f)}")
     if f.statement.note:
         lines.append(rf"\emph{{{_tex(f.statement.note)}}}")
     example = ""
     if c := f.outcome.counterexample or f.outcome.not_sharp:
-        values = ", ".join(f"${Printer().doprint(symbol(n)) if n.isidentifier() else n} = {formula(v)}$"
+        values = ", ".join(f"${names.of(n) if n.isidentifier() else n} = {formula(v, names)}$"
                            for n, v in c.values)
         example = f"{NOT_SHARP} " if f.outcome.not_sharp else ""
         example += (
@@ -88,10 +90,10 @@ def _erratum(f: Finding) -> str:
     return rf"{where} & {shown} & {example} \\[2ex]"
 
 
-def _right(value: Any, at: Any, f: Finding) -> str:
+def _right(value: Any, names: Names, at: Any, f: Finding) -> str:
     if isinstance(value, (str, list)):
-        return f"${_latex(value, at)}$" if f.outcome.corrected is not None else _tex(as_text(value))
-    return f"${formula(value)}$" if isinstance(value, Criterion) else f"${Printer(at).doprint(value)}$"
+        return f"${_latex(value, names, at)}$" if f.outcome.corrected is not None else _tex(as_text(value))
+    return f"${formula(value, names)}$" if isinstance(value, Criterion) else f"${tex(value, names, at)}$"
 
 
 def _value(value: Any) -> str:

@@ -10,7 +10,7 @@ from sympy import Rational
 
 from ..algebra.parts import FUNCTIONS, Part
 from ..algebra.spelling import RELATIONS
-from ..notation import typeset
+from ..printing.names import Names
 from .language import Formula
 
 _NAMES = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l": r"\boldsymbol{l}",
@@ -61,8 +61,8 @@ class _Tex:
 
 
 class _Typesetter(Formula):
-    def __init__(self, text: str, at: Any):
-        self.at = at
+    def __init__(self, text: str, names: Names, at: Any):
+        self.symbols, self.at = names, at
         super().__init__(text, {})
 
     def factor(self) -> Part:
@@ -86,7 +86,7 @@ class _Typesetter(Formula):
         return Part(_Tex(token))
 
     def named(self, token: str) -> Part:
-        return Part(_Tex(r"\pi" if token == "pi" else _NAMES.get(token) or typeset(token, self.at)))
+        return Part(_Tex(r"\pi" if token == "pi" else _NAMES.get(token) or self.symbols.of(token, self.at)))
 
     def call(self, token: str) -> Part:
         arguments = [part.value for part in self.arguments()]
@@ -101,7 +101,7 @@ class _Typesetter(Formula):
         return Part(_Tex(rf"{name}\left({inner}\right)"))
 
 
-def formula_of(printed: str, at: Any = None) -> str:
+def formula_of(printed: str, names: Names, at: Any = None) -> str:
     r"""LaTeX of a printed text: an expression, or comparisons joined by "and".
 
     Raises
@@ -111,13 +111,13 @@ def formula_of(printed: str, at: Any = None) -> str:
 
     Examples
     --------
-    >>> print(formula_of("omega**2*I1/2 - k3*dU > 0", at=1))
-    \frac{\omega^{2} I_1}{2} - k_3 U'(1) > 0
+    >>> print(formula_of("omega**2*I1/2 - k3*dU > 0", Names({"I1": "A"}), at=1))
+    \frac{\omega^{2} A}{2} - k_3 U'(1) > 0
     """
     words = []
     for part in re.split(r"\band\b", printed.translate(RELATIONS)):
         pieces = re.split(r"\s*(<=|>=|<|>)\s*", part.strip())
-        sides = [_Typesetter(piece, at).whole().value.text for piece in pieces[::2]]
+        sides = [_Typesetter(piece, names, at).whole().value.text for piece in pieces[::2]]
         relations = [{"<=": r"\leq", ">=": r"\geq"}.get(sign, sign) for sign in pieces[1::2]]
         words.append(" ".join(x for pair in zip(sides, [*relations, ""]) for x in pair).strip())
     return r" \text{ and } ".join(words)

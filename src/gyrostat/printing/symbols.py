@@ -1,0 +1,104 @@
+"""What the symbols of a document are, and what is assumed of them: those that occur, no others."""
+from collections.abc import Iterable
+from typing import Any
+
+from sympy import Basic, MatrixBase, Symbol
+from sympy.core.function import AppliedUndef
+
+from ..mechanics.body import Gyrostat
+from ..mechanics.potential import Potential
+from ..mechanics.system import System
+from ..notation import NOTATION, jet, order, symbol
+from .blocks import Display, Rows, Sentence, Word, listed
+from .names import placed
+
+Row = tuple[tuple[Any, ...], tuple[Any, ...]]
+
+
+def occurring(parts: Iterable[Any]) -> set[str]:
+    """The names in blocks, formulas and words; U where one of its derivatives is."""
+    found: set[str] = set()
+    for part in parts:
+        if isinstance(part, Sentence):
+            found |= occurring(part.parts)
+        elif isinstance(part, Display):
+            found |= occurring((part.name, part.value))
+        elif isinstance(part, Word):
+            found |= placed(part.latex)
+        elif isinstance(part, Basic | MatrixBase):
+            found |= {s.name for s in part.free_symbols if isinstance(s, Symbol)}
+            found |= {"U"} if part.atoms(AppliedUndef) else set()
+    return found | ({"U"} if any(map(jet, found)) else set())
+
+
+def symbol_rows(scene: System, names: Iterable[str]) -> Rows:
+    """U, and the symbols in it and among the names, each with what it is."""
+    here, body, potential = set(names), scene.body, scene.potential
+    if potential:
+        here |= occurring([potential.expression])
+    rows = [row for row in _body(body) if row[0][0].name in here]
+    for group in ("pi1 pi2 pi3", "k1 k2 k3"):
+        if shown := [name for name in group.split() if name in here]:
+            meaning = NOTATION[shown[0]].meaning.split(", axis")[0]
+            axes = _axes([int(name[-1]) for name in shown])
+            rows.append((listed(map(symbol, shown)), (f"{meaning}, {axes}",)))
+    rows += [((symbol(f"pi{i}_0"),), (f"angular momentum of the locked body, axis {i}, at the equilibrium",))
+             for i in (1, 2, 3) if f"pi{i}_0" in here]
+    rows += [((symbol(name),), (NOTATION[name].meaning.split(":")[0],))
+             for name in ("omega1_0", "omega2_0", "omega3_0", "omega") if name in here]
+    if potential:
+        rows.append(_potential(potential))
+    given = {row[0][0].name for row in rows if isinstance(row[0][0], Symbol)}
+    return Rows((*rows, *_parameters(scene, here - given)))
+
+
+def _body(body: Gyrostat) -> list[Row]:
+    """Its moments and its rotor, as far as they are symbols."""
+    rows: list[Row] = []
+    for entries, what in ((body.inertia, "principal moment of inertia"),
+                          (body.gyrostatic_momentum, "gyrostatic momentum")):
+        for entry in dict.fromkeys(entries):
+            if isinstance(entry, Symbol):
+                axes = [n for n, other in enumerate(entries, 1) if other == entry]
+                positive = (" > 0",) if entry.is_positive else ()
+                rows.append(((entry, *positive), (f"{what}, {_axes(axes)}",)))
+    return rows
+
+
+def _axes(axes: list[int]) -> str:
+    """axis 3; axes 1 and 2; axes 1, 2 and 3."""
+    *others, last = map(str, axes)
+    return f"axes {', '.join(others)} and {last}" if others else f"axis {last}"
+
+
+def _potential(potential: Potential) -> Row:
+    U = Word("U", "⟨U⟩")
+    if potential.given:
+        return (U,), ("potential, ", U, " = ", potential.expression)
+    derivatives = Word("∂₁U, ∂₂U", r"\partial_1 ⟨U⟩, \partial_2 ⟨U⟩")
+    if potential.axial:
+        derivatives = Word("U′, U″", "⟨U⟩', ⟨U⟩''")
+    return (potential.expression,), ("potential, any smooth function; ", derivatives,
+                                     " and so on are its derivatives")
+
+
+def _parameters(scene: System, names: set[str]) -> list[Row]:
+    """Those of U: of the table each with its meaning, the user's together."""
+    own = scene.potential.parameters if scene.potential else ()
+    shown = sorted((s for s in own if s.name in names), key=lambda s: order(s.name))
+    rows: list[Row] = []
+    for s in shown:
+        if s.name in NOTATION:
+            rows.append(((s, " > 0") if s.is_positive else (s,), _meaning(s.name)))
+    others = [s for s in shown if s.name not in NOTATION]
+    if others:
+        rows.append((listed(others), ("real parameters" if others[1:] else "a real parameter",)))
+    return rows
+
+
+def _meaning(name: str) -> tuple[Any, ...]:
+    """What a parameter of the table is."""
+    if name[0] == "J":
+        n = name[1:]
+        return Word(f"∫ |x|^{n} P{n}(x₃/|x|) dm", rf"\int |x|^{n} P_{n}(x_3/|x|)\,dm"), " over the body"
+    return (NOTATION[name].meaning.split(":")[0],)

@@ -1,0 +1,83 @@
+"""Conditions as a table of LaTeX, with what its symbols are."""
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from ..stability.report import Report
+from .article import NARROW, block_latex, inline, preamble, sentence_latex
+from .blocks import Block, Display, Word, joined, sentence
+from .boundary import ladder, rung_display, undecided
+from .conditions import existence
+from .latex import display, formula, tex
+from .names import PLAIN, Names, Paper
+from .symbols import Row, occurring, symbol_rows
+
+_COLUMNS = 0.13, 0.2, 0.56                             # of a line: equilibrium, what, formula
+_BETWEEN = Word("", r"""\par\smallskip\noindent
+Between the two, $⟨I1⟩^2 ⟨k3_dot⟩^2 = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots$, where $⟨x⟩ \geq 0$ is the distance of
+$⟨k3⟩$ from $\pm 1$, at E3 its deviation, and $\propto$ means up to a positive factor.
+The first coefficient that is not 0 decides.
+At E1 and E2, and of an even power at E3: $-⟨c⟩_n > 0$ is stable, $-⟨c⟩_n < 0$ unstable;
+of an odd power at E3 both are unstable.\par""")
+
+
+def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Sequence[Block] = ()) -> str:
+    """Where each equilibrium exists, its necessary and its sufficient condition, as a table.
+
+    Below it what its symbols are, and what comes after.
+    """
+    given, names = list(reports), Names(paper.symbols)
+    rows = []
+    for report in given:
+        rows += [
+            rf"{report.equilibrium.label if n == 0 else ''} & {name} & ${inline(line)}$ \\"
+            for n, (name, line) in enumerate(_lines(report, names))
+        ] + [r"\hline"]
+    columns = "".join(rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" for width in _COLUMNS)
+    between = any("between the two" in row for row in rows)
+    shown = [part for report in given for part in _parts(report)] + ([_BETWEEN] if between else [])
+    symbols = symbol_rows(given[0].equilibrium.system, occurring(shown))
+    table = "\n".join((
+        r"\begin{table}[htbp]", r"\caption{Conditions for stability}", paper.labelled("conditions"),
+        rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\end{tabular}",
+        *([tex(_BETWEEN, names)] if between else ()),
+        *([r"\par\smallskip\noindent " + _said(symbols.rows, names)] if symbols.rows else ()),
+        r"\end{table}", ""))
+    table += "".join(block_latex(block, names, NARROW) + "\n" for block in after)
+    names.check(whole=True)
+    if paper.fragment:
+        return "% needs amsmath and array\n" + table
+    return preamble("Conditions for stability", ("array",)) + table + "\\end{document}\n"
+
+
+def _lines(report: Report, names: Names) -> list[tuple[str, str]]:
+    """What stands in the second and the third column."""
+    exists = [("exists where", display(block, names)) for block in _existence(report)]
+    rungs = [("" if n else "between the two", display(rung, names)) for n, rung in enumerate(_rungs(report))]
+    return [*exists, ("necessary (spectral)", formula(report.necessary, names)),
+            ("sufficient (formal)", formula(report.sufficient, names)), *rungs]
+
+
+def _existence(report: Report) -> list[Display]:
+    eq = report.equilibrium
+    return [existence(d, eq.at) for d in eq.existence() if d.free_symbols]
+
+
+def _rungs(report: Report) -> list[Display]:
+    """The ladder between the two conditions."""
+    if not undecided(report) or report.boundary is None:
+        return []
+    return [rung_display(rung) for rung in ladder(report.boundary)[0]]
+
+
+def _parts(report: Report) -> list[Any]:
+    """The formulas of the table."""
+    criteria = report.necessary, report.sufficient
+    conditions = [c for criterion in criteria for alternative in criterion.alternatives for c in alternative]
+    return [*_existence(report), *_rungs(report), *(x for c in conditions for x in (c.margin, *c.degenerate)),
+            *(x for criterion in criteria for x in criterion.modulo)]
+
+
+def _said(rows: Sequence[Row], names: Names) -> str:
+    """What the symbols are, in a sentence."""
+    clauses = [(*left, ": ", *right) for left, right in rows]
+    return sentence_latex(sentence(*joined("; ", clauses), "."), names)

@@ -1,0 +1,54 @@
+"""Tables of conditions in LaTeX."""
+import pytest
+
+import gyrostat as gs
+from gyrostat.printing.names import Paper
+from gyrostat.printing.tables import conditions_table
+
+PART = Paper(fragment=True)
+
+
+def test_conditions_table(e1, e3):
+    """One row for each condition, and where the family exists."""
+    tex = conditions_table([e1, e3], paper=PART)
+    assert r"E1 & necessary (spectral) & $(\pi_3^0 + l)^{2} \geq 4 I_1 U'(1)$" in tex
+    assert r"E3 & exists where & $\left|{k_3}\right| < 1$" in tex
+    assert r"\text{modulo the flow of } \pi_3" in tex
+    assert conditions_table([e1]).startswith(r"\documentclass")
+
+
+def test_the_table_says_what_decides_between_the_two(e1, free):
+    """The first coefficient has the name, those after it have none, and below the table is what they mean.
+
+    Not where nothing is left between the two conditions.
+    """
+    rows = [line.split(" & ") for line in conditions_table([e1], paper=PART).splitlines() if " & " in line]
+    assert [row[:2] for row in rows] == [
+        ["E1", "necessary (spectral)"], ["", "sufficient (formal)"], ["", "between the two"],
+        ["", ""], ["", ""]]
+    assert [row[2][:6] for row in rows[2:]] == ["$-c_{3", "$-c_{4", "$-c_{5"]
+    assert "Between the two, $I_1^2" in conditions_table([e1])
+    spin = gs.analyze(gs.principal_rotation(free, 3))
+    assert "etween the two" not in conditions_table([spin])
+
+
+def test_the_table_says_what_its_symbols_are(e1, e3):
+    """U, and of the symbols those that occur; with a caption and a label."""
+    a, k3 = gs.symbol("a"), gs.symbol("k3")
+    report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(a * k3))))
+    tex = conditions_table([report], Paper(label="my", fragment=True))
+    assert r"\caption{Conditions for stability}" in tex and r"\label{my:conditions}" in tex
+    (said,) = (line for line in tex.splitlines() if "principal moment" in line)
+    assert "$U$: potential, $U$ = $a k_3$; $a$: a real parameter." in said
+    assert r"$\pi_3^0$: angular momentum of the locked body, axis 3, at the equilibrium" in said
+    assert "$l$: gyrostatic momentum, axis 3" in said and "I_3" not in said and r"\omega" not in said
+    assert r"$\omega$: rate about the vertical" in conditions_table([e1, e3])
+
+
+def test_the_table_in_the_symbols_of_a_paper(e1):
+    """In the conditions, between them, and where they are said."""
+    tex = conditions_table([e1], Paper({"I1": "A", "l": r"\sigma", "k3": r"\gamma", "c": "C_x"}))
+    assert r"$(\pi_3^0 + \sigma)^{2} > 4 A U'(1)$" in tex and r"$A^2 \dot{\gamma}^2 = {C_x}_3 x^3" in tex
+    assert r"$\sigma$: gyrostatic momentum, axis 3" in tex and "$U(\\gamma)$: potential" in tex
+    with pytest.raises(gs.errors.ValuesError, match="has no parameter beta"):
+        conditions_table([e1], Paper({"beta": "b"}))
