@@ -18,12 +18,26 @@ def test_conditions_and_fragments(capsys):
     assert out.startswith("% needs amsmath and array\n" + r"\begin{table}[htbp]")
     assert "E3" in out
     assert r"$-c_{3} \propto U'(1) + U''(1)$" in out
-    assert "of an odd power at E3 both are unstable." in out and out.endswith("\\end{table}\n")
+    assert "of an odd power at E3 both are unstable." in out and out.endswith("are its derivatives.\\par\n")
     _, out, _ = run(capsys, "--equilibrium", "E1", "--format", "latex", "--fragment")
     assert r"\documentclass" not in out and r"\begin{equation}" in out
     for verb in ("report", "conditions"):
         status, out, err = run(capsys, "--fragment", verb=verb)
         assert status == 2 and out == "" and "--format latex" in err
+
+
+def test_conditions_in_the_symbols_of_a_paper(capsys):
+    """--symbols several or one at a time, --label; what is no setting is refused; text says what symbols are."""
+    _, out, _ = run(capsys, "--equilibrium", "E1", "--format", "latex", "--symbols", "I1=A", "l=\\sigma",
+                    "--symbols", "U=V", "--label", "top", verb="conditions")
+    assert r"$(\pi_3^0 + \sigma)^{2} > 4 A V'(1)$" in out and r"\label{top:conditions}" in out
+    for settings, why in ((["I1"], "--symbols I1 is not NAME=LATEX"), (["l=A", "l=B"], "gives l twice"),
+                          (["I1=\\input{x}"], "is not one symbol"), (["U=V", "p0=V"], "both be V")):
+        status, out, err = run(capsys, "--format", "latex", "--symbols", *settings)
+        assert status == 2 and out == "" and why in err
+    _, out, _ = run(capsys, "--potential", "a*k3", "--equilibrium", "E1", verb="conditions")
+    assert "    U        potential, U = a k₃\n    a        a real parameter\n" in out
+    assert "    π₃⁰      angular momentum of the locked body, axis 3, at the equilibrium\n" in out and "ω" not in out
 
 
 def test_conditions_as_data(capsys):

@@ -81,6 +81,16 @@ def test_verify_latex(capsys, tmp_path, checked_once):
     assert r"\documentclass" not in part
 
 
+def test_errata_in_the_symbols_of_a_paper(capsys, tmp_path, checked_once):
+    """In what is printed, derived and set; prose has the names as they are typed, and that is said."""
+    (path := tmp_path / "mine.toml").write_text(OWN)
+    _, out, _ = verify(capsys, str(path), "--format", "latex", "--symbols", "I1=A", "m0=\\mu", "--label", "my")
+    assert r"\caption{Misprints}\label{my:errata}" in out and r"\mu" in out and "I_1" not in out
+    assert r"\noindent In what is said in words, I1 is $A$, m0 is $\mu$.\par" in out
+    status, out, err = verify(capsys, str(path), "--symbols", "I1=A")
+    assert status == 2 and out == "" and "--symbols is for LaTeX, --format is text: add --format latex" in err
+
+
 def test_verify_a_file_of_ones_own(capsys, tmp_path):
     """Exit status 1 where a formula is not as expected, 2 where it cannot be read, with file and key."""
     path = tmp_path / "mine.toml"

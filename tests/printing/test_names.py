@@ -30,8 +30,8 @@ def test_powers_rates_and_derivatives_of_renamed_symbols():
     names = Names({"l": "A'", "U": "V^0", "k3": r"\bar{m}_1", "pi3": "M_3"})
     assert names.of("d2U", k3) == r"{V^0}''(\bar{m}_1)" and names.of("d4U", 1) == "{V^0}^{(4)}(1)"
     assert names.of("d2U_13") == r"\partial_{13} V^0"
-    assert names.fill("⟨l⟩^2 ⟨k3_dot⟩^2 ⟨pi3_dot⟩ ⟨k3⟩_n") == (
-        r"\left(A'\right)^2 \dot{\bar{m}}_1^2 \dot{M}_3 {\bar{m}_1}_n")
+    assert names.fill("⟨l⟩^2 ⟨k3_dot⟩^2 ⟨pi3_dot⟩ ⟨k3⟩_n ⟨U⟩''") == (
+        r"\left(A'\right)^2 \dot{\bar{m}}_1^2 \dot{M}_3 {\bar{m}_1}_n {V^0}''")
     assert gs.to_latex(dU, symbols={"dU": r"\beta"}) == r"\beta"
 
 

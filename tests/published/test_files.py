@@ -5,6 +5,7 @@ from written_sources import written
 
 from gyrostat.errors import ExpressionError, GyrostatError, PublishedError, ValuesError
 from gyrostat.notation import symbol
+from gyrostat.printing.names import Names
 from gyrostat.published import check, load
 from gyrostat.published.comparisons import comparisons
 from gyrostat.published.language import decimal, read
@@ -132,7 +133,7 @@ def test_errors_are_of_one_family():
     ("cross(vector_k, vector_l + vector_k)", r"\mathbf{k} \times \left(\boldsymbol{l} + \mathbf{k}\right)")])
 def test_printed_formulas_keep_their_order(printed, tex):
     """The errata show terms and factors as they are printed, not as a computer algebra sorts them."""
-    assert formula_of(printed) == tex
+    assert formula_of(printed, Names()) == tex
 
 
 def test_a_file_with_a_byte_order_mark(tmp_path):

@@ -106,7 +106,7 @@ def _symbols(block: Rows, names: Names, label: str) -> str:
     columns = "".join(rf"p{{{width}\linewidth}}" for width in _SYMBOLS)
     rows = [" & ".join(sentence_latex(Sentence(cell), names).removesuffix(r"\par") for cell in row) + r" \\"
             for row in block.rows]
-    return "\n".join((r"\begin{table}[htbp]", rf"\caption{{{block.title}}}{label}",
+    return "\n".join((r"\begin{table}[htbp]", rf"\caption{{{block.title}}}{label}\smallskip",
                       rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\hline",
                       r"\end{tabular}", r"\end{table}"))
 

@@ -25,7 +25,7 @@ _BASE = rf"(?:{_LETTER}|{_ACCENT}\{{{_LETTER}\}}|{_ACCENT}(?: +[A-Za-z]| *{_GREE
 _SCRIPT = rf"(?:[A-Za-z0-9+*]|{_GREEK}|\{{{_INNER}\}})"
 _SYMBOL = re.compile(rf"{_BASE}(?:'*(?:_{_SCRIPT})?(?:\^{_SCRIPT})?|\^{_SCRIPT}_{_SCRIPT}|_{_SCRIPT}'+)")
 _LABEL = re.compile(r"[A-Za-z][A-Za-z0-9:.-]*")
-_PLACE = re.compile(r"⟨(\w+)⟩([\^_]?)")
+_PLACE = re.compile(r"⟨(\w+)⟩([\^_']?)")
 
 
 @dataclass
@@ -73,7 +73,9 @@ class Names:
             latex = self.of(match[1])
             if match[2] == "^" and raised(latex):
                 return rf"\left({latex}\right)^"
-            return f"{{{latex}}}_" if match[2] == "_" and "_" in latex else latex + match[2]
+            if (match[2] == "_" and "_" in latex) or (match[2] == "'" and raised(latex)):
+                latex = f"{{{latex}}}"
+            return latex + match[2]
         return _PLACE.sub(shown, template)
 
     def check(self, whole: bool = False) -> None:

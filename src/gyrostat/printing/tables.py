@@ -13,8 +13,8 @@ from .symbols import Row, occurring, symbol_rows
 
 _COLUMNS = 0.13, 0.2, 0.56                             # of a line: equilibrium, what, formula
 _BETWEEN = Word("", r"""\par\smallskip\noindent
-Between the two, $⟨I1⟩^2 ⟨k3_dot⟩^2 = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots$, where $⟨x⟩ \geq 0$ is the distance of
-$⟨k3⟩$ from $\pm 1$, at E3 its deviation, and $\propto$ means up to a positive factor.
+Between the two, $⟨I1⟩^2 ⟨k3_dot⟩^2 = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots$, where $⟨x⟩ \geq 0$ is the distance
+of $⟨k3⟩$ from $\pm 1$, at E3 its deviation, and $\propto$ means up to a positive factor.
 The first coefficient that is not 0 decides.
 At E1 and E2, and of an even power at E3: $-⟨c⟩_n > 0$ is stable, $-⟨c⟩_n < 0$ unstable;
 of an odd power at E3 both are unstable.\par""")
@@ -37,11 +37,12 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
     shown = [part for report in given for part in _parts(report)] + ([_BETWEEN] if between else [])
     symbols = symbol_rows(given[0].equilibrium.system, occurring(shown))
     table = "\n".join((
-        r"\begin{table}[htbp]", r"\caption{Conditions for stability}", paper.labelled("conditions"),
-        rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\end{tabular}",
+        r"\begin{table}[htbp]",
+        rf"\caption{{Conditions for stability}}{paper.labelled('conditions')}\smallskip",
+        rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\end{tabular}", r"\end{table}",
         *([tex(_BETWEEN, names)] if between else ()),
-        *([r"\par\smallskip\noindent " + _said(symbols.rows, names)] if symbols.rows else ()),
-        r"\end{table}", ""))
+        *([rf"\par\smallskip\noindent In Table~\ref{{{paper.label}:conditions}}, "
+           + _said(symbols.rows, names)] if symbols.rows else ()), ""))
     table += "".join(block_latex(block, names, NARROW) + "\n" for block in after)
     names.check(whole=True)
     if paper.fragment:

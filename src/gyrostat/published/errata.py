@@ -61,6 +61,9 @@ def latex(findings: Iterable[Finding], paper: Paper = PLAIN) -> str:
         )
     )
     names.check(whole=True)
+    if paper.symbols:                                      # prose keeps the names of the grammar
+        said = ", ".join(f"{_tex(name)} is ${symbol}$" for name, symbol in paper.symbols.items())
+        table = rf"\noindent In what is said in words, {said}.\par" + "\n" + table
     if paper.fragment:
         return "% needs amsmath, array and longtable\n" + table
     return preamble("Errata", ("longtable", "array")) + table + "\\end{document}\n"

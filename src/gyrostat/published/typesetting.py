@@ -86,6 +86,8 @@ class _Typesetter(Formula):
         return Part(_Tex(token))
 
     def named(self, token: str) -> Part:
+        if token in self.symbols.renamed:
+            return Part(_Tex(self.symbols.of(token, self.at)))
         return Part(_Tex(r"\pi" if token == "pi" else _NAMES.get(token) or self.symbols.of(token, self.at)))
 
     def call(self, token: str) -> Part:
