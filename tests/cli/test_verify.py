@@ -84,7 +84,8 @@ def test_verify_latex(capsys, tmp_path, checked_once):
 def test_errata_in_the_symbols_of_a_paper(capsys, tmp_path, checked_once):
     """In what is printed, derived and set; prose has the names as they are typed, and that is said."""
     (path := tmp_path / "mine.toml").write_text(OWN)
-    _, out, _ = verify(capsys, str(path), "--format", "latex", "--symbols", "I1=A", "m0=\\mu", "--label", "my")
+    _, out, _ = verify(capsys, str(path), "--format", "latex", "--symbols", "I1=A", "m0=\\mu",
+                       "--label", "my")
     assert r"\caption{Misprints}\label{my:errata}" in out and r"\mu" in out and "I_1" not in out
     assert r"\noindent In what is said in words, I1 is $A$, m0 is $\mu$.\par" in out
     status, out, err = verify(capsys, str(path), "--symbols", "I1=A")

@@ -37,12 +37,13 @@ def boundary_blocks(report: Report) -> list[Block]:
     levels = {ENERGY: symbol("h"), V: symbol("C1"),
               P: eq.system.space.coordinates[2] + eq.system.body.gyrostatic_momentum[2]}
     levels |= {name: value for name, value in eq.relations if not value.free_symbols and name != K3}
-    motion = Word("I₁² k̇₃² = g", "⟨I1⟩^2 ⟨k3_dot⟩^2 = ⟨g⟩")
+    g = next(name for name in "gfGF" if name not in report.parameters)     # g is often that of gravity
+    motion = Word(f"I₁² k̇₃² = {g}", f"⟨I1⟩^2 ⟨k3_dot⟩^2 = ⟨{g}⟩")
     blocks: list[Block] = [
         sentence(between, "the motion of ", K3, " by itself decides, on the level of the equilibrium: ",
                  motion, " with"),
-        Display(Word("g", "⟨g⟩"), reduce(eq.system).square().xreplace(levels), label="reduced")]
-    series = Word("g = c₃ x³ + c₄ x⁴ + …", r"⟨g⟩ = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots")
+        Display(Word(g, f"⟨{g}⟩"), reduce(eq.system).square().xreplace(levels), label="reduced")]
+    series = Word(f"{g} = c₃ x³ + c₄ x⁴ + …", rf"⟨{g}⟩ = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots")
     place: tuple[Any, ...] = (DISTANCE, " the deviation of ", K3)
     if boundary.pole:
         place = (K3, " = ", eq.at * (1 - DISTANCE), ", ", Word("x ≥ 0", r"⟨x⟩ \geq 0"))
