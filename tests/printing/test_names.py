@@ -12,7 +12,7 @@ I1, l, k3, pi3, dU = map(gs.symbol, ("I1", "l", "k3", "pi3_0", "dU"))
     "I_1'", "A'", "J'_1", r"\pi_3^{0}", "A^0_3", r"\varphi", r"\hat{\boldsymbol{\mu}}", "p^*"])
 def test_a_symbol_is_taken_as_it_is(symbol):
     """A letter, plain, Greek or styled, with an accent, primes and scripts."""
-    assert gs.to_latex(l, symbols={"l": symbol}) == symbol
+    assert gs.to_latex(l, symbols={"l": symbol}) == gs.to_latex(l, symbols={l: symbol}) == symbol
 
 
 @pytest.mark.parametrize("symbol", [

@@ -153,14 +153,14 @@ def _words(text: str) -> str:
     return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}")
 
 
-def to_latex(obj: Any, symbols: Mapping[str, str] | None = None, label: str = "gyrostat") -> str:
+def to_latex(obj: Any, symbols: Mapping[Any, str] | None = None, label: str = "gyrostat") -> str:
     r"""LaTeX of a public object: a formula for everything but a report, which becomes a whole document.
 
     Parameters
     ----------
     obj : Expr, Condition, Criterion, Linearization, SecondVariation, System, Equilibrium, Report, …
         or a matrix, LiePoisson, Gyrostat, Potential, Decision; or a sequence of Report, for one document
-    symbols : mapping of str to str, optional
+    symbols : mapping of str or Symbol to str, optional
         the LaTeX of names that a paper writes otherwise, one symbol each; U renames its derivatives too
     label : str
         what the labels of a document's equations begin with: gyrostat:E1:sufficient
@@ -189,7 +189,7 @@ def to_latex(obj: Any, symbols: Mapping[str, str] | None = None, label: str = "g
     >>> print(gs.to_latex(report.sufficient, symbols={"I1": "A", "l": r"\sigma", "U": "V"}))
     \left(\pi_3^0 + \sigma\right)^{2} > 4 A V'(1)
     """
-    paper = Paper(symbols or {}, label)
+    paper = Paper({str(name): symbol for name, symbol in (symbols or {}).items()}, label)
     if isinstance(obj, Report):
         return document([obj], paper=paper)
     if isinstance(obj, (list, tuple)) and obj and all(isinstance(report, Report) for report in obj):
