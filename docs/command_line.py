@@ -1,6 +1,7 @@
 """A directive of the site: the command line as its parser describes it."""
 import argparse
 from collections.abc import Iterator
+from textwrap import dedent, indent
 
 from docutils import nodes
 from docutils.parsers.rst import Directive
@@ -13,7 +14,8 @@ class CommandLine(Directive):
     """A section for each verb, and for each kind of `gyrostat plot`."""
 
     def run(self) -> list[nodes.Node]:
-        """The sections, in the order of the parser."""
+        """The sections, in the order of the parser, made anew in every build."""
+        self.state.document.settings.env.note_reread()
         return [section(verb, self.state) for verb in verbs(parser())]
 
 
@@ -41,10 +43,10 @@ def section(verb: argparse.ArgumentParser, state: object) -> nodes.section:
 
 
 def usage(verb: argparse.ArgumentParser) -> str:
-    """The usage in lines that a telephone shows."""
-    formatter = verb.formatter_class(prog=verb.prog, width=44)
+    """The usage in lines that a telephone shows: the verb, and below it what can follow."""
+    formatter = verb.formatter_class(prog="", width=42)
     formatter.add_usage(verb.usage, verb._actions, verb._mutually_exclusive_groups, prefix="")
-    return formatter.format_help()
+    return f"{verb.prog}\n{indent(dedent(formatter.format_help()).strip(), '  ')}"
 
 
 def options(verb: argparse.ArgumentParser) -> nodes.definition_list:
