@@ -75,14 +75,31 @@ def test_circles_of_equilibria():
     assert circle.circle == 0 and circle.momentum[0] == 0
 
 
-def test_a_degenerate_point_is_decided_to_fourth_order():
-    """Where two saddles meet the pole, f1 = 0, Report.verdict decides."""
-    inertia, l = (1, 2, 3), Fraction(1, 2)                 # f2 = l + (I3 − I2) ω = 0 at ω = −1/2, M = −1
-    south = next(p for p in permanent_rotations(gs.Gyrostat(inertia, (0, 0, l)), Rational(1))
-                 if p.momentum == (0, 0, -1))
+@pytest.mark.parametrize("spin", ["-1/2", "-1"])
+def test_a_degenerate_point_is_decided_to_fourth_order(spin):
+    """Where rotations meet at the pole, f2 = l + (I3 − I2) ω = 0 or f1 = 0, as Report.verdict decides."""
+    inertia, l = (1, 2, 3), Rational(1, 2)
+    l, radius = (l, 1) if spin == "-1/2" else (Rational(2), 1)
+    south = next(p for p in permanent_rotations(gs.Gyrostat(inertia, (0, 0, l)), Rational(radius))
+                 if p.momentum == (0, 0, 3 * Rational(spin) + l))
     report = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(inertia, (0, 0, l))), 3))
-    assert south.decision == report.verdict({"omega3_0": Fraction(-1, 2)})
-    assert south.decision.verdict is gs.Verdict.UNSTABLE
+    assert south.curvature == 0
+    assert south.decision.verdict is report.verdict({"omega3_0": spin}).verdict
+
+
+def test_all_moments_equal_and_no_rotor():
+    """M is constant: the sphere is one stable set of equilibria."""
+    (anywhere,) = permanent_rotations(gs.Gyrostat((2, 2, 2), (0, 0, 0)), Rational(3))
+    assert anywhere.sphere and anywhere.energy == Rational(9, 4) and anywhere.frequency is None
+    assert anywhere.decision.verdict is gs.Verdict.STABLE
+    assert str(anywhere) == "permanent rotation at M = (3, 0, 0), and on the whole sphere: stable"
+
+
+def test_no_momentum():
+    """M = 0: a point that is its orbit."""
+    (rest,) = gs.relative_equilibria(gs.assemble(gs.Gyrostat((1, 2, 3), (1, 0, "1/2"))), {"M": 0})
+    assert rest.momentum == (0, 0, 0) and rest.energy == Rational(1, 2) + Rational(1, 24)
+    assert rest.decision.verdict is gs.Verdict.STABLE and rest.nu is None and rest.growth_rate is None
 
 
 @pytest.mark.parametrize("inertia, rotor, radius", [CASES[0], CASES[1], ((1, 2, 3), (0, "1/2", 0), 2)])
@@ -104,11 +121,10 @@ def test_the_one_verb_finds_them_and_the_report_agrees(inertia, rotor, radius):
 @pytest.mark.parametrize("scene, values, error, words", [
     (gs.assemble(gs.Gyrostat((1, 2, 3))), {"l1": 0, "l2": 0, "l3": 0}, ValuesError, "need M: give"),
     (gs.assemble(gs.Gyrostat((1, 2, gs.symbol("I3")), (0, 0, 0))), {"M": 1}, ValuesError, "need I3: give"),
-    (gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), {"M": 0}, ValuesError, "give a positive number"),
+    (gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), {"M": -1}, ValuesError, "is not negative"),
     (gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), {"M": 1, "omega": 1}, ValuesError, "omega"),
-    (gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("M")))), {"M": 1}, ScopeError, "rename it"),
-    (gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, 0))), {"M": 1}, ScopeError, "every point of the sphere")])
+    (gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("M")))), {"M": 1}, ScopeError, "rename it")])
 def test_what_is_refused(scene, values, error, words):
-    """Names that are missing, unknown or taken, a radius that is none, and a body that turns as it likes."""
+    """Names that are missing, unknown or taken, and a radius that is none."""
     with pytest.raises(error, match=words):
         gs.relative_equilibria(scene, values)

@@ -190,6 +190,7 @@ def _branch(branch: Branch) -> list[Block]:
 @result_blocks.register
 def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
     circle = "" if rotation.circle is None else f", and on the circle about axis {rotation.circle + 1}"
+    circle = ", and on the whole sphere" if rotation.sphere else circle
     verdict = rotation.decision.verdict.name.lower()
     place = listed(map(number, rotation.momentum))
     momentum = Word("M", "⟨vector_M⟩")

@@ -1,59 +1,99 @@
 """The permanent rotations of a free body or gyrostat: every equilibrium on a momentum sphere."""
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from sympy import Add, Expr, Mul, Rational, S, sqrt
+from flint import arb
+from sympy import Add, Expr, Rational, S, sqrt
 
+from ..algebra.balls import ball
 from ..algebra.exact import proved_sign
+from ..algebra.precision import own_precision
 from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError
+from ..kept import cached_property
 from ..mechanics.body import Gyrostat
-from ..mechanics.principal import principal_rotation
-from ..mechanics.system import System, assemble, at_numbers, names_of_scene
+from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import Stored, symbol
 from ..shown import Shown
-from .analysis import analyze
 from .asked import exact_point
 from .decision import Decision, Verdict
-from .sphere import DRIFTS
+from .sphere import BY_DISTANCE, DRIFTS, TO_FOURTH_ORDER
 
-MU, LENGTH = symbol("mu"), symbol("M")
+NU, LENGTH = symbol("nu"), symbol("M")
+PRECISION = 128                                            # bits that put the rotations in order
 EXTREMUM = Decision(Verdict.STABLE, "Lyapunov", (), "the energy is an extremum on the momentum sphere", ())
 SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the energy is a saddle on the momentum sphere: an "
                   "eigenvalue has a positive real part", ())
+PITCHFORK = Decision(Verdict.STABLE, "Lyapunov", (), TO_FOURTH_ORDER, ())
+MEETING = Decision(Verdict.UNSTABLE, "Lyapunov", (), "where rotations meet, the energy is no extremum on the "
+                   "momentum sphere: motions of the same energy leave", ())
+REVOLVING = Decision(Verdict.STABLE, "Lyapunov", (), BY_DISTANCE, ())
 ON_CIRCLE = Decision(Verdict.UNSTABLE, "Lyapunov", (), DRIFTS, ())
-OPEN = Decision(Verdict.UNDECIDED, "", (), "the second variation is degenerate, and the axis is no principal "
-                "one that carries l", ())
+ANYWHERE = Decision(Verdict.STABLE, "Lyapunov", (), "M stays where it is: all moments are equal, "
+                    "and there is no rotor", ())
+AT_REST = Decision(Verdict.STABLE, "Lyapunov", (), "M = 0 is the whole orbit", ())
+DEGENERATE = (PITCHFORK, MEETING, REVOLVING, ON_CIRCLE, ANYWHERE)
 
 
 @dataclass(frozen=True, repr=False)
 class PermanentRotation(Shown, Stored):
-    """A rotation about an axis fixed in the body and in space: M = I ω + l with ω = μ M.
+    """A rotation about an axis fixed in the body and in space: M = I ω + l with ω = ν M.
 
     Parameters
     ----------
+    body : Gyrostat
     momentum : tuple of Expr, shape (3,)
         M, exact [M L²/T]
-    energy : Expr
-        [M L²/T²]
+    nu : Expr or None
+        ν [1/(M L²)]; None where M = 0
     decision : Decision
     circle : int or None
         the axis about which the point may be turned: a circle of equilibria
+    sphere : bool
+        whether every point of the momentum sphere is an equilibrium
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> box = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
-    >>> rotation = gs.relative_equilibria(box, {"M": 1})[0]
-    >>> rotation.momentum, rotation.energy, rotation.decision.verdict.name
-    ((0, 0, -1), 1/6, 'STABLE')
+    >>> rotation = gs.relative_equilibria(box, {"M": 1})[2]
+    >>> rotation.momentum, rotation.energy, rotation.decision.verdict.name, rotation.growth_rate
+    ((0, -1, 0), 1/4, 'UNSTABLE', sqrt(3)/6)
     """
 
+    body: Gyrostat
     momentum: tuple[Expr, ...]
-    energy: Expr
+    nu: Expr | None
     decision: Decision
     circle: int | None = None
+    sphere: bool = False
+
+    @cached_property
+    def energy(self) -> Expr:
+        """½ Σ (M − l)²/I [M L²/T²]."""
+        body = self.body
+        rates = [(m - l) / moment
+                 for m, l, moment in zip(self.momentum, body.gyrostatic_momentum, body.inertia)]
+        return Add(*(Rational(1, 2) * moment * rate**2 for moment, rate in zip(body.inertia, rates)))
+
+    @cached_property
+    def curvature(self) -> Expr:
+        """Δ = M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν: the eigenvalues are ±√−Δ [1/T²]."""
+        if self.nu is None or self.decision in DEGENERATE:
+            return S.Zero
+        d = [1 / moment - self.nu for moment in self.body.inertia]
+        return Add(*(m**2 * d[n - 1] * d[n - 2] for n, m in enumerate(self.momentum)))
+
+    @property
+    def frequency(self) -> Expr | None:
+        """√Δ, of the small motions of M about it in the body [1/T]; None where there are none."""
+        return sqrt(self.curvature) if proved_sign(self.curvature) == 1 else None
+
+    @property
+    def growth_rate(self) -> Expr | None:
+        """√−Δ, of the mode that leaves [1/T]; None where there is none."""
+        return sqrt(-self.curvature) if proved_sign(self.curvature) == -1 else None
 
 
 def rotations_at(scene: System, values: Mapping[str, Any]) -> list[PermanentRotation]:
@@ -65,34 +105,30 @@ def rotations_at(scene: System, values: Mapping[str, Any]) -> list[PermanentRota
     if missing := sorted((needed | {LENGTH.name}) - values.keys()):
         raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each; M is "
                           "the length of π + l")
-    if proved_sign(numbers[LENGTH]) != 1:
-        raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a positive "
-                          "number")
+    if proved_sign(numbers[LENGTH]) not in (0, 1):
+        raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a number that "
+                          "is not negative")
     return permanent_rotations(at_numbers(scene, numbers).body, numbers[LENGTH])
 
 
 def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]:
     """Every equilibrium of a free gyrostat on abs(M) = radius, at numbers; complete, by energy.
 
-    M (1 − μ I) = l: μ is a root of Σ l²/(1 − μ I)² = abs(M)², or 1/I of an axis without a rotor. The energy
-    is an extremum, hence the point stable, or a saddle, hence it is not, as Σ Mᵢ² (1/Iⱼ − μ) (1/Iₖ − μ) is
-    positive or negative. Where it is 0, Report.verdict decides the rotations about principal axes.
+    M (1 − ν I) = l: ν is a root of Σ l²/(1 − ν I)² = abs(M)², or 1/I of axes without a rotor. Δ > 0: the
+    energy is an extremum, hence the rotation stable; Δ < 0: a saddle, hence it is not. Δ = 0: the energy is
+    an extremum where Mᵢ = 0 = dᵢ and dⱼ dₖ > 0 for some i (three rotations meet), or about the axis of a
+    body of revolution that carries l; else it is not.
 
     Parameters
     ----------
     body : Gyrostat
         with its numbers
     radius : Expr
-        positive
-
-    Raises
-    ------
-    ScopeError
-        all moments are equal and l = 0: every point is an equilibrium
+        not negative
 
     References
     ----------
-    Hughes, Spacecraft Attitude Dynamics (1986), chapter 6; else derived.
+    Hughes, Spacecraft Attitude Dynamics (1986), chapter 6; where rotations meet, derived.
 
     Examples
     --------
@@ -103,14 +139,13 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
     (-1, 0, 0) 1/2 STABLE
     """
     inertia, rotor = body.inertia, body.gyrostatic_momentum
-    if len(set(inertia)) == 1 and not any(rotor):
-        raise ScopeError(f"inertia = {inertia} and l = 0: every point of the sphere is an equilibrium; "
-                         "give different moments, or a rotor")
-    secular = Add(*(l**2 / (1 - MU * moment) ** 2 for l, moment in zip(rotor, inertia))) - radius**2
+    if proved_sign(radius) == 0:
+        return [_at_rest(body)]
     found = []
-    for mu in real_roots(secular, MU) or ():
-        M = [l / (1 - mu * moment) if l else S.Zero for l, moment in zip(rotor, inertia)]
-        found.append(_rotation(body, mu, M))
+    secular = Add(*(l**2 / (1 - NU * moment) ** 2 for l, moment in zip(rotor, inertia))) - radius**2
+    for nu in real_roots(secular, NU) or ():
+        M = [l / (1 - nu * moment) if l else S.Zero for l, moment in zip(rotor, inertia)]
+        found.append(_rotation(body, nu, M))
     for moment in dict.fromkeys(inertia):
         axes = [n for n in range(3) if inertia[n] == moment]
         if any(rotor[n] for n in axes):
@@ -119,32 +154,47 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
         rest = radius**2 - Add(*(m**2 for m in M))
         if proved_sign(rest) != 1:
             continue
-        for side in (1, -1)[:3 - len(axes)]:
+        for side in (1, -1)[:3 - len(axes)] or (1,):
             M[axes[0]] = side * sqrt(rest)
-            found.append(_rotation(body, 1 / moment, M, 3 - sum(axes) if len(axes) == 2 else None))
-    return sorted(found, key=lambda point: (float(point.energy), *map(float, point.momentum)))
+            found.append(_rotation(body, 1 / moment, M, axes))
+    return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]
 
 
-def _rotation(body: Gyrostat, mu: Expr, M: Sequence[Expr], circle: int | None = None) -> PermanentRotation:
-    rates = [(m - l) / moment for m, l, moment in zip(M, body.gyrostatic_momentum, body.inertia)]
-    energy = Add(*(Rational(1, 2) * moment * rate**2 for moment, rate in zip(body.inertia, rates)))
-    if circle is not None:
-        return PermanentRotation(tuple(M), energy, ON_CIRCLE, circle)
-    curvature = [1 / moment - mu for moment in body.inertia]
-    sign = proved_sign(Add(*(Mul(M[n] ** 2, *(c for k, c in enumerate(curvature) if k != n))
-                             for n in range(3))))
-    if sign == 0:
-        return PermanentRotation(tuple(M), energy, _degenerate(body, rates))
-    return PermanentRotation(tuple(M), energy, EXTREMUM if sign == 1 else SADDLE)
+def _at_rest(body: Gyrostat) -> PermanentRotation:
+    """M = 0: the body turns with −l/I."""
+    return PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)
 
 
-def _degenerate(body: Gyrostat, rates: Sequence[Expr]) -> Decision:
-    """Where the second variation is only semidefinite.
-
-    The decision on a rotation about a principal axis that carries l.
+def _rotation(body: Gyrostat, nu: Expr, M: Sequence[Expr],
+              axes: Sequence[int] = ()) -> tuple[list[float], PermanentRotation]:
+    """The rotation at M, with its place in the order; axes of equal moments about which it may be turned, if
+    there are more than one.
     """
-    axes = [n + 1 for n in range(3) if rates[n] or body.gyrostatic_momentum[n]]
-    if len(axes) != 1:
-        return OPEN
-    report = analyze(principal_rotation(assemble(body), axes[0]))
-    return report.verdict({f"omega{axes[0]}_0": rates[axes[0] - 1]})
+    with own_precision(PRECISION):
+        moments, rotor, m = ([ball(e, PRECISION) for e in vector]
+                             for vector in (body.inertia, body.gyrostatic_momentum, M))
+        energy = sum(((x - y)**2 / moment for x, y, moment in zip(m, rotor, moments)), arb(0)) / 2
+        d = [1 / moment - ball(nu, PRECISION) for moment in moments]
+        curvature = sum((x**2 * d[n - 1] * d[n - 2] for n, x in enumerate(m)), arb(0))
+    rotation = PermanentRotation(body, tuple(M), nu, EXTREMUM if curvature > 0 else SADDLE)
+    if len(axes) == 3:
+        rotation = replace(rotation, decision=ANYWHERE, sphere=True)
+    elif len(axes) == 2:
+        rotation = replace(rotation, decision=ON_CIRCLE, circle=3 - sum(axes))
+    elif curvature.contains(0):
+        sign = proved_sign(rotation.curvature)
+        met = _where_they_meet(body, M, nu) if sign == 0 else EXTREMUM if sign == 1 else SADDLE
+        rotation = replace(rotation, decision=met)
+    return [float(x.mid()) for x in (energy, *m)], rotation
+
+
+def _where_they_meet(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Decision:
+    """Δ = 0: whether the energy is an extremum."""
+    for n in range(3):
+        if M[n] == M[n - 1] == 0 and body.inertia[n] == body.inertia[n - 1]:
+            return REVOLVING
+    d = [1 / moment - nu for moment in body.inertia]
+    for n in range(3):
+        if M[n] == 0 and proved_sign(d[n]) == 0 and proved_sign(d[n - 1] * d[n - 2]) == 1:
+            return PITCHFORK
+    return MEETING

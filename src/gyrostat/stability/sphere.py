@@ -12,6 +12,9 @@ from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 
 DRIFTS = "the rotation lies on a circle of rotations, and those beside the circle drift along it"
+TO_FOURTH_ORDER = "to fourth order the energy is an extremum on the momentum sphere"
+BY_DISTANCE = ("the energy on the momentum sphere depends on the distance from the axis alone: it is an "
+               "extremum, or constant")
 
 
 @dataclass(frozen=True)
@@ -69,15 +72,11 @@ class MomentumSphere:
         if first is None or second is None or rotor is None:
             return None, "a margin has no proved sign"
         if first == second == 0:
-            return (
-                True,
-                "the energy on the momentum sphere depends on the distance from the axis alone: it is an "
-                "extremum, or constant",
-            )
+            return True, BY_DISTANCE
         if rotor == 0:
             return False, DRIFTS
         if rotor * (first or second) > 0:
-            return True, "to fourth order the energy is an extremum on the momentum sphere"
+            return True, TO_FOURTH_ORDER
         return (
             False,
             "to fourth order the energy is no extremum on the momentum sphere: motions of the same energy "
