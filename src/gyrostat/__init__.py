@@ -37,15 +37,16 @@ if TYPE_CHECKING:
     from .stability.analysis import analyze
     from .stability.bifurcations import Bifurcation, bifurcations
     from .stability.branch import Branch
-    from .stability.conditions import (
-        Condition,
-        Criterion,
-        formal_criterion,
-        independent,
-        spectral_criterion,
-    )
+    from .stability.conditions import Condition, Criterion, independent
     from .stability.continuation import Continuation, continuation
-    from .stability.energy_casimir import SecondVariation, augmented_hessian, multipliers, second_variation
+    from .stability.criteria import formal_criterion, secular_criterion, spectral_criterion
+    from .stability.energy_casimir import (
+        SecondVariation,
+        augmented_hessian,
+        multipliers,
+        second_variation,
+        secular_variation,
+    )
     from .stability.linearization import Linearization, linearize
     from .stability.meetings import BifurcationPoint, bifurcation_points
     from .stability.permanent_rotations import PermanentRotation
@@ -68,10 +69,10 @@ __all__ = [
     "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics",
     "multipliers", "newtonian_field", "NOTATION", "orbit_tangent", "own_precision", "PermanentRotation",
     "plotting", "Potential", "principal_rotation", "published", "reduce", "relative_equilibria", "Report",
-    "second_variation", "SecondVariation", "Solution", "SolvedCondition", "solve_condition",
-    "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt", "symbol",
-    "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field",
-    "upright", "Verdict",
+    "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
+    "SolvedCondition", "solve_condition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
+    "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories",
+    "uniform_field", "upright", "Verdict",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -86,9 +87,11 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.vertical": "hanging upright", "notation": "NOTATION symbol", "printing.article": "to_latex",
     "stability.analysis": "analyze", "stability.bifurcations": "Bifurcation bifurcations",
     "stability.branch": "Branch",
-    "stability.conditions": "Condition Criterion formal_criterion independent spectral_criterion",
+    "stability.conditions": "Condition Criterion independent",
+    "stability.criteria": "formal_criterion secular_criterion spectral_criterion",
     "stability.continuation": "Continuation continuation",
-    "stability.energy_casimir": "SecondVariation augmented_hessian multipliers second_variation",
+    "stability.energy_casimir": "SecondVariation augmented_hessian multipliers "
+                                "second_variation secular_variation",
     "stability.linearization": "Linearization linearize",
     "stability.meetings": "BifurcationPoint bifurcation_points",
     "stability.permanent_rotations": "PermanentRotation",

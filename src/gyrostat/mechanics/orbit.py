@@ -1,7 +1,7 @@
 """Tangent space of the coadjoint orbit, and the symplectic slice inside it."""
 from collections.abc import Sequence
 
-from sympy import Expr, ImmutableMatrix
+from sympy import Expr, ImmutableMatrix, S
 
 from ..algebra.margins import Signs
 from ..algebra.matrices import null_space, row_reduce
@@ -136,6 +136,24 @@ def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, 
             held.append(_gauge(eq, flow))
             symmetries.append(integral)
     return _kernel(eq, level + held), tuple(symmetries)
+
+
+@once
+def orbit_modulo_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, ...]]:
+    """Basis of the tangent space of the orbit modulo the flows of the integrals, none of which is held.
+
+    And the integrals whose flow was divided out: one coordinate that each moves is held.
+    """
+    _, moving = critical_integrals(eq)
+    if not moving:
+        return orbit_tangent(eq), ()
+    space = eq.system.space
+    flows = [[entry for (entry,) in rows_at_point(eq, space.tensor * space.gradient(integral))]
+             for integral in moving]
+    ring, signs, rows = _polynomials(eq, flows)
+    held = row_reduce(ring, rows, lambda j, entry: (not signs.nonzero(entry), len(entry), -j), len(flows[0]))
+    fixed = [[S.One if j == column else S.Zero for j in range(len(flows[0]))] for column, _ in held]
+    return _kernel(eq, [*regular_differentials(eq), *fixed]), moving
 
 
 def _gauge(eq: Equilibrium, flow: list[Expr]) -> list[Expr]:

@@ -97,37 +97,9 @@ class Amended:
         """Whether the equilibrium is stable where the second variation is degenerate, None if that is not
         elementary; and why.
         """
-        for degree in (4, 8, HIGHEST):
-            if wanted := {s.name for e in self._slopes(degree).values() for s in e.free_symbols}:
-                return None, f"the second variation is degenerate, give {', '.join(sorted(wanted))} to decide"
-            try:
-                stable, why = self._expanded(degree)
-            except ScopeError as error:
-                return (
-                    None,
-                    f"the second variation is degenerate, and further terms are not compared: {error}",
-                )
-            if why:
-                return stable, why
-        return None, f"up to degree {HIGHEST} the amended potential does not change along a direction"
-
-    def _expanded(self, degree: int) -> tuple[bool | None, str]:
-        """The decision by the terms up to a degree; no reason where they vanish along a direction."""
-        forms = self.forms(degree)
-        first = next((n for n, form in enumerate(forms) if form), 0)
-        if first == 0:
-            return None, ""
-        values = values_of(forms[first], first)
-        if first > 2 or values != {0, 1}:
-            return self._by(values, f"of degree {first}")
-        for n, coefficient in enumerate(valley(forms), 3):
-            if (sign := proved_sign(coefficient)) != 0:
-                return self._by({-1, 1} if n % 2 else {sign},
-                                f"of degree {n} where the second variation vanishes")
-        return None, ""
-
-    def _by(self, values: set[int], which: str) -> tuple[bool | None, str]:
-        """What follows from the signs that the leading form takes."""
+        values, which = self.leading()
+        if values is None:
+            return None, which
         if values == {1}:
             return (
                 True,
@@ -151,6 +123,39 @@ class Amended:
             f"the leading form of the amended potential, {which}, takes negative values: gyroscopic forces "
             "may hold the motion",
         )
+
+    def leading(self) -> tuple[set[int] | None, str]:
+        """The signs that the leading form takes, and which form it is; None, and why, if they are not proved.
+
+        Where it is of degree 2 and vanishes along a direction, the leading form along the valley there.
+        """
+        for degree in (4, 8, HIGHEST):
+            if wanted := {s.name for e in self._slopes(degree).values() for s in e.free_symbols}:
+                return None, f"the second variation is degenerate, give {', '.join(sorted(wanted))} to decide"
+            try:
+                values, which = self._expanded(degree)
+            except ScopeError as error:
+                return (
+                    None,
+                    f"the second variation is degenerate, and further terms are not compared: {error}",
+                )
+            if which:
+                return values, which
+        return None, f"up to degree {HIGHEST} the amended potential does not change along a direction"
+
+    def _expanded(self, degree: int) -> tuple[set[int] | None, str]:
+        """The signs by the terms up to a degree; no form where they vanish along a direction."""
+        forms = self.forms(degree)
+        first = next((n for n, form in enumerate(forms) if form), 0)
+        if first == 0:
+            return None, ""
+        values = values_of(forms[first], first)
+        if first > 2 or values != {0, 1}:
+            return values, f"of degree {first}"
+        for n, coefficient in enumerate(valley(forms), 3):
+            if (sign := proved_sign(coefficient)) != 0:
+                return {-1, 1} if n % 2 else {sign}, f"of degree {n} where the second variation vanishes"
+        return None, ""
 
     def _slopes(self, degree: int) -> dict[tuple[int, ...], Expr]:
         """The derivatives of U at the point that are not 0, up to the degree, by how often each of k1, k2, k3

@@ -1,5 +1,7 @@
 """The one call a newcomer needs."""
+from ..errors import ArgumentError
 from ..mechanics.equilibria import Equilibrium
+from ..mechanics.system import System
 from .report import Report
 
 
@@ -15,6 +17,11 @@ def analyze(eq: Equilibrium) -> Report:
     Report
         its parts are derived when they are first asked for
 
+    Raises
+    ------
+    ArgumentError
+        a scene is given, or anything else that is no equilibrium
+
     Examples
     --------
     >>> import gyrostat as gs
@@ -22,4 +29,8 @@ def analyze(eq: Equilibrium) -> Report:
     >>> report.necessary.alternatives[0][0].margin == report.sufficient.alternatives[0][0].margin
     True
     """
+    if isinstance(eq, System):
+        raise ArgumentError("the equilibrium is a System, a scene: choose one of its equilibria, "
+                            "upright(scene), hanging(scene), inclined(scene), static_tilt(scene), "
+                            "principal_rotation(scene, axis) or equilibrium(scene, point)")
     return Report(eq)

@@ -57,6 +57,8 @@ class Decision(Shown, Stored):
         exact values of the margins that were used
     note : str
         what is unusual about the numbers, if anything
+    growing : int or None
+        under internal damping, the number of growing modes; None where it is not asked for, or not proved
 
     Examples
     --------
@@ -73,6 +75,7 @@ class Decision(Shown, Stored):
     reason: str
     margins: tuple[tuple[Expr, Expr], ...]
     note: str = ""
+    growing: int | None = None
 
 
 class Decider(Protocol):

@@ -1,6 +1,7 @@
 """Energy-Casimir: multipliers, augmented Hamiltonian, its second variation on the symplectic slice."""
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
@@ -8,7 +9,13 @@ from ..algebra.matrices import determinant, multiply, row_reduce
 from ..kept import cached_property
 from ..mechanics.derivation import rows_at_point, signs_over
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.orbit import critical_integrals, differentials, orbit_tangent, slice_and_symmetries
+from ..mechanics.orbit import (
+    critical_integrals,
+    differentials,
+    orbit_modulo_symmetries,
+    orbit_tangent,
+    slice_and_symmetries,
+)
 from ..notation import Stored, symbol
 from ..shown import Shown
 
@@ -16,6 +23,8 @@ from ..shown import Shown
 @dataclass(frozen=True, repr=False)
 class SecondVariation(Shown, Stored):
     """D²(h + ν·F) on the symplectic slice, F the Casimirs and the integrals that are critical there.
+
+    Or, of secular_variation, F the Casimirs on the orbit modulo the flows of the integrals.
 
     Parameters
     ----------
@@ -56,6 +65,25 @@ class SecondVariation(Shown, Stored):
         rows, bottom = ring.matrix(self.matrix.tolist())
         return tuple(ring.quotient(determinant(ring, [row[:n] for row in rows[:n]]), bottom**n)
                      for n in range(1, len(rows) + 1))
+
+    @cached_property
+    def block_minors(self) -> tuple[tuple[int, Expr], ...]:
+        """The leading principal minors of each block of the matrix, with their orders."""
+        ring = signs_over(self.equilibrium, self.matrix.flat()).ring
+        rows, bottom = ring.matrix(self.matrix.tolist())
+        return tuple((n, ring.quotient(determinant(ring, [[rows[i][j] for j in block[:n]]
+                                                          for i in block[:n]]), bottom**n))
+                     for block in _blocks(rows) for n in range(1, len(block) + 1))
+
+
+def _blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
+    """The indices of a symmetric matrix, those together that entries connect."""
+    blocks: list[list[int]] = []
+    for i, row in enumerate(rows):
+        joined = [block for block in blocks if any(row[j] for j in block)]
+        blocks = [block for block in blocks if block not in joined]
+        blocks.append(sorted([i, *(j for block in joined for j in block)]))
+    return sorted(blocks)
 
 
 def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
@@ -167,8 +195,45 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     >>> variation.matrix.shape, variation.modulo
     ((2, 2), (pi3,))
     """
-    basis, symmetries = slice_and_symmetries(eq) if integrals else (orbit_tangent(eq), ())
-    functions = eq.system.space.casimirs + (critical_integrals(eq)[0] if integrals else ())
+    if not integrals:
+        return _restricted(eq, (orbit_tangent(eq), ()), ())
+    return _restricted(eq, slice_and_symmetries(eq), critical_integrals(eq)[0])
+
+
+def secular_variation(eq: Equilibrium) -> SecondVariation:
+    """The second variation with the Casimirs alone, modulo the flows of the integrals.
+
+    Internal damping conserves the Casimirs, and not the integrals; their flows remain symmetries.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+
+    Returns
+    -------
+    SecondVariation
+        without free multipliers
+
+    References
+    ----------
+    Bloch, Krishnaprasad, Marsden & Ratiu, Ann. Inst. H. Poincaré Anal. Non Linéaire 11 (1994) 37-90.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> variation = gs.secular_variation(gs.inclined(top))
+    >>> variation.matrix.shape, variation.modulo
+    ((3, 3), (pi3,))
+    """
+    return _restricted(eq, orbit_modulo_symmetries(eq), ())
+
+
+def _restricted(eq: Equilibrium, slice_: tuple[ImmutableMatrix, tuple[Expr, ...]],
+                integrals: tuple[Expr, ...]) -> SecondVariation:
+    """Of the Casimirs and the integrals given, on a slice and modulo its symmetries."""
+    basis, symmetries = slice_
+    functions = eq.system.space.casimirs + integrals
     nu = multipliers(eq, functions)
     form, vectors = _augmented(eq, zip(functions, nu)), basis.tolist()
     ring = signs_over(eq, [entry for row in (*form, *vectors) for entry in row]).ring

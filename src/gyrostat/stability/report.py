@@ -6,22 +6,23 @@ from typing import Any
 from sympy import Expr
 
 from ..algebra.exact import Point
-from ..errors import ArgumentError, require
+from ..errors import require
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.standard import Seen, seen, seen_at
-from ..mechanics.system import System
 from ..notation import Stored, symbol
 from ..shown import Shown
 from .boundary import Boundary, boundary_of
-from .conditions import Criterion, formal_criterion, independent, spectral_criterion
+from .conditions import Criterion, independent
+from .criteria import formal_criterion, spectral_criterion
 from .decision import Between, Decider, Decision, Verdict
 from .drift import Drift
 from .elementary import Elementary
 from .energy_casimir import SecondVariation, second_variation
 from .linearization import Linearization, linearize
 from .notes import scene_note
+from .secular import secular_of
 from .sphere import sphere_of
 from .truth import holds
 from .values import exact_values, names_accepted, names_needed
@@ -46,11 +47,6 @@ class Report(Shown, Stored):
     equilibrium: Equilibrium
 
     def __post_init__(self) -> None:
-        if isinstance(self.equilibrium, System):
-            raise ArgumentError("the equilibrium is a System, a scene: choose one of its equilibria, "
-                                "upright(scene), hanging(scene), "
-                                "inclined(scene), static_tilt(scene), principal_rotation(scene, axis) or "
-                                "equilibrium(scene, point)")
         require(self.equilibrium, Equilibrium, "the equilibrium")
 
     @cached_property
@@ -90,12 +86,18 @@ class Report(Shown, Stored):
                            self.equilibrium)
 
     @cached_property
+    def damped(self) -> Criterion:
+        """Secular criterion: what is stable, and stays so under internal damping.
+
+        Unlike casimirs_only: of positive sign, and modulo the flows of the integrals.
+        """
+        return secular_of(self.equilibrium).criterion
+
+    @cached_property
     def boundary(self) -> Boundary | None:
         """What decides where necessary holds and sufficient does not, for a body of revolution.
 
-        None for other scenes.
-
-        About another axis than the third: of the equilibrium in the standard scene, Boundary.equilibrium.
+        None for other scenes; about another axis than the third, of the equilibrium in the standard scene.
         """
         return boundary_of(self.recognised.equilibrium if self.recognised else self.equilibrium)
 
@@ -106,10 +108,7 @@ class Report(Shown, Stored):
 
     @cached_property
     def recognised(self) -> Seen | None:
-        """The equilibrium in the standard axes of a body of revolution, else None.
-
-        Where the scene is recognised as one that is not entered in them.
-        """
+        """The equilibrium in the axes of a body of revolution that is not entered in them, else None."""
         return seen(self.equilibrium)
 
     @cached_property
@@ -127,7 +126,7 @@ class Report(Shown, Stored):
         """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
         return names_accepted(self.equilibrium, self.required)
 
-    def verdict(self, values: Mapping[str, Any]) -> Decision:
+    def verdict(self, values: Mapping[str, Any], damped: bool = False) -> Decision:
         """The verdict at a point, exact, equality included.
 
         Parameters
@@ -135,6 +134,8 @@ class Report(Shown, Stored):
         values : mapping of name to number
             int, Fraction, Decimal, SymPy rational or algebraic number, a string such as "1/2", "0.1",
             "sqrt(3)/2"; a float is the dyadic rational it is
+        damped : bool
+            whether the body loses energy inside: the secular verdict, with Decision.growing
 
         Returns
         -------
@@ -154,15 +155,22 @@ class Report(Shown, Stored):
         >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
         >>> report.verdict({"I1": 1, "I3": "1/2", "l": 2, "pi3_0": 1, "dU": 2}).verdict
         <Verdict.STABLE: 'a sufficient condition for stability is proved to hold'>
+        >>> spin = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat((3, 2, 1), (0, 0, 0))), 3))
+        >>> spin.verdict({"omega3_0": 1}).verdict.name, spin.verdict({"omega3_0": 1}, damped=True).growing
+        ('STABLE', 2)
         """
-        numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
+        criteria = (self.damped,) if damped else (self.necessary, self.sufficient)
+        required = names_needed(self.equilibrium, criteria)
+        numbers = exact_values(self.equilibrium, values, required, self.parameters)
         margins: dict[Expr, Expr] = {}
-        if numbers.doubt:
-            stable, notion, why, modulo = None, "", numbers.doubt, self.sufficient.modulo
-        else:
+        stable, notion, why, modulo, growing = None, "", numbers.doubt, criteria[-1].modulo, None
+        if damped and not numbers.doubt:
+            stable, why, growing, modulo = secular_of(self.equilibrium).decide(numbers, margins)
+            notion = "" if stable is None else "secular"
+        elif not numbers.doubt:
             stable, notion, why, modulo = self._decided(numbers, margins)
         return Decision(Verdict.of(stable), notion, modulo, why, tuple(margins.items()),
-                        scene_note(self.equilibrium.system, numbers))
+                        scene_note(self.equilibrium.system, numbers), growing)
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
         """The decision on the point itself, where verdict speaks of it modulo a flow.
@@ -207,8 +215,8 @@ class Report(Shown, Stored):
         return Decision(Verdict.of(stable), "" if stable is None else "Lyapunov", (), why,
                         tuple(margins.items()), decision.note)
 
-    def _decided(self, numbers: Point, margins: dict[Expr,
-                                                     Expr]) -> tuple[bool | None, str, str, tuple[Expr, ...]]:
+    def _decided(self, numbers: Point, margins: dict[Expr, Expr]
+                 ) -> tuple[bool | None, str, str, tuple[Expr, ...]]:
         """Whether it is stable, the notion, why, and the integrals whose flow is divided out."""
         modulo = self.sufficient.modulo
         sufficient = holds(self.sufficient, numbers, margins)

@@ -16,7 +16,7 @@ from ..algebra.zeros import changes_of_sign, inner, zeros_inside, zeros_of
 from ..errors import ValuesError, require
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
-from .conditions import spectral_criterion
+from .criteria import spectral_criterion
 from .linearization import linearize
 from .values import check_names, names_in
 

@@ -1,0 +1,146 @@
+"""The three criteria: the spectral, the formal and the secular, each as inequalities."""
+from collections.abc import Sequence
+
+from sympy import Add, Expr, S
+
+from ..algebra.margins import Signs
+from ..mechanics.derivation import signs_over
+from .conditions import Criterion, condition_of
+from .energy_casimir import SecondVariation
+from .implication import Item, eliminate, merge, reduced
+from .linearization import Linearization
+
+
+def spectral_criterion(linearization: Linearization) -> Criterion:
+    """Necessary for stability: no eigenvalue has a positive real part.
+
+    λ⁴ + pλ² + q: p ≥ 0, q ≥ 0, p² − 4q ≥ 0, each as it is; λ² + q: q ≥ 0.
+
+    Parameters
+    ----------
+    linearization : Linearization
+
+    Returns
+    -------
+    Criterion
+        of the notion "spectral", with one alternative
+
+    Raises
+    ------
+    ScopeError
+        the polynomial has another degree
+
+    References
+    ----------
+    Vera & Viguera (2003), §5.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> ((p, q, discriminant),) = gs.spectral_criterion(gs.linearize(gs.upright(top))).alternatives
+    >>> discriminant.margin, discriminant.degenerate
+    (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
+    """
+    eq, values = linearization.equilibrium, linearization.frequency_coefficients
+    signs = signs_over(eq, values)
+    ring = signs.ring
+    fractions = [ring.fraction(value) for value in values]
+    items = [Item(*signs.split(*fraction), False, name)
+             for fraction, name in zip(fractions, "q" if len(values) == 1 else "pq")]
+    if len(values) == 2:
+        (p, a), (q, b) = fractions
+        factors = items[0].margin, *items[0].degenerate
+        # q = 0: the discriminant is p²
+        square = ring.one, tuple(e for e in factors if not e.is_constant())
+        discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
+        items.append(Item(*discriminant, False, "p² − 4q"))
+    return Criterion("spectral", (tuple(condition_of(ring, item, eq) for item in items),))
+
+
+def formal_criterion(variation: SecondVariation) -> Criterion:
+    """Sufficient for stability: the second variation is definite.
+
+    Of either sign, for some value of the free multiplier. The leading principal minors decide; a free
+    multiplier enters one margin, quadratically, and is eliminated: a ν² + b ν + c takes a positive value
+    iff a > 0 or b² > 4ac.
+
+    Parameters
+    ----------
+    variation : SecondVariation
+
+    Returns
+    -------
+    Criterion
+        of the notion "formal", modulo what the variation is
+
+    References
+    ----------
+    Holm, Marsden, Ratiu & Weinstein (1985); elimination: the maximum of a quadratic.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> variation = gs.second_variation(gs.upright(top))
+    >>> gs.formal_criterion(variation).alternatives[0][0].margin
+    -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
+    """
+    # one multiplier is eliminated, any value of the others may be chosen
+    others = dict.fromkeys(variation.free[1:], S.Zero)
+    minors = [(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)]
+    signs = signs_over(variation.equilibrium, [minor for _, minor in minors])
+    return _definite(variation, "formal", minors, signs, (1, -1))
+
+
+def secular_criterion(variation: SecondVariation) -> Criterion:
+    """Sufficient for stability under internal damping: the second variation is positive definite.
+
+    Damping takes energy: where it is not a minimum on the orbit, it is lost. Where the damping reaches every
+    motion and the second variation is not degenerate, the criterion is necessary too.
+
+    Parameters
+    ----------
+    variation : SecondVariation
+        of secular_variation
+
+    Returns
+    -------
+    Criterion
+        of the notion "secular", modulo what the variation is
+
+    References
+    ----------
+    Kelvin & Tait, Treatise on Natural Philosophy (1879), §345; Bloch, Krishnaprasad, Marsden & Ratiu (1994).
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> spin = gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))), 3)
+    >>> print(gs.independent(gs.secular_criterion(gs.secular_variation(spin)), spin))
+    I₃ > I₁ and I₃ > I₂
+    """
+    eq = variation.equilibrium
+    # k·Ik is positive
+    moment = [m * k**2 for m, k in zip(eq.system.body.inertia, eq.point[3:])]
+    minors = list(variation.block_minors)
+    signs = Signs.over([minor for _, minor in minors],
+                       (*eq.domain, *([eq.at_point(Add(*moment))] if moment else [])))
+    return _definite(variation, "secular", minors, signs, (1,))
+
+
+def _definite(variation: SecondVariation, notion: str, minors: Sequence[tuple[int, Expr]], signs: Signs,
+              allowed: Sequence[int]) -> Criterion:
+    """Definite of a sign that is allowed, by minors with their orders."""
+    ring = signs.ring
+    fractions = [(n, ring.fraction(minor)) for n, minor in minors]
+    alternatives: list[list[Item]] = []
+    for s in allowed:
+        items = [Item(*signs.split(s**n * top, bottom), True, f"minor {n}") for n, (top, bottom) in fractions]
+        conjunction = reduced(items, signs)
+        if conjunction is not None:
+            free = [nu for nu in variation.free if nu in ring.gens]
+            alternatives += eliminate(conjunction, free[0], signs) if free else [conjunction]
+    merged = merge([a for a in (reduced(a, signs) for a in alternatives) if a is not None], signs)
+    return Criterion(notion, tuple(tuple(condition_of(ring, item, variation.equilibrium) for item in a)
+                                   for a in merged), variation.modulo)

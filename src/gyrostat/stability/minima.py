@@ -1,0 +1,107 @@
+"""Whether the energy is least on the orbit where its second variation is degenerate."""
+from collections.abc import Iterator, Mapping
+
+from sympy import Add, Expr, S, Symbol, factorial
+
+from ..algebra.exact import evaluate, sign_of_constant
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.reduction import reducible
+from ..notation import jet_name, symbol
+from .amended import Amended
+
+Least = tuple[bool | None, str]
+HIGHEST = 24                                               # the power of k3 up to which W is expanded
+NO_SIGN = "a sign is not proved"
+
+
+def least_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
+    """Whether h has a strict minimum on the orbit, modulo the symmetries; None if that is not proved.
+
+    And why.
+    """
+    if eq.system.potential is None:
+        return _on_sphere(eq, numbers)
+    if reducible(eq.system):
+        return _along_axis(eq, numbers)
+    values, which = Amended(eq, numbers).leading()
+    if values is None:
+        return None, which
+    what = f"the leading form of the amended potential, {which},"
+    if values == {1}:
+        return True, f"{what} is positive"
+    return (False, f"{what} takes negative values") if -1 in values else (None, f"{what} is positive or 0")
+
+
+def _on_sphere(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
+    """Of a free gyrostat: Δ = 0."""
+    body = eq.system.body
+    pi, rotor, moments = ([evaluate(eq.insert(x), numbers) for x in vector]
+                          for vector in (eq.point, body.gyrostatic_momentum, body.inertia))
+    M = [evaluate(p + l, {}) for p, l in zip(pi, rotor)]
+    moved = [sign_of_constant(x) for x in M]
+    if None in moved:
+        return None, NO_SIGN
+    first = next(n for n in range(3) if moved[n])
+    nu = pi[first] / moments[first] / M[first]
+    d = [sign_of_constant(evaluate(1 / moment - nu, {})) for moment in moments]
+    if None in d:
+        return None, NO_SIGN
+    if d.count(0) == 2 and moved.count(0) == 2:            # about the axis of a body of revolution
+        return _fourth(sign_of_constant(evaluate(rotor[first] * M[first], {})))
+    for n in range(3):
+        if moved[n] == 0 == d[n] and d[n - 1] == d[n - 2] != 0:
+            return _fourth(d[n - 1])
+    return False, "where rotations meet, the energy is no extremum on the momentum sphere"
+
+
+def _fourth(sign: int | None) -> Least:
+    if sign is None:
+        return None, NO_SIGN
+    return sign == 1, f"to fourth order it is {'least' if sign == 1 else 'greatest'}"
+
+
+def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
+    """Of a body of revolution: W(k3) = U + (C1 − l k3)²/(2 (I1 (1 − k3²) + I3 k3²)).
+
+    Its first term beside the point decides; at E1 and E2 on the one side that there is.
+    """
+    pole = eq.at if eq.at**2 == 1 else S.Zero
+    for power, term in enumerate(_expanded(eq, numbers)):
+        if power < (1 if pole else 2):
+            continue
+        if term.free_symbols:
+            missing = ", ".join(sorted(s.name for s in term.free_symbols))
+            return None, f"the second variation is degenerate, give {missing} to decide"
+        sign = sign_of_constant(term)
+        if sign is None:
+            return None, NO_SIGN
+        if sign:
+            what = f"the amended potential goes with the power {power} of the change of k3"
+            return (sign * (-pole) ** power == 1 if pole else power % 2 == 0 and sign == 1), what
+    return None, f"up to the power {HIGHEST} of k3 the amended potential does not change"
+
+
+def _expanded(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[Expr]:
+    """The coefficients of W in the change x of k3."""
+    body, k3 = eq.system.body, evaluate(eq.insert(eq.at), numbers)
+    (I1, _, I3), l = ([evaluate(eq.insert(m), numbers) for m in body.inertia],
+                      evaluate(eq.insert(body.gyrostatic_momentum[2]), numbers))
+    pi, k = ([evaluate(eq.insert(x), numbers) for x in vector] for vector in (eq.point[:3], eq.point[3:]))
+    # (C1 − l k3 − l x)², C1 − l k3 = π·k
+    rest = Add(*(p * x for p, x in zip(pi, k)))
+    above = [rest**2, -2 * rest * l, l**2]
+    below = [2 * (I1 + (I3 - I1) * k3**2), 4 * (I3 - I1) * k3, 2 * (I3 - I1)]
+    kinetic: list[Expr] = []
+    for power in range(HIGHEST + 1):
+        top = above[power] if power < 3 else S.Zero
+        top -= Add(*(below[n] * kinetic[power - n] for n in (1, 2) if n <= power))
+        kinetic.append(evaluate(top / below[0], {}))
+        yield evaluate(kinetic[power] + _slope(eq, power, numbers) / factorial(power), {})
+
+
+def _slope(eq: Equilibrium, order: int, numbers: Mapping[Symbol, Expr]) -> Expr:
+    """A derivative of U at the point."""
+    if order == 0:
+        return S.Zero
+    value = eq.insert(eq.at_point(symbol(jet_name(order))))
+    return evaluate(value, numbers) if value.free_symbols <= numbers.keys() else value

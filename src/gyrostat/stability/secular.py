@@ -1,0 +1,177 @@
+"""Internal damping: whether an equilibrium stays stable when the body loses energy inside.
+
+Fuel that sloshes, a nutation damper, joints that give: they take energy, keep the Casimirs, and leave a body
+that turns like a rigid one alone. What is stable then is a minimum of the energy on the orbit.
+"""
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from sympy import Add, Expr, S, Symbol
+
+from ..algebra.exact import Point, evaluate, sign_of_constant
+from ..algebra.matrices import characteristic_coefficients, cross
+from ..algebra.polynomials import Ring, lowest_terms
+from ..kept import cached_property
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.once import once
+from ..mechanics.standard import seen, seen_at
+from ..notation import symbol
+from .conditions import Criterion, independent
+from .criteria import secular_criterion
+from .energy_casimir import SecondVariation, secular_variation
+from .minima import least_at
+from .truth import holds
+from .values import names_needed
+
+Growing = tuple[bool | None, str, int | None]              # stable, why, and the number of growing modes
+KEPT = "damping takes energy, which has a strict minimum on the orbit"
+LOST = "damping takes energy, which is not least on the orbit: it is lost"
+OUT_OF_REACH = "the damping does not reach every motion: a linear motion of k goes on without a torque"
+NO_SIGN = "a margin has no proved sign"
+
+
+@dataclass(frozen=True)
+class Secular:
+    """The second variation with the Casimirs alone, and what it says under internal damping.
+
+    Positive definite: stable, asymptotically on its orbit if the damping reaches every motion (is pervasive).
+    Not degenerate, not positive, and the damping pervasive: unstable, with as many growing modes as the
+    second variation has negative squares (Kelvin, Tait, Chetaev). Damping by all three components of ω
+    reaches every motion but in one case: the body turns about k with M along k, and no torque acts to first
+    order, so that k moves by itself. There M is that of a free body, and its growing modes are all.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+
+    References
+    ----------
+    Chetaev, The Stability of Motion (1961); Zajac, J. Astronaut. Sci. 11 (1964) 46-49; Bloch, Krishnaprasad,
+    Marsden & Ratiu, Ann. Inst. H. Poincaré Anal. Non Linéaire 11 (1994) 37-90.
+    """
+
+    equilibrium: Equilibrium
+
+    @cached_property
+    def variation(self) -> SecondVariation:
+        """With the Casimirs, on the orbit modulo the flows of the integrals."""
+        return secular_variation(self.equilibrium)
+
+    @cached_property
+    def criterion(self) -> Criterion:
+        """It is positive definite; reduced to independent conditions.
+
+        Of a body that is recognised, in the standard axes.
+        """
+        if known := seen(self.equilibrium):
+            return replace(secular_of(known.equilibrium).criterion, modulo=known.modulo)
+        return independent(secular_criterion(self.variation), self.equilibrium)
+
+    def decide(self, numbers: Point, margins: dict[Expr, Expr]
+               ) -> tuple[bool | None, str, int | None, tuple[Expr, ...]]:
+        """Whether it is stable under internal damping at exact numbers, why, how many modes grow, and the
+        integrals whose flows are divided out.
+
+        None is for what is not proved.
+        """
+        known = seen(self.equilibrium) or seen_at(self.equilibrium, numbers)
+        if known is None:
+            return *self._decided(numbers, margins), self.criterion.modulo
+        standard = secular_of(known.equilibrium)
+        needed = names_needed(standard.equilibrium, (standard.criterion,))
+        if missing := ", ".join(name for name in needed if symbol(name) not in numbers):
+            return None, known.worded(f"give {missing} to decide"), None, known.modulo
+        stable, why, growing = standard._decided(numbers, margins)
+        return stable, known.worded(why), growing, known.modulo
+
+    def _decided(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Growing:
+        positive = holds(self.criterion, numbers, margins)
+        if positive:
+            return True, KEPT, 0
+        coefficients = [sign_of_constant(evaluate(c, numbers)) for c in self._coefficients]
+        if positive is None or None in coefficients:
+            return None, NO_SIGN, None
+        if coefficients and coefficients[-1] == 0:
+            return self._degenerate(numbers)
+        negative = _variations(coefficients)
+        if self._free(numbers):
+            return self._along(numbers)
+        return False, f"{LOST}, {_modes(negative)}", negative
+
+    @cached_property
+    def _coefficients(self) -> tuple[Expr, ...]:
+        """Of the characteristic polynomial of the second variation, with the signs of λ → −λ."""
+        eq, matrix = self.equilibrium, self.variation.matrix
+        return _coefficients([[eq.insert(entry) for entry in row] for row in matrix.tolist()])
+
+    @cached_property
+    def _torques(self) -> tuple[Expr, ...]:
+        """What vanishes where k moves by itself: M × k, and the torque to first order in k."""
+        eq = self.equilibrium
+        potential = eq.system.potential
+        if potential is None:
+            return (S.One,)
+        pi, k = eq.point[:3], eq.point[3:]
+        momentum = [p + l for p, l in zip(pi, eq.system.body.gyrostatic_momentum)]
+        slopes = [eq.at_point(d) for d in potential.gradient()]
+        curved = [[eq.at_point(d) for d in row] for row in eq.system.energy_hessian.tolist()[3:]]
+        curved = [row[3:] for row in curved]
+        along = Add(*(d * x for d, x in zip(slopes, k))) / Add(*(x**2 for x in k))
+        for n in range(3):
+            curved[n][n] -= along
+        across = [cross(row, k) for row in curved]
+        both = [cross(column, k) for column in zip(*across)]
+        found = [*cross(momentum, k), *cross(slopes, k), *(e for row in both for e in row)]
+        return tuple(e for x in found if (e := lowest_terms(eq.insert(x))) != 0)
+
+    def _free(self, numbers: Mapping[Symbol, Expr]) -> bool:
+        """Whether k moves by itself there, the body turning about it."""
+        return all(sign_of_constant(evaluate(e, numbers)) == 0 for e in self._torques)
+
+    def _along(self, numbers: Mapping[Symbol, Expr]) -> Growing:
+        """Where k moves by itself: of M, as of a free body, M = μ k, ω = w k, on the plane across k."""
+        eq = self.equilibrium
+        body = eq.system.body
+        pi, k, moments, rotor = (
+            [evaluate(eq.insert(x), numbers) for x in vector]
+            for vector in (eq.point[:3], eq.point[3:], body.inertia, body.gyrostatic_momentum))
+        mu = Add(*((p + l) * x for p, l, x in zip(pi, rotor, k)))
+        rate = Add(*(p / moment * x for p, moment, x in zip(pi, moments, k)))
+        across = [cross(tuple(S.One if i == n else S.Zero for i in range(3)), k) for n in range(3)]
+        form = [[Add(*((mu**2 / moment - mu * rate) * x * y for moment, x, y in zip(moments, a, b)))
+                 for b in across] for a in across]
+        growing = _variations([sign_of_constant(evaluate(c, {})) for c in _coefficients(form)])
+        if growing:
+            return False, f"{LOST}, {_modes(growing)}; {OUT_OF_REACH}", growing
+        return None, OUT_OF_REACH, None
+
+    def _degenerate(self, numbers: Mapping[Symbol, Expr]) -> Growing:
+        """Where the second variation is degenerate beyond the symmetries: whether the energy is least."""
+        least, why = least_at(self.equilibrium, numbers)
+        if least is None or (not least and self._free(numbers)):
+            return None, why if least is None else OUT_OF_REACH, None
+        return least, f"{KEPT}: {why}" if least else f"{LOST}: {why}", 0 if least else None
+
+
+@once
+def secular_of(eq: Equilibrium) -> Secular:
+    """What internal damping makes of an equilibrium, derived once."""
+    return Secular(eq)
+
+
+def _coefficients(form: Sequence[Sequence[Expr]]) -> tuple[Expr, ...]:
+    """e1, …, en of det(λ + A) = λⁿ + e1 λⁿ⁻¹ + … + en."""
+    ring = Ring([entry for row in form for entry in row])
+    rows, bottom = ring.matrix(form)
+    return tuple(ring.quotient((-1) ** n * c, bottom**n)
+                 for n, c in enumerate(characteristic_coefficients(ring, rows), 1))
+
+
+def _variations(signs: Sequence[int | None]) -> int:
+    """How many eigenvalues of a symmetric matrix are negative: Descartes' rule is exact, for all are real."""
+    left = [1, *filter(None, signs)]
+    return sum(a != b for a, b in zip(left, left[1:]))
+
+
+def _modes(count: int) -> str:
+    return f"{count} growing mode{'' if count == 1 else 's'}"
