@@ -153,7 +153,8 @@ def test_the_tilt_is_kept_where_the_drift_is_defective_and_positive():
         TILT.drift.defect.expand().as_ordered_terms())
 
 
-@pytest.mark.parametrize("spin, modes", [("1.29", 2), ("sqrt(5/3)", 0), ("1.2909944488", 0), ("1.2909944487", 2)])
+@pytest.mark.parametrize("spin, modes", [
+    ("1.29", 2), ("sqrt(5/3)", 0), ("1.2909944488", 0), ("1.2909944487", 2)])
 def test_the_sleeping_top_with_a_damper(spin, modes):
     """I1 = 1, I3 = 8/5, m0 = 1: stable above 1.25, with damping from 1/√0.6 on, there by the fourth order."""
     top = gs.analyze(gs.upright(gs.assemble(TOP, gs.uniform_field()), spin="omega3_0"))
