@@ -1,5 +1,4 @@
 """Permanent rotations: every equilibrium of a free gyrostat on a momentum sphere, with its decision."""
-from fractions import Fraction
 
 import numpy as np
 import oracle

@@ -1,12 +1,13 @@
 """The three criteria: the spectral, the formal and the secular, each as inequalities."""
 from collections.abc import Sequence
 
-from sympy import Add, Expr, S
+from sympy import Add, Expr, Matrix, S
 
 from ..algebra.margins import Signs
+from ..algebra.polynomials import lowest_terms
 from ..mechanics.derivation import signs_over
 from .conditions import Criterion, condition_of
-from .energy_casimir import SecondVariation
+from .energy_casimir import SecondVariation, augmented_hessian
 from .implication import Item, eliminate, merge, reduced
 from .linearization import Linearization
 
@@ -86,6 +87,9 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     >>> gs.formal_criterion(variation).alternatives[0][0].margin
     -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
     """
+    if invariants := _on_sphere(variation):
+        signs = signs_over(variation.equilibrium, invariants)
+        return _definite(variation, "formal", [(2, invariants[1])], signs, (1,))
     # one multiplier is eliminated, any value of the others may be chosen
     others = dict.fromkeys(variation.free[1:], S.Zero)
     minors = [(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)]
@@ -123,10 +127,24 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     eq = variation.equilibrium
     # k·Ik is positive
     moment = [m * k**2 for m, k in zip(eq.system.body.inertia, eq.point[3:])]
-    minors = list(variation.block_minors)
+    minors = [(2, e) for e in _on_sphere(variation)] or list(variation.block_minors)
     signs = Signs.over([minor for _, minor in minors],
                        (*eq.domain, *([eq.at_point(Add(*moment))] if moment else [])))
     return _definite(variation, "secular", minors, signs, (1,))
+
+
+def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:
+    """Off the principal axes of a free body: trace and determinant on the plane across M, in any basis.
+
+    A = I⁻¹ − ν: tr A M² − M·A M, and Δ = M·adj(A) M. In the coordinates of a basis they have poles.
+    """
+    eq = variation.equilibrium
+    M = [p + l for p, l in zip(eq.point, eq.system.body.gyrostatic_momentum)]
+    if eq.system.potential or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
+        return ()
+    A = augmented_hessian(eq, eq.system.space.casimirs)
+    M = Matrix(M)
+    return (lowest_terms(A.trace() * M.dot(M) - M.dot(A * M)), lowest_terms(M.dot(A.adjugate() * M)))
 
 
 def _definite(variation: SecondVariation, notion: str, minors: Sequence[tuple[int, Expr]], signs: Signs,

@@ -10,6 +10,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .amended import Amended
 from .linearization import Linearization
+from .sphere import extremum_at
 from .torquefree import torque_free
 from .values import names_in
 
@@ -41,8 +42,11 @@ class Elementary:
         eq, (determinant, names) = self.equilibrium, self._determinant
         if missing := [name for name in names if symbol(name) not in numbers]:
             return None, f"the point lies between the two criteria; give {', '.join(missing)} to decide"
-        if eq.system.potential is None or sign(determinant, numbers) != 0:
+        if sign(determinant, numbers) != 0:
             return None, "the point lies between the two criteria"
+        if eq.system.potential is None:
+            found, why = extremum_at(eq, numbers)
+            return (None if found is None else found != 0), why
         if torqueless := torque_free(eq, numbers):
             return torqueless.decide(self.free)
         return Amended(eq, numbers).decide()

@@ -8,6 +8,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.reduction import reducible
 from ..notation import jet_name, symbol
 from .amended import Amended
+from .sphere import extremum_at
 
 Least = tuple[bool | None, str]
 HIGHEST = 24                                               # the power of k3 up to which W is expanded
@@ -34,30 +35,10 @@ def least_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
 
 def _on_sphere(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
     """Of a free gyrostat: Δ = 0."""
-    body = eq.system.body
-    pi, rotor, moments = ([evaluate(eq.insert(x), numbers) for x in vector]
-                          for vector in (eq.point, body.gyrostatic_momentum, body.inertia))
-    M = [evaluate(p + l, {}) for p, l in zip(pi, rotor)]
-    moved = [sign_of_constant(x) for x in M]
-    if None in moved:
-        return None, NO_SIGN
-    first = next(n for n in range(3) if moved[n])
-    nu = pi[first] / moments[first] / M[first]
-    d = [sign_of_constant(evaluate(1 / moment - nu, {})) for moment in moments]
-    if None in d:
-        return None, NO_SIGN
-    if d.count(0) == 2 and moved.count(0) == 2:            # about the axis of a body of revolution
-        return _fourth(sign_of_constant(evaluate(rotor[first] * M[first], {})))
-    for n in range(3):
-        if moved[n] == 0 == d[n] and d[n - 1] == d[n - 2] != 0:
-            return _fourth(d[n - 1])
-    return False, "where rotations meet, the energy is no extremum on the momentum sphere"
-
-
-def _fourth(sign: int | None) -> Least:
-    if sign is None:
-        return None, NO_SIGN
-    return sign == 1, f"to fourth order it is {'least' if sign == 1 else 'greatest'}"
+    found, why = extremum_at(eq, numbers)
+    if not found:
+        return found if found is None else False, why
+    return found == 1, f"to fourth order it is {'least' if found == 1 else 'greatest'}"
 
 
 def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:

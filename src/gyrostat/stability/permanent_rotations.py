@@ -18,22 +18,17 @@ from ..notation import Stored, symbol
 from ..shown import Shown
 from .asked import exact_point
 from .decision import Decision, Verdict
-from .sphere import BY_DISTANCE, DRIFTS, TO_FOURTH_ORDER
+from .sphere import DRIFTS, extremum
 
 NU, LENGTH = symbol("nu"), symbol("M")
 PRECISION = 128                                            # bits that put the rotations in order
 EXTREMUM = Decision(Verdict.STABLE, "Lyapunov", (), "the energy is an extremum on the momentum sphere", ())
 SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the energy is a saddle on the momentum sphere: an "
                   "eigenvalue has a positive real part", ())
-PITCHFORK = Decision(Verdict.STABLE, "Lyapunov", (), TO_FOURTH_ORDER, ())
-MEETING = Decision(Verdict.UNSTABLE, "Lyapunov", (), "where rotations meet, the energy is no extremum on the "
-                   "momentum sphere: motions of the same energy leave", ())
-REVOLVING = Decision(Verdict.STABLE, "Lyapunov", (), BY_DISTANCE, ())
 ON_CIRCLE = Decision(Verdict.UNSTABLE, "Lyapunov", (), DRIFTS, ())
 ANYWHERE = Decision(Verdict.STABLE, "Lyapunov", (), "M stays where it is: all moments are equal, "
                     "and there is no rotor", ())
 AT_REST = Decision(Verdict.STABLE, "Lyapunov", (), "M = 0 is the whole orbit", ())
-DEGENERATE = (PITCHFORK, MEETING, REVOLVING, ON_CIRCLE, ANYWHERE)
 
 
 @dataclass(frozen=True, repr=False)
@@ -80,7 +75,7 @@ class PermanentRotation(Shown, Stored):
     @cached_property
     def curvature(self) -> Expr:
         """Δ = M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν: the eigenvalues are ±√−Δ [1/T²]."""
-        if self.nu is None or self.decision in DEGENERATE:
+        if self.nu is None or self.decision not in (EXTREMUM, SADDLE):
             return S.Zero
         d = [1 / moment - self.nu for moment in self.body.inertia]
         return Add(*(m**2 * d[n - 1] * d[n - 2] for n, m in enumerate(self.momentum)))
@@ -183,18 +178,13 @@ def _rotation(body: Gyrostat, nu: Expr, M: Sequence[Expr],
         rotation = replace(rotation, decision=ON_CIRCLE, circle=3 - sum(axes))
     elif curvature.contains(0):
         sign = proved_sign(rotation.curvature)
-        met = _where_they_meet(body, M, nu) if sign == 0 else EXTREMUM if sign == 1 else SADDLE
+        met = _degenerate(body, M, nu) if sign == 0 else EXTREMUM if sign == 1 else SADDLE
         rotation = replace(rotation, decision=met)
     return [float(x.mid()) for x in (energy, *m)], rotation
 
 
-def _where_they_meet(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Decision:
-    """Δ = 0: whether the energy is an extremum."""
-    for n in range(3):
-        if M[n] == M[n - 1] == 0 and body.inertia[n] == body.inertia[n - 1]:
-            return REVOLVING
-    d = [1 / moment - nu for moment in body.inertia]
-    for n in range(3):
-        if M[n] == 0 and proved_sign(d[n]) == 0 and proved_sign(d[n - 1] * d[n - 2]) == 1:
-            return PITCHFORK
-    return MEETING
+def _degenerate(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Decision:
+    """Δ = 0."""
+    found, why = extremum(body.inertia, body.gyrostatic_momentum, M, nu)
+    stable = found if found is None else found != 0
+    return Decision(Verdict.of(stable), "" if stable is None else "Lyapunov", (), why, ())

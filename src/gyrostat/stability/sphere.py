@@ -2,7 +2,7 @@
 
 The energy on the momentum sphere, to fourth order.
 """
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from sympy import Expr, S, Symbol
@@ -15,6 +15,50 @@ DRIFTS = "the rotation lies on a circle of rotations, and those beside the circl
 TO_FOURTH_ORDER = "to fourth order the energy is an extremum on the momentum sphere"
 BY_DISTANCE = ("the energy on the momentum sphere depends on the distance from the axis alone: it is an "
                "extremum, or constant")
+NO_EXTREMUM = ("where rotations meet, the energy is no extremum on the momentum sphere: motions of the same "
+               "energy leave")
+
+
+def extremum(moments: Sequence[Expr], rotor: Sequence[Expr], M: Sequence[Expr],
+             nu: Expr) -> tuple[int | None, str]:
+    """1 where a degenerate rotation of a free gyrostat is a minimum of the energy on the momentum sphere, −1
+    where a maximum, 0 where neither; None where that is not proved. And why.
+
+    Δ = 0 with dᵢ = 1/Iᵢ − ν: it is an extremum where Mᵢ = 0 = dᵢ and dⱼ dₖ > 0 for some i (three rotations
+    meet), and about the axis of a body of revolution that carries l; nowhere else (folds, umbilics).
+
+    Parameters
+    ----------
+    moments, rotor, M : sequence of Expr, shape (3,)
+        exact numbers
+    nu : Expr
+        ω = ν M
+
+    References
+    ----------
+    Derived: h − h₀ = e t²/2 + d_j d_k y⁴/(8 abs(M)² e) + …, e = (d_k M_j² + d_j M_k²)/abs(M)².
+    """
+    moved = [sign_of_constant(m) for m in M]
+    d = [sign_of_constant(evaluate(1 / moment - nu, {})) for moment in moments]
+    if None in (*moved, *d):
+        return None, "a sign is not proved"
+    if d.count(0) == 2 == moved.count(0):
+        axis = next(n for n in range(3) if moved[n])
+        return sign_of_constant(evaluate(rotor[axis] * M[axis], {})), BY_DISTANCE
+    for n in range(3):
+        if moved[n] == 0 == d[n] and d[n - 1] == d[n - 2] != 0:
+            return d[n - 1], TO_FOURTH_ORDER
+    return 0, NO_EXTREMUM
+
+
+def extremum_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> tuple[int | None, str]:
+    """The same of an equilibrium of a free gyrostat, M ≠ 0, at exact numbers."""
+    body = eq.system.body
+    pi, rotor, moments = ([evaluate(eq.insert(x), numbers) for x in vector]
+                          for vector in (eq.point, body.gyrostatic_momentum, body.inertia))
+    M = [evaluate(p + l, {}) for p, l in zip(pi, rotor)]
+    axis = next(n for n in range(3) if sign_of_constant(M[n]))
+    return extremum(moments, rotor, M, pi[axis] / moments[axis] / M[axis])
 
 
 @dataclass(frozen=True)
