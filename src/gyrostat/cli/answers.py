@@ -132,7 +132,7 @@ def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) ->
 
 def _level(scene: System, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
     """The numbers with pi3_0 = I3 omega3_0 in place of omega3_0."""
-    level, moment = dict(numbers), scene.body.inertia[2]
+    level, moment = dict(numbers), scene.body.moments[2]
     if "omega3_0" in level and {s.name for s in moment.free_symbols} <= level.keys():
         level["pi3_0"] = level.pop("omega3_0") * moment.xreplace({symbol(n): x for n, x in numbers.items()})
     return level

@@ -89,10 +89,10 @@ def whole_scene(given: argparse.Namespace, names: Collection[str]) -> System:
         raise ValuesError(f'--potential is {potential.expression}, and an unspecified U moves nothing: write '
                           '--potential "m0*k3", or none for a free body')
     parameters = potential.parameters if potential else ()
-    if missing := [name for name in names_in([*body.inertia, *body.gyrostatic_momentum, *parameters])
+    if missing := [name for name in names_in([*body.moments, *body.gyrostatic_momentum, *parameters])
                    if name not in names]:
         moments, momentum = (f"({', '.join(map(str, vector))})"
-                             for vector in (body.inertia, body.gyrostatic_momentum))
+                             for vector in (body.moments, body.gyrostatic_momentum))
         raise ValuesError(f"--set gives no number for {', '.join(missing)}, and the body has the moments "
                           f"{moments}, the rotor {momentum}: "
                           f"add --set {missing[0]}=…")

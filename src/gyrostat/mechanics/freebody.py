@@ -51,7 +51,7 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
         raise BodyError(f"the torque has {len(torque)} components: give three, along the axes of the body")
     tau = ImmutableMatrix([parse(t) if isinstance(t, str) else exact_expression(t) for t in torque])
     pi = ImmutableMatrix([symbol(f"pi{i}") for i in (1, 2, 3)])
-    omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.inertia)])
+    omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.moments)])
     return (pi + ImmutableMatrix(body.gyrostatic_momentum)).cross(omega) + tau
 
 
@@ -97,7 +97,7 @@ def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
     twice = 2 * exact_expression(energy, "energy")
     if twice.is_negative:
         raise ValuesError(f"energy = {twice / 2}: the kinetic energy of a body is not negative")
-    return twice * Min(*body.inertia), twice * Max(*body.inertia)
+    return twice * Min(*body.moments), twice * Max(*body.moments)
 
 
 def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int = 15) -> Expr:

@@ -36,7 +36,7 @@ def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix
     """
     require(body, Gyrostat, "the body")
     return ImmutableMatrix([moment * rate + rotor for moment, rate, rotor in zip(
-        body.inertia, angular_velocity(convention), body.gyrostatic_momentum)])
+        body.moments, angular_velocity(convention), body.gyrostatic_momentum)])
 
 
 def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: str = "zxz") -> Expr:
@@ -73,11 +73,11 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     """
     require(body, Gyrostat, "the body")
     omega = angular_velocity(convention)
-    kinetic = Rational(1, 2) * sum(moment * rate**2 for moment, rate in zip(body.inertia, omega))
-    if body.inertia[0] == body.inertia[1]:             # ω1² + ω2² is θ̇² + φ̇² sin²θ in either convention
+    kinetic = Rational(1, 2) * sum(moment * rate**2 for moment, rate in zip(body.moments, omega))
+    if body.moments[0] == body.moments[1]:             # ω1² + ω2² is θ̇² + φ̇² sin²θ in either convention
         theta, phi_dot, theta_dot = ANGLES[1], RATES[0], RATES[1]
         square = phi_dot**2 * sin(theta) ** 2 + theta_dot**2
-        kinetic = (Rational(1, 2) * body.inertia[0] * square).expand() + Rational(1, 2) * body.inertia[
+        kinetic = (Rational(1, 2) * body.moments[0] * square).expand() + Rational(1, 2) * body.moments[
             2
         ] * omega[2] ** 2
     rotor = sum(part * rate for part, rate in zip(body.gyrostatic_momentum, omega))
@@ -155,9 +155,9 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     require(potential, Potential, "the potential")
     if not body.is_of_revolution() or not potential.axial:
         raise ScopeError("θ moves by itself only for a body of revolution in U(k3); here inertia = "
-                         f"{body.inertia}, "
+                         f"{body.moments}, "
                          f"U = {potential.expression}: use lagrangian")
-    (I1, _, I3), l, theta = body.inertia, body.gyrostatic_momentum[2], ANGLES[1]
+    (I1, _, I3), l, theta = body.moments, body.gyrostatic_momentum[2], ANGLES[1]
     p_phi, p_psi = symbol("p_phi"), symbol("p_psi")
     turning = (p_phi - p_psi * cos(theta)) ** 2 / (2 * I1 * sin(theta) ** 2)
     return turning + (p_psi - l) ** 2 / (2 * I3) + potential.expression.subs(symbol("k3"), cos(theta))

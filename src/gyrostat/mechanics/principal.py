@@ -44,7 +44,7 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
                          "hanging or inclined")
     if axis not in (1, 2, 3):
         raise EquilibriumError(f"axis = {axis!r} is not a principal axis: give 1, 2 or 3")
-    momentum = scene.body.inertia[axis - 1] * symbol(f"omega{axis}_0")
+    momentum = scene.body.moments[axis - 1] * symbol(f"omega{axis}_0")
     point = [momentum if i == axis else 0 for i in (1, 2, 3)]
     total = momentum + scene.body.gyrostatic_momentum[axis - 1]
     return equilibrium(scene, point, domain=(total**2,), label=PRINCIPAL[axis - 1].label)

@@ -93,7 +93,7 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
     >>> import gyrostat as gs
     >>> field = gs.general_potential(lambda k1, k2, k3: k1 - k2**2 - k3**2)
     >>> found = recognise(gs.assemble(gs.Gyrostat((3, 1, 1), (0, 0, 0)), field))
-    >>> found.sentence, found.standard.potential.expression, found.standard.body.inertia
+    >>> found.sentence, found.standard.potential.expression, found.standard.body.moments
     ('recognised as a body of revolution about axis 1', k3**2 + k3 - 1, (1, 1, 3))
     """
     if reducible(scene):
@@ -110,8 +110,8 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
             continue
         place = UNITS.index(direction) if direction in UNITS else 2
         # the same number
-        across = min(scene.body.inertia[place - 2], scene.body.inertia[place - 1], key=count_ops)
-        body = Gyrostat((across, across, scene.body.inertia[place]),
+        across = min(scene.body.moments[place - 2], scene.body.moments[place - 1], key=count_ops)
+        body = Gyrostat((across, across, scene.body.moments[place]),
                         (0, 0, lowest(sum((x * l for x, l in zip(axis, rotor)), S.Zero))))
         try:
             return Recognition(scene, direction, system_of(body, axial_potential(U)))
@@ -125,7 +125,7 @@ def _directions(body: Gyrostat, potential: Potential) -> Iterator[Vector]:
 
     Of three equal moments, that of l, or of the field.
     """
-    equal = [vanishes(body.inertia[place - 2] - body.inertia[place - 1]) for place in range(3)]
+    equal = [vanishes(body.moments[place - 2] - body.moments[place - 1]) for place in range(3)]
     yield from (UNITS[place] for place in (2, 0, 1) if equal[place])
     if all(equal):
         free = all(map(vanishes, body.gyrostatic_momentum))

@@ -60,7 +60,7 @@ class Reduction(Shown, Stored):
             [M² L⁴/T²]
         """
         return (
-            2 * self.system.body.inertia[0] * (ENERGY - self.axial - self._field(U)) * self.across
+            2 * self.system.body.moments[0] * (ENERGY - self.axial - self._field(U)) * self.across
             - self.twist**2
         )
 
@@ -82,13 +82,13 @@ class Reduction(Shown, Stored):
         k3*m0 + (-l + p_psi)**2/(2*I3) + (-k3*p_psi + p_phi)**2/(2*I1*(1 - k3**2))
         """
         return (
-            self.axial + self._field(None) + self.twist**2 / (2 * self.system.body.inertia[0] * self.across)
+            self.axial + self._field(None) + self.twist**2 / (2 * self.system.body.moments[0] * self.across)
         )
 
     @property
     def rate(self) -> Expr:
         """The rate about the vertical on a level, (v − P k3)/(I1 (1 − k3²)) [1/T]."""
-        return self.twist / (self.system.body.inertia[0] * self.across)
+        return self.twist / (self.system.body.moments[0] * self.across)
 
     def precession(self) -> Expr:
         """What vanishes for the regular precessions ω = W k + σ e3, U' − P W + I1 k3 W².
@@ -126,12 +126,12 @@ class Reduction(Shown, Stored):
         >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).restoring()
         3*I1**2*k3**2*omega**2 + I1**2*omega**2 - I1*d2U*k3**2 + I1*d2U - 4*I1*k3*omega*p_psi + p_psi**2
         """
-        return self._at_rate(self.system.body.inertia[0] * self.across
+        return self._at_rate(self.system.body.moments[0] * self.across
                              * (symbol("d2U") + (self.twist * self.rate / 2).diff(K3, 2)))
 
     def _at_rate(self, expression: Expr) -> Expr:
         """With the level v expressed by the rate omega, in lowest terms."""
-        level = self.system.body.inertia[0] * OMEGA * self.across + V - self.twist
+        level = self.system.body.moments[0] * OMEGA * self.across + V - self.twist
         return lowest_terms(expression.xreplace({V: level}))
 
     def _field(self, U: Expr | None) -> Expr:
@@ -175,17 +175,17 @@ def reduce(scene: System) -> Reduction:
     require(scene, System, "the scene")
     if not reducible(scene):
         raise ScopeError("k3 moves by itself only for a body of revolution in U(k3); this scene has "
-                         f"inertia {scene.body.inertia}, l = "
+                         f"inertia {scene.body.moments}, l = "
                          f"{scene.body.gyrostatic_momentum}, U = "
                          f"{scene.potential and scene.potential.expression}: use vector_field()")
-    names = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2]) for s in e.free_symbols}
+    names = {s for e in (*scene.body.moments, scene.body.gyrostatic_momentum[2]) for s in e.free_symbols}
     if taken := sorted(s.name for s in names & {ENERGY, V, P, OMEGA}):
         raise ScopeError(f"the body depends on {', '.join(taken)}, a name of the reduced motion: rename it")
     pi1, pi2, pi3, k1, k2, _ = scene.space.coordinates
     kinetic, (c1, c2) = scene.body.kinetic_energy(scene.space.coordinates[:3]), scene.space.casimirs
     plane = {pi1: S.Zero, pi2: S.Zero, k1: S.Zero, k2: S.Zero}
     axial, aligned = kinetic.xreplace(plane), c1.xreplace(plane)       # π3²/(2 I3) and (π3 + l) k3
-    I1, across = scene.body.inertia[0], c2 - K3**2
+    I1, across = scene.body.moments[0], c2 - K3**2
     rate = I1 * scene.space.bracket(K3, kinetic)
     residual = rate**2 - across * 2 * I1 * (kinetic - axial) + (c1 - aligned) ** 2
     if is_identically_zero(residual) is False:

@@ -70,7 +70,7 @@ def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
     """The same, of a family that is recognised only at the numbers given."""
     if eq.system.potential is None or _plain(eq.system) or seen(eq):
         return None
-    moments = [evaluate(eq.insert(m), numbers) for m in eq.system.body.inertia]
+    moments = [evaluate(eq.insert(m), numbers) for m in eq.system.body.moments]
     if all(not (a - b).free_symbols and sign_of_constant(a - b) for a, b in combinations(moments, 2)):
         return None                                        # proved different: no body of revolution
     known = {s: evaluate(eq.insert(s), numbers) for s in names_of_scene(eq.system)}
@@ -91,14 +91,14 @@ def _turned(found: Recognition, eq: Equilibrium, point: Sequence[Expr]) -> Equil
 
     As k̇ = 0, ω = omega k with omega = ω·k; its relations and its domain hold as they do in the scene.
     """
-    pi, k, moments = point[:3], point[3:], found.standard.body.inertia
+    pi, k, moments = point[:3], point[3:], found.standard.body.moments
     k3, across = found.along(k), lowest(1 - found.along(k) ** 2)
     if vanishes(across):
         place: Vector = (S.Zero, S.Zero, found.along(pi), S.Zero, S.Zero, S(sign_of_constant(k3)))
     elif across.free_symbols and not _inclined(across, eq):
         return None
     else:
-        omega = lowest(sum((p * x / moment for p, x, moment in zip(pi, k, found.scene.body.inertia)), S.Zero))
+        omega = lowest(sum((p * x / moment for p, x, moment in zip(pi, k, found.scene.body.moments)), S.Zero))
         k1 = sqrt(across)
         place = (moments[0] * omega * k1, S.Zero, moments[2] * omega * k3, k1, S.Zero, k3)
     relations = tuple(pair for pair in eq.relations if not jet(pair[0].name)

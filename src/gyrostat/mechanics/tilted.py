@@ -87,10 +87,10 @@ def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Eq
     body, potential = scene.body, scene.potential
     if potential is None or not potential.axial or not body.is_of_revolution():
         raise ScopeError(f"{label} is a family of bodies of revolution in U(k3); this scene has inertia "
-                         f"{body.inertia}, l = "
+                         f"{body.moments}, l = "
                          f"{body.gyrostatic_momentum}, U = {potential and potential.expression}: use "
                          "equilibrium(scene, point)")
-    (I1, _, I3), l, k1 = body.inertia, body.gyrostatic_momentum[2], sqrt(1 - K3**2)
+    (I1, _, I3), l, k1 = body.moments, body.gyrostatic_momentum[2], sqrt(1 - K3**2)
     point = (I1 * omega * k1, S.Zero, I3 * omega * K3, k1, S.Zero, K3)
     slope = omega * l - omega**2 * K3 * (I1 - I3)
     given = potential.value(DU) if potential.given else DU

@@ -60,7 +60,7 @@ def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: flo
     >>> bool(np.nanmax(abs((M**2 / [1, 2, 3]).sum(axis=1) / 2 - 0.3)) < 1e-15), int(np.isnan(M[:, 0]).sum())
     (True, 1)
     """
-    scene, inertia, rotor = assemble(body), floats(body.inertia), floats(body.gyrostatic_momentum)
+    scene, inertia, rotor = assemble(body), floats(body.moments), floats(body.gyrostatic_momentum)
     values = [float(point.energy) for point in points]
     near = SHIFT * (max(values) - min(values))
     isolated = [(point, value) for point, value in zip(points, values) if point.circle is None]

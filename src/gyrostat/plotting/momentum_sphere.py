@@ -82,7 +82,7 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
         raise ValuesError(f"momentum = {momentum} is not the radius of a sphere: give a positive number")
     points, size = permanent_rotations(body, radius), float(radius)
     if points[0].sphere:
-        raise ScopeError(f"inertia = {body.inertia} and l = 0: every point of the sphere is an equilibrium; "
+        raise ScopeError(f"inertia = {body.moments} and l = 0: every point of the sphere is an equilibrium; "
                          "give different moments, or a rotor")
     least, most = (f(float(p.energy) for p in points) for f in (min, max))
     slack = 1e-12 * most                                   # an energy of a rest point may be rounded

@@ -18,7 +18,7 @@ def numbers_of(scene: System, values: Mapping[str, Any], also: tuple[str, ...] =
     One for every parameter of the scene, and for the names asked for besides.
     """
     field = scene.potential.parameters if scene.potential else ()
-    needed = {*names_in([*scene.body.inertia, *scene.body.gyrostatic_momentum, *field]), *also}
+    needed = {*names_in([*scene.body.moments, *scene.body.gyrostatic_momentum, *field]), *also}
     numbers = exact_point(scene, values, needed)
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the picture needs {', '.join(missing)}: give a number for each")
@@ -27,5 +27,5 @@ def numbers_of(scene: System, values: Mapping[str, Any], also: tuple[str, ...] =
 
 def body_at(scene: System, numbers: Point) -> Gyrostat:
     """The body with numbers in the place of its parameters."""
-    inertia: list[Expr] = [evaluate(moment, numbers) for moment in scene.body.inertia]
+    inertia: list[Expr] = [evaluate(moment, numbers) for moment in scene.body.moments]
     return Gyrostat(inertia, [evaluate(rotor, numbers) for rotor in scene.body.gyrostatic_momentum])

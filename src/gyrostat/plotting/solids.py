@@ -27,7 +27,7 @@ def solid(scene: System) -> list[Face]:
 
 def rigid(body: Gyrostat) -> bool:
     """Whether a rigid body has the moments: none exceeds the sum of the others."""
-    return all(sign_of_constant(Add(*body.inertia) - 2 * moment) != -1 for moment in body.inertia)
+    return all(sign_of_constant(Add(*body.moments) - 2 * moment) != -1 for moment in body.moments)
 
 
 def _top() -> list[Face]:
@@ -44,7 +44,7 @@ def _box(body: Gyrostat) -> list[Face]:
 
     A plate has none across, and is drawn with a thin one. One face stands out.
     """
-    inertia = floats(body.inertia)
+    inertia = floats(body.moments)
     edges = np.sqrt(np.maximum(inertia.sum() / 2 - inertia, 0.004 * inertia.sum()))
     edges = 0.9 * edges / np.linalg.norm(edges)
     return [(corners * edges, ACCENT if (axis, side) == (2, 1) else (LIGHT, MIDDLE, DEEP)[axis])

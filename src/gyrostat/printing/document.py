@@ -45,7 +45,7 @@ def scene_blocks(scene: System) -> list[Block]:
     bracket = Word("{F, G} = ∇F·B∇G", r"\{F, G\} = \nabla F\cdot ⟨B⟩\,\nabla G")
     blocks: list[Block] = [
         Heading("Scene", label="scene"),
-        sentence("Principal moments (", *listed(body.inertia), "), gyrostatic momentum ",
+        sentence("Principal moments (", *listed(body.moments), "), gyrostatic momentum ",
                  Word("l", "⟨vector_l⟩"), " = (", *listed(body.gyrostatic_momentum), "), ", momentum, ", ",
                  *field),
         sentence(f"Poisson tensor on {'e' if potential else 'so'}(3)*, ", bracket, "; the Jacobi identity "

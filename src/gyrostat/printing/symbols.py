@@ -55,7 +55,7 @@ def symbol_rows(scene: System, names: Iterable[str]) -> Rows:
 def _body(body: Gyrostat) -> list[Row]:
     """Its moments and its rotor, as far as they are symbols."""
     rows: list[Row] = []
-    for entries, what in ((body.inertia, "principal moment of inertia"),
+    for entries, what in ((body.moments, "principal moment of inertia"),
                           (body.gyrostatic_momentum, "gyrostatic momentum")):
         for entry in dict.fromkeys(entries):
             if isinstance(entry, Symbol):

@@ -90,7 +90,7 @@ def _equilibrium(eq: Equilibrium) -> str:
 
 @plain.register
 def _body(body: Gyrostat) -> str:
-    inertia, momentum = _entered(body.inertia), _entered(body.gyrostatic_momentum)
+    inertia, momentum = _entered(body.moments), _entered(body.gyrostatic_momentum)
     return f"gyrostat with inertia ({inertia}) and gyrostatic momentum ({momentum})"
 
 

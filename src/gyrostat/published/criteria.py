@@ -108,7 +108,7 @@ class Claim:
             raise PublishedError("periodic motion is decided for a free rigid body: leave out potential "
                                  "and gyrostatic_momentum")
         E, L2 = symbol("E"), symbol("L2")
-        low, middle, high = (L2 - 2 * E * moment for moment in self.scene.body.inertia)
+        low, middle, high = (L2 - 2 * E * moment for moment in self.scene.body.moments)
         return criterion("periodic", [(low, True), (-high, True), (middle**2, True)])
 
     def _first_rung(self, sign: int) -> Criterion:

@@ -93,7 +93,7 @@ def solution(r: Reading) -> Outcome | Doubt:
     t, printed = symbol("t"), read(s.printed, r.own)
     if not isinstance(printed, MatrixBase) or len(printed) != 3:
         raise PublishedError("a solution is printed as a list of three functions of t")
-    place = {symbol(f"pi{n[-1]}"): f * (scene.body.inertia[int(n[-1]) - 1] if n.startswith("omega") else 1)
+    place = {symbol(f"pi{n[-1]}"): f * (scene.body.moments[int(n[-1]) - 1] if n.startswith("omega") else 1)
              for n, f in zip(names, printed)}
     slopes = [f.diff(t) for f in printed]
     rates = [read(f"dt({n})", r.names).xreplace(place) for n in names]

@@ -25,7 +25,7 @@ class Model:
 
     def __init__(self, scene: Scene, values: Values):
         self.values = dict(values)
-        self.inertia = [moment.subs(self.values) for moment in scene.body.inertia]
+        self.inertia = [moment.subs(self.values) for moment in scene.body.moments]
         self.rotor = Matrix([part.subs(self.values) for part in scene.body.gyrostatic_momentum])
         self.label = scene.table.get("equilibrium")
         self.spins = scene.body.is_of_revolution() and scene.potential is not None and scene.potential.axial

@@ -13,7 +13,7 @@ def turning(scene: Scene, values: Values) -> dict[str, Any]:
     """Kinematics from the product of three turns at angles φ(t), θ(t), ψ(t), to 50 digits."""
     t, zero = Symbol("t"), Float(0, DIGITS)
     given = {str(s): Float(v, DIGITS) for s, v in values.items()}
-    inertia = [Float(moment.subs(dict(values)), DIGITS) for moment in scene.body.inertia]
+    inertia = [Float(moment.subs(dict(values)), DIGITS) for moment in scene.body.moments]
     unit = [Matrix([int(i == j) for j in range(3)]) for i in range(3)]
 
     def turn(axis: str, angle: Expr) -> Matrix:

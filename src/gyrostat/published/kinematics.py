@@ -32,9 +32,9 @@ def turning(scene: Scene) -> dict[str, Any]:
         dict(zip(RATES, RATES)),
     )
     if free:                                               # free motion, the momentum along z
-        omega = ImmutableMatrix([symbol(free) * x / moment for x, moment in zip(k, body.inertia)])
+        omega = ImmutableMatrix([symbol(free) * x / moment for x, moment in zip(k, body.moments)])
         rates = dict(zip(RATES, angle_rates(omega, convention)))
-    pi = ImmutableMatrix([moment * rate for moment, rate in zip(body.inertia, omega)])
+    pi = ImmutableMatrix([moment * rate for moment, rate in zip(body.moments, omega)])
 
     def dt(f: Any) -> Any:
         pairs = [*zip(ANGLES, rates.values()), *zip(RATES, second), *zip(A, A_dot)]
@@ -52,7 +52,7 @@ def turning(scene: Scene) -> dict[str, Any]:
         "axis_vertical": k,
         "axis_nodes": nodes(convention).col(1), "dt": dt, "delta": symbol("delta"), "torque": Later(torque),
         "tensor_torque": Later(lambda: R.T * dt(R * tensor * omega)),
-        "T": Later(lambda: sum(moment * rate**2 for moment, rate in zip(body.inertia, omega)) / 2),
+        "T": Later(lambda: sum(moment * rate**2 for moment, rate in zip(body.moments, omega)) / 2),
         "lagrangian": Later(lambda: lagrangian(body, potential, convention))}
     found |= {f"tau{i}": Later(lambda i=i: torque()[i - 1]) for i in (1, 2, 3)}    # type: ignore[misc]
     found |= {f"{name}{i}": x for name, v in (("k", k), ("omega", omega), ("pi", pi))

@@ -72,7 +72,7 @@ FUNCTIONS: Mapping[str, Any] = {
 
 def _symbols(scene: Scene) -> dict[str, Any]:
     """Parameters: those of body and field, and those the file declares."""
-    found = {s for e in (*scene.body.inertia, *scene.body.gyrostatic_momentum) for s in e.free_symbols}
+    found = {s for e in (*scene.body.moments, *scene.body.gyrostatic_momentum) for s in e.free_symbols}
     found |= set(scene.potential.parameters) if scene.potential else set()
     return {name: symbol(name) for name in {s.name for s in found} | set(scene.table.get("parameters", ()))
             | {"t"}}
@@ -99,7 +99,7 @@ def _phase_space(scene: Scene) -> dict[str, Any]:
         return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)
 
     pi, rotor = ImmutableMatrix(coordinates[:3]), ImmutableMatrix(body.gyrostatic_momentum)
-    omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.inertia)])
+    omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.moments)])
     kinetic = body.kinetic_energy(coordinates[:3])
     found: dict[str, Any] = {str(x): x for x in coordinates}
     found |= {f"omega{i}": rate for i, rate in enumerate(omega, 1)}

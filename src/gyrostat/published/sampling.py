@@ -20,7 +20,7 @@ TRIALS = 400
 
 def unknowns(scene: Scene, expressions: Iterable[Expr]) -> list[Symbol]:
     """Every symbol that a point of the scene needs a number for."""
-    found = {s for e in (*expressions, *scene.body.inertia, *scene.body.gyrostatic_momentum)
+    found = {s for e in (*expressions, *scene.body.moments, *scene.body.gyrostatic_momentum)
              for s in e.free_symbols}
     found |= set(scene.potential.parameters) if scene.potential else set()
     eq = scene.equilibrium
@@ -76,8 +76,8 @@ def on_family(scene: Scene, values: dict[Symbol, Expr]) -> dict[Symbol, Expr]:
 
 def is_a_body(scene: Scene, values: Mapping[Symbol, Expr]) -> bool:
     """Whether no moment exceeds the sum of the others, where the moments are drawn."""
-    moments = [moment.xreplace(dict(values)) for moment in scene.body.inertia]
-    if any(m.free_symbols for m in moments) or not any(m.free_symbols for m in scene.body.inertia):
+    moments = [moment.xreplace(dict(values)) for moment in scene.body.moments]
+    if any(m.free_symbols for m in moments) or not any(m.free_symbols for m in scene.body.moments):
         return True
     return all(sign_of_constant(sum(moments) - 2 * m) in (0, 1) for m in moments)
 

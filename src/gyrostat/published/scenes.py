@@ -41,7 +41,7 @@ class Scene(SceneTable):
         if eq.label != E3.label:
             return eq.point
         k = [symbol(f"k{i}") for i in (1, 2, 3)]
-        return (*(moment * symbol("omega") * x for moment, x in zip(self.body.inertia, k)), *k)
+        return (*(moment * symbol("omega") * x for moment, x in zip(self.body.moments, k)), *k)
 
     def finish(self, expression: Any) -> Any:
         """On the family: the relations of the equilibrium, a given U and its derivatives inserted."""

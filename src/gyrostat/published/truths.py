@@ -77,7 +77,7 @@ def _exists(r: Reading, model: Model) -> tuple[bool | None, str]:
 
 def _periodic(r: Reading, values: Values) -> tuple[bool | None, str]:
     moments, E, L2 = [m.subs(dict(values))
-                      for m in r.scene.body.inertia], values[symbol("E")], values[symbol("L2")]
+                      for m in r.scene.body.moments], values[symbol("E")], values[symbol("L2")]
     if moments != [1, 2, 3] or L2 != 1 or 4 * E != 1:
         return None, ""
     if (worst := separatrix_residual()) > 1e-20:

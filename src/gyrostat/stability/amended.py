@@ -206,7 +206,7 @@ class Amended:
 
     @cached_property
     def _moments(self) -> tuple[Expr, ...]:
-        return tuple(map(self._value, self.equilibrium.system.body.inertia))
+        return tuple(map(self._value, self.equilibrium.system.body.moments))
 
 
 def _form(value: Expr) -> Form:

@@ -23,10 +23,10 @@ def names_of(scene: System) -> set[str]:
     if not reducible(scene) or not scene.potential or not scene.potential.given:
         raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene "
                          "has inertia "
-                         f"{scene.body.inertia}, U = {scene.potential and scene.potential.expression}: use "
+                         f"{scene.body.moments}, U = {scene.potential and scene.potential.expression}: use "
                          "upright, hanging, inclined "
                          "or equilibrium")
-    needed = {s for e in (*scene.body.inertia, scene.body.gyrostatic_momentum[2], scene.potential.expression)
+    needed = {s for e in (*scene.body.moments, scene.body.gyrostatic_momentum[2], scene.potential.expression)
               for s in e.free_symbols}
     if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY}):
         raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: "
@@ -45,7 +45,7 @@ def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Po
     numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
     if scene.potential is not None:
         scene.potential.check_size(numbers)
-    for moment in scene.body.inertia[1:]:
+    for moment in scene.body.moments[1:]:
         if moment.free_symbols <= numbers.keys() and proved_sign(value := evaluate(moment, numbers)) != 1:
             raise ValuesError(f"{moment} = {value}, but a moment of inertia must be positive: give a "
                               "positive number")

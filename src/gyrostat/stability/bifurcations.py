@@ -103,5 +103,5 @@ def insert(scene: System, expression: Expr, at: Expr, numbers: Point, allowed: s
 
 def relation_at_rate(scene: System) -> Expr:
     """U' − ω l + ω² k3 (I1 − I3), the precession without spin about the axis."""
-    total = scene.body.inertia[2] * OMEGA * K3 + scene.body.gyrostatic_momentum[2]
+    total = scene.body.moments[2] * OMEGA * K3 + scene.body.gyrostatic_momentum[2]
     return expand(reduce(scene).precession().xreplace({P: total}))

@@ -68,7 +68,7 @@ def in_axes_of(found: Recognition, branch: Branch) -> Branch:
     point = None
     if branch.k3 is not None and branch.omega is not None and branch.pi3 is not None:
         k1 = S.Zero if branch.k3**2 == 1 else sqrt(1 - branch.k3**2)
-        pi = found.standard.body.inertia[0] * branch.omega * k1, S.Zero, branch.pi3
+        pi = found.standard.body.moments[0] * branch.omega * k1, S.Zero, branch.pi3
         point = tuple(x for v in (pi, (k1, S.Zero, branch.k3)) for x in found.rotation.T * ImmutableMatrix(v))
     along = lowest(sum((x * k for x, k in zip(found.axis, found.scene.space.coordinates[3:])), S.Zero))
     decision, itself = (d and _decision(found, d) for d in (branch.decision, branch.itself))

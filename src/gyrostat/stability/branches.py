@@ -92,7 +92,7 @@ class SceneAtNumbers:
 
     def __init__(self, scene: System, numbers: Point):
         assert scene.potential is not None
-        self.I1, _, self.I3 = (evaluate(m, numbers) for m in scene.body.inertia)
+        self.I1, _, self.I3 = (evaluate(m, numbers) for m in scene.body.moments)
         self.l = evaluate(scene.body.gyrostatic_momentum[2], numbers)
         body = {symbol("I1"): self.I1, symbol("I3"): self.I3, symbol("l"): self.l}
         parameters = {s: numbers[s] for s in scene.potential.parameters}

@@ -126,7 +126,7 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     """
     eq = variation.equilibrium
     # k·Ik is positive
-    moment = [m * k**2 for m, k in zip(eq.system.body.inertia, eq.point[3:])]
+    moment = [m * k**2 for m, k in zip(eq.system.body.moments, eq.point[3:])]
     minors = [(2, e) for e in _on_sphere(variation)] or list(variation.block_minors)
     signs = Signs.over([minor for _, minor in minors],
                        (*eq.domain, *([eq.at_point(Add(*moment))] if moment else [])))

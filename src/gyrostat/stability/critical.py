@@ -96,7 +96,7 @@ def _within(t: Expr, low: Expr, high: Expr) -> bool:
 
 def _admissible(scene: System, numbers: Point, free: Symbol, low: Expr, high: Expr) -> None:
     """Refuse a range in which a moment of inertia is not positive."""
-    for moment in {m for m in scene.body.inertia[1:]
+    for moment in {m for m in scene.body.moments[1:]
                    if free in m.free_symbols} | ({free} if free.is_positive else set()):
         placed = moment.xreplace(numbers)
         if placed.free_symbols - {free}:
@@ -114,7 +114,7 @@ def _margin(scene: System, numbers: Point, free: Symbol) -> tuple[Expr, Expr]:
     a factor.
     """
     (level,) = [b for b in bifurcations(scene) if b.kind == "fold on a level"]
-    spin = scene.body.inertia[2] * OMEGA * K3 + scene.body.gyrostatic_momentum[2]
+    spin = scene.body.moments[2] * OMEGA * K3 + scene.body.gyrostatic_momentum[2]
     assert scene.potential is not None
     held = ((1 - K3**2) * scene.potential.expression).xreplace(numbers)
     return insert(scene, level.equations[1].xreplace({P: spin}), K3, numbers, {free, K3}, E3.label), held
@@ -136,7 +136,7 @@ def _margins(curve: PlaneCurve, margin: Expr, held: Expr) -> Iterator[tuple[Expr
 
 def _at_pole(scene: System, numbers: Point, free: Symbol, s: int) -> list[Expr]:
     """Where the first coefficient of g at E1 or E2 that is not 0 everywhere vanishes or is infinite."""
-    spin = {symbol("pi3_0"): s * scene.body.inertia[2] * OMEGA}
+    spin = {symbol("pi3_0"): s * scene.body.moments[2] * OMEGA}
     try:
         eq = POLES[s].of(scene)
     except EquilibriumError:                               # U is infinite there

@@ -106,7 +106,7 @@ def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
 def on_precessions(motion: Reduction) -> tuple[Expr, Expr, Expr]:
     """C1, h, and what is positive where they are stable, of regular precessions in k3 and the rate omega."""
     # motion.rate is omega there
-    level = V - motion.twist + motion.system.body.inertia[0] * OMEGA * motion.across
+    level = V - motion.twist + motion.system.body.moments[0] * OMEGA * motion.across
     return (
         level,
         motion.effective_potential().xreplace({V: level}),

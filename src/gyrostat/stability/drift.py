@@ -48,7 +48,7 @@ class Drift(Shown, Stored):
         """The rate about the vertical, ω·k [1/T]."""
         eq = self.equilibrium
         pi, k = eq.point[:3], eq.point[3:]
-        return lowest_terms(Add(*(p / moment * x for p, moment, x in zip(pi, eq.system.body.inertia, k))))
+        return lowest_terms(Add(*(p / moment * x for p, moment, x in zip(pi, eq.system.body.moments, k))))
 
     @cached_property
     def rates(self) -> tuple[Expr, Expr]:
@@ -64,7 +64,7 @@ class Drift(Shown, Stored):
         """
         scene = self.equilibrium.system
         # affine in P = π3 + l, here I3 ω k3 + l
-        relation, moment = reduce(scene).precession(), scene.body.inertia[2]
+        relation, moment = reduce(scene).precession(), scene.body.moments[2]
         along, curved, across, slope = derivatives(relation, (K3, DU, OMEGA, P))
         here = {P: moment * OMEGA * K3 + scene.body.gyrostatic_momentum[2]}
         rates = (-(along + curved * symbol("d2U")) / (slope * moment) - OMEGA,
@@ -123,7 +123,7 @@ class Drift(Shown, Stored):
             return False, f"{turning}, at the rate σ with ∂σ/∂k3 = {along}, ∂σ/∂ω = {across}; {linear}"
         known = {**numbers, **{name: evaluate(value, numbers)
                                for name, value in self.equilibrium.relations if name not in numbers}}
-        special = [body.inertia[0] - body.inertia[2], body.gyrostatic_momentum[2]]
+        special = [body.moments[0] - body.moments[2], body.gyrostatic_momentum[2]]
         signs = [sign_of_constant(evaluate(e, known)) if e.free_symbols <= known.keys() else None
                  for e in special]
         if any(signs):

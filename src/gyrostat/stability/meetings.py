@@ -107,7 +107,7 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
 
 def positive(scene: System, numbers: Point, free: Symbol, value: Expr) -> bool:
     """Whether every moment of inertia is positive at a value of a free name."""
-    moments = [m for m in scene.body.inertia[1:] if free in m.free_symbols]
+    moments = [m for m in scene.body.moments[1:] if free in m.free_symbols]
     if free.is_positive:
         moments.append(free)
     return all(proved_sign(evaluate(m, {**numbers, free: value})) == 1 for m in moments)

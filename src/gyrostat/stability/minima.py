@@ -65,7 +65,7 @@ def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
 def _expanded(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[Expr]:
     """The coefficients of W in the change x of k3."""
     body, k3 = eq.system.body, evaluate(eq.insert(eq.at), numbers)
-    (I1, _, I3), l = ([evaluate(eq.insert(m), numbers) for m in body.inertia],
+    (I1, _, I3), l = ([evaluate(eq.insert(m), numbers) for m in body.moments],
                       evaluate(eq.insert(body.gyrostatic_momentum[2]), numbers))
     pi, k = ([evaluate(eq.insert(x), numbers) for x in vector] for vector in (eq.point[:3], eq.point[3:]))
     # (C1 − l k3 − l x)², C1 − l k3 = π·k

@@ -29,7 +29,7 @@ def state_note(scene: System, state: Sequence[Expr]) -> str:
 
 def inertia_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     """A sentence if the moments break the triangle inequality, as no rigid body's do."""
-    inertia = scene.body.inertia
+    inertia = scene.body.moments
     if not _names(inertia) <= numbers.keys():
         return ""
     if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(inertia)):
@@ -62,7 +62,7 @@ def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     if form is None:
         return ""
     others, first, second = form
-    expressions = (*others, first, second, *scene.body.inertia)
+    expressions = (*others, first, second, *scene.body.moments)
     if not _names(expressions) <= numbers.keys():
         return ""
     point = numbers if isinstance(numbers, Point) else Point(numbers)

@@ -69,15 +69,15 @@ class PermanentRotation(Shown, Stored):
         """½ Σ (M − l)²/I [M L²/T²]."""
         body = self.body
         rates = [(m - l) / moment
-                 for m, l, moment in zip(self.momentum, body.gyrostatic_momentum, body.inertia)]
-        return Add(*(Rational(1, 2) * moment * rate**2 for moment, rate in zip(body.inertia, rates)))
+                 for m, l, moment in zip(self.momentum, body.gyrostatic_momentum, body.moments)]
+        return Add(*(Rational(1, 2) * moment * rate**2 for moment, rate in zip(body.moments, rates)))
 
     @cached_property
     def curvature(self) -> Expr:
         """Δ = M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν: the eigenvalues are ±√−Δ [1/T²]."""
         if self.nu is None or self.decision not in (EXTREMUM, SADDLE):
             return S.Zero
-        d = [1 / moment - self.nu for moment in self.body.inertia]
+        d = [1 / moment - self.nu for moment in self.body.moments]
         return Add(*(m**2 * d[n - 1] * d[n - 2] for n, m in enumerate(self.momentum)))
 
     @property
@@ -133,7 +133,7 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
     (0, -1, 0) 1/4 UNSTABLE
     (-1, 0, 0) 1/2 STABLE
     """
-    inertia, rotor = body.inertia, body.gyrostatic_momentum
+    inertia, rotor = body.moments, body.gyrostatic_momentum
     if proved_sign(radius) == 0:
         return [_at_rest(body)]
     found = []
@@ -167,7 +167,7 @@ def _rotation(body: Gyrostat, nu: Expr, M: Sequence[Expr],
     """
     with own_precision(PRECISION):
         moments, rotor, m = ([ball(e, PRECISION) for e in vector]
-                             for vector in (body.inertia, body.gyrostatic_momentum, M))
+                             for vector in (body.moments, body.gyrostatic_momentum, M))
         energy = sum(((x - y)**2 / moment for x, y, moment in zip(m, rotor, moments)), arb(0)) / 2
         d = [1 / moment - ball(nu, PRECISION) for moment in moments]
         curvature = sum((x**2 * d[n - 1] * d[n - 2] for n, x in enumerate(m)), arb(0))
@@ -185,6 +185,6 @@ def _rotation(body: Gyrostat, nu: Expr, M: Sequence[Expr],
 
 def _degenerate(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Decision:
     """Δ = 0."""
-    found, why = extremum(body.inertia, body.gyrostatic_momentum, M, nu)
+    found, why = extremum(body.moments, body.gyrostatic_momentum, M, nu)
     stable = found if found is None else found != 0
     return Decision(Verdict.of(stable), "" if stable is None else "Lyapunov", (), why, ())

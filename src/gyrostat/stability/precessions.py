@@ -49,7 +49,7 @@ class Precessions:
         self.given = {name.name: x for name, x in numbers.items() if name != P} | {
             "pi3_0": evaluate(P - scene.body.gyrostatic_momentum[2], numbers)}
         self.total, self.numbers = numbers[P], numbers
-        self.I1 = evaluate(scene.body.inertia[0], numbers)
+        self.I1 = evaluate(scene.body.moments[0], numbers)
         self.components = (*curve.components, *curve.lines)
         self.margins = [curve.common(part, margin) if divmod(margin, part)[1] != 0 else []
                         for part in self.components]

@@ -134,7 +134,7 @@ class Secular:
         body = eq.system.body
         pi, k, moments, rotor = (
             [evaluate(eq.insert(x), numbers) for x in vector]
-            for vector in (eq.point[:3], eq.point[3:], body.inertia, body.gyrostatic_momentum))
+            for vector in (eq.point[:3], eq.point[3:], body.moments, body.gyrostatic_momentum))
         mu = Add(*((p + l) * x for p, l, x in zip(pi, rotor, k)))
         rate = Add(*(p / moment * x for p, moment, x in zip(pi, moments, k)))
         across = [cross(tuple(S.One if i == n else S.Zero for i in range(3)), k) for n in range(3)]

@@ -55,7 +55,7 @@ def extremum_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> tuple[int | 
     """The same of an equilibrium of a free gyrostat, M ≠ 0, at exact numbers."""
     body = eq.system.body
     pi, rotor, moments = ([evaluate(eq.insert(x), numbers) for x in vector]
-                          for vector in (eq.point, body.gyrostatic_momentum, body.inertia))
+                          for vector in (eq.point, body.gyrostatic_momentum, body.moments))
     M = [evaluate(p + l, {}) for p, l in zip(pi, rotor)]
     axis = next(n for n in range(3) if sign_of_constant(M[n]))
     return extremum(moments, rotor, M, pi[axis] / moments[axis] / M[axis])
@@ -91,8 +91,8 @@ class MomentumSphere:
         """f_b and f_c [M L²/T]."""
         eq, body = self.equilibrium, self.equilibrium.system.body
         total = eq.point[self.axis] + body.gyrostatic_momentum[self.axis]
-        b, c = (eq.insert(total - moment * eq.point[self.axis] / body.inertia[self.axis])
-                for n, moment in enumerate(body.inertia) if n != self.axis)
+        b, c = (eq.insert(total - moment * eq.point[self.axis] / body.moments[self.axis])
+                for n, moment in enumerate(body.moments) if n != self.axis)
         return b, c
 
     @cached_property

@@ -82,7 +82,7 @@ def torque_free(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> TorqueFree |
     if any(map(ring.numerator, (slope, other))):
         return None
     values = [[evaluate(eq.insert(x), numbers) for x in part]
-              for part in (eq.system.body.inertia, eq.system.body.gyrostatic_momentum, eq.point[:3],
+              for part in (eq.system.body.moments, eq.system.body.gyrostatic_momentum, eq.point[:3],
                            eq.point[3:])]
     return TorqueFree(Gyrostat(values[0], values[1]), tuple(values[2]), tuple(values[3]))
 

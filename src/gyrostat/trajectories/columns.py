@@ -40,7 +40,7 @@ def columns(scene: System, states: Array, turns: Array | None) -> list[Column]:
         entry = NOTATION[s.name]
         found.append(Column(s.name, units(*entry.dimension, entry.length), entry.latex, entry.meaning,
                             states[:, i]))
-    for i, moment in enumerate(scene.body.inertia, 1):
+    for i, moment in enumerate(scene.body.moments, 1):
         found.append(Column(f"omega{i}", RATE, rf"\omega_{i}", f"angular velocity of the body, axis {i}",
                             states[:, i - 1] / float(moment)))
     if turns is None:

@@ -126,7 +126,7 @@ def _inserted(scene: System, given: tuple[tuple[Symbol, Expr], ...]) -> System:
     numbers = dict(given)
     body, field = scene.body, scene.potential
     inertia, rotor = ([x.xreplace(numbers) for x in vector]
-                      for vector in (body.inertia, body.gyrostatic_momentum))
+                      for vector in (body.moments, body.gyrostatic_momentum))
     return assemble(Gyrostat(inertia, rotor),
                     field and Potential(field.variables, field.expression.xreplace(numbers),
                                         field.revolution))

@@ -76,20 +76,20 @@ class FreeMotion:
         if scene.potential is not None:
             raise ScopeError(f"U = {scene.potential.expression}: a free gyrostat is in no field; leave the "
                              "potential out")
-        if names := sorted({s.name for x in (*body.inertia, *body.gyrostatic_momentum)
+        if names := sorted({s.name for x in (*body.moments, *body.gyrostatic_momentum)
                             for s in x.free_symbols}):
             raise ValuesError(f"the body contains the names {', '.join(names)}: give numbers for them")
         if len(start) != 3:
             raise ValuesError(f"the state has {len(start)} components: give pi1, pi2, pi3")
         self.rotor: Triple = tuple(body.gyrostatic_momentum)
         M = tuple(exact_number(x, f"pi{i}") + y for i, (x, y) in enumerate(zip(start, self.rotor), 1))
-        self.path = path_of(tuple(body.inertia), self.rotor, M)
+        self.path = path_of(tuple(body.moments), self.rotor, M)
         self.size = math.hypot(*map(float, M)) + math.hypot(*map(float, self.rotor))
-        self.fastest = self.size / min(map(float, body.inertia))
+        self.fastest = self.size / min(map(float, body.moments))
         resting = isinstance(self.path, Steady) and self.path.about == 0
         self.rotation: Steady | RepeatedTurn               # what knows the attitude
         if isinstance(self.path, Polhode):
-            self.rotation = RepeatedTurn(tuple(body.inertia), self.rotor, M, self.path)
+            self.rotation = RepeatedTurn(tuple(body.moments), self.rotor, M, self.path)
         else:
             self.rotation = self.path
         self.period = self.rotation.period                  # of M; None where it rests, and on a separatrix

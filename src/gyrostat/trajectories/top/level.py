@@ -44,7 +44,7 @@ class Level:
     def numbers(self) -> tuple[Any, ...]:
         """I1, I3, l, then the state."""
         body = self.scene.body
-        given = (body.inertia[0], body.inertia[2], body.gyrostatic_momentum[2], *self.state)
+        given = (body.moments[0], body.moments[2], body.gyrostatic_momentum[2], *self.state)
         rational = self.field is not None and all(isinstance(x, Rational) for x in (*given, *self.field))
         return tuple(map(quotient, given)) if rational else given
 
