@@ -72,14 +72,15 @@ def test_arrays_and_diagonal_matrices_are_bodies(inertia):
         ("123", ArgumentError, "three numbers"),
         (b"123", ArgumentError, "three numbers"),
         (5, ArgumentError, "three numbers"),
-        (np.array([[1, 0.1, 0], [0.1, 2, 0], [0, 0, 3]]), BodyError, "principal"),
+        (np.array([[1, 0.1, 0], [0.2, 2, 0], [0, 0, 3]]), BodyError, "symmetric"),
+        ([[1, 2, 0], [2, 1, 0], [0, 0, 3]], BodyError, "a leading principal minor, -3, is not positive"),
         (np.eye(2), BodyError, "three"),
         (np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0]), ValuesError, "not a real number"),
         ((1, 2, np.array([3])), ValuesError, "not a real number"),
     ],
 )
 def test_what_is_no_body_says_what_to_give(inertia, error, hint):
-    """A text is no sequence of numbers; products of inertia are no moments."""
+    """A text is no sequence of numbers; a tensor is symmetric and positive."""
     with pytest.raises(error, match=hint):
         gs.Gyrostat(inertia)
 

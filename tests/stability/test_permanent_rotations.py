@@ -66,12 +66,12 @@ def test_circles_of_equilibria():
     """I1 = I2: the rotations about transverse axes are a circle, at the height l/(1 − I3/I1), and drift."""
     (circle,) = [p for p in permanent_rotations(gs.Gyrostat((1, 1, 2), (0, 0, "-1/5")), Rational(1))
                  if p.circle is not None]
-    assert circle.circle == 2
+    assert circle.circle == (0, 0, 1)
     assert circle.momentum[2] == Rational(1, 5)
     assert circle.decision.verdict is gs.Verdict.UNSTABLE
     (circle,) = [p for p in permanent_rotations(gs.Gyrostat((3, 2, 2), (0, 0, 0)), Rational(1))
                  if p.circle is not None]
-    assert circle.circle == 0 and circle.momentum[0] == 0
+    assert circle.circle == (1, 0, 0) and circle.momentum[0] == 0
 
 
 @pytest.mark.parametrize("spin", ["-1/2", "-1"])

@@ -30,7 +30,7 @@ def _shared(eq: Equilibrium) -> Signs | None:
     body, potential = eq.system.body, eq.system.potential
     slopes = [d for d in potential.gradient() if isinstance(d, Symbol)] if potential else []
     jet = [*slopes, *(d for slope in slopes for d in potential.following(slope))] if potential else []
-    held = [eq.at_point(e) for e in (*body.moments, *body.gyrostatic_momentum, *jet)]
+    held = [eq.at_point(e) for e in (*body.entries, *body.gyrostatic_momentum, *jet)]
     signs = Signs.over([*eq.point, *held, symbol("nu1")], eq.domain)
     few = len(signs.ring.generators) <= GENERATORS and len(signs.ring.squares) <= ROOTS
     return signs if few else None

@@ -58,7 +58,7 @@ class Equilibrium(Shown, Stored):
 
     def __post_init__(self) -> None:
         require(self.system, System, "the scene")
-        moments = [*self.system.body.moments, *(value for name, value in self.relations if name.is_positive)]
+        moments = [*self.system.body.positive, *(value for name, value in self.relations if name.is_positive)]
         if impossible := [m for m in moments if not m.free_symbols and sign(m, {}) != 1]:
             raise EquilibriumError(f"{self.label} has a relation that makes a moment, or another positive "
                                    f"name, {impossible[0]}, which is not proved to be positive: moments of "

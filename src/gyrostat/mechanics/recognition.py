@@ -108,10 +108,8 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
         U = along_third(scene.potential.expression, turned_up(axis), square_radius)
         if U is None:
             continue
-        place = UNITS.index(direction) if direction in UNITS else 2
-        # the same number
-        across = min(scene.body.moments[place - 2], scene.body.moments[place - 1], key=count_ops)
-        body = Gyrostat((across, across, scene.body.moments[place]),
+        across, along = _moments_about(scene.body, direction)
+        body = Gyrostat((across, across, along),
                         (0, 0, lowest(sum((x * l for x, l in zip(axis, rotor)), S.Zero))))
         try:
             return Recognition(scene, direction, system_of(body, axial_potential(U)))
@@ -125,11 +123,42 @@ def _directions(body: Gyrostat, potential: Potential) -> Iterator[Vector]:
 
     Of three equal moments, that of l, or of the field.
     """
+    if isinstance(body.inertia, ImmutableMatrix):
+        yield from _of_tensor(body.inertia)
+        return
     equal = [vanishes(body.moments[place - 2] - body.moments[place - 1]) for place in range(3)]
     yield from (UNITS[place] for place in (2, 0, 1) if equal[place])
     if all(equal):
         free = all(map(vanishes, body.gyrostatic_momentum))
         yield from _of_field(potential) if free else _direction(body.gyrostatic_momentum)
+
+
+def _of_tensor(tensor: ImmutableMatrix) -> Iterator[Vector]:
+    """Along c where I = A + (C − A) c cᵀ."""
+    yz, zx, xy = tensor[1, 2], tensor[2, 0], tensor[0, 1]
+    products = [vanishes(e) for e in (yz, zx, xy)]
+    if not any(products):
+        across = [tensor[0, 0] - zx * xy / yz, tensor[1, 1] - xy * yz / zx, tensor[2, 2] - yz * zx / xy]
+        if vanishes(across[0] - across[1]) and vanishes(across[1] - across[2]):
+            yield from _direction((zx * xy, xy * yz, yz * zx))
+    elif products.count(True) == 2:
+        n = products.index(False)                          # axis n is principal, and one of those across
+        i, j = (n + 1) % 3, (n + 2) % 3
+        a, b, c = tensor[i, i] - tensor[n, n], tensor[j, j] - tensor[n, n], tensor[i, j]
+        if vanishes(a * b - c**2):
+            axis = [S.Zero] * 3
+            axis[i], axis[j] = a, c
+            yield from _direction(axis)
+
+
+def _moments_about(body: Gyrostat, direction: Vector) -> tuple[Expr, Expr]:
+    """The moments across an axis of revolution and about it, in one spelling each."""
+    if isinstance(body.inertia, ImmutableMatrix):
+        c = ImmutableMatrix(_unit(direction))
+        along = lowest(c.dot(body.tensor * c))
+        return lowest((body.tensor.trace() - along) / 2), along
+    place = UNITS.index(direction) if direction in UNITS else 2
+    return min(body.moments[place - 2], body.moments[place - 1], key=count_ops), body.moments[place]
 
 
 def _of_field(potential: Potential) -> Iterator[Vector]:

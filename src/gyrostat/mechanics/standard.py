@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from sympy import Expr, S, sqrt
+from sympy import Expr, ImmutableMatrix, S, sqrt
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.margins import Signs
@@ -70,9 +70,11 @@ def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
     """The same, of a family that is recognised only at the numbers given."""
     if eq.system.potential is None or _plain(eq.system) or seen(eq):
         return None
-    moments = [evaluate(eq.insert(m), numbers) for m in eq.system.body.moments]
-    if all(not (a - b).free_symbols and sign_of_constant(a - b) for a, b in combinations(moments, 2)):
-        return None                                        # proved different: no body of revolution
+    body = eq.system.body
+    if not isinstance(body.inertia, ImmutableMatrix):
+        moments = [evaluate(eq.insert(m), numbers) for m in body.moments]
+        if all(not (a - b).free_symbols and sign_of_constant(a - b) for a, b in combinations(moments, 2)):
+            return None                                    # proved different: no body of revolution
     known = {s: evaluate(eq.insert(s), numbers) for s in names_of_scene(eq.system)}
     scene, point = at_numbers(eq.system, known), [evaluate(eq.insert(x), numbers) for x in eq.point]
     if len(scene.integrals) == 3 or not (found := recognise(scene)):
@@ -98,7 +100,7 @@ def _turned(found: Recognition, eq: Equilibrium, point: Sequence[Expr]) -> Equil
     elif across.free_symbols and not _inclined(across, eq):
         return None
     else:
-        omega = lowest(sum((p * x / moment for p, x, moment in zip(pi, k, found.scene.body.moments)), S.Zero))
+        omega = lowest(ImmutableMatrix(k).dot(found.scene.body.inverse * ImmutableMatrix(pi)))
         k1 = sqrt(across)
         place = (moments[0] * omega * k1, S.Zero, moments[2] * omega * k3, k1, S.Zero, k3)
     relations = tuple(pair for pair in eq.relations if not jet(pair[0].name)

@@ -84,13 +84,13 @@ class System(Shown, Stored):
     @cached_property
     def energy_gradient(self) -> ImmutableMatrix:
         """∇h in the coordinates and the jet of U: ωᵢ = πᵢ/Iᵢ, then ∇U."""
-        rates = [p / moment for p, moment in zip(self.space.coordinates, self.body.moments)]
+        rates = self.body.inverse * ImmutableMatrix(self.space.coordinates[:3])
         return ImmutableMatrix([*rates, *(self.potential.gradient() if self.potential else ())])
 
     @cached_property
     def energy_hessian(self) -> ImmutableMatrix:
         """D²h in the coordinates and the jet of U."""
-        kinetic = diag(*(1 / moment for moment in self.body.moments))
+        kinetic = self.body.inverse
         if self.potential is None:
             return ImmutableMatrix(kinetic)
         rows = [self.potential.following(d) if isinstance(d, Symbol) else (0, 0, 0)
@@ -156,18 +156,14 @@ def system_of(body: Gyrostat, potential: Potential | None) -> System:
 
 def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
     """The scene with numbers, or other expressions, in place of its names."""
-    body, potential = scene.body, scene.potential
-    inertia, rotor = ([evaluate(x, known) for x in vector]
-                      for vector in (body.moments, body.gyrostatic_momentum))
+    potential = scene.potential
     field = potential and replace(potential, expression=potential.expression.xreplace(dict(known)))
-    return system_of(Gyrostat(inertia, rotor), field)
+    return system_of(scene.body.changed(lambda x: evaluate(x, known)), field)
 
 
 def names_of_scene(scene: System) -> set[Symbol]:
     """The symbols of the body and of U."""
-    vectors = (*scene.body.moments, *scene.body.gyrostatic_momentum)
-    return {s for e in vectors for s in e.free_symbols}.union(scene.potential.parameters if scene.potential
-                                                              else ())
+    return scene.body.symbols.union(scene.potential.parameters if scene.potential else ())
 
 
 def _of_body(potential: Potential, body: Gyrostat) -> Potential:
@@ -176,7 +172,9 @@ def _of_body(potential: Potential, body: Gyrostat) -> Potential:
         raise ScopeError(f"U = {potential.expression} is written for I1 = I2, the body has inertia = "
                          f"{body.moments}: "
                          "give its own U(k1, k2, k3) with general_potential")
-    names = {symbol(f"I{i}"): moment for i, moment in zip((1, 2, 3), body.moments)}
+    own = [symbol(f"I{i}") for i in (1, 2, 3)]
+    # a tensor has none
+    names = dict(zip(own, body.moments)) if potential.expression.free_symbols & {*own} else {}
     names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
     names |= {symbol("l"): body.gyrostatic_momentum[2]}
     inserted = {name: value for name, value in names.items() if name != value

@@ -103,7 +103,7 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
         handles.append(named(heavy, "separatrix"))
     for point in points:
         if point.circle is not None:
-            axis, at = np.eye(3)[point.circle], floats(point.momentum)
+            axis, at = floats(point.circle), floats(point.momentum)
             height = float(at @ axis)
             curve_on(ax, circle(axis, float(np.sqrt(size**2 - height**2)), height), eye,
                      **line(Verdict.STABLE))

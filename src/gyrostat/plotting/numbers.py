@@ -18,7 +18,7 @@ def numbers_of(scene: System, values: Mapping[str, Any], also: tuple[str, ...] =
     One for every parameter of the scene, and for the names asked for besides.
     """
     field = scene.potential.parameters if scene.potential else ()
-    needed = {*names_in([*scene.body.moments, *scene.body.gyrostatic_momentum, *field]), *also}
+    needed = {*names_in([*scene.body.entries, *scene.body.gyrostatic_momentum, *field]), *also}
     numbers = exact_point(scene, values, needed)
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the picture needs {', '.join(missing)}: give a number for each")

@@ -3,9 +3,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, Pow, S, Symbol
+from sympy import Expr, ImmutableMatrix, MatrixBase, Pow, S, Symbol
 
 from ..algebra.readable import entries, readable, split
+from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import FAMILIES
 from ..mechanics.system import System
@@ -45,7 +46,7 @@ def scene_blocks(scene: System) -> list[Block]:
     bracket = Word("{F, G} = ∇F·B∇G", r"\{F, G\} = \nabla F\cdot ⟨B⟩\,\nabla G")
     blocks: list[Block] = [
         Heading("Scene", label="scene"),
-        sentence("Principal moments (", *listed(body.moments), "), gyrostatic momentum ",
+        sentence(*_inertia(body), ", gyrostatic momentum ",
                  Word("l", "⟨vector_l⟩"), " = (", *listed(body.gyrostatic_momentum), "), ", momentum, ", ",
                  *field),
         sentence(f"Poisson tensor on {'e' if potential else 'so'}(3)*, ", bracket, "; the Jacobi identity "
@@ -78,6 +79,13 @@ def conditions_blocks(report: Report) -> list[Block]:
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
             *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
             *boundary_blocks(report)]
+
+
+def _inertia(body: Gyrostat) -> tuple[Any, ...]:
+    if not isinstance(body.inertia, MatrixBase):
+        return "Principal moments (", *listed(body.moments), ")"
+    rows = [(*listed(row), "; ") for row in body.inertia.tolist()]
+    return "Inertia tensor (", *[part for row in rows for part in row][:-1], ")"
 
 
 def report_blocks(report: Report) -> list[Block]:

@@ -166,7 +166,9 @@ def _equilibrium(eq: Equilibrium, names: Names) -> str:
 
 @_formula.register
 def _body(body: Gyrostat, names: Names) -> str:
-    return _aligned(((Word("I", r"\left(⟨I1⟩, ⟨I2⟩, ⟨I3⟩\right)"), body.moments),
+    tensor = isinstance(body.inertia, MatrixBase)
+    left = Word("I", "I") if tensor else Word("I", r"\left(⟨I1⟩, ⟨I2⟩, ⟨I3⟩\right)")
+    return _aligned(((left, body.inertia),
                      (Word("l", r"\left(⟨l1⟩, ⟨l2⟩, ⟨l3⟩\right)"), body.gyrostatic_momentum)), names)
 
 

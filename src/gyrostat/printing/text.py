@@ -90,8 +90,11 @@ def _equilibrium(eq: Equilibrium) -> str:
 
 @plain.register
 def _body(body: Gyrostat) -> str:
-    inertia, momentum = _entered(body.moments), _entered(body.gyrostatic_momentum)
-    return f"gyrostat with inertia ({inertia}) and gyrostatic momentum ({momentum})"
+    momentum = _entered(body.gyrostatic_momentum)
+    if isinstance(body.inertia, MatrixBase):
+        rows = "; ".join(_entered(row) for row in body.inertia.tolist())
+        return f"gyrostat with inertia tensor ({rows}) and gyrostatic momentum ({momentum})"
+    return f"gyrostat with inertia ({_entered(body.moments)}) and gyrostatic momentum ({momentum})"
 
 
 @plain.register

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import factorial
 from typing import Any
 
-from sympy import Dummy, Expr, Mul, Poly, S, Symbol
+from sympy import Dummy, Expr, ImmutableMatrix, Mul, Poly, S, Symbol
 
 from ..algebra.exact import evaluate, proved_sign, sign_of_constant
 from ..algebra.forms import Form, valley, values_of
@@ -62,7 +62,7 @@ class Amended:
         """U_c − U_c(k0) in homogeneous parts of degree 0 to the degree given, k = ((4 − abs(ξ)²) k0 + 4 ξ)/(4
         + abs(ξ)²), ξ ⟂ k0.
         """
-        k0, rotor, moments = self._direction, self._rotor, self._moments
+        k0, rotor, tensor = self._direction, self._rotor, self._tensor
         # two products eᵢ × k0, independent
         ahead = next(n for n in (2, 1, 0) if sign_of_constant(k0[n]))
         across = [cross(tuple(S.One if n == m else S.Zero for n in range(3)), k0)
@@ -76,7 +76,7 @@ class Amended:
         level = sum(m * k for m, k in zip(total, k0))
         place = [k + d for k, d in zip(k0, step)]
         value += (level - sum(r * k for r, k in zip(rotor, place))) ** 2 / (
-            2 * sum(m * k**2 for m, k in zip(moments, place))
+            2 * sum(tensor[i, j] * place[i] * place[j] for i in range(3) for j in range(3))
         )
         ring = Ring([value, SIZE, X, Y])
         top, bottom = ring.fraction(value)
@@ -205,8 +205,8 @@ class Amended:
         return tuple(map(self._value, self.equilibrium.system.body.gyrostatic_momentum))
 
     @cached_property
-    def _moments(self) -> tuple[Expr, ...]:
-        return tuple(map(self._value, self.equilibrium.system.body.moments))
+    def _tensor(self) -> ImmutableMatrix:
+        return self.equilibrium.system.body.tensor.applyfunc(self._value)
 
 
 def _form(value: Expr) -> Form:

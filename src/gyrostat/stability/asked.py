@@ -45,7 +45,7 @@ def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Po
     numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
     if scene.potential is not None:
         scene.potential.check_size(numbers)
-    for moment in scene.body.moments[1:]:
+    for moment in dict.fromkeys(scene.body.positive):
         if moment.free_symbols <= numbers.keys() and proved_sign(value := evaluate(moment, numbers)) != 1:
             raise ValuesError(f"{moment} = {value}, but a moment of inertia must be positive: give a "
                               "positive number")

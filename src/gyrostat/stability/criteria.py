@@ -1,7 +1,7 @@
 """The three criteria: the spectral, the formal and the secular, each as inequalities."""
 from collections.abc import Sequence
 
-from sympy import Add, Expr, Matrix, S
+from sympy import Expr, Matrix, S
 
 from ..algebra.margins import Signs
 from ..algebra.polynomials import lowest_terms
@@ -125,11 +125,12 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     I₃ > I₁ and I₃ > I₂
     """
     eq = variation.equilibrium
+    k = Matrix(eq.point[3:])
     # k·Ik is positive
-    moment = [m * k**2 for m, k in zip(eq.system.body.moments, eq.point[3:])]
+    moment = k.dot(eq.system.body.tensor * k) if k else 0
     minors = [(2, e) for e in _on_sphere(variation)] or list(variation.block_minors)
     signs = Signs.over([minor for _, minor in minors],
-                       (*eq.domain, *([eq.at_point(Add(*moment))] if moment else [])))
+                       (*eq.domain, *([eq.at_point(moment)] if moment else [])))
     return _definite(variation, "secular", minors, signs, (1,))
 
 

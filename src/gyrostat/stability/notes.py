@@ -5,10 +5,11 @@ Not an error, and not to be overlooked.
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
-from sympy import Add, Expr, Poly, Rational, S, Symbol, sqrt
+from sympy import Add, Expr, ImmutableMatrix, Poly, Rational, S, Symbol, eye, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, evaluate, sign_of_constant
+from ..mechanics.body import Gyrostat
 from ..mechanics.system import System
 from ..notation import symbol
 
@@ -29,11 +30,13 @@ def state_note(scene: System, state: Sequence[Expr]) -> str:
 
 def inertia_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     """A sentence if the moments break the triangle inequality, as no rigid body's do."""
-    inertia = scene.body.moments
-    if not _names(inertia) <= numbers.keys():
+    if not _names(scene.body.entries) <= numbers.keys():
         return ""
-    if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(inertia)):
-        moments = [evaluate(m, numbers) for m in inertia]
+    if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(scene.body)):
+        if isinstance(scene.body.inertia, ImmutableMatrix):
+            return ("no rigid body has this inertia tensor: a principal moment exceeds the sum of the others "
+                    "(a body in a fluid may)")
+        moments = [evaluate(m, numbers) for m in scene.body.moments]
         return (f"no rigid body has the moments {', '.join(map(str, moments))}: one exceeds the sum of the "
                 "others (a body in a fluid may)")
     return ""
@@ -60,6 +63,8 @@ def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     """
     form = None if scene.potential is None or not scene.potential.given else _form(scene.potential.expression)
     if form is None:
+        return ""
+    if isinstance(scene.body.inertia, ImmutableMatrix):
         return ""
     others, first, second = form
     expressions = (*others, first, second, *scene.body.moments)
@@ -105,6 +110,12 @@ def _names(expressions: tuple[Expr, ...]) -> frozenset[Symbol]:
 
 
 @lru_cache(maxsize=256)
-def _excesses(inertia: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """By how much each moment falls short of the sum of the others."""
-    return tuple(Add(*inertia) - 2 * m for m in dict.fromkeys(inertia))
+def _excesses(body: Gyrostat) -> tuple[Expr, ...]:
+    """By how much each moment falls short of the sum of the others.
+
+    Of a tensor, what is not negative where none exceeds it: tr I/2 − I is the matrix of the second moments.
+    """
+    if isinstance(body.inertia, ImmutableMatrix):
+        second = body.tensor.trace() * ImmutableMatrix(eye(3)) / 2 - body.tensor
+        return second.adjugate().trace(), second.det(method="berkowitz")
+    return tuple(Add(*body.moments) - 2 * m for m in dict.fromkeys(body.moments))

@@ -1,10 +1,10 @@
 """The permanent rotations of a free body or gyrostat: every equilibrium on a momentum sphere."""
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from flint import arb
-from sympy import Add, Expr, Rational, S, sqrt
+from flint import arb, arb_mat
+from sympy import Add, Expr, ImmutableMatrix, Matrix, Rational, S, eye, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import proved_sign
@@ -19,6 +19,7 @@ from ..shown import Shown
 from .asked import exact_point
 from .decision import Decision, Verdict
 from .sphere import DRIFTS, extremum
+from .tensor_rotations import rotations_of_tensor
 
 NU, LENGTH = symbol("nu"), symbol("M")
 PRECISION = 128                                            # bits that put the rotations in order
@@ -43,8 +44,8 @@ class PermanentRotation(Shown, Stored):
     nu : Expr or None
         ν [1/(M L²)]; None where M = 0
     decision : Decision
-    circle : int or None
-        the axis about which the point may be turned: a circle of equilibria
+    circle : tuple of Expr, shape (3,), or None
+        along the axis about which the point may be turned: a circle of equilibria
     sphere : bool
         whether every point of the momentum sphere is an equilibrium
 
@@ -61,22 +62,30 @@ class PermanentRotation(Shown, Stored):
     momentum: tuple[Expr, ...]
     nu: Expr | None
     decision: Decision
-    circle: int | None = None
+    circle: tuple[Expr, ...] | None = None
     sphere: bool = False
 
     @cached_property
     def energy(self) -> Expr:
         """½ Σ (M − l)²/I [M L²/T²]."""
         body = self.body
-        rates = [(m - l) / moment
-                 for m, l, moment in zip(self.momentum, body.gyrostatic_momentum, body.moments)]
+        pi = [m - l for m, l in zip(self.momentum, body.gyrostatic_momentum)]
+        if isinstance(body.inertia, ImmutableMatrix):
+            return body.kinetic_energy(pi)
+        rates = [p / moment for p, moment in zip(pi, body.moments)]
         return Add(*(Rational(1, 2) * moment * rate**2 for moment, rate in zip(body.moments, rates)))
 
     @cached_property
     def curvature(self) -> Expr:
-        """Δ = M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν: the eigenvalues are ±√−Δ [1/T²]."""
+        """Δ = M·adj(I⁻¹ − ν) M [1/T²]: the eigenvalues are ±√−Δ.
+
+        In principal axes M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν.
+        """
         if self.nu is None or self.decision not in (EXTREMUM, SADDLE):
             return S.Zero
+        if isinstance(self.body.inertia, ImmutableMatrix):
+            M = Matrix(self.momentum)
+            return M.dot((self.body.inverse - self.nu * eye(3)).adjugate() * M)
         d = [1 / moment - self.nu for moment in self.body.moments]
         return Add(*(m**2 * d[n - 1] * d[n - 2] for n, m in enumerate(self.momentum)))
 
@@ -133,14 +142,22 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
     (0, -1, 0) 1/4 UNSTABLE
     (-1, 0, 0) 1/2 STABLE
     """
-    inertia, rotor = body.moments, body.gyrostatic_momentum
     if proved_sign(radius) == 0:
-        return [_at_rest(body)]
-    found = []
+        return [PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)]
+    if isinstance(body.inertia, ImmutableMatrix):
+        found = [_rotation(body, nu, M, axis) for nu, M, axis in rotations_of_tensor(body, radius)]
+    else:
+        found = list(_about_axes(body, radius))
+    return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]
+
+
+def _about_axes(body: Gyrostat, radius: Expr) -> Iterator[tuple[list[float], PermanentRotation]]:
+    """In principal axes."""
+    inertia, rotor = body.moments, body.gyrostatic_momentum
     secular = Add(*(l**2 / (1 - NU * moment) ** 2 for l, moment in zip(rotor, inertia))) - radius**2
     for nu in real_roots(secular, NU) or ():
         M = [l / (1 - nu * moment) if l else S.Zero for l, moment in zip(rotor, inertia)]
-        found.append(_rotation(body, nu, M))
+        yield _rotation(body, nu, M, None)
     for moment in dict.fromkeys(inertia):
         axes = [n for n in range(3) if inertia[n] == moment]
         if any(rotor[n] for n in axes):
@@ -149,33 +166,28 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
         rest = radius**2 - Add(*(m**2 for m in M))
         if proved_sign(rest) != 1:
             continue
-        for side in (1, -1)[:3 - len(axes)] or (1,):
+        about = tuple(S.Zero if n in axes else S.One for n in range(3)) if len(axes) > 1 else None
+        for side in (1, -1) if about is None else (1,):
             M[axes[0]] = side * sqrt(rest)
-            found.append(_rotation(body, 1 / moment, M, axes))
-    return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]
-
-
-def _at_rest(body: Gyrostat) -> PermanentRotation:
-    """M = 0: the body turns with −l/I."""
-    return PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)
+            yield _rotation(body, 1 / moment, M, about)
 
 
 def _rotation(body: Gyrostat, nu: Expr, M: Sequence[Expr],
-              axes: Sequence[int] = ()) -> tuple[list[float], PermanentRotation]:
-    """The rotation at M, with its place in the order; axes of equal moments about which it may be turned, if
-    there are more than one.
-    """
+              circle: tuple[Expr, ...] | None) -> tuple[list[float], PermanentRotation]:
+    """The rotation at M, with its place in the order; the axis about which it may be turned, 0 for any."""
     with own_precision(PRECISION):
-        moments, rotor, m = ([ball(e, PRECISION) for e in vector]
-                             for vector in (body.moments, body.gyrostatic_momentum, M))
-        energy = sum(((x - y)**2 / moment for x, y, moment in zip(m, rotor, moments)), arb(0)) / 2
-        d = [1 / moment - ball(nu, PRECISION) for moment in moments]
-        curvature = sum((x**2 * d[n - 1] * d[n - 2] for n, x in enumerate(m)), arb(0))
+        inverse = [[ball(e, PRECISION) for e in row] for row in body.inverse.tolist()]
+        m, rotor = ([ball(e, PRECISION) for e in vector] for vector in (M, body.gyrostatic_momentum))
+        pi, slope = [x - y for x, y in zip(m, rotor)], ball(nu, PRECISION)
+        energy = sum((x * inverse[i][j] * y for i, x in enumerate(pi) for j, y in enumerate(pi)), arb(0)) / 2
+        D = arb_mat([[x - slope * (i == j) for j, x in enumerate(row)] for i, row in enumerate(inverse)])
+        # adj(D) M·M = det(M Mᵀ + D) − det D
+        curvature = (D + arb_mat([[x * y for y in m] for x in m])).det() - D.det()
     rotation = PermanentRotation(body, tuple(M), nu, EXTREMUM if curvature > 0 else SADDLE)
-    if len(axes) == 3:
+    if circle and not any(circle):
         rotation = replace(rotation, decision=ANYWHERE, sphere=True)
-    elif len(axes) == 2:
-        rotation = replace(rotation, decision=ON_CIRCLE, circle=3 - sum(axes))
+    elif circle:
+        rotation = replace(rotation, decision=ON_CIRCLE, circle=circle)
     elif curvature.contains(0):
         sign = proved_sign(rotation.curvature)
         met = _degenerate(body, M, nu) if sign == 0 else EXTREMUM if sign == 1 else SADDLE
@@ -185,6 +197,6 @@ def _rotation(body: Gyrostat, nu: Expr, M: Sequence[Expr],
 
 def _degenerate(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Decision:
     """Δ = 0."""
-    found, why = extremum(body.moments, body.gyrostatic_momentum, M, nu)
+    found, why = extremum(body, M, nu)
     stable = found if found is None else found != 0
     return Decision(Verdict.of(stable), "" if stable is None else "Lyapunov", (), why, ())

@@ -6,13 +6,14 @@ that turns like a rigid one alone. What is stable then is a minimum of the energ
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from sympy import Add, Expr, S, Symbol
+from sympy import Add, Expr, Matrix, S, Symbol, eye
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.matrices import characteristic_coefficients, cross
 from ..algebra.polynomials import Ring, lowest_terms
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
+from ..mechanics.liepoisson import hat
 from ..mechanics.once import once
 from ..mechanics.standard import seen, seen_at
 from ..notation import symbol
@@ -131,16 +132,13 @@ class Secular:
     def _along(self, numbers: Mapping[Symbol, Expr]) -> Growing:
         """Where k moves by itself: of M, as of a free body, M = μ k, ω = w k, on the plane across k."""
         eq = self.equilibrium
-        body = eq.system.body
-        pi, k, moments, rotor = (
-            [evaluate(eq.insert(x), numbers) for x in vector]
-            for vector in (eq.point[:3], eq.point[3:], body.moments, body.gyrostatic_momentum))
-        mu = Add(*((p + l) * x for p, l, x in zip(pi, rotor, k)))
-        rate = Add(*(p / moment * x for p, moment, x in zip(pi, moments, k)))
-        across = [cross(tuple(S.One if i == n else S.Zero for i in range(3)), k) for n in range(3)]
-        form = [[Add(*((mu**2 / moment - mu * rate) * x * y for moment, x, y in zip(moments, a, b)))
-                 for b in across] for a in across]
-        growing = _variations([sign_of_constant(evaluate(c, {})) for c in _coefficients(form)])
+        body = eq.system.body.changed(lambda x: evaluate(eq.insert(x), numbers))
+        pi, k = (Matrix([evaluate(eq.insert(x), numbers) for x in part])
+                 for part in (eq.point[:3], eq.point[3:]))
+        mu, rate = k.dot(pi + Matrix(body.gyrostatic_momentum)), k.dot(body.inverse * pi)
+        turn = hat(k)
+        form = turn.T * (mu**2 * body.inverse - mu * rate * eye(3)) * turn
+        growing = _variations([sign_of_constant(evaluate(c, {})) for c in _coefficients(form.tolist())])
         if growing:
             return False, f"{LOST}, {_modes(growing)}; {OUT_OF_REACH}", growing
         return None, OUT_OF_REACH, None

@@ -140,7 +140,7 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
 def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symbol, Expr], free: Symbol,
             low: Expr, high: Expr) -> None:
     """Refuse a range in which there is somewhere no such equilibrium."""
-    for e in [*eq.existence(), *eq.system.body.moments, *([free] if free.is_positive else [])]:
+    for e in [*eq.existence(), *eq.system.body.positive, *([free] if free.is_positive else [])]:
         placed = e.xreplace(dict(numbers))
         if placed.free_symbols == {free} and (sign_of_constant(evaluate(placed, {free: low})) != 1
                                               or sign_of_constant(

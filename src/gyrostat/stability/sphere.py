@@ -5,10 +5,11 @@ The energy on the momentum sphere, to fourth order.
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from sympy import Expr, S, Symbol
+from sympy import Expr, ImmutableMatrix, Matrix, S, Symbol, eye
 
 from ..algebra.exact import evaluate, sign_of_constant
 from ..kept import cached_property
+from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
 
 DRIFTS = "the rotation lies on a circle of rotations, and those beside the circle drift along it"
@@ -19,17 +20,19 @@ NO_EXTREMUM = ("where rotations meet, the energy is no extremum on the momentum 
                "energy leave")
 
 
-def extremum(moments: Sequence[Expr], rotor: Sequence[Expr], M: Sequence[Expr],
-             nu: Expr) -> tuple[int | None, str]:
+def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> tuple[int | None, str]:
     """1 where a degenerate rotation of a free gyrostat is a minimum of the energy on the momentum sphere, −1
     where a maximum, 0 where neither; None where that is not proved. And why.
 
-    Δ = 0 with dᵢ = 1/Iᵢ − ν: it is an extremum where Mᵢ = 0 = dᵢ and dⱼ dₖ > 0 for some i (three rotations
-    meet), and about the axis of a body of revolution that carries l; nowhere else (folds, umbilics).
+    D = I⁻¹ − ν with Δ = M·adj(D) M = 0. It is an extremum where adj(D) M = 0 and tr adj(D) > 0, that is, in
+    principal axes, Mᵢ = 0 = dᵢ and dⱼ dₖ > 0 (three rotations meet); and where adj(D) = 0, about the axis of
+    a body of revolution that carries l. Nowhere else (folds, umbilics).
 
     Parameters
     ----------
-    moments, rotor, M : sequence of Expr, shape (3,)
+    body : Gyrostat
+        with its numbers
+    M : sequence of Expr, shape (3,)
         exact numbers
     nu : Expr
         ω = ν M
@@ -38,27 +41,29 @@ def extremum(moments: Sequence[Expr], rotor: Sequence[Expr], M: Sequence[Expr],
     ----------
     Derived: h − h₀ = e t²/2 + d_j d_k y⁴/(8 abs(M)² e) + …, e = (d_k M_j² + d_j M_k²)/abs(M)².
     """
-    moved = [sign_of_constant(m) for m in M]
-    d = [sign_of_constant(evaluate(1 / moment - nu, {})) for moment in moments]
-    if None in (*moved, *d):
+    D, momentum = body.inverse - nu * eye(3), Matrix(M)
+    adjugate = D.adjugate()
+    signs = [_sign(x) for x in (*adjugate, *(adjugate * momentum), adjugate.trace(), D.trace())]
+    minors, moved, product, trace = signs[:9], signs[9:12], signs[12], signs[13]
+    if not any(minors):
+        along = _sign(momentum.dot(Matrix(body.gyrostatic_momentum)))
+        return None if None in minors else along, BY_DISTANCE
+    if None in signs:
         return None, "a sign is not proved"
-    if d.count(0) == 2 == moved.count(0):
-        axis = next(n for n in range(3) if moved[n])
-        return sign_of_constant(evaluate(rotor[axis] * M[axis], {})), BY_DISTANCE
-    for n in range(3):
-        if moved[n] == 0 == d[n] and d[n - 1] == d[n - 2] != 0:
-            return d[n - 1], TO_FOURTH_ORDER
-    return 0, NO_EXTREMUM
+    return (trace, TO_FOURTH_ORDER) if not any(moved) and product == 1 else (0, NO_EXTREMUM)
 
 
 def extremum_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> tuple[int | None, str]:
     """The same of an equilibrium of a free gyrostat, M ≠ 0, at exact numbers."""
-    body = eq.system.body
-    pi, rotor, moments = ([evaluate(eq.insert(x), numbers) for x in vector]
-                          for vector in (eq.point, body.gyrostatic_momentum, body.moments))
-    M = [evaluate(p + l, {}) for p, l in zip(pi, rotor)]
+    body = eq.system.body.changed(lambda x: evaluate(eq.insert(x), numbers))
+    pi = Matrix([evaluate(eq.insert(x), numbers) for x in eq.point])
+    M = [evaluate(p + l, {}) for p, l in zip(pi, body.gyrostatic_momentum)]
     axis = next(n for n in range(3) if sign_of_constant(M[n]))
-    return extremum(moments, rotor, M, pi[axis] / moments[axis] / M[axis])
+    return extremum(body, M, (body.inverse * pi)[axis] / M[axis])
+
+
+def _sign(constant: Expr) -> int | None:
+    return sign_of_constant(evaluate(constant, {}))
 
 
 @dataclass(frozen=True)
@@ -131,7 +136,7 @@ class MomentumSphere:
 def sphere_of(eq: Equilibrium) -> MomentumSphere | None:
     """The sphere of a free body that rotates about a principal axis with l along it, None for anything else.
     """
-    if eq.system.potential is not None:
+    if eq.system.potential is not None or isinstance(eq.system.body.inertia, ImmutableMatrix):
         return None
     axes = [n for n, (pi, l) in enumerate(zip(eq.point, eq.system.body.gyrostatic_momentum)) if pi != 0
             or l != 0]

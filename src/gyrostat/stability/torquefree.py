@@ -81,10 +81,11 @@ def torque_free(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> TorqueFree |
     ring = Ring([slope := placed.diff(A), other := placed.diff(B)])
     if any(map(ring.numerator, (slope, other))):
         return None
-    values = [[evaluate(eq.insert(x), numbers) for x in part]
-              for part in (eq.system.body.moments, eq.system.body.gyrostatic_momentum, eq.point[:3],
-                           eq.point[3:])]
-    return TorqueFree(Gyrostat(values[0], values[1]), tuple(values[2]), tuple(values[3]))
+    def value(x: Expr) -> Expr:
+        return evaluate(eq.insert(x), numbers)
+
+    return TorqueFree(eq.system.body.changed(value), tuple(map(value, eq.point[:3])),
+                      tuple(map(value, eq.point[3:])))
 
 
 def _all_zero(numbers: list[Expr] | tuple[Expr, ...]) -> bool:

@@ -179,7 +179,7 @@ def names_needed(eq: Equilibrium, criteria: Iterable[Criterion]) -> tuple[str, .
 
 def names_accepted(eq: Equilibrium, required: Sequence[str]) -> tuple[str, ...]:
     """Names that a verdict accepts, those of the scene and the family beside those that it needs."""
-    scene = [eq.system.hamiltonian, *eq.system.body.moments, *eq.system.body.gyrostatic_momentum,
+    scene = [eq.system.hamiltonian, *eq.system.body.entries, *eq.system.body.gyrostatic_momentum,
              *eq.point, *eq.existence()]
     own = set(names_in([*scene, *(e for pair in eq.relations for e in pair)])) | set(required)
     moving = set(map(str, eq.system.space.coordinates)) - set(names_in(eq.point))

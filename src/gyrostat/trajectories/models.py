@@ -8,7 +8,6 @@ from sympy import Expr, Symbol
 
 from ..algebra.numbers import exact_number
 from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError, require
-from ..mechanics.body import Gyrostat
 from ..mechanics.potential import Potential
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, assemble
@@ -124,9 +123,7 @@ def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
 @lru_cache(maxsize=64)
 def _inserted(scene: System, given: tuple[tuple[Symbol, Expr], ...]) -> System:
     numbers = dict(given)
-    body, field = scene.body, scene.potential
-    inertia, rotor = ([x.xreplace(numbers) for x in vector]
-                      for vector in (body.moments, body.gyrostatic_momentum))
-    return assemble(Gyrostat(inertia, rotor),
+    field = scene.potential
+    return assemble(scene.body.changed(lambda x: x.xreplace(numbers)),
                     field and Potential(field.variables, field.expression.xreplace(numbers),
                                         field.revolution))
