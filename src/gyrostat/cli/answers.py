@@ -166,9 +166,7 @@ def _recognised(scene: System, branch: Branch) -> Answer:
 
 def _rotation(scene: System, found: PermanentRotation) -> Answer:
     """One of a free body at numbers, at its π = M − l."""
-    label = "permanent rotation"
-    if found.circle is not None:
-        label = f"permanent rotations on a circle about axis {found.circle + 1}"
+    label = f"permanent rotations on {found.locus}" if found.locus else "permanent rotation"
     rotor = scene.body.gyrostatic_momentum
     place = {str(x): M - l for x, M, l in zip(scene.space.coordinates, found.momentum, rotor)}
     return Answer(label, symbol("k3"), found.decision, None, place)

@@ -189,19 +189,11 @@ def _branch(branch: Branch) -> list[Block]:
 
 @result_blocks.register
 def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
-    circle = ", and on the whole sphere" if rotation.sphere else _circle(rotation.circle)
+    circle = f", and on {rotation.locus}" if rotation.locus else ""
     verdict = rotation.decision.verdict.name.lower()
     place = listed(map(number, rotation.momentum))
     momentum = Word("M", "⟨vector_M⟩")
     return [sentence("permanent rotation at ", momentum, " = (", *place, f"){circle}: {verdict}")]
-
-
-def _circle(axis: tuple[Expr, ...] | None) -> str:
-    if axis is None:
-        return ""
-    if axis.count(S.Zero) == 2:
-        return f", and on the circle about axis {axis.index(S.One) + 1}"
-    return f", and on the circle about the axis along ({', '.join(map(str, axis))})"
 
 
 @result_blocks.register

@@ -90,6 +90,17 @@ class PermanentRotation(Shown, Stored):
         return Add(*(m**2 * d[n - 1] * d[n - 2] for n, m in enumerate(self.momentum)))
 
     @property
+    def locus(self) -> str:
+        """What it belongs to: "" for a point, else a circle or the sphere of equilibria, in words."""
+        if self.sphere:
+            return "the whole sphere"
+        if self.circle is None:
+            return ""
+        if self.circle.count(S.Zero) == 2:
+            return f"the circle about axis {self.circle.index(S.One) + 1}"
+        return f"the circle about the axis along ({', '.join(map(str, self.circle))})"
+
+    @property
     def frequency(self) -> Expr | None:
         """√Δ, of the small motions of M about it in the body [1/T]; None where there are none."""
         return sqrt(self.curvature) if proved_sign(self.curvature) == 1 else None
