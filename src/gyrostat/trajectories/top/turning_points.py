@@ -193,9 +193,6 @@ def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
     # those that stand for the turning points themselves
     for x, m in ends:
         others = sorted(others, key=lambda y: abs(y - x).mid())[m:]
-    for x in [y.real for y in others if y.imag > 0
-              and 8 * y.imag < min(y.real - lower, upper - y.real, key=arb.mid)]:
-        others = _closer(g, x, 0, others, width)
     for x, m in ends:
         beyond = x - 2 * g(x, 1) / g(x, 2)  # of the parabola there
         if (
@@ -205,7 +202,25 @@ def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
         ):
             others.append(acb(beyond))
         others = _closer(g, x, m, others, width)
+    for x in _beside(others, lower, upper):
+        others = _closer(g, x, 0, others, CLOSE * _to_an_end(x, lower, upper) / 8)
     return [x for x in others if not (x.imag == 0 and lower < x.real < upper)]
+
+
+def _beside(others: Sequence[acb], lower: arb, upper: arb) -> list[arb]:
+    """Where a pair is close to the motion, the closest last.
+
+    Real roots in there are none of g: two of them stand for a pair that is closer than is known.
+    """
+    pairs = sorted((y for y in others if y.imag > 0 and 8 * y.imag < _to_an_end(y.real, lower, upper)),
+                   key=lambda y: y.imag.mid(), reverse=True)
+    split = sorted((y.real for y in others if y.imag == 0 and lower < y.real < upper), key=arb.mid)
+    return [y.real for y in pairs] + [(x + y) / 2 for x, y in zip(split[::2], split[1::2])]
+
+
+def _to_an_end(x: arb, lower: arb, upper: arb) -> arb:
+    """The distance to the nearest turning point; negative outside."""
+    return min(x - lower, upper - x, key=arb.mid)
 
 
 def _closer(g: Profile, x: arb, m: int, others: list[acb], width: arb) -> list[acb]:
