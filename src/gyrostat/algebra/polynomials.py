@@ -128,8 +128,12 @@ class Ring:
         terms = []
         for exponents, c in zip(polynomial.monoms(), polynomial.coeffs()):
             powers = [g if e == 1 else Pow(g, Integer(e)) for g, e in zip(self._meaning, exponents) if e]
-            terms.append(Mul(*powers) if c == 1 else Mul(Rational(int(c.p), int(c.q)), *powers))
+            terms.append(Mul(*powers) if c == 1 else Mul(self.constant(c), *powers))
         return self._written(Add(*terms), polynomial, self.one)
+
+    def constant(self, number: fmpq) -> Expr:
+        """The SymPy number."""
+        return Rational(int(number.p), int(number.q))
 
     def _written(self, expression: Expr, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
         """An expression that is known when it is read again."""
@@ -191,15 +195,15 @@ def lowest_terms(expression: Expr) -> Expr:
 
 
 def derivatives(f: Expr, variables: Sequence[Symbol]) -> list[Expr]:
-    """∂f/∂x for each variable: of polynomials in them by exponents, of anything else by SymPy."""
+    """∂f/∂x for each variable: of fractions by exponents, of anything but polynomials in them by SymPy."""
     ring = Ring([f])
     top, bottom = ring.fraction(f)
     moving = f.free_symbols & set(variables)
-    if any(g.free_symbols & moving for g in ring.generators if g not in moving) or any(
-            bottom.degrees()[ring.generators.index(x)] for x in moving):
+    if any(g.free_symbols & moving for g in ring.generators if g not in moving):
         return [f.diff(x) for x in variables]
-    return [ring.quotient(top.derivative(ring.generators.index(x)), bottom) if x in moving else S.Zero
-            for x in variables]
+    places = [ring.generators.index(x) if x in moving else None for x in variables]
+    return [S.Zero if n is None else
+            ring.quotient(top.derivative(n) * bottom - top * bottom.derivative(n), bottom**2) for n in places]
 
 
 def by_degree(polynomial: fmpq_mpoly, index: int, degree: int) -> list[fmpq_mpoly]:

@@ -1,4 +1,5 @@
 """Formulas as a person writes them: products kept, squares completed, denominators split."""
+from functools import lru_cache
 
 from flint import fmpq_mpoly
 from sympy import Add, Expr, ImmutableMatrix, Mul, Pow, Symbol
@@ -7,6 +8,7 @@ from ..notation import order
 from .polynomials import Ring, cancel
 
 
+@lru_cache(maxsize=1024)
 def readable(expression: Expr) -> Expr:
     """The same fraction of polynomials, factored, with squares completed and coefficients collected."""
     if expression.is_Atom:
@@ -21,6 +23,7 @@ def entries(matrix: ImmutableMatrix) -> ImmutableMatrix:
     return ImmutableMatrix(matrix.applyfunc(split))
 
 
+@lru_cache(maxsize=1024)
 def split(entry: Expr) -> Expr:
     """The same fraction of polynomials as a sum over its different denominators."""
     if entry.is_Atom:
@@ -57,7 +60,7 @@ def _factors(ring: Ring, polynomial: fmpq_mpoly) -> list[Expr]:
         elif squared is None and _starts_negative(part):
             part, content = _collected(ring, -f), content * (-1) ** n
         parts.append(Pow(part, n))
-    return [ring.expression(ring.one * content), *parts]
+    return [ring.constant(content), *parts]
 
 
 def _starts_negative(expression: Expr) -> bool:
@@ -79,8 +82,8 @@ def _paired(factors: list[tuple[fmpq_mpoly, int]]) -> list[tuple[fmpq_mpoly, int
 def _completed(ring: Ring, factor: fmpq_mpoly) -> Expr | None:
     """The polynomial with the square completed that leaves least, None where none makes it shorter."""
     best, found = len(factor), None
-    for index, g in enumerate(ring.generators):
-        if not isinstance(g, Symbol) or factor.degrees()[index] != 2:
+    for index, (g, degree) in enumerate(zip(ring.generators, factor.degrees())):
+        if degree != 2 or not isinstance(g, Symbol):
             continue
         slope = factor.derivative(index)
         lead = slope.derivative(index)                     # twice the coefficient of g²
@@ -109,10 +112,11 @@ def _collected(ring: Ring, polynomial: fmpq_mpoly) -> Expr:
             turned = _starts_negative(part)
             parts.append(Pow(-part if turned else part, n))
             content *= (-1) ** n if turned else 1
-        terms.append(Mul(ring.expression(ring.one * content), ring.monomial(kind), *parts))
+        terms.append(Mul(ring.constant(content), ring.monomial(kind), *parts))
     return Add(*terms)
 
 
+@lru_cache(maxsize=4096)
 def term_order(term: Expr) -> tuple[tuple[int, str, int], ...]:
     """Where a term stands in a sum.
 

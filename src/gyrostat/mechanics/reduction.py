@@ -5,7 +5,7 @@ from functools import lru_cache
 from sympy import Add, Expr, S, Symbol, factorial
 
 from ..algebra.exact import is_identically_zero
-from ..algebra.polynomials import Ring, by_degree, lowest_terms
+from ..algebra.polynomials import Ring, by_degree, derivatives, lowest_terms
 from ..errors import ScopeError, StructureError, require
 from ..notation import Stored, jet_name, symbol
 from ..shown import Shown
@@ -108,7 +108,7 @@ class Reduction(Shown, Stored):
         >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).precession()
         I1*k3*omega**2 + dU - omega*p_psi
         """
-        return symbol("dU") + self._at_rate((self.twist * self.rate / 2).diff(K3))
+        return symbol("dU") + self._at_rate(derivatives(self.twist * self.rate / 2, [K3])[0])
 
     def restoring(self) -> Expr:
         """I1 (1 − k3²) V'' = −g''/2 on the regular precessions, with d2U for U''.
