@@ -1,5 +1,6 @@
 """Formulas in one line of Unicode, matrices as aligned rows."""
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any
 
 from sympy import Add, Expr, Mul, Pow, Symbol
@@ -62,6 +63,7 @@ class _Unicode(StrPrinter):
         return typeset(jet_name(len(variables), variables if len(expr.expr.args) > 1 else ""), style="text")
 
 
+@lru_cache(maxsize=1024)
 def unicode(expression: Expr, at: Any = None) -> str:
     """An expression in one line; derivatives of U take their argument from at.
 
