@@ -37,6 +37,7 @@ autodoc_typehints = "none"                             # the types are in the do
 numpydoc_show_class_members = False                    # autodoc shows them
 
 nb_execution_mode = "off"                              # their outputs are stored; CI runs them
+nb_render_markdown_format = "myst"                     # sentences that code writes have formulas too
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath", "html_image"]
 myst_dmath_double_inline = True                        # $$ within a paragraph, as notebooks have it
 myst_heading_anchors = 4

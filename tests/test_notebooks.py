@@ -1,21 +1,52 @@
 """The notebooks as they are committed.
 
-Executed, small, readable, and made of public names. CI runs them again.
+Executed, small, readable, and made of public names, with a text that reads their numbers. CI runs them again;
+`python tests/test_notebooks.py NOTEBOOK ...` executes them and stores their outputs.
 """
 import ast
 import importlib
 import json
+import re
+import sys
 from pathlib import Path
 
 import pytest
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
 KEPT = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
+HIDDEN = {"jupyter": {"source_hidden": True}, "tags": ["remove-input"]}  # a sentence: its output is shown
+CHANGED = [                 # what is put instead of what is written, and words of the sentences that follow
+    ("where", {'"I1": 2, "I3": 1, "l": 0, "m0": 1': '"I1": 3, "I3": 2, "l": "1/3", "m0": "5/2"'},
+     ("at $m_1 = 5/4$", "$m_1 = 5/2$ and")),
+    ("why-does-a", {'"I1": 1, "I3": "1/2", "m0": 1': '"I1": "3/2", "I3": 2, "m0": "3/2"', "1, 20)": "1, 10)"},
+     ("$m_0 = 3/2$", "= 3$.", "tilt of 11.4°", "falls to 84.2°", "within 18.7°")),
+    ("what-happens", {'"I1": 2, "I3": 1, "l": 0, "m0": 1': '"I1": 3, "I3": 1, "l": "1/3", "m0": 3'},
+     ("$P^2 = 36 - 24", "at $m_1 = 3/4$ of order", "sign at $m_1 = 3/4$")),
+    ("what-does-stable", {'"omega": 1, "k3": "1/2"': '"omega": "3/2", "k3": "0"'},
+     ("tilted by 90°", "rotor $l = 2$", "= -4/3$")),
+    ("why-does-dz", {"inertia = (1, 2, 3)": "inertia = (2, 3, 5)"},
+     ("moments 2, 3, 5", "= 1/3$", "0.149071")),
+    ("what-does-a", {"rotors = 10_000": "rotors = 500", '"I3": "0.6"': '"I3": "0.8"', "100, 10_000)": "100)"},
+     ("Twice 500", "I3 = 0.8", "1, 100 periods")),
+    ("what-does-the", {'"l": "1/2"': '"l": "1/4"'}, ("$l = 1/4$",)),
+]
 
 
 def cells(path, kind):
     return [cell for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
             if cell["cell_type"] == kind]
+
+
+def says(cell):
+    """Whether a cell is code whose output is a sentence."""
+    return "".join(cell["source"]).startswith("Markdown(")
+
+
+def executed(notebook):
+    """The notebook after all its cells have been run."""
+    here = {"metadata": {"path": str(NOTEBOOKS[0].parent)}}
+    client = pytest.importorskip("nbclient").NotebookClient
+    return client(notebook, record_timing=False, coalesce_streams=True, resources=here).execute()
 
 
 def code(path):
@@ -37,10 +68,11 @@ class TestNotebook:
         assert not [o for o in outputs if o["output_type"] == "error" or o.get("name") == "stderr"]
 
     def test_is_small_and_says_nothing_of_the_machine(self, path):
-        """Less than 400 kB; no times of execution, no state of widgets, no paths."""
+        """Less than 400 kB; no times, no state of widgets, no paths; the code of sentences is hidden."""
         text = path.read_text(encoding="utf-8")
         notebook = json.loads(text)
-        assert len(text.encode()) < 400_000 and not any(cell["metadata"] for cell in notebook["cells"])
+        assert len(text.encode()) < 400_000
+        assert all(cell["metadata"] == (HIDDEN if says(cell) else {}) for cell in notebook["cells"])
         assert {key: value for key, value in notebook["metadata"].items() if key != "language_info"} == KEPT
         assert not any(place in text for place in ("/tmp/", "/home/", "/root/", "site-packages", "C:\\\\"))
 
@@ -53,3 +85,32 @@ class TestNotebook:
                 module = importlib.import_module(node.module)
                 assert all(hasattr(module, name.name) and not name.name.startswith("_")
                            for name in node.names)
+
+    def test_text_gives_no_number_that_the_code_has(self, path):
+        """Text that says I1 = 2 would be wrong where a reader takes another number."""
+        number = re.compile(r"(\b|\\)(I_\d|I|m_\d|l|omega_\d|pi_3|d|t|P) = \(?-?\d")
+        for cell in cells(path, "markdown"):
+            assert not number.search("".join(cell["source"]))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("stem", "changes", "words"), CHANGED, ids=[case[0] for case in CHANGED])
+def test_changed_numbers_change_the_text(stem, changes, words):
+    """With other numbers every cell runs, and the sentences say them."""
+    path, = [each for each in NOTEBOOKS if each.stem.startswith(stem)]
+    notebook = pytest.importorskip("nbformat").read(path, 4)
+    for old, new in changes.items():
+        cell, = [each for each in notebook.cells if old in each.source]
+        cell.source = cell.source.replace(old, new)
+    sentences = [cell for cell in executed(notebook).cells if says(cell)]
+    said = [output.data["text/markdown"] for cell in sentences for output in cell.outputs]
+    assert len(said) == len(sentences)
+    for word in words:
+        assert any(word in sentence for sentence in said), (word, said)
+        assert word not in path.read_text(encoding="utf-8")
+
+
+if __name__ == "__main__":
+    nbformat = importlib.import_module("nbformat")
+    for name in sys.argv[1:]:
+        nbformat.write(executed(nbformat.read(name, 4)), name)
