@@ -72,6 +72,7 @@ def test_a_point_that_is_one_at_the_numbers_only(capsys):
     assert status == 2 and "E is not an equilibrium: dpi1/dt = p/30" in err
 
 
+@pytest.mark.slow
 def test_charts_of_general_scenes(capsys, tmp_path, claimed):
     """The arrays of Python; what holds at the numbers only keeps them in the record."""
     xr = pytest.importorskip("xarray")
@@ -92,6 +93,7 @@ def test_charts_of_general_scenes(capsys, tmp_path, claimed):
         assert (found.verdict.values == verdicts).all() and float(found.l1) == 0 and float(found.I2) == 2
 
 
+@pytest.mark.slow
 def test_the_spectrum_of_a_claimed_point(capsys, tmp_path):
     """Along a name of the point, whatever holds at the numbers only."""
     pictures = [tmp_path / "one.png", tmp_path / "other.png"]

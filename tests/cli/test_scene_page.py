@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from commands import run
+from slow import slow
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "scene-files.md"
 TEXT = PAGE.read_text(encoding="utf-8") if PAGE.exists() else ""
@@ -12,7 +13,7 @@ COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL) fo
 
 
 @pytest.mark.skipif(not PAGE.exists(), reason="the page is not part of an installed copy")
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("command", [*COMMANDS[:2], *slow(*((command,) for command in COMMANDS[2:]))])
 def test_a_command_of_the_page(capsys, tmp_path, monkeypatch, command):
     """It answers, as it is typed, beside the file of the page."""
     monkeypatch.chdir(tmp_path)

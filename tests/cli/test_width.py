@@ -49,6 +49,7 @@ def test_short_formulas_are_left_whole(capsys, terminal):
     assert out.count("2 √(−I₁ m₀)") == 2 and "or l ≥\n  2 √" in out
 
 
+@pytest.mark.slow
 def test_findings_fit_the_terminal(capsys, terminal):
     """Of verify, of which only formulas without a blank are wider."""
     terminal(60)

@@ -118,7 +118,7 @@ def field(rnd, special):
                           mp.matrix([floats(row) for row in curvature])))
 
 
-@pytest.mark.parametrize("cases", [6, pytest.param(260, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("cases", [2, pytest.param(260, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("special", [False, True])
 @pytest.mark.parametrize("scene", [pole, tilt, free, field])
 def test_growing_modes_are_those_of_a_viscous_sphere(scene, special, cases):
