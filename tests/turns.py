@@ -42,3 +42,10 @@ def scene(name, I1, I3, l, coefficients, other=()):
     U += (sum(k**2 for k in K) - 1) * sum(rational(a) * k for a, k in zip(other, K))
     rotor = tuple(rational(l) * x for x in R.row(2))
     return gs.assemble(gs.Gyrostat(tuple(map(rational, moments)), rotor), gs.general_potential(U))
+
+
+def of_quaternion(a, b, c, d):
+    """The rational rotation of a quaternion."""
+    return Matrix([[a*a + b*b - c*c - d*d, 2*(b*c - a*d), 2*(b*d + a*c)],
+                   [2*(b*c + a*d), a*a - b*b + c*c - d*d, 2*(c*d - a*b)],
+                   [2*(b*d - a*c), 2*(c*d + a*b), a*a - b*b - c*c + d*d]]) / (a*a + b*b + c*c + d*d)

@@ -4,6 +4,7 @@ import random
 import pytest
 from slow import slow
 from sympy import Matrix, Rational, diag
+from turns import of_quaternion
 
 import gyrostat as gs
 from gyrostat.algebra.exact import sign_of_constant
@@ -13,10 +14,7 @@ def rotation(draw):
     """A rational rotation, of a quaternion of small whole numbers."""
     while not any(q := [draw.randint(-3, 3) for _ in range(4)]):
         pass
-    a, b, c, d = q
-    return Matrix([[a*a + b*b - c*c - d*d, 2*(b*c - a*d), 2*(b*d + a*c)],
-                   [2*(b*c + a*d), a*a - b*b + c*c - d*d, 2*(c*d - a*b)],
-                   [2*(b*d - a*c), 2*(c*d + a*b), a*a - b*b - c*c + d*d]]) / (a*a + b*b + c*c + d*d)
+    return of_quaternion(*q)
 
 
 def positive(draw):

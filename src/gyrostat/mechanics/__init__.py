@@ -7,8 +7,8 @@ what is asked of them is derived `once`; those with a name are `families`, each 
 `tilted`, `principal`), `relations` tie the names in them. At each the coadjoint orbit has a tangent space, in
 it the symplectic slice (`orbit`), all in one ring (`derivation`). A body of revolution has one degree of
 freedom (`reduction`); which scene is one, about which axis, is proved (`spherical`, `recognition`,
-`standard`). Euler's angles are in `attitude`, the Lagrangian in them in `lagrange`, the classical formulas in
-`freebody` and `precession`.
+`standard`). A tensor is turned into principal `axes`. Euler's angles are in `attitude`, the Lagrangian in
+them in `lagrange`, the classical formulas in `freebody` and `precession`.
 """
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ from ..later import later
 
 if TYPE_CHECKING:
     from .attitude import angle_rates, angular_velocity, rotation
+    from .axes import principal_axes
     from .freebody import momentum_limits, polhode_period, torque_equations
     from .lagrange import angular_momentum, effective_potential, lagrangian, momenta
     from .precession import FreePrecession, free_precession
@@ -23,10 +24,11 @@ if TYPE_CHECKING:
 
 __all__ = ["angle_rates", "angular_momentum", "angular_velocity", "effective_potential", "expansion",
            "free_precession", "FreePrecession", "lagrangian", "momenta", "momentum_limits", "polhode_period",
-           "Reduction", "rotation", "torque_equations"]
+           "principal_axes", "Reduction", "rotation", "torque_equations"]
 
 __getattr__, __dir__ = later(__name__, {
     "attitude": "angle_rates angular_velocity rotation",
+    "axes": "principal_axes",
     "freebody": "momentum_limits polhode_period torque_equations",
     "lagrange": "angular_momentum effective_potential lagrangian momenta",
     "precession": "FreePrecession free_precession", "reduction": "Reduction expansion",
