@@ -9,8 +9,8 @@ from sympy import CRootOf, Expr, Float, Rational, S
 
 from ..errors import ExpressionError, ValuesError, brief
 from ..notation import own, symbol
-from .grammar import parse
 from .parts import enclosure
+from .quantities import in_si, text_of
 
 LONGEST = 2**17                                        # bits of a number that is no text
 _UNDEFINED = (S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity)
@@ -70,17 +70,21 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     """The exact real number a user means: a Rational, or a SymPy constant where it is irrational.
 
     int, Fraction, Decimal, SymPy numbers and strings are what they say; a float, or an mpmath.mpf, is the
-    dyadic rational it is. An array of one number and no axis is that number.
+    dyadic rational it is. An array of one number and no axis is that number. A text may have a unit, of the
+    dimension of the name, and so may the quantity of a library of units: the number is that in SI.
 
     Examples
     --------
     >>> exact_number("0.1"), exact_number(0.5), exact_number("sqrt(3)/2")
     (1/10, 1/2, sqrt(3)/2)
+    >>> exact_number("3000 rpm", "omega3_0"), exact_number("25 g m^2", "I1")
+    (100*pi, 1/40)
     """
     if type(value) in (int, Fraction):                     # by far the most
         return _bounded(Rational(value.numerator, value.denominator), name)
     if getattr(value, "shape", None) == () and hasattr(value, "item") and not getattr(value, "mask", False):
         value = value.item()
+    value = text_of(value)
     if isinstance(value, str) or isinstance(value, Decimal) and value.is_finite():
         return _text(str(value), name)
     if isinstance(value, Float | mpmath.mpf) and mpmath.isfinite(value):
@@ -111,7 +115,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
 
 def _text(text: str, name: str) -> Expr:
     """The number that a text stands for."""
-    value = parse(text)
+    value, _ = in_si(text, name)
     if not value.free_symbols:
         return value
     names = sorted(s.name for s in value.free_symbols)

@@ -7,6 +7,7 @@ from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, diag, radsimp
 
 from ..algebra.exact import is_identically_zero, plain, sign_of_constant
 from ..algebra.numbers import exact_expression, shown
+from ..algebra.quantities import not_mixed
 from ..errors import ArgumentError, BodyError, ScopeError, article, brief
 from ..kept import cached_property
 from ..notation import Stored, of_the_motion, symbol
@@ -22,7 +23,8 @@ class Gyrostat(Shown, Stored):
 
     Each entry is a number (made exact) or a SymPy expression; the default is the general body, in symbols.
     Arrays are sequences too, and a diagonal matrix has its moments on the diagonal. With a full tensor
-    everything is given, and answered, in its axes; what needs principal moments says so.
+    everything is given, and answered, in its axes; what needs principal moments says so. Texts may have
+    units, "120 kg m^2", then all of them; the body is in SI.
 
     Parameters
     ----------
@@ -48,8 +50,9 @@ class Gyrostat(Shown, Stored):
     gyrostatic_momentum: Sequence[Any] = _ROTOR
 
     def __post_init__(self) -> None:
-        rotor, inertia = (_exact(_entries(getattr(self, field), field), field)
-                          for field in ("gyrostatic_momentum", "inertia"))
+        given = {field: _entries(getattr(self, field), field) for field in ("gyrostatic_momentum", "inertia")}
+        not_mixed((field, x) for field, entries in given.items() for x in entries)
+        rotor, inertia = (_exact(entries, field) for field, entries in given.items())
         object.__setattr__(self, "gyrostatic_momentum", tuple(map(plain, rotor)))
         object.__setattr__(self, "inertia", tensor_of(inertia) if len(inertia) == 9
                            else _as_first_written(inertia))

@@ -1,0 +1,96 @@
+"""Quantities with units: exact in SI, of the right dimension, never half of them."""
+from fractions import Fraction
+
+import pytest
+from sympy import Rational, pi
+
+import gyrostat as gs
+from gyrostat.algebra.numbers import exact_number
+from gyrostat.algebra.quantities import _UNITS, Dimension, quantity, unit
+from gyrostat.errors import ExpressionError, ValuesError
+
+SI = [("120 kg m^2", 120, (1, 2, 0)), ("3000 rpm", 100 * pi, (0, 0, -1)), ("5 deg", pi / 36, (0, 0, 0)),
+      ("0.1 N m s", Rational(1, 10), (1, 2, -1)), ("2 mNms", Rational(1, 500), (1, 2, -1)),
+      ("-3 deg/s", -pi / 60, (0, 0, -1)), ("5 kg·m²·s⁻¹", 5, (1, 2, -1)), ("2*pi rad/s", 2 * pi, (0, 0, -1)),
+      ("1/3 g mm^2", Rational(1, 3 * 10**9), (1, 2, 0)), ("2 kg m m/s/s", 2, (1, 2, -2)),
+      ("1 slug ft^2", Rational(45359237 * 980665 * 3048, 10**8 * 10**5 * 10**4), (1, 2, 0)),
+      ("1 lb in^2", Rational(45359237, 10**8) * Rational(254, 10**4)**2, (1, 2, 0)),
+      ("2 rev/min", pi / 15, (0, 0, -1)), ("1 h", 3600, (0, 0, 1))]
+
+
+@pytest.mark.parametrize(("text", "number", "dimension"), SI)
+def test_a_quantity_is_its_number_in_si(text, number, dimension):
+    """Exactly, turns and degrees with π."""
+    assert quantity(text) == (number, Dimension(*dimension))
+
+
+@pytest.mark.parametrize(("text", "why"), [
+    ("5 furlong", "'furlong' is no unit"), ("5 kg m^20", "power '20'"), ("5 m^(1/2)", "parenthesis"),
+    ("a kg", "a unit stands after a number"), ("5 kg)", "no unit"), ("5 kg +", "no unit"),
+    ("5 kg /", "ends too"), ("5" + " m" * 9, "more than 8 units"), ("5 exec", "no unit"),
+    ("5 m^99999999999", "power")])
+def test_what_is_no_quantity_says_why(text, why):
+    """A unit that is not known is not taken for a factor."""
+    with pytest.raises(ExpressionError, match=why):
+        quantity(text)
+
+
+@pytest.mark.parametrize(("text", "name", "why"), [
+    ("5 kg", "I1", "a number of kg, but I1 .*is one of kg m.2"), ("5 rpm", "l", "kg m.2 s.-1"),
+    ("5 rpm", "inertia", "kg m.2"), ("5 deg", "omega3_0", "rad, or none"), ("5 kg", "--until", "of s")])
+def test_another_dimension_is_refused(text, name, why):
+    """A rate where an inertia is meant."""
+    with pytest.raises(ValuesError, match=why):
+        exact_number(text, name)
+
+
+def test_a_name_of_the_user_may_be_anything():
+    """Its dimension is not known."""
+    assert exact_number("5 rpm", "speed") == pi / 6
+
+
+@pytest.mark.parametrize(("inertia", "rotor"), [
+    (("1 kg m^2", 2, 3), (0, 0, 0)), (("1 kg m^2", "2 kg m^2", "3"), (0, 0, 0)),
+    (("1 kg m^2", "2 kg m^2", "3 kg m^2"), (0, 0, 1)), ((1, 2, 3), (0, 0, "1 N m s"))])
+def test_quantities_and_bare_numbers_are_not_mixed(inertia, rotor):
+    """In one body; nobody knows what unit a bare number is in."""
+    with pytest.raises(ValuesError, match="has a unit and .* has none"):
+        gs.Gyrostat(inertia, rotor)
+
+
+def test_zero_and_names_need_no_unit():
+    """They go with any."""
+    body = gs.Gyrostat([["5 kg m^2", "1 kg m^2", 0], ["1 kg m^2", "4 kg m^2", "0"], [0, 0, "30000 g m^2"]],
+                       (0, "20 mN m s", gs.symbol("l3")))
+    assert body.entries == (5, 4, 30, 0, 0, 1)
+    assert body.gyrostatic_momentum == (0, Rational(1, 50), gs.symbol("l3"))
+
+
+def test_a_verdict_at_quantities():
+    """The numbers of the values have units as well."""
+    report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0"))
+    values = {"I1": "1 kg m^2", "I3": "2 kg m^2", "l": 0, "m0": "1 N m", "omega3_0": "10 rpm"}
+    assert report.verdict(values).verdict == report.verdict(
+        {"I1": 1, "I3": 2, "l": 0, "m0": 1, "omega3_0": pi / 3}).verdict
+
+
+def test_quantities_of_a_library():
+    """With magnitude and units, as pint has them."""
+    pint = pytest.importorskip("pint")
+    of = pint.UnitRegistry().Quantity
+    assert exact_number(of(3000, "rpm"), "omega") == 100 * pi
+    assert exact_number(of(Fraction(1, 3), "kg mm^2"), "I1") == Rational(1, 3 * 10**6)
+    with pytest.raises(ValuesError, match="one of kg m"):
+        exact_number(of(5, "deg"), "I1")
+
+
+@pytest.mark.parametrize("name", [*_UNITS, "kg", "mm", "MN", "arcminute", "pound_force", "kJ", "uW"])
+def test_units_are_those_of_a_library(name):
+    """Sizes and dimensions, against pint."""
+    pint = pytest.importorskip("pint")
+    text = {"Nm": "N*m", "Nms": "N*m*s", "min": "minute", "h": "hour", "rev": "turn"}.get(name, name)
+    theirs = pint.UnitRegistry().Quantity(1, text).to_base_units()
+    size, dimension = unit(name)
+    assert float(size) == pytest.approx(float(theirs.magnitude), rel=1e-14)
+    powers = theirs.dimensionality
+    assert dimension == tuple(int(powers.get(f"[{d}]", 0)) for d in ("mass", "length", "time"))
