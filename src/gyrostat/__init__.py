@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from .mechanics.potentials import axial_potential, general_potential
     from .mechanics.principal import principal_rotation
     from .mechanics.reduction import reduce
+    from .mechanics.rotors import Rotor, gyrostat_with_rotors
     from .mechanics.system import System, assemble
     from .mechanics.tilted import inclined, static_tilt
     from .mechanics.vertical import hanging, upright
@@ -65,14 +66,14 @@ __all__ = [
     "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "Bifurcation",
     "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch", "Case", "charts", "Condition",
     "Continuation", "continuation", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors",
-    "formal_criterion", "general_potential", "Gyrostat", "hanging", "ideal_fluid", "inclined",
-    "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics",
-    "multipliers", "newtonian_field", "NOTATION", "orbit_tangent", "own_precision", "PermanentRotation",
-    "plotting", "Potential", "principal_rotation", "published", "reduce", "relative_equilibria", "Report",
-    "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
-    "SolvedCondition", "solve_condition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
-    "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories",
-    "uniform_field", "upright", "Verdict",
+    "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors", "hanging", "ideal_fluid",
+    "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize",
+    "mechanics", "multipliers", "newtonian_field", "NOTATION", "orbit_tangent", "own_precision",
+    "PermanentRotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
+    "relative_equilibria", "Report", "Rotor", "second_variation", "SecondVariation", "secular_criterion",
+    "secular_variation", "Solution", "SolvedCondition", "solve_condition", "spectral_criterion",
+    "Spectrum", "spectrum", "stabilizing_set", "static_tilt", "symbol", "symmetric_gyrostat",
+    "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -83,8 +84,9 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.liepoisson": "LiePoisson lie_poisson", "mechanics.orbit": "orbit_tangent symplectic_slice",
     "mechanics.potential": "Potential", "mechanics.potentials": "axial_potential general_potential",
     "mechanics.principal": "principal_rotation", "mechanics.reduction": "reduce",
-    "mechanics.system": "System assemble", "mechanics.tilted": "inclined static_tilt",
-    "mechanics.vertical": "hanging upright", "notation": "NOTATION symbol", "printing.article": "to_latex",
+    "mechanics.rotors": "Rotor gyrostat_with_rotors", "mechanics.system": "System assemble",
+    "mechanics.tilted": "inclined static_tilt", "mechanics.vertical": "hanging upright",
+    "notation": "NOTATION symbol", "printing.article": "to_latex",
     "stability.analysis": "analyze", "stability.bifurcations": "Bifurcation bifurcations",
     "stability.branch": "Branch",
     "stability.conditions": "Condition Criterion independent",
