@@ -45,7 +45,8 @@ def test_conditions_as_data(capsys):
     """The keys of the report that are about conditions, with the ladder, and its last power."""
     _, out, _ = run(capsys, "--potential", "m0*k3 + m1*k3**2", "--format", "json", verb="conditions")
     e1, _, e3, _ = json.loads(out)["equilibria"]
-    assert set(e1) == {"label", "positive", "eliminated", "parameters", "necessary", "sufficient", "boundary"}
+    assert set(e1) == {"label", "positive", "eliminated", "parameters", "necessary", "sufficient", "boundary",
+                       "damped"}
     assert [(r["power"], r["margin"], r["escapes"]) for r in e1["boundary"]["rungs"]] == [
         (3, "m0 + 4*m1", False),
         (4, "-m1", False),

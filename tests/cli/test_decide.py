@@ -38,7 +38,7 @@ def test_decide_as_data(capsys):
     _, out, _ = decide(capsys, "--equilibrium", "E1", *HEAVY, *settings(I1=1, I3=9, l=0, m0=1, pi3_0=3),
                        "--format", "json")
     (e1,) = json.loads(out)["equilibria"]
-    assert set(e1) == {"label", "decision"}
+    assert set(e1) == {"label", "decision", "damped_decision"}
     assert set(e1["decision"]) == {"verdict", "notion", "modulo", "reason", "margins", "note"}
     assert e1["decision"]["verdict"] == "STABLE" and "no rigid body" in e1["decision"]["note"]
 

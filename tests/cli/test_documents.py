@@ -17,7 +17,8 @@ HEAVY = ("--potential", "m0*k3")
 TOP = (*HEAVY, "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0")
 WELLS = ("--potential", "k3**4 - k3**2/2")
 MAPS = {"margins", "relations", "values"}              # their keys are names, not those of the document
-OPTIONAL = {"drift", "decision", "itself", "k3", "omega", "sigma", "pi3"}
+OPTIONAL = {"drift", "decision", "itself", "k3", "omega", "sigma", "pi1", "pi2", "pi3", "Delta",
+            "frequency", "growth_rate"}
 
 DOCUMENTS = [
     ("report", "report", ()),
@@ -30,6 +31,7 @@ DOCUMENTS = [
     ("solution", "conditions", (*HEAVY, "--solve-for", "omega")),
     ("decide", "decide", (*WELLS, "--set", "I1=2", "--set", "I3=1", "--set", "l=0", "--set", "omega=1/2")),
     ("decide", "decide", (*TOP, "--equilibrium", "E1", "--set", "m0=1", "--set", "omega3_0=1.25")),
+    ("decide", "decide", ("--potential", "none", "--set", "I1=1", "I2=2", "I3=3", "l=1", "--momentum", "2")),
     ("verify", "verify", ("AR",)),
 ]
 

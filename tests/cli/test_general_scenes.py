@@ -33,6 +33,7 @@ def test_a_claimed_point_is_reported(capsys, claimed):
     data = json.loads(out)
     (found,) = data["equilibria"]
     assert (status, err) == (0, "") and found.pop("decision")["verdict"] == claimed.verdict(SETS).verdict.name
+    assert found.pop("damped_decision")["growing"] == claimed.verdict(SETS, damped=True).growing
     assert found == json.loads(json.dumps(report_data(claimed)))
     assert data["hamiltonian"] == "a*k1*k2 + k3 + pi3**2/(2*I3) + pi2**2/(2*I2) + pi1**2/(2*I1)"
     _, out, _ = run(capsys, *FIELD, *POINT)

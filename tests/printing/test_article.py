@@ -52,7 +52,7 @@ def test_a_document_is_complete(e1, e3):
                  r"Holm, Marsden, Ratiu \& Weinstein 1985",
                  r"Ortega \& Ratiu 1999", r"Vera \& Viguera 2003, \S3", r"\section*{References}"):
         assert part in tex
-    assert tex.count(r"\item") == 5
+    assert tex.count(r"\item") == 6
     # every formula of a sentence has been set
     assert not re.search(r"(?<![a-z@])\{\}", tex)
 
@@ -81,7 +81,7 @@ def test_a_paper_has_its_own_symbols(e1, e3):
     symbols = {"I1": "A", "I3": "C", "l": r"\sigma", "sigma": r"\rho", "U": "V", "k3": r"\gamma",
                "pi3": "M_3", "vector_pi": "M", "vector_M": "G", "x": r"\xi"}
     tex = to_latex([e1, e3], symbols=symbols)
-    assert not re.search(r"I_1|I_3|k_3|\\pi_3(?!\^0)|(?<![A-Za-z{])U(?!p)|\bx\b", tex)
+    assert not re.search(r"I_1|I_3|k_3|\\pi_3(?!\^0)|(?<![A-Za-z{])U(?!p|nder)|\bx\b", tex)
     for part in ("V'(1)", r"V''(\gamma)", r"\dot{M}_3 = 0", r"\dot{\gamma} =", r"A^2 \dot{\gamma}^2 = g",
                  r"gyrostatic momentum $l$ = ($0$, $0$, $\sigma$), $G = M + l$", r"$A$ $>$ 0 & principal",
                  r"$A = C,\ \sigma = 0,\ \omega \neq 0$", r"\partial\rho/\partial \gamma", r"c_3 \xi^3"):

@@ -11,7 +11,7 @@ from ..mechanics.families import E3, FAMILIES, POLES
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
-from ..printing.data import decision_data, number_data
+from ..printing.data import damped_data, decision_data, number_data
 from ..stability.branch import Branch
 from ..stability.branches import branches_at, pole_at
 from ..stability.permanent_rotations import PermanentRotation
@@ -21,6 +21,7 @@ from .asked import Asked, scene_of
 from .equilibria import (
     AT_REST,
     Missing,
+    both_verdicts,
     enough,
     its_own,
     known_names,
@@ -40,14 +41,17 @@ MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})
 class Answer:
     """One equilibrium, where it lies if it was found, and what is decided.
 
-    Of it, and of the point itself where that differs.
+    Of it, under internal damping if it is one there, and of the point itself where that differs; and how
+    fast the small motions are, where that is known.
     """
 
     label: str
     at: Expr
     decision: Decision
+    damped: Decision | None
     itself: Decision | None
     place: dict[str, Expr | None] = field(default_factory=dict)
+    rates: dict[str, Expr] = field(default_factory=dict)
 
 
 def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
@@ -144,8 +148,8 @@ def _answer(asked: Asked, label: str, numbers: Mapping[str, Expr]) -> Answer:
 
 
 def _decided(report: Report, numbers: Mapping[str, Expr]) -> Answer:
-    decision = report.verdict(numbers)
-    return Answer(report.equilibrium.label, report.equilibrium.at, decision,
+    decision, damped = both_verdicts(report, numbers)
+    return Answer(report.equilibrium.label, report.equilibrium.at, decision, damped,
                   report.itself(numbers) if decision.modulo else None)
 
 
@@ -154,13 +158,13 @@ def _found(branch: Branch) -> Answer:
     place = {"k3": branch.k3, "omega": branch.omega, "sigma": branch.sigma, "pi3": branch.pi3}
     at_pole = branch.k3 is not None and branch.label in FAMILIES and FAMILIES[branch.label].pole
     at = branch.k3 if at_pole else symbol("k3")
-    return Answer(branch.label, at, branch.decision, branch.itself, place)
+    return Answer(branch.label, at, branch.decision, branch.damped, branch.itself, place)
 
 
 def _recognised(scene: System, branch: Branch) -> Answer:
     """One of a body of revolution about another axis, at its point."""
     place = dict(zip(map(str, scene.space.coordinates), branch.point or ()))
-    return Answer(branch.label, symbol("k3"), branch.decision, branch.itself,
+    return Answer(branch.label, symbol("k3"), branch.decision, branch.damped, branch.itself,
                   place | {"omega": branch.omega, "sigma": branch.sigma})
 
 
@@ -169,12 +173,15 @@ def _rotation(scene: System, found: PermanentRotation) -> Answer:
     label = f"permanent rotations on {found.locus}" if found.locus else "permanent rotation"
     rotor = scene.body.gyrostatic_momentum
     place = {str(x): M - l for x, M, l in zip(scene.space.coordinates, found.momentum, rotor)}
-    return Answer(label, symbol("k3"), found.decision, None, place)
+    rates = {"Delta": found.curvature, "frequency": found.frequency, "growth_rate": found.growth_rate}
+    return Answer(label, symbol("k3"), found.decision, found.damped, None, place,
+                  {name: x for name, x in rates.items() if x is not None and found.nu is not None})
 
 
 def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
     """The answers as data for JSON."""
     return {"equilibria": [a.data() if isinstance(a, Missing) else
-        {"label": a.label} | {name: number_data(x) for name, x in a.place.items()}
-                           | {"decision": decision_data(a.decision)}
+        {"label": a.label} | {name: number_data(x) for name, x in (a.place | a.rates).items()}
+                           | {"decision": decision_data(a.decision),
+                              "damped_decision": a.damped and damped_data(a.damped)}
         | ({"itself": decision_data(a.itself)} if a.itself else {}) for a in answers]}

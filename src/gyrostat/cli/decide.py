@@ -6,7 +6,8 @@ from sympy import Expr
 from ..notation import symbol
 from ..printing.blocks import Block, Display, Heading, Sentence, Word, sentence
 from ..printing.data import double, json_text
-from ..printing.decision import decision_blocks
+from ..printing.decision import damped_block, decision_blocks
+from ..printing.results import number as rounded
 from ..printing.text import text
 from ..stability.report import Decision
 from .answers import Answer, answers_at, answers_data
@@ -22,6 +23,8 @@ _NOWHERE = "No such relative equilibrium exists at these numbers."
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the decisions; 0, whatever they are, and 2 if a line of a batch was bad."""
+    if given.momentum is not None:
+        given = argparse.Namespace(**{**vars(given), "values": [*given.values, f"M={given.momentum}"]})
     given = with_scene(given)
     if given.batch is not None:
         return each(given, out)
@@ -39,7 +42,9 @@ def _blocks(answer: Answer) -> list[Block]:
     blocks: list[Block] = [Heading(answer.label)]
     if answer.place:
         blocks += [Display(symbol(name), _value(number)) for name, number in answer.place.items()]
-    blocks += [*decision_blocks(answer.decision, answer.at), _reason(answer.decision)]
+    blocks += [Display(symbol(name), rounded(rate)) for name, rate in answer.rates.items()]
+    blocks += [*decision_blocks(answer.decision, answer.at), _reason(answer.decision),
+               damped_block(answer.decision, answer.damped)]
     if answer.itself:
         blocks += [*decision_blocks(answer.itself, answer.at, "The point itself"), _reason(answer.itself)]
     return blocks

@@ -16,7 +16,8 @@ from ..mechanics.system import at_numbers, names_of_scene
 from ..notation import jet, symbol
 from ..printing.blocks import Block, Heading, prose
 from ..stability.analysis import analyze
-from ..stability.report import Report
+from ..stability.report import Decision, Report, Verdict
+from ..stability.secular import secular_of
 from ..stability.values import unknown
 from .asked import Asked, one_for_each, scene_of
 from .options import spin_of
@@ -215,6 +216,14 @@ def enough(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> list[bool]
         raise ValuesError(f"these numbers are not enough for a verdict, set also, for {wanted}" + (
             " (or omega3_0 in place of pi3_0)" if "pi3_0" in wanted else ""))
     return [not names for names in missing]
+
+
+def both_verdicts(report: Report, numbers: Mapping[str, Expr]) -> tuple[Decision, Decision]:
+    """The verdict, and that under internal damping, which may need more names."""
+    missing = ", ".join(name for name in secular_of(report.equilibrium).required if name not in numbers)
+    damped = (Decision(Verdict.UNDECIDED, "", (), f"give {missing} to decide", ()) if missing
+              else report.verdict(numbers, damped=True))
+    return report.verdict(numbers), damped
 
 
 def its_own(report: Report, numbers: Mapping[str, Expr]) -> dict[str, Expr]:

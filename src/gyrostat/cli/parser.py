@@ -45,6 +45,8 @@ def parser() -> argparse.ArgumentParser:
     for verb in (report, conditions):
         _equilibrium(verb, "may be repeated; left out: all that are known", "append")
     _equilibrium(decide, "left out: every relative equilibrium that the numbers allow")
+    decide.add_argument("--momentum", metavar="M", help="of a free body: every permanent rotation with this "
+                        "|M|; the same as --set M")
     decide.add_argument("--batch", metavar="FILE",
                         help="an object of numbers in each line, - for standard input; "
                         "--set gives numbers for all lines")

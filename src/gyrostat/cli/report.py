@@ -1,15 +1,16 @@
 """gyrostat report: the derivation as text, LaTeX or JSON."""
 import argparse
+from typing import Any
 
 from ..printing.article import article, document
 from ..printing.blocks import Block
-from ..printing.data import decision_data, json_text, report_data, scene_data
-from ..printing.decision import decision_blocks
+from ..printing.data import damped_data, decision_data, json_text, report_data, scene_data
+from ..printing.decision import damped_block, decision_blocks
 from ..printing.document import report_blocks, whole_blocks
 from ..printing.text import text
-from ..stability.report import Decision
+from ..stability.report import Decision, Report
 from .asked import asked_of, scene_of
-from .equilibria import enough, its_own, known_names, labels_of, of_each, reports_of
+from .equilibria import both_verdicts, enough, its_own, known_names, labels_of, of_each, reports_of
 from .options import numbers_of
 from .output import Output
 from .paper import paper_of
@@ -26,30 +27,45 @@ def run(given: argparse.Namespace, out: Output) -> int:
     scene = scene_of(asked)
     labels, others = labels_of(asked, given.equilibrium, numbers)
     reports, missing = reports_of(asked, labels, numbers)
-    decisions: list[Decision | None] = [None for _ in reports]
+    decisions: dict[str, tuple[Decision, Decision]] = {}
     if numbers:
         known_names(asked, reports, numbers)
     if numbers and reports:
         decided = {report.equilibrium.label: report
                    for report, whole in zip(reports, enough(reports, numbers)) if whole}
-        found, undecided = of_each(list(decided),
-                                   lambda label: [(label, decided[label].verdict(
-                                       its_own(decided[label], numbers)))])
-        decisions = [dict(found).get(report.equilibrium.label) for report in reports]
-        missing = missing + undecided
+        found, undecided = of_each(list(decided), lambda label: [
+            (label, both_verdicts(decided[label], its_own(decided[label], numbers)))])
+        decisions, missing = dict(found), missing + undecided
     missing = missing + others
     after = [block for m in missing for block in m.blocks()]
     if given.format == "json":
-        equilibria = [report_data(report) | ({"decision": decision_data(decision)} if decision else {})
-                      for report, decision in zip(reports, decisions)]
+        equilibria = [report_data(report) | _data(decisions.get(report.equilibrium.label))
+                      for report in reports]
         out(json_text(scene_data(scene) | {"equilibria": equilibria + [m.data() for m in missing]}))
-    elif given.format == "latex":
-        out(document(reports, decisions, paper_of(given), after) if reports
+        return 0
+    decided_blocks = [_blocks(report, decisions.get(report.equilibrium.label)) for report in reports]
+    if given.format == "latex":
+        out(document(reports, decided_blocks, paper_of(given), after) if reports
             else article(TITLE, whole_blocks(scene, after), paper_of(given)))
     else:
         blocks: list[Block] = []
-        for report, decision in zip(reports, decisions):
-            blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision
-                                               else [])
+        for report, its in zip(reports, decided_blocks):
+            blocks += report_blocks(report) + its
         out(text(whole_blocks(scene, blocks + after), out.width))
     return 0
+
+
+def _blocks(report: Report, decisions: tuple[Decision, Decision] | None) -> list[Block]:
+    """The verdict, and what internal damping makes of it, where there are numbers."""
+    if decisions is None:
+        return []
+    decision, damped = decisions
+    return [*decision_blocks(decision, report.equilibrium.at), damped_block(decision, damped)]
+
+
+def _data(decisions: tuple[Decision, Decision] | None) -> dict[str, Any]:
+    """The same for JSON."""
+    if decisions is None:
+        return {}
+    decision, damped = decisions
+    return {"decision": decision_data(decision), "damped_decision": damped_data(damped)}

@@ -5,9 +5,8 @@ from typing import Any
 
 from sympy import MatrixBase
 
-from ..stability.report import Decision, Report
+from ..stability.report import Report
 from .blocks import Block, Display, Heading, Rows, Sentence, Word
-from .decision import decision_blocks
 from .document import report_blocks, whole_blocks
 from .latex import RELATIONS, display, formula, tex
 from .linebreaks import broken, width
@@ -18,18 +17,17 @@ LINE, NARROW = 440.0, 315.0                                # points: a line of a
 _SYMBOLS = 0.22, 0.72                                      # of a line: symbols, what they are
 
 
-def document(reports: Iterable[Report], decisions: Iterable[Decision | None] = (), paper: Paper = PLAIN,
+def document(reports: Iterable[Report], decisions: Iterable[Sequence[Block]] = (), paper: Paper = PLAIN,
              after: Sequence[Block] = ()) -> str:
-    """An article with the scene of the first report, every report, the decisions that go with them, and what
-    comes after.
+    """An article with the scene of the first report, every report, what is decided of each, and what comes
+    after.
 
     A fragment has no preamble, fits a column of 12 cm, and names its references in comments.
     """
     given = list(reports)
     blocks: list[Block] = []
-    for report, decision in zip(given, list(decisions) or [None] * len(given)):
-        blocks += report_blocks(report) + (decision_blocks(decision, report.equilibrium.at) if decision
-                                           else [])
+    for report, decided in zip(given, list(decisions) or [()] * len(given)):
+        blocks += [*report_blocks(report), *decided]
     blocks = whole_blocks(given[0].equilibrium.system, [*blocks, *after])
     return article("Stability of the relative equilibria of a gyrostat", blocks, paper)
 
@@ -150,7 +148,7 @@ def _words(text: str) -> str:
         text = text.replace(sign, rf"\{sign}")
     for sign in ("<", ">", *RELATIONS):
         text = text.replace(f" {sign} ", f" ${RELATIONS.get(sign, sign)}$ ")
-    return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}")
+    return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}").replace("é", r"\'e")
 
 
 def to_latex(obj: Any, symbols: Mapping[Any, str] | None = None, label: str = "gyrostat") -> str:

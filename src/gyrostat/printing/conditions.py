@@ -28,7 +28,8 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> l
     if criterion.alternatives == () and criterion.notion == "spectral":
         return [sentence(f"{title}: never.")]
     if criterion.alternatives == ():
-        return [sentence(f"{title}: no information, the form is not definite.")]
+        form = "positive" if criterion.notion == "secular" else "definite"
+        return [sentence(f"{title}: no information, the form is not {form}.")]
     modulo = (", ", *modulo_flow(criterion.modulo)) if criterion.modulo else ()
     if () in criterion.alternatives:
         return [sentence(title, *modulo, ": always.")]

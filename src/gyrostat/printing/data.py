@@ -47,7 +47,7 @@ def conditions_data(report: Report) -> dict[str, Any]:
     return {"label": eq.label, "positive": strings(eq.existence()), "eliminated": eq.eliminated,
             "parameters": list(report.parameters),
             "necessary": criterion_data(report.necessary), "sufficient": criterion_data(report.sufficient),
-            "boundary": boundary_data(report)}
+            "boundary": boundary_data(report), "damped": criterion_data(report.damped)}
 
 
 def boundary_data(report: Report) -> dict[str, Any] | None:
@@ -86,6 +86,11 @@ def decision_data(decision: Decision) -> dict[str, Any]:
             "reason": decision.reason,
             "margins": {_text(margin): str(value) for margin, value in decision.margins},
             "note": decision.note}
+
+
+def damped_data(decision: Decision) -> dict[str, Any]:
+    """A verdict under internal damping, with the number of growing modes."""
+    return decision_data(decision) | {"growing": decision.growing}
 
 
 @lru_cache(maxsize=4096)

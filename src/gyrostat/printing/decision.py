@@ -4,8 +4,14 @@ from typing import Any
 from ..algebra.numbers import shown
 from ..algebra.readable import readable
 from ..stability.report import Decision, Verdict
-from .blocks import Block, Display, Word, modulo_flow, sentence
+from .blocks import Block, Display, Sentence, Word, modulo_flow, sentence
 
+_IN_WORDS = {Verdict.STABLE: "Stable", Verdict.UNSTABLE: "Unstable", Verdict.UNDECIDED: "Undecided"}
+_DAMPED = {(Verdict.STABLE, Verdict.STABLE): "Stable, and stays so under internal damping",
+           (Verdict.STABLE, Verdict.UNSTABLE): "Stable, and destroyed by internal damping",
+           (Verdict.UNSTABLE, Verdict.UNSTABLE): "Unstable, under internal damping too",
+           (Verdict.UNDECIDED, Verdict.STABLE): "Stable under internal damping",
+           (Verdict.UNDECIDED, Verdict.UNSTABLE): "Unstable under internal damping"}
 _TITLES = {Verdict.STABLE: "Lyapunov stable", Verdict.UNSTABLE: "unstable", Verdict.UNDECIDED: "undecided"}
 
 
@@ -19,3 +25,16 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
     if decision.note:
         blocks.append(sentence(f"Note: {decision.note}."))
     return blocks
+
+
+def damped_block(decision: Decision, damped: Decision | None) -> Sentence:
+    """What internal damping makes of a verdict; None: of what is no equilibrium under it."""
+    said = _IN_WORDS[decision.verdict]
+    if damped is None:
+        return sentence(f"{said}, and no equilibrium under internal damping: ω turns in the body.")
+    if damped.verdict is Verdict.UNDECIDED:
+        return sentence(f"{said}; undecided under internal damping: {damped.reason}.")
+    if (decision.verdict, damped.verdict) == (Verdict.UNSTABLE, Verdict.STABLE):
+        return sentence("Unstable; under internal damping stable ", *modulo_flow(damped.modulo), ".")
+    modes = f": {damped.growing} growing mode{'' if damped.growing == 1 else 's'}" if damped.growing else ""
+    return sentence(f"{_DAMPED[decision.verdict, damped.verdict]}{modes}.")

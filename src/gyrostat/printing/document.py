@@ -78,7 +78,8 @@ def conditions_blocks(report: Report) -> list[Block]:
     return [Heading(eq.label), *(existence(d, eq.at) for d in eq.existence() if d.free_symbols),
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
             *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
-            *boundary_blocks(report)]
+            *boundary_blocks(report),
+            *criterion_blocks("Under internal damping", report.damped, eq.at, "damped")]
 
 
 def _inertia(body: Gyrostat) -> tuple[Any, ...]:
@@ -108,7 +109,12 @@ def report_blocks(report: Report) -> list[Block]:
         blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at,
                                    "casimirs-alone")
     blocks += [*boundary_blocks(report), *drift_blocks(report)]
-    return blocks
+    blocks += criterion_blocks("Under internal damping (secular)", report.damped, eq.at, "damped")
+    return [*blocks, sentence(
+        "That damping takes energy and keeps the Casimirs: fuel that sloshes, a nutation damper; not "
+        "friction at a support. There the equilibrium is stable and stays so, elsewhere it is unstable but "
+        "for equality and where the damping does not reach every motion (Bloch, Krishnaprasad, Marsden & "
+        "Ratiu 1994).")]
 
 
 def point_blocks(eq: Equilibrium) -> list[Block]:

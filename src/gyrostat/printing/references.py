@@ -8,6 +8,9 @@ REFERENCES = {
     "Holm, Marsden, Ratiu & Weinstein 1985": "D. D. Holm, J. E. Marsden, T. Ratiu & A. Weinstein, "
                                              "Nonlinear stability of fluid and plasma "
                                              "equilibria, Phys. Rep. 123 (1985) 1-116",
+    "Bloch, Krishnaprasad, Marsden & Ratiu 1994": "A. M. Bloch, P. S. Krishnaprasad, J. E. Marsden & "
+                                                  "T. S. Ratiu, Dissipation induced instabilities, "
+                                                  "Ann. Inst. H. Poincaré Anal. Non Linéaire 11 (1994) 37-90",
     "Hughes 1986": "P. C. Hughes, Spacecraft Attitude Dynamics (1986)",
     "Ortega & Ratiu 1999": "J.-P. Ortega & T. S. Ratiu, Stability of Hamiltonian relative equilibria, "
                            "Nonlinearity 12 (1999) 693-720",

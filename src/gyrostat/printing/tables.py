@@ -55,7 +55,8 @@ def _lines(report: Report, names: Names) -> list[tuple[str, str]]:
     exists = [("exists where", display(block, names)) for block in _existence(report)]
     rungs = [("" if n else "between the two", display(rung, names)) for n, rung in enumerate(_rungs(report))]
     return [*exists, ("necessary (spectral)", formula(report.necessary, names)),
-            ("sufficient (formal)", formula(report.sufficient, names)), *rungs]
+            ("sufficient (formal)", formula(report.sufficient, names)), *rungs,
+            ("under internal damping (secular)", formula(report.damped, names))]
 
 
 def _existence(report: Report) -> list[Display]:
@@ -72,7 +73,7 @@ def _rungs(report: Report) -> list[Display]:
 
 def _parts(report: Report) -> list[Any]:
     """The formulas of the table."""
-    criteria = report.necessary, report.sufficient
+    criteria = report.necessary, report.sufficient, report.damped
     conditions = [c for criterion in criteria for alternative in criterion.alternatives for c in alternative]
     return [*_existence(report), *_rungs(report), *(x for c in conditions for x in (c.margin, *c.degenerate)),
             *(x for criterion in criteria for x in criterion.modulo)]

@@ -39,6 +39,8 @@ class Branch(Shown, Stored):
         what k3 is in the coordinates of the scene; sigma, pi3 are along that axis as well
     point : tuple of Expr or None
         in the coordinates of a scene that was recognised; None of any other, and of a continuum
+    damped : Decision or None
+        under internal damping; None of a precession, in which ω turns in the body: no equilibrium there
 
     Examples
     --------
@@ -58,6 +60,7 @@ class Branch(Shown, Stored):
     itself: Decision | None = None
     along: Expr = K3
     point: tuple[Expr, ...] | None = None
+    damped: Decision | None = None
 
 
 def in_axes_of(found: Recognition, branch: Branch) -> Branch:
@@ -71,9 +74,10 @@ def in_axes_of(found: Recognition, branch: Branch) -> Branch:
         pi = found.standard.body.moments[0] * branch.omega * k1, S.Zero, branch.pi3
         point = tuple(x for v in (pi, (k1, S.Zero, branch.k3)) for x in found.rotation.T * ImmutableMatrix(v))
     along = lowest(sum((x * k for x, k in zip(found.axis, found.scene.space.coordinates[3:])), S.Zero))
-    decision, itself = (d and _decision(found, d) for d in (branch.decision, branch.itself))
+    decision, itself, damped = (d and _decision(found, d)
+                                for d in (branch.decision, branch.itself, branch.damped))
     assert decision is not None
-    return replace(branch, decision=decision, itself=itself, along=along, point=point)
+    return replace(branch, decision=decision, itself=itself, along=along, point=point, damped=damped)
 
 
 def _decision(found: Recognition, decision: Decision) -> Decision:

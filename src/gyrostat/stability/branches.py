@@ -142,8 +142,9 @@ class SceneAtNumbers:
         if not self._defined(Integer(s)):
             return []
         report = _report(self.potential, POLES[s])
-        decision = report.verdict(self._asked(report, {"pi3_0": pi3}))
-        return [Branch(POLES[s].label, Integer(s), s * pi3 / self.I3, S.Zero, pi3, decision)]
+        asked = self._asked(report, {"pi3_0": pi3})
+        return [Branch(POLES[s].label, Integer(s), s * pi3 / self.I3, S.Zero, pi3, report.verdict(asked),
+                       damped=report.verdict(asked, damped=True))]
 
     def tilted(self, k3: Expr, omega: Expr, sigma: Expr) -> Branch:
         """E3, or the precession that is E3 with the rotor l + I3 σ."""
@@ -152,7 +153,8 @@ class SceneAtNumbers:
         given = {"k3": k3, "l": self.l + self.I3 * sigma} if rest else {"k3": k3, "omega": omega}
         asked, pi3 = self._asked(report, given), self.I3 * (omega * k3 + sigma)
         if proved_sign(sigma) == 0:
-            return Branch(E3.label, k3, omega, sigma, pi3, report.verdict(asked), report.itself(asked))
+            return Branch(E3.label, k3, omega, sigma, pi3, report.verdict(asked), report.itself(asked),
+                          damped=report.verdict(asked, damped=True))
         return Branch(PRECESSION, k3, omega, sigma, pi3, report.verdict(asked))
 
     def continuum(self, omega: Expr | None, rate: Expr, sigma: Expr) -> Branch:
@@ -160,7 +162,8 @@ class SceneAtNumbers:
         middle = self.tilted(S.Zero, rate, sigma)
         if omega is None:
             return Branch(PRECESSION, None, None, None, None, middle.decision)
-        return Branch(E3.label, None, omega, sigma, None, middle.decision, middle.itself)
+        return Branch(E3.label, None, omega, sigma, None, middle.decision, middle.itself,
+                      damped=middle.damped)
 
     def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
         """The numbers that a report takes, but for the name that its family expresses by the others."""

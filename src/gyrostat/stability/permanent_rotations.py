@@ -18,6 +18,7 @@ from ..notation import Stored, symbol
 from ..shown import Shown
 from .asked import exact_point
 from .decision import Decision, Verdict
+from .secular import KEPT, LOST, modes
 from .sphere import DRIFTS, extremum
 from .tensor_rotations import rotations_of_tensor
 
@@ -88,6 +89,24 @@ class PermanentRotation(Shown, Stored):
             return M.dot((self.body.inverse - self.nu * eye(3)).adjugate() * M)
         d = [1 / moment - self.nu for moment in self.body.moments]
         return Add(*(m**2 * d[n - 1] * d[n - 2] for n, m in enumerate(self.momentum)))
+
+    @cached_property
+    def damped(self) -> Decision:
+        """The verdict under internal damping, which keeps M: stable where the energy is least on the sphere.
+
+        Of a circle, modulo the turns about its axis.
+        """
+        if self.nu is None or self.sphere:
+            return replace(self.decision, notion="secular", growing=0)
+        if self.decision not in (EXTREMUM, SADDLE, ON_CIRCLE):
+            sign, why = extremum(self.body, self.momentum, self.nu)
+            return _damped(sign if sign is None else sign == 1, why, 0 if sign == 1 else None)
+        M, D = Matrix(self.momentum), self.body.inverse - self.nu * eye(3)
+        rising = proved_sign(D.trace() * M.dot(M) - M.dot(D * M)) == 1
+        growing = 1 if self.decision == SADDLE else 0 if rising else 1 if self.circle else 2
+        along = Add(*(x * symbol(f"pi{n}") for n, x in enumerate(self.circle or (), 1)))
+        return replace(_damped(not growing, "" if rising else modes(growing), growing),
+                       modulo=(along,) if self.circle else ())
 
     @property
     def locus(self) -> str:
@@ -204,6 +223,11 @@ def _rotation(body: Gyrostat, nu: Expr, M: Sequence[Expr],
         met = _degenerate(body, M, nu) if sign == 0 else EXTREMUM if sign == 1 else SADDLE
         rotation = replace(rotation, decision=met)
     return [float(x.mid()) for x in (energy, *m)], rotation
+
+
+def _damped(stable: bool | None, why: str, growing: int | None) -> Decision:
+    reason = why if stable is None else f"{KEPT if stable else LOST}{why and f': {why}'}"
+    return Decision(Verdict.of(stable), "" if stable is None else "secular", (), reason, (), growing=growing)
 
 
 def _degenerate(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Decision:

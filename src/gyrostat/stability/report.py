@@ -159,13 +159,13 @@ class Report(Shown, Stored):
         >>> spin.verdict({"omega3_0": 1}).verdict.name, spin.verdict({"omega3_0": 1}, damped=True).growing
         ('STABLE', 2)
         """
-        criteria = (self.damped,) if damped else (self.necessary, self.sufficient)
-        required = names_needed(self.equilibrium, criteria)
-        numbers = exact_values(self.equilibrium, values, required, self.parameters)
+        secular = secular_of(self.equilibrium) if damped else None
+        numbers = exact_values(self.equilibrium, values, (secular or self).required, self.parameters)
         margins: dict[Expr, Expr] = {}
-        stable, notion, why, modulo, growing = None, "", numbers.doubt, criteria[-1].modulo, None
-        if damped and not numbers.doubt:
-            stable, why, growing, modulo = secular_of(self.equilibrium).decide(numbers, margins)
+        modulo = (self.damped if damped else self.sufficient).modulo
+        stable, notion, why, growing = None, "", numbers.doubt, None
+        if secular and not numbers.doubt:
+            stable, why, growing, modulo = secular.decide(numbers, margins)
             notion = "" if stable is None else "secular"
         elif not numbers.doubt:
             stable, notion, why, modulo = self._decided(numbers, margins)

@@ -68,6 +68,11 @@ class Secular:
             return replace(secular_of(known.equilibrium).criterion, modulo=known.modulo)
         return independent(secular_criterion(self.variation), self.equilibrium)
 
+    @cached_property
+    def required(self) -> tuple[str, ...]:
+        """Names that the criterion needs."""
+        return names_needed(self.equilibrium, (self.criterion,))
+
     def decide(self, numbers: Point, margins: dict[Expr, Expr]
                ) -> tuple[bool | None, str, int | None, tuple[Expr, ...]]:
         """Whether it is stable under internal damping at exact numbers, why, how many modes grow, and the
@@ -79,8 +84,7 @@ class Secular:
         if known is None:
             return *self._decided(numbers, margins), self.criterion.modulo
         standard = secular_of(known.equilibrium)
-        needed = names_needed(standard.equilibrium, (standard.criterion,))
-        if missing := ", ".join(name for name in needed if symbol(name) not in numbers):
+        if missing := ", ".join(name for name in standard.required if symbol(name) not in numbers):
             return None, known.worded(f"give {missing} to decide"), None, known.modulo
         stable, why, growing = standard._decided(numbers, margins)
         return stable, known.worded(why), growing, known.modulo
@@ -97,7 +101,7 @@ class Secular:
         negative = _variations(coefficients)
         if self._free(numbers):
             return self._along(numbers)
-        return False, f"{LOST}, {_modes(negative)}", negative
+        return False, f"{LOST}, {modes(negative)}", negative
 
     @cached_property
     def _coefficients(self) -> tuple[Expr, ...]:
@@ -140,7 +144,7 @@ class Secular:
         form = turn.T * (mu**2 * body.inverse - mu * rate * eye(3)) * turn
         growing = _variations([sign_of_constant(evaluate(c, {})) for c in _coefficients(form.tolist())])
         if growing:
-            return False, f"{LOST}, {_modes(growing)}; {OUT_OF_REACH}", growing
+            return False, f"{LOST}, {modes(growing)}; {OUT_OF_REACH}", growing
         return None, OUT_OF_REACH, None
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr]) -> Growing:
@@ -171,5 +175,6 @@ def _variations(signs: Sequence[int | None]) -> int:
     return sum(a != b for a, b in zip(left, left[1:]))
 
 
-def _modes(count: int) -> str:
+def modes(count: int) -> str:
+    """How many modes grow, in words."""
     return f"{count} growing mode{'' if count == 1 else 's'}"
