@@ -94,7 +94,7 @@ def test_what_is_screened(reports):
 
     def seen(values, name="E1"):
         grid = grid_of(values)
-        return screens.screened(grid, demands_of(reports[name], grid))
+        return screens.screened(grid, demands_of(reports[name], grid, False))
 
     assert seen(given) and seen({n: v if n == "dU" else v.reshape(2, 3) for n, v in given.items()})
     assert not seen(given | {"l": np.zeros((2, 1))}) and not seen(dict.fromkeys(given, 1.0))

@@ -7,6 +7,7 @@ import numpy as np
 from ..algebra.floats import Array
 from ..errors import ArgumentError, ValuesError, optional, require
 from ..stability.report import Report
+from ..stability.secular import secular_of
 from ..stability.values import check_family
 from .deciding import Decided, demands_of
 from .grids import Grid, grid_of
@@ -15,8 +16,8 @@ from .signs import dyadic_rational
 from .writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 
 
-def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, invalid: str = "raise",
-             backend: str = "numpy",
+def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damped: bool = False,
+             invalid: str = "raise", backend: str = "numpy",
              threads: int = 1, out: Array | None = None, **arrays: Any) -> Array:
     """The exact verdict at every point of a grid.
 
@@ -30,6 +31,9 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     values : mapping of name to number or array, any shape
         float64, float32, integers, or objects: Fraction, SymPy numbers; they broadcast. Arrays of shapes
         (n, 1) and (m,) make a grid, which is fastest. The eliminated name is omitted
+    damped : bool
+        whether the body loses energy inside: what Report.verdict says of that. Where the second variation is
+        degenerate, or the damping does not reach every motion, point by point
     invalid : str
         "raise", or "mark": where the equilibrium does not exist, or a number is not finite
     backend : str
@@ -79,27 +83,28 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     require(values or {}, Mapping, "what is given by name")
     require(threads, int, "threads")
     given = {str(name): value for name, value in {**(values or {}), **arrays}.items()}
-    grid = grid_for(report, given, finite=False)
+    grid = grid_for(report, given, finite=False, damped=damped)
     result = prepared(out, grid.shape, np.int8)
     grid = grid.apart_from(result)
     merged = result.reshape(grid.merged)
-    demands = demands_of(report, grid)
+    demands = demands_of(report, grid, damped)
     if backend == "numba" and screened(grid, demands):
         screen = Screen(report, grid, demands)
         firsts = in_threads(lambda some: screen.fill(some, merged), screen.blocks(threads), threads)
     else:
         if invalid == "raise":
-            _refuse_strange(report, given, grid)
+            _refuse_strange(report, given, grid, damped)
         blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
-        firsts = in_threads(lambda some: Decided(report, grid, backend).fill(some, merged), blocks, threads)
+        firsts = in_threads(lambda some: Decided(report, grid, backend, damped).fill(some, merged), blocks,
+                            threads)
     if invalid == "raise" and (bad := [first for first in firsts if first is not None]):
-        _refuse_strange(report, given, grid)
+        _refuse_strange(report, given, grid, damped)
         place = min(bad)
         block = tuple(slice(i, i + 1) for i in place)
         (numbers,) = grid.at(block, np.zeros(1, int), np.zeros(1, int)).numbers(grid.values)
         why = f"{report.equilibrium.label} does not exist there"
         try:
-            report.verdict(dict(zip((s.name for s in grid.values), map(dyadic_rational, numbers))))
+            report.verdict(dict(zip((s.name for s in grid.values), map(dyadic_rational, numbers))), damped)
         except ValuesError as error:
             why = str(error)
         raise ValuesError(f"at index {grid.index(place)}: {why}; or ask for such points to be marked, "
@@ -107,14 +112,15 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, inva
     return result
 
 
-def _refuse_strange(report: Report, given: Mapping[str, Any], grid: Grid) -> None:
+def _refuse_strange(report: Report, given: Mapping[str, Any], grid: Grid, damped: bool) -> None:
     """Say which number is not finite, if there is one."""
     if any(grid.strange(s) is not None for s in grid.values):
-        grid_for(report, given)
+        grid_for(report, given, damped=damped)
 
 
-def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True) -> Grid:
+def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True, damped: bool = False) -> Grid:
     """The grid of the names given, all that a verdict needs and no other."""
-    check_family(report.equilibrium, given, report.required, report.parameters,
+    required = (secular_of(report.equilibrium) if damped else report).required
+    check_family(report.equilibrium, given, required, report.parameters,
                  "give a number or an array for each")
     return grid_of(given, finite=finite)

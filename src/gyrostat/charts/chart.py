@@ -14,6 +14,7 @@ from ..algebra.numbers import exact_number, shown
 from ..errors import ArgumentError, ValuesError, optional, require
 from ..notation import symbol
 from ..stability.report import Report
+from ..stability.secular import secular_of
 from ..stability.values import check_family
 from .datasets import OWN, described
 from .labels import check_plain
@@ -25,9 +26,8 @@ Axis = tuple[str, Any]
 
 
 def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any] | None = None,
-                    axes: Mapping[str, Any] | None = None,
-                    margins: bool = False, store: str | Path | None = None, backend: str = "numpy",
-                    threads: int = 1,
+                    axes: Mapping[str, Any] | None = None, margins: bool = False, damped: bool = False,
+                    store: str | Path | None = None, backend: str = "numpy", threads: int = 1,
                     progress: Told | bool | None = None) -> Any:
     """The verdict at every point of a grid of parameters, as a labelled dataset.
 
@@ -46,6 +46,8 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
         further axes, outermost first
     margins : bool
         the values of the margins too
+    damped : bool
+        the verdicts of Report.verdict(values, damped=True) too
     store : str or Path
         a path that ends in .zarr: blocks are written to it, and continued where it exists; the chart may be
         larger than the memory
@@ -59,9 +61,9 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     -------
     xarray.Dataset
         verdict (int8: 1 stable, 0 undecided, −1 unstable, −2 no equilibrium) with the dimensions (…, y, x);
-        on request margin_0, …; of two axes boundary_x and boundary_y, NaN between pieces. Every parameter is
-        a coordinate with its meaning, units (SI) and LaTeX, fixed ones with the exact number. Of a store,
-        opened lazily
+        on request damped, in the same codes, and margin_0, …; of two axes boundary_x and boundary_y, NaN
+        between pieces. Every parameter is a coordinate with its meaning, units (SI) and LaTeX, fixed ones
+        with the exact number. Of a store, opened lazily
 
     Raises
     ------
@@ -92,11 +94,11 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     optional("xarray", "charts")
     require(report, Report, "the report")
     given = [*(axes or {}).items(), _pair(y, "y"), _pair(x, "x")]
-    _check_names(report, [name for name, _ in given], list(fixed or {}))
+    _check_names(report, [name for name, _ in given], list(fixed or {}), damped)
     arrays = [_axis(name, values) for name, values in given]
     request = Request(report, tuple(name for name, _ in given),
                   tuple(_number(name, value) for name, value in (fixed or {}).items()),
-                  bool(margins), backend)
+                  bool(margins), backend, bool(damped))
     if store is not None:
         return filled(Path(store), request, arrays, threads, progress)
     found = request.variables(arrays, threads)
@@ -110,15 +112,16 @@ def _pair(axis: Any, which: str) -> Axis:
     return axis
 
 
-def _check_names(report: Report, varied: Sequence[str], fixed: Sequence[str]) -> None:
+def _check_names(report: Report, varied: Sequence[str], fixed: Sequence[str], damped: bool) -> None:
     for n, name in enumerate(given := [*varied, *fixed]):
         if name in given[:n]:
             raise ValuesError(f"{name} is given twice, as an axis and again as an axis or fixed: give it "
                               "once")
         if name in OWN or name.startswith("margin_"):
             raise ValuesError(f"{name} is a name of the dataset itself: call the parameter otherwise")
-    check_family(report.equilibrium, given, report.required, report.parameters,
-                 "fix each at a number, or make it an axis")
+    further = secular_of(report.equilibrium).required if damped else ()
+    check_family(report.equilibrium, given, tuple(dict.fromkeys((*report.required, *further))),
+                 report.parameters, "fix each at a number, or make it an axis")
 
 
 def _number(name: str, value: Any) -> tuple[str, Expr, str]:

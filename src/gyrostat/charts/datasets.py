@@ -15,7 +15,8 @@ from ..version import __version__
 from .codes import FLAGS
 from .request import Request
 
-OWN = ("verdict", "margin", "boundary_x", "boundary_y", "vertex", "complete")    # names of the dataset itself
+# names of the dataset itself
+OWN = ("verdict", "damped", "margin", "boundary_x", "boundary_y", "vertex", "complete")
 
 
 def described(request: Request, arrays: Sequence[Array], found: Mapping[str, Array],
@@ -48,13 +49,15 @@ def described(request: Request, arrays: Sequence[Array], found: Mapping[str, Arr
 def variable_attributes(name: str, request: Request) -> dict[str, Any]:
     """What a verdict or a margin means."""
     eq = request.report.equilibrium
-    if name != "verdict":
+    if name.startswith("margin_"):
         margin = request.all_margins[int(name.removeprefix("margin_"))]
         return {"long_name": str(margin), "latex": tex(readable(margin), Names(), eq.at)}
-    modulo = ", ".join(map(str, request.report.sufficient.modulo))
-    return {"long_name": f"stability of {eq.label}",
-            "flag_values": np.array(list(FLAGS.values()), dtype=np.int8),
-            "flag_meanings": " ".join(FLAGS), "notion": "Lyapunov where stable, spectral where unstable"} | (
+    damped = name == "damped"
+    criterion = request.report.damped if damped else request.report.sufficient
+    modulo = ", ".join(map(str, criterion.modulo))
+    return {"long_name": f"stability of {eq.label}{' under internal damping' if damped else ''}",
+            "flag_values": np.array(list(FLAGS.values()), dtype=np.int8), "flag_meanings": " ".join(FLAGS),
+            "notion": "secular" if damped else "Lyapunov where stable, spectral where unstable"} | (
                 {"modulo": f"the flow of {modulo}"} if modulo else {})
 
 

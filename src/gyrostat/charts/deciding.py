@@ -13,6 +13,7 @@ from ..algebra.precision import ONE_AT_A_TIME
 from ..stability.boundary import Boundary
 from ..stability.conditions import Condition, Criterion
 from ..stability.report import Report
+from ..stability.secular import secular_of
 from ..stability.truth import Relation, truth
 from .answers import answered, every, some
 from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
@@ -30,21 +31,22 @@ class Demands:
     alone: Expr | None
 
 
-def demands_of(report: Report, grid: Grid) -> Demands:
+def demands_of(report: Report, grid: Grid, damped: bool) -> Demands:
     """The demands of a report on the numbers of a grid."""
-    eq, alone = report.equilibrium, _single(report.sufficient)
+    eq, alone = report.equilibrium, None if damped else _single(report.sufficient)
     return Demands((*eq.existence(), *(s for s in grid.values if s.is_positive)),
                    tuple(e for e in _denominators(eq.field_values) if e.free_symbols <= grid.values.keys()),
-                   tuple(eq.constraints), alone if alone == _single(report.necessary) else None)
+                   tuple(eq.constraints),
+                   alone if alone is not None and alone == _single(report.necessary) else None)
 
 
 class Decided:
     """The verdicts of a report over a grid, written block by block on one thread."""
 
-    def __init__(self, report: Report, grid: Grid, backend: str):
-        self.report, self.grid, self.backend = report, grid, backend
+    def __init__(self, report: Report, grid: Grid, backend: str, damped: bool = False):
+        self.report, self.grid, self.backend, self.damped = report, grid, backend, damped
         self.known: dict[Expr, ArraySigns] = {}
-        demands = demands_of(report, grid)
+        demands = demands_of(report, grid, damped)
         self.positive = [self._signs(e) for e in demands.positive]
         self.nonzero = [self._signs(e) for e in demands.nonzero]
         self.zero = [self._signs(e) for e in demands.zero]
@@ -94,6 +96,10 @@ class Decided:
                 return
             between = out == 0
             out[out == UNKNOWN] = UNDECIDED
+        elif self.damped:
+            positive = self._holds(self.report.damped, block)
+            out[...] = positive                        # where it is not, and neither is degenerate, unstable
+            between = np.broadcast_to(positive < 0, out.shape) & self._exceptional(block)
         else:
             sufficient, necessary = (self._holds(c, block)
                                      for c in (self.report.sufficient, self.report.necessary))
@@ -109,16 +115,32 @@ class Decided:
                     out[at] = self._between(self.grid.at(block, *at))
 
     def _between(self, grid: Grid) -> Array | list[int]:
-        """Verdicts at points between the two criteria.
+        """Verdicts at points that the criteria leave open.
 
         By the ladder of the boundary, or one by one where there is none.
         """
         boundary = self.report.boundary
-        if boundary is not None:
+        if boundary is not None and not self.damped:
             return _climbed(boundary, grid, self.alone)
         names = [s.name for s in grid.values]
-        return [CODE_OF[self.report.verdict(dict(zip(names, map(dyadic_rational, numbers)))).verdict]
+        return [CODE_OF[self.report.verdict(dict(zip(names, map(dyadic_rational, numbers))),
+                                            self.damped).verdict]
                 for numbers in grid.numbers(grid.values)]
+
+    def _exceptional(self, block: Slices) -> Array:
+        """Where the second variation may be degenerate, or the damping not reach every motion."""
+        degenerate, *torques = secular_of(self.report.equilibrium).standard.exceptions
+
+        def may_vanish(factors: Sequence[Expr]) -> Array:
+            signs = [self._signs(e)(block) for e in factors]
+            return reduce(np.logical_or, [(s == 0) | (s == UNKNOWN) for s in signs], np.zeros((1, 1), bool))
+
+        unreached = np.ones((1, 1), bool)
+        for torque in torques:
+            if not unreached.any():
+                break
+            unreached = unreached & may_vanish(torque)
+        return np.asarray(may_vanish(degenerate) | unreached)
 
     def _holds(self, criterion: Criterion, block: Slices) -> Array:
         """1 where the criterion holds, −1 where it does not, 0 where that is not proved."""

@@ -73,7 +73,8 @@ class Frame:
                 **{f"values of {name}": summed(array.astype("<f8").tobytes())
                    for name, array in zip(request.names, self.arrays)},
                 **{f"value of {name}": str(number) for name, number, _ in request.fixed},
-                "margins": request.margins, "block": list(self.block)}
+                "margins": request.margins, "block": list(self.block),
+                **({"damped": True} if request.damped else {})}
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -83,9 +84,8 @@ class Frame:
     @property
     def names(self) -> tuple[str, ...]:
         """The variables that are written block by block."""
-        if not self.request.margins:
-            return ("verdict",)
-        return ("verdict", *(f"margin_{n}" for n in range(len(self.request.all_margins))))
+        margins = range(len(self.request.all_margins)) if self.request.margins else ()
+        return ("verdict", *(("damped",) if self.request.damped else ()), *(f"margin_{n}" for n in margins))
 
     def ready(self) -> Marks:
         """The marks, after the store is made where there is none, and all that is not computed block by block
@@ -164,10 +164,11 @@ class Frame:
                               for key, value in variable_attributes(name, self.request).items()}
                 if self.request.fixed:
                     attributes["coordinates"] = " ".join(name for name, _, _ in self.request.fixed)
+                verdict = name in ("verdict", "damped")
                 group.create_array(name, shape=tuple(map(len, self.arrays)), chunks=self.block,
                                    compressors=checked,
-                                   dtype="int8" if name == "verdict" else "float64",
-                                   fill_value=-128 if name == "verdict" else 0.0,
+                                   dtype="int8" if verdict else "float64",
+                                   fill_value=-128 if verdict else 0.0,
                                    dimension_names=self.request.names, attributes=attributes)
             group.create_array("complete", shape=(prod(self.counts),), chunks=(1,), dtype="uint64",
                                fill_value=0, compressors=None,

@@ -29,6 +29,8 @@ class Request:
         whether the values of the margins are wanted besides
     backend : str
         "numpy" or "numba"
+    damped : bool
+        whether the verdicts under internal damping are wanted besides
     """
 
     report: Report
@@ -36,6 +38,7 @@ class Request:
     fixed: tuple[tuple[str, Expr, str], ...]
     margins: bool
     backend: str
+    damped: bool = False
 
     @property
     def all_margins(self) -> list[Expr]:
@@ -55,12 +58,14 @@ class Request:
                                      for top, bottom in map(ring.fraction, existence))]
 
     def variables(self, arrays: Sequence[Array], threads: int = 1) -> dict[str, Array]:
-        """Verdicts, and margins if they are wanted, over the grid of the arrays, one for each axis."""
+        """Verdicts, and what else is wanted, over the grid of the arrays, one for each axis."""
         grid = {name: array.reshape(-1, *(1,) * (len(arrays) - 1 - i))
                 for i, (name, array) in enumerate(zip(self.names, arrays))}
         numbers = {name: number for name, number, _ in self.fixed} | grid
         found = {"verdict": verdicts(self.report, numbers, invalid="mark", backend=self.backend,
                                      threads=threads)}
+        if self.damped:
+            found["damped"] = verdicts(self.report, numbers, damped=True, invalid="mark", threads=threads)
         if self.margins:
             shape = tuple(map(len, arrays))
             for n, margin in enumerate(self.all_margins):

@@ -41,11 +41,13 @@ def run(given: argparse.Namespace, out: Output) -> int:
     *further, y, x = axes.items()
     store = path if path.suffix == ".zarr" else None
     chart = stability_chart(report, x=x, y=y, axes=dict(further), fixed=_as_written(given.values),
-                            store=store, backend=given.backend, threads=given.threads)
+                            damped=given.damped, store=store, backend=given.backend,
+                            threads=given.threads)
     if path.suffix in PICTURES:
         _draw(chart, path)
     elif store is None:
-        save_netcdf(chart, path, encoding={"verdict": {"zlib": True, "complevel": 1}})
+        packed = {"zlib": True, "complevel": 1}
+        save_netcdf(chart, path, encoding={name: packed for name in ("verdict", "damped") if name in chart})
     out.noted(scene_note(report.equilibrium.system,
                          {symbol(name): number for name, number in numbers.items()}))
     return 0

@@ -59,6 +59,9 @@ def parser() -> argparse.ArgumentParser:
         chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
     chart.add_argument("--axis", metavar="NAME=LOW:HIGH:COUNT", action="append",
                        help="a further axis of the data; may be repeated")
+    chart.add_argument("--damped", action="store_true",
+                       help="the verdicts under internal damping too; in a picture hatched where it destroys "
+                       "what is stable")
     chart.add_argument("--threads", type=int, default=1, metavar="N", help="left out: 1")
     chart.add_argument("--backend", choices=("numpy", "numba"), default="numpy",
                        help="numba: faster, gyrostat[fast]")

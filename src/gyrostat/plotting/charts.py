@@ -7,7 +7,7 @@ import numpy as np
 from ..algebra.floats import Array
 from ..errors import ValuesError
 from ..notation import order
-from .looks import INK, LOOKS, axes_of, legend
+from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, legend
 
 MODULO = {"the flow of pi3": "the spin"}                   # about the axis of the body
 # values of an axis that are drawn; of more, every second, third, …
@@ -71,11 +71,15 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     for name, where in occurring.items():
         if LOOKS[name][1]:
             _hatched(ax, x, y, edges, where, name)
+    destroyed = _destroyed(ds, seen, codes)
+    if destroyed.any():
+        _hatched(ax, x, y, edges, destroyed, DESTROYED)
     lined = _line(ax, ds, dims, edges)
     ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]))
     ax.set_xlabel(_label(seen[dims[1]]))
     ax.set_ylabel(_label(seen[dims[0]]))
-    _legend(ax, {name: name.replace("_", " ") for name in occurring} | _modulo(ds, occurring), lined)
+    names = {name: name.replace("_", " ") for name in occurring} | _modulo(ds, occurring)
+    _legend(ax, names | ({DESTROYED: DESTROYED} if destroyed.any() else {}), lined)
     if title is not None:
         ax.set_title(title, pad=24, fontsize="medium")  # above the legend
     return ax
@@ -151,12 +155,21 @@ def _evenly_spaced(values: Array) -> bool:
 
 
 def _hatched(ax: Any, x: Array, y: Array, edges: tuple[Array, Array], where: Array, name: str) -> None:
-    """Hatches over the cells of one verdict, out to the ends of the axes."""
+    """Hatches over the cells of one look, out to the ends of the axes."""
     x, y = (np.concatenate([ends[:1], values, ends[-1:]]) for ends, values in zip(edges, (x, y)))
     hatches = ax.contourf(x, y, np.pad(where, 1, mode="edge").astype(float), levels=[0.5, 1.5],
-                          colors="none", hatches=[LOOKS[name][1]])
+                          colors="none" if name in LOOKS else [AREAS[name][0]], hatches=[AREAS[name][1]])
     hatches.set_edgecolor(INK[name])
     hatches.set_linewidth(0)
+
+
+def _destroyed(ds: Any, seen: Any, codes: Mapping[str, int]) -> Array:
+    """Where it is stable, but not under internal damping, of a chart that has both."""
+    stable = np.asarray(seen.values) == codes["stable"]
+    if "damped" not in ds:
+        return np.zeros_like(stable)
+    damped = ds.damped.sel({name: seen[name] for name in seen.dims})
+    return np.asarray(stable & (damped.values == codes["unstable"]))
 
 
 def _line(ax: Any, ds: Any, dims: tuple[str, ...], edges: Sequence[Array]) -> bool:
@@ -189,7 +202,7 @@ def _legend(ax: Any, names: Mapping[str, str], lined: bool) -> None:
     """What occurs, in a row above the axes, where no data are."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
-    handles: list[Any] = [Patch(facecolor=LOOKS[name][0], hatch=LOOKS[name][1],
+    handles: list[Any] = [Patch(facecolor=AREAS[name][0], hatch=AREAS[name][1],
                                 edgecolor=INK.get(name, "black"), linewidth=0.6,
                                 label=said) for name, said in names.items()]
     handles += [Line2D([], [], color="black", linewidth=1.2, label="boundary")] if lined else []

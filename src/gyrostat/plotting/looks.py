@@ -9,9 +9,11 @@ from ..errors import ArgumentError, optional
 from ..notation import typeset
 from ..stability.report import Decision, Verdict
 
+DESTROYED = "destroyed by internal damping"            # what is stable, but not under it
 LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""),
          "no_equilibrium": ("#ffffff", "....")}
-INK = {"undecided": "#8a6d2f", "no_equilibrium": "#a0a0a0"}            # of the hatches
+AREAS = {**LOOKS, DESTROYED: ("#efdcd6", "\\\\\\\\")}
+INK = {"undecided": "#8a6d2f", "no_equilibrium": "#a0a0a0", DESTROYED: "#a23b2a"}    # of the hatches
 DARK, BLUE, GREY = "#1f2933", "#1d5b96", "#8592a0"
 LINES = {"stable": (BLUE, "-"), "unstable": (DARK, (0, (4, 2))), "undecided": (INK["undecided"], ":")}
 MARKERS = {"stable": {"color": BLUE, "fillstyle": "full"}, "unstable": {"color": DARK, "fillstyle": "none"},

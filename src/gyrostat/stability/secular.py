@@ -12,6 +12,7 @@ from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.matrices import characteristic_coefficients, cross
 from ..algebra.polynomials import Ring, lowest_terms
 from ..kept import cached_property
+from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.liepoisson import hat
 from ..mechanics.once import once
@@ -67,6 +68,26 @@ class Secular:
         if known := seen(self.equilibrium):
             return replace(secular_of(known.equilibrium).criterion, modulo=known.modulo)
         return independent(secular_criterion(self.variation), self.equilibrium)
+
+    @cached_property
+    def standard(self) -> "Secular":
+        """Of the equilibrium in the standard axes, where a body of revolution is recognised."""
+        known = seen(self.equilibrium)
+        return secular_of(known.equilibrium) if known else self
+
+    @cached_property
+    def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
+        """Where the criterion is not necessary: where one of the first vanishes the second variation is
+        degenerate; where one of each of the others does, the damping does not reach every motion.
+
+        In normal form, () for what vanishes nowhere.
+        """
+        values = (self._coefficients[-1] if self._coefficients else S.One, *self._torques)
+        signs = signs_over(self.equilibrium, values)
+        found = [signs.split(*signs.ring.fraction(value)) for value in values]
+        groups = [[signs.ring.expression(x) for x in (margin, *even)] for margin, even in found]
+        degenerate, *torques = (tuple(e for e in group if e == 0 or e.free_symbols) for group in groups)
+        return degenerate, *dict.fromkeys(torques)
 
     @cached_property
     def required(self) -> tuple[str, ...]:
