@@ -6,6 +6,7 @@ from sympy import Expr, Matrix, S
 from ..algebra.margins import Signs
 from ..algebra.polynomials import lowest_terms
 from ..mechanics.derivation import signs_over
+from ..mechanics.equilibria import Equilibrium
 from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian
 from .implication import Item, eliminate, merge, reduced
@@ -125,13 +126,15 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     I₃ > I₁ and I₃ > I₂
     """
     eq = variation.equilibrium
-    k = Matrix(eq.point[3:])
-    # k·Ik is positive
-    moment = k.dot(eq.system.body.tensor * k) if k else 0
     minors = [(2, e) for e in _on_sphere(variation)] or list(variation.block_minors)
-    signs = Signs.over([minor for _, minor in minors],
-                       (*eq.domain, *([eq.at_point(moment)] if moment else [])))
+    signs = Signs.over([minor for _, minor in minors], (*eq.domain, *positive(eq)))
     return _definite(variation, "secular", minors, signs, (1,))
+
+
+def positive(eq: Equilibrium) -> tuple[Expr, ...]:
+    """What is positive at every equilibrium: k·Ik, where there is a field."""
+    k = Matrix(eq.point[3:])
+    return (eq.at_point(k.dot(eq.system.body.tensor * k)),) if k else ()
 
 
 def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:

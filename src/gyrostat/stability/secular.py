@@ -3,12 +3,14 @@
 Fuel that sloshes, a nutation damper, joints that give: they take energy, keep the Casimirs, and leave a body
 that turns like a rigid one alone. What is stable then is a minimum of the energy on the orbit.
 """
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from sympy import Add, Expr, Matrix, S, Symbol, eye
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
+from ..algebra.margins import Signs
 from ..algebra.matrices import characteristic_coefficients, cross
 from ..algebra.polynomials import Ring, lowest_terms
 from ..kept import cached_property
@@ -18,11 +20,11 @@ from ..mechanics.liepoisson import hat
 from ..mechanics.once import once
 from ..mechanics.standard import seen, seen_at
 from ..notation import symbol
-from .conditions import Criterion, independent
-from .criteria import secular_criterion
+from .conditions import Condition, Criterion, independent
+from .criteria import positive, secular_criterion
 from .energy_casimir import SecondVariation, secular_variation
 from .minima import least_at
-from .truth import holds
+from .truth import holds, sign_at
 from .values import names_needed
 
 Growing = tuple[bool | None, str, int | None]              # stable, why, and the number of growing modes
@@ -111,18 +113,42 @@ class Secular:
         return stable, known.worded(why), growing, known.modulo
 
     def _decided(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Growing:
-        positive = holds(self.criterion, numbers, margins)
-        if positive:
+        least = holds(self.criterion, numbers, margins)
+        if least:
             return True, KEPT, 0
-        coefficients = [sign_of_constant(evaluate(c, numbers)) for c in self._coefficients]
-        if positive is None or None in coefficients:
+        if least is None:
             return None, NO_SIGN, None
-        if coefficients and coefficients[-1] == 0:
-            return self._degenerate(numbers)
-        negative = _variations(coefficients)
+        known = dict(margins)
+        blocks = [(times, [sign_at(minor, numbers, known) for minor in block])
+                  for block, times in self._minors.items()]
+        if all(all(signs) for _, signs in blocks):
+            negative = sum(times * _changes(signs) for times, signs in blocks)
+        else:
+            coefficients = [sign_of_constant(evaluate(c, numbers)) for c in self._coefficients]
+            if None in coefficients:
+                return None, NO_SIGN, None
+            if coefficients and coefficients[-1] == 0:
+                return self._degenerate(numbers)
+            negative = _changes(coefficients)
         if self._free(numbers):
             return self._along(numbers)
         return False, f"{LOST}, {modes(negative)}", negative
+
+    @cached_property
+    def _minors(self) -> Counter[tuple[Condition, ...]]:
+        """The leading minors of each block, from the first that may be negative on, and how often it occurs;
+        where none vanishes, their changes of sign are the negative squares (Jacobi).
+        """
+        eq = self.equilibrium
+        minors = [(n, eq.insert(minor)) for n, minor in self.variation.block_minors]
+        signs = Signs.over([minor for _, minor in minors], (*eq.existence(), *map(eq.insert, positive(eq))))
+        blocks: list[list[Condition]] = []
+        for n, minor in minors:
+            margin, even = signs.normal_form(minor)
+            blocks += [[]] if n == 1 else []
+            if blocks[-1] or margin != 1 or even:
+                blocks[-1].append(Condition(margin, True, f"minor {n}", even, eq.at))
+        return Counter(map(tuple, blocks))
 
     @cached_property
     def _coefficients(self) -> tuple[Expr, ...]:
@@ -152,7 +178,8 @@ class Secular:
 
     def _free(self, numbers: Mapping[Symbol, Expr]) -> bool:
         """Whether k moves by itself there, the body turning about it."""
-        return all(sign_of_constant(evaluate(e, numbers)) == 0 for e in self._torques)
+        _, *torques = self.exceptions
+        return all(any(sign_of_constant(evaluate(e, numbers)) == 0 for e in torque) for torque in torques)
 
     def _along(self, numbers: Mapping[Symbol, Expr]) -> Growing:
         """Where k moves by itself: of M, as of a free body, M = μ k, ω = w k, on the plane across k."""
@@ -163,7 +190,7 @@ class Secular:
         mu, rate = k.dot(pi + Matrix(body.gyrostatic_momentum)), k.dot(body.inverse * pi)
         turn = hat(k)
         form = turn.T * (mu**2 * body.inverse - mu * rate * eye(3)) * turn
-        growing = _variations([sign_of_constant(evaluate(c, {})) for c in _coefficients(form.tolist())])
+        growing = _changes([sign_of_constant(evaluate(c, {})) for c in _coefficients(form.tolist())])
         if growing:
             return False, f"{LOST}, {modes(growing)}; {OUT_OF_REACH}", growing
         return None, OUT_OF_REACH, None
@@ -190,8 +217,10 @@ def _coefficients(form: Sequence[Sequence[Expr]]) -> tuple[Expr, ...]:
                  for n, c in enumerate(characteristic_coefficients(ring, rows), 1))
 
 
-def _variations(signs: Sequence[int | None]) -> int:
-    """How many eigenvalues of a symmetric matrix are negative: Descartes' rule is exact, for all are real."""
+def _changes(signs: Sequence[int | None]) -> int:
+    """Changes of sign, from 1 on: of coefficients, the negative eigenvalues of a symmetric matrix, for
+    Descartes' rule is exact where all roots are real.
+    """
     left = [1, *filter(None, signs)]
     return sum(a != b for a, b in zip(left, left[1:]))
 
