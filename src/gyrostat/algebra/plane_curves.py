@@ -56,11 +56,13 @@ class PlaneCurve:
     x, t : Symbol
     also : sequence of Expr
         whose numerators are asked for, too
+    ends : (low, high) or ()
+        of x; (): every x
 
     Attributes
     ----------
     components : list
-        irreducible factors in which x occurs, each once, without x ± 1
+        irreducible factors in which x occurs, each once, none of an end alone
     lines : list
         those in which t alone occurs: at their roots every x is on the curve
     poles : list
@@ -81,8 +83,9 @@ class PlaneCurve:
     [[0.0], [-0.5, 0.0, 0.5]]
     """
 
-    def __init__(self, expression: Expr, x: Symbol, t: Symbol, also: Sequence[Expr] = ()):
-        self.ring, self.x, self.t = Ring([expression, x, t, *also]), x, t
+    def __init__(self, expression: Expr, x: Symbol, t: Symbol, also: Sequence[Expr] = (),
+                 ends: Sequence[Expr] = (S.NegativeOne, S.One)):
+        self.ring, self.x, self.t, self.ends = Ring([expression, x, t, *also]), x, t, ends
         others = [g for g in self.ring.generators if g not in (x, t)]
         if any(g.free_symbols or not is_algebraic(g) or g.is_real is False for g in others):
             raise ScopeError(f"{expression} is not rational in {x} and {t} with algebraic coefficients, so "
@@ -96,10 +99,10 @@ class PlaneCurve:
                              "there are no branches to follow")
         self.rational = not others
         self.components, self.lines = [], []
-        ends = self.ring.gens[x] - 1, self.ring.gens[x] + 1
+        at_ends = [self.ring.gens[x] - int(end) for end in ends]
         for factor, _ in top.factor()[1]:
             if self.degree(factor, 0):
-                self.components += [] if factor in ends else [factor]
+                self.components += [] if factor in at_ends else [factor]
             elif self.degree(factor, 1):
                 self.lines.append(factor)
         self.poles = [factor for factor, _ in bottom.factor()[1]]
@@ -116,7 +119,7 @@ class PlaneCurve:
 
     @cached_property
     def double(self) -> tuple[tuple[Expr, Expr], ...]:
-        """(t, x) of every point between −1 and 1 where branches may meet: a multiple root in x."""
+        """(t, x) of every point between the ends where branches may meet: a multiple root in x."""
         found = []
         for n, F in enumerate(self.components):
             found += self.common(F, F.derivative(self.place[0])) if self.degree(F, 0) > 1 else []
@@ -125,26 +128,23 @@ class PlaneCurve:
         return tuple(dict.fromkeys(found))
 
     def common(self, F: fmpq_mpoly, G: fmpq_mpoly) -> list[tuple[Expr, Expr]]:
-        """(t, x) of every common zero with −1 < x < 1 of a component and a polynomial that it does not
-        divide; each t is canonical.
-        """
+        """Common zeros (t, x) of a component and a polynomial that it does not divide; t is canonical."""
         x, t = self.place
         n = math.gcd(*(int(e[t]) for f in (F, G) for e in f.to_dict())) or 1
         F, G = (deflated(f, t, n) for f in (F, G))
         if self.degree(F, 0) * self.degree(G, 1) + self.degree(G, 0) * self.degree(F, 1) > LARGEST:
             raise ScopeError(f"the points of a curve of degree {self.degree(self.whole, 0)} in {self.x} and "
-                             f"{self.degree(self.whole, 1)} in {self.t} are the roots of polynomials of "
-                             f"degree over {LARGEST}: give a field of lower degree")
+                             f"{self.degree(self.whole, 1)} in {self.t} are roots of polynomials of degree "
+                             f"over {LARGEST}: give a field of lower degree")
         over_x = self._resultant(F, G, 1)
         if over_x.is_constant() and over_x:
             return []
         over_t = self._resultant(F, G, 0)
-        across = real_roots(self.ring.expression(over_x), self.x, S.NegativeOne, S.One)
+        across = real_roots(self.ring.expression(over_x), self.x, *self.ends)
         along = real_roots(self.ring.expression(over_t), self.t)
         if across is None or along is None:
             raise ScopeError(f"{self.ring.expression(F)} and {self.ring.expression(G)} have a curve in "
-                             "common once their algebraic numbers "
-                             "are related: write these in one root")
+                             "common once their algebraic numbers are related: write these in one root")
         pairs = [(s, x0) for x0 in across for s in self._above(F, G, x0, along)]
         if n == 1:
             return pairs

@@ -204,7 +204,8 @@ def _bifurcation(b: Bifurcation) -> list[Block]:
 
 @result_blocks.register
 def _point(point: BifurcationPoint) -> list[Block]:
-    places = (symbol(point.name), number(point.value)), (symbol("k3"), number(point.k3))
+    where = {symbol(point.name): point.value, symbol("k3"): point.k3, symbol("nu"): point.nu}
+    places = [(name, number(value)) for name, value in where.items() if value is not None]
     return [sentence(f"{point.kind} at ", *equations(places))]
 
 

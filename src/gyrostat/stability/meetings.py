@@ -9,24 +9,28 @@ from ..algebra.exact import Point, evaluate, proved_sign
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import critical_points, stations
-from ..errors import ValuesError
+from ..errors import ValuesError, require
 from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, V, reduce
-from ..mechanics.system import System
+from ..mechanics.system import System, at_numbers
 from ..notation import Stored, symbol
 from ..shown import Shown
 from .asked import exact_point, names_of
 from .bifurcations import bifurcations, insert, relation_at_rate
 from .kinds import AT_RATE, ON_LEVEL, defined, kind_of, tilt_leaves
+from .permanent_rotations import LENGTH, numbers_of_rotations
+from .rotation_meetings import places_where_rotations_meet
 from .values import unknown
 
 
 @dataclass(frozen=True, repr=False)
 class BifurcationPoint(Shown, Stored):
-    """The value of the free name at which a bifurcation takes place, and the k3 where.
+    """The value of the free name at which a bifurcation takes place, and where.
 
     Its kind says what happens; where branches meet between the poles "at fixed rate" or "on a level", it
-    starts with "fold", "pitchfork", "crossing" or "isolated".
+    starts with "fold", "pitchfork", "crossing" or "isolated". Of a free gyrostat it is that of the degenerate
+    rotation: "fold", "pitchfork", "umbilic" (a fold and a pitchfork in one), "circle leaves an axis" of a
+    body of revolution, "circle at this value alone" or "sphere at this value alone".
 
     Parameters
     ----------
@@ -34,7 +38,12 @@ class BifurcationPoint(Shown, Stored):
     name : str
         the one that is free
     value : Expr
-    k3 : Expr
+    k3 : Expr or None
+        None of a free gyrostat
+    nu : Expr or None
+        of a free gyrostat: ω = ν M
+    momentum : tuple of Expr, shape (3,), or None
+        of a free gyrostat: M
 
     Examples
     --------
@@ -48,7 +57,9 @@ class BifurcationPoint(Shown, Stored):
     kind: str
     name: str
     value: Expr
-    k3: Expr
+    k3: Expr | None
+    nu: Expr | None = None
+    momentum: tuple[Expr, ...] | None = None
 
 
 def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[BifurcationPoint]:
@@ -57,12 +68,12 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     Parameters
     ----------
     scene : System
-        a body of revolution in a U rational in k3
+        a body of revolution in a U rational in k3, or any body without a field
     name : str
         what is left free; a moment is positive
     values : mapping of name to number
         everything but the name: moments, l, the parameters of U, and omega (fixed rate), pi3_0 (the levels C1
-        = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level)
+        = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level); of a free gyrostat moments, rotor and M
 
     Returns
     -------
@@ -84,7 +95,13 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     [('E3 leaves E2', 2), ('E3 leaves E1', 4)]
     >>> [(b.kind, b.value) for b in gs.bifurcation_points(top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})]
     [('precessions leave E1', -2), ('precessions leave E1', 2)]
+    >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
+    >>> [(b.kind, b.value, b.nu) for b in gs.bifurcation_points(free, "M", {"l": 1})]
+    [('pitchfork', 1/2, 1), ('pitchfork', 2, 1/2)]
     """
+    require(scene, System, "the scene")
+    if scene.potential is None:
+        return _of_rotations(scene, name, values)
     known = names_of(scene) | {"omega", "pi3_0", "C1"}
     if name not in known:
         raise ValuesError(unknown(name, sorted(known), "the scene"))
@@ -99,10 +116,22 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     found = [point for point in (_at_poles if kinds == "precessions leave"
                                  else _meetings)(scene, numbers, free, kinds)
              if positive(scene, numbers, free, point.value)]
+    return _by_value(found)
+
+
+def _by_value(found: list[BifurcationPoint]) -> list[BifurcationPoint]:
     order = {
         value: n for n, value in enumerate(in_order(list(dict.fromkeys(point.value for point in found))))
     }
     return sorted(found, key=lambda point: order[point.value])
+
+
+def _of_rotations(scene: System, name: str, values: Mapping[str, Any]) -> list[BifurcationPoint]:
+    """Of a scene without a field."""
+    numbers = numbers_of_rotations(scene, values, name)
+    met = places_where_rotations_meet(at_numbers(scene, numbers).body, numbers.get(LENGTH, LENGTH),
+                                      symbol(name))
+    return _by_value([BifurcationPoint(kind, name, value, None, nu, M) for kind, value, nu, M in met])
 
 
 def positive(scene: System, numbers: Point, free: Symbol, value: Expr) -> bool:

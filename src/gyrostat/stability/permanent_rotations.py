@@ -7,7 +7,7 @@ from flint import arb, arb_mat
 from sympy import Add, Expr, ImmutableMatrix, Matrix, Rational, S, eye, sqrt
 
 from ..algebra.balls import ball
-from ..algebra.exact import proved_sign
+from ..algebra.exact import Point, proved_sign
 from ..algebra.precision import own_precision
 from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError
@@ -21,6 +21,7 @@ from .decision import Decision, Verdict
 from .secular import KEPT, LOST, modes
 from .sphere import DRIFTS, extremum
 from .tensor_rotations import rotations_of_tensor
+from .values import unknown
 
 NU, LENGTH = symbol("nu"), symbol("M")
 PRECISION = 128                                            # bits that put the rotations in order
@@ -132,17 +133,30 @@ class PermanentRotation(Shown, Stored):
 
 def rotations_at(scene: System, values: Mapping[str, Any]) -> list[PermanentRotation]:
     """Every permanent rotation of a scene without a field, at numbers for its names and M = abs(π + l)."""
+    numbers = numbers_of_rotations(scene, values)
+    return permanent_rotations(at_numbers(scene, numbers).body, numbers[LENGTH])
+
+
+def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | None = None) -> Point:
+    """The values as exact numbers, one for every name of a scene without a field and for M, but for one that
+    is free.
+    """
     needed = {s.name for s in names_of_scene(scene)}
     if LENGTH.name in needed:
         raise ScopeError("the body depends on M, which is the length of the momentum here: rename it")
-    numbers = exact_point(scene, values, needed | {LENGTH.name})
-    if missing := sorted((needed | {LENGTH.name}) - values.keys()):
+    needed |= {LENGTH.name}
+    if free is not None and free not in needed:
+        raise ValuesError(unknown(free, sorted(needed), "the scene"))
+    numbers = exact_point(scene, values, needed)
+    if free is not None and free in values:
+        raise ValuesError(f"{free} is free, and has the value {values[free]} too: leave out one of the two")
+    if missing := sorted(needed - values.keys() - {free}):
         raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each; M is "
                           "the length of π + l")
-    if proved_sign(numbers[LENGTH]) not in (0, 1):
+    if LENGTH in numbers and proved_sign(numbers[LENGTH]) not in ((0, 1) if free is None else (1,)):
         raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a number that "
-                          "is not negative")
-    return permanent_rotations(at_numbers(scene, numbers).body, numbers[LENGTH])
+                          f"is {'not negative' if free is None else 'positive'}")
+    return numbers
 
 
 def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]:

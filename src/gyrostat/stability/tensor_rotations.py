@@ -39,10 +39,10 @@ def rotations_of_tensor(body: Gyrostat, radius: Expr) -> Iterator[Found]:
         if proved_sign(under) != 0:
             yield nu, tuple(evaluate(x, {NU: nu}) / under for x in above), None
     for nu in real_roots(below, NU) or ():
-        yield from _along_principal_axes(turned, above, below, nu, radius)
+        yield from along_principal_axes(turned, above, below, nu, radius)
 
 
-def _along_principal_axes(turned: Matrix, above: Matrix, below: Expr, nu: Expr,
+def along_principal_axes(turned: Matrix, above: Matrix, below: Expr, nu: Expr,
                           radius: Expr) -> Iterator[Found]:
     """At ν = 1/I of a principal moment I, once or twice there."""
     twice = proved_sign(evaluate(below.diff(NU), {NU: nu})) == 0
