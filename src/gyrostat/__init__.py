@@ -48,6 +48,7 @@ if TYPE_CHECKING:
         second_variation,
         secular_variation,
     )
+    from .stability.followed_rotations import RotationContinuation
     from .stability.linearization import Linearization, linearize
     from .stability.meetings import BifurcationPoint, bifurcation_points
     from .stability.permanent_rotations import PermanentRotation
@@ -70,10 +71,11 @@ __all__ = [
     "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize",
     "mechanics", "multipliers", "newtonian_field", "NOTATION", "orbit_tangent", "own_precision",
     "PermanentRotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
-    "relative_equilibria", "Report", "Rotor", "second_variation", "SecondVariation", "secular_criterion",
-    "secular_variation", "Solution", "SolvedCondition", "solve_condition", "spectral_criterion",
-    "Spectrum", "spectrum", "stabilizing_set", "static_tilt", "symbol", "symmetric_gyrostat",
-    "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
+    "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation",
+    "SecondVariation", "secular_criterion", "secular_variation", "Solution", "SolvedCondition",
+    "solve_condition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt",
+    "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories",
+    "uniform_field", "upright", "Verdict",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -92,6 +94,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.conditions": "Condition Criterion independent",
     "stability.criteria": "formal_criterion secular_criterion spectral_criterion",
     "stability.continuation": "Continuation continuation",
+    "stability.followed_rotations": "RotationContinuation",
     "stability.energy_casimir": "SecondVariation augmented_hessian multipliers "
                                 "second_variation secular_variation",
     "stability.linearization": "Linearization linearize",

@@ -54,6 +54,11 @@ def branches(heavy):
     return plotting.draw_bifurcation_diagram(heavy, "omega", ("-1/2", 3), BODY, flat())
 
 
+def spun_up(heavy):
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
+    return plotting.draw_bifurcation_diagram(scene, "l", ("0", 1), {"M": 1}, flat())
+
+
 def diagram(heavy):
     return plotting.draw_energy_momentum(heavy, BODY | {"p_psi": 1}, ax=flat())
 
@@ -88,6 +93,7 @@ def contents(figure):
     (["nutation", *HEAVY, *STATE, "--until", "2", "--step", "1/4"], nutation),
     (["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1"), "--energy", "1.9"], well),
     (["bifurcations", *HEAVY, "--x", "omega=-1/2:3"], branches),
+    (["bifurcations", "--potential", "none", *sets("I1=1 I2=2 I3=3 M=1"), "--x", "l=0:1"], spun_up),
     (["energy-momentum", *HEAVY, *sets("p_psi=1")], diagram),
     (["eigenvalues", *HOPF, "--x", "omega3_0=2.2:0:40"], hopf),
     (["cones", *sets("I1=2 I3=1"), "--transverse", "1", "--axial", "2"], rolling)],
@@ -131,7 +137,9 @@ def test_files(capsys, tmp_path):
      "is not NAME=LOW:HIGH: write, for example, --x l=-2:2\n"),
     (["bifurcations", *HEAVY, "--x", "omega=1:0", "--output", "x.png"], "the lower one first"),
     (["bifurcations", *HEAVY[2:], "--x", "omega=0:1", "--output", "x.png"],
-     "--potential is missing, and bifurcations is of a field"),
+     "--potential is missing: write --potential \"m0*k3\", or none"),
+    (["bifurcations", "--potential", "none", *sets("I1=1 I2=2 I3=3 l1=0 l2=0"), "--x", "l3=0:1", "--output",
+      "x.png"], "the permanent rotations need M: give"),
     (["energy-momentum", *HEAVY, "--potential", "none", "--output", "x.png"],
      "--potential is none, and energy-momentum is of a field"),
     (["energy-momentum", *HEAVY, "--output", "x.png"], "needs p_psi"),

@@ -56,7 +56,7 @@ class PlaneCurve:
     x, t : Symbol
     also : sequence of Expr
         whose numerators are asked for, too
-    ends : (low, high) or ()
+    ends : (−1, 1) or ()
         of x; (): every x
 
     Attributes
@@ -213,12 +213,12 @@ class PlaneCurve:
                     for powers, c in polynomial.to_dict().items()), arb(0))
 
     def roots(self, t: Fraction, count: int | None = None, precision: int = 96) -> list[arb]:
-        """The roots −1 < x < 1 at a t where they are simple and not ±1, in increasing order, to half of the
-        precision; count, if known.
+        """The roots between the ends at a t where they are simple and no end, in increasing order, to half of
+        the precision; count, if known.
         """
         if not self.rational and count is None:
             placed = inserted(self.ring, self.whole, {self.t: Rational(t.numerator, t.denominator)})
-            count = len(real_roots(placed, self.x, S.NegativeOne, S.One) or ())
+            count = len(real_roots(placed, self.x, *self.ends) or ())
         while True:
             with own_precision(precision):
                 found = self._simple(t, count)
@@ -242,8 +242,8 @@ class PlaneCurve:
                 return None
             real = [x.real for x in found if x.imag.contains(0)]
         small = 2.0 ** -(ctx.prec // 2 + 2)
-        if any(r.overlaps(arb(1)) or r.overlaps(arb(-1)) or r.rad() > (abs(r.mid()) + 2.0**-10) * small
-               for r in real):
+        if any(r.rad() > (abs(r.mid()) + 2.0**-10) * small for r in real) or any(
+                r.overlaps(arb(int(end))) for r in real for end in self.ends):
             return None
-        inside = sorted((r for r in real if abs(r) < 1), key=arb.mid)
+        inside = sorted((r for r in real if not self.ends or abs(r) < 1), key=arb.mid)
         return inside if count is None or len(inside) == count else None

@@ -54,9 +54,10 @@ KINDS = {
         "Draws the effective potential V of a body of revolution in U(k3) on a level of its "
         "momenta, with the relative equilibria in it."),
     "bifurcations": (
-        "k3 of all relative equilibria against a parameter",
-        "Draws k3 of all relative equilibria against a parameter, with their verdicts and the "
-        "points where they meet or change stability."),
+        "all relative equilibria against a parameter",
+        "Draws all relative equilibria against a parameter, k3 of a body of revolution in a field, "
+        "M along the rotor or the rate of a free gyrostat, with their verdicts and the points where "
+        "they meet or change stability."),
     "energy-momentum": (
         "critical values of the energy and C1 at a fixed axial momentum",
         "Draws the energy-momentum diagram: the critical values of the energy and C1 at a fixed "

@@ -153,7 +153,8 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     nutation.set_defaults(precision=None)
     _scene(well, "I1, I3, l, the names in U, p_phi and p_psi", "it is required")
     well.add_argument("--energy", metavar="H", help="with the motion at this energy")
-    _scene(branches, "I1, I3, l, omega and the names in U, without that of the axis", "it is required")
+    _scene(branches, "I1, I3, l, omega and the names in U, or I1, I2, I3, l1, l2, l3 and M, without that of "
+           "the axis", "none for a free gyrostat; it is required")
     branches.add_argument("--x", metavar="NAME=LOW:HIGH", required=True,
                           help="the parameter, omega or another name, and its range")
     _scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")

@@ -60,8 +60,10 @@ def _effective_potential(given: argparse.Namespace, numbers: Numbers, figure: An
 def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     name, low, high, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
     _free(name, numbers)
-    plotting.draw_bifurcation_diagram(scene := _in_a_field(given, numbers), name, (low, high), numbers,
-                                      figure.subplots())
+    if given.potential is None:
+        raise ValuesError('--potential is missing: write --potential "m0*k3", or none for a free gyrostat')
+    scene = scene_of(asked_of(given, {**numbers, name: low}))
+    plotting.draw_bifurcation_diagram(scene, name, (low, high), numbers, figure.subplots())
     return _unusual(scene, numbers)
 
 

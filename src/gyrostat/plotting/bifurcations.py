@@ -1,5 +1,6 @@
-"""The tilts of relative equilibria against a parameter, with their stability and the points where they change
-or meet.
+"""Relative equilibria against a parameter, with their stability and the points where they change or meet.
+
+Of a body of revolution in a field their tilts, of a free gyrostat M along an axis, or ν.
 """
 from collections.abc import Mapping
 from typing import Any
@@ -9,8 +10,11 @@ import numpy as np
 from ..algebra.numbers import exact_number
 from ..mechanics.families import E1, E2, E3
 from ..mechanics.system import System
+from ..notation import symbol
 from ..stability.continuation import Continuation, continuation
+from ..stability.followed_rotations import RotationContinuation
 from ..stability.kinds import precessions_leave, tilt_leaves
+from ..stability.meetings import BifurcationPoint
 from ..stability.pieces import INFINITE, Mark, Piece
 from ..stability.report import Verdict
 from .looks import DARK, axes_of, label, legend, line, marker, named
@@ -18,28 +22,36 @@ from .looks import DARK, axes_of, label, legend, line, marker, named
 CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p"}
 MEETINGS = {tilt_leaves(E1): "^", tilt_leaves(E2): "v", "fold at fixed rate": "D",
             "pitchfork at fixed rate": "P", "crossing at fixed rate": "X", INFINITE: "x"}
+ROTATIONS = {"fold": "D", "pitchfork": "P", "umbilic": "X", "circle leaves an axis": "o",
+             "circle at this value alone": "s", "sphere at this value alone": "*"}
 CLEARANCE = 0.11                                           # of the names, in k3
 
 
 def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], values: Mapping[str, Any],
                              ax: Any = None, **kwargs: Any) -> Any:
-    """Draw k3 of every E1, E2 and E3 at fixed rotor and rate about the vertical against one parameter.
+    """Draw every relative equilibrium against one parameter, with its stability.
+
+    Of a body of revolution in a field k3 of E1, E2 and E3 at fixed rotor and rate about the vertical.
 
     Solid: stable; dashed: unstable; dotted: undecided; E3 modulo the spin about the axis of the body. A full
     mark is a change of stability: "fold on a level" of E3, "precessions leave E1". An open mark is a meeting
     without one, at this rotor and rate: branches of E3 fold, or come to E1 or E2. An E3 without others beside
     it is a circle as in the other pictures.
 
+    Of a free gyrostat the permanent rotations on a momentum sphere: against a component of the rotor M along
+    its axis, against anything else ν, ω = ν M. A mark stands where rotations meet; lines that cross without
+    one do so in the picture alone.
+
     Parameters
     ----------
     scene : System
-        body of revolution in a U rational in k3
+        body of revolution in a U rational in k3, or any body without a field
     name : str
         what is free: "omega", or another one of these names
     ends : pair of numbers
         of its range
     values : mapping of name to number
-        the moments, l, the parameters of U and omega, without it
+        the moments, l, the parameters of U and omega, of a free gyrostat M, without it
     ax : matplotlib Axes
         a new one where it is left out
     **kwargs : Any
@@ -70,6 +82,8 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     """
     found = continuation(scene, name, ends, values)
     ax = axes_of(ax)
+    if isinstance(found, RotationContinuation):
+        return _draw_rotations(found, scene, name, ax, kwargs)
     for piece in found.pieces:
         alone = len(piece.parameter) == 1
         ax.plot(piece.parameter, piece.k3, **{**(marker if alone else line)(piece.verdict), "clip_on": False,
@@ -96,6 +110,36 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     ax.set_ylabel(label("k3"))
     legend(ax, handles, 2)
     return ax
+
+
+def _draw_rotations(found: RotationContinuation, scene: System, name: str, ax: Any,
+                    kwargs: Mapping[str, Any]) -> Any:
+    """Of a free gyrostat."""
+    rotor = scene.body.gyrostatic_momentum
+    axis = rotor.index(symbol(name)) if symbol(name) in rotor else None
+    for piece in found.pieces:
+        height = piece.nu if axis is None else piece.momentum[:, axis]
+        ax.plot(piece.parameter, height, **{**line(piece.verdict), "clip_on": False, **kwargs})
+    handles = [named({**line(verdict), **kwargs}, verdict.name.lower()) for verdict in Verdict
+               if verdict in {piece.verdict for piece in found.pieces}]
+    for kind, shape in ROTATIONS.items():
+        if marks := [mark for mark in found.marks if mark.kind == kind]:
+            style = {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none",
+                     "markerfacecolor": "white"}
+            ax.plot([float(mark.value) for mark in marks], [_height(mark, axis) for mark in marks], zorder=4,
+                    clip_on=False, **style)
+            handles.append(named(style, kind))
+    ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
+    ax.set(xlim=(min(ends), max(ends)))
+    ax.set_xlabel(label(name))
+    ax.set_ylabel(label("nu" if axis is None else f"M{axis + 1}"))
+    legend(ax, handles, 3)
+    return ax
+
+
+def _height(mark: BifurcationPoint, axis: int | None) -> float:
+    assert mark.nu is not None and mark.momentum is not None
+    return float(mark.nu if axis is None else mark.momentum[axis])
 
 
 def _style(mark: Mark, shape: str) -> dict[str, Any]:

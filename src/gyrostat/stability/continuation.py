@@ -1,4 +1,4 @@
-"""Continuation of E1, E2 and E3 along a parameter at a fixed rotor and rate.
+"""Continuation along a parameter: of E1, E2 and E3 at a fixed rotor and rate, of permanent rotations.
 
 Pieces of one verdict, and marks where something happens.
 """
@@ -9,15 +9,17 @@ from typing import Any
 
 from sympy import Expr
 
+from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_number
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import between, stations
-from ..errors import ScopeError
+from ..errors import ScopeError, ValuesError, require
 from ..mechanics.families import E3, POLES
 from ..mechanics.system import System
 from .branches import branches_at
 from .critical import critical_of
 from .followed import Followed
+from .followed_rotations import RotationContinuation, followed_rotations
 from .pieces import Mark, Piece, Span
 
 
@@ -46,27 +48,28 @@ class Continuation:
 
 
 def continuation(scene: System, name: str, ends: tuple[Any, Any],
-                 values: Mapping[str, Any]) -> Continuation:
-    """The branches of E1, E2 and E3 over a range of one parameter, complete.
+                 values: Mapping[str, Any]) -> Continuation | RotationContinuation:
+    """The branches of E1, E2 and E3, or of permanent rotations, over a range of one parameter, complete.
 
     Between two stations, which are exact, the tilts are simple roots in a fixed order, none ends, and no
     margin vanishes: the verdicts are those at one fraction between. At a station the branches that come to a
-    point are those that a box about it holds, on either side.
+    point are those that a box about it holds, on either side. Of a free gyrostat the stations are the double
+    points of the curve of ν.
 
     Parameters
     ----------
     scene : System
-        a body of revolution in a U rational in k3
+        a body of revolution in a U rational in k3, or any body without a field
     name : str
         of the parameter
     ends : pair of numbers
         of its range
     values : mapping of name to number
-        the moments, l, the parameters of U and omega, without the one that is free
+        the moments, l, the parameters of U and omega, of a free gyrostat M, without the one that is free
 
     Returns
     -------
-    Continuation
+    Continuation, or RotationContinuation
 
     Raises
     ------
@@ -85,8 +88,18 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     [('fold on a level', sqrt(2)/2, 0, True), ('pitchfork at fixed rate', 1, 0, False)]
     >>> [piece.verdict.name for piece in found.pieces if piece.label == "E3" and abs(piece.k3).max() < 0.1]
     ['UNSTABLE', 'STABLE', 'STABLE']
+    >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
+    >>> found = gs.continuation(free, "l", (0, 1), {"M": 1})
+    >>> [(mark.kind, mark.value) for mark in found.marks], len(found.pieces)
+    ([('pitchfork', 1/2)], 10)
     """
+    require(scene, System, "the scene")
     low, high = (exact_number(end, name) for end in ends)
+    if sign_of_constant(high - low) != 1:
+        raise ValuesError(f"the range of {name} is {low} to {high}: give two numbers, the lower one "
+                          "first")
+    if scene.potential is None:
+        return followed_rotations(scene, name, low, high, values)
     critical = critical_of(scene, name, low, high, values)
     found = stations(critical.curve, critical.points,
                      (*critical.lines, *critical.poles[1], *critical.poles[-1]))

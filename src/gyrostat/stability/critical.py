@@ -14,7 +14,7 @@ from ..algebra.plane_curves import PlaneCurve
 from ..algebra.polynomials import Ring
 from ..algebra.roots import real_roots
 from ..algebra.stations import critical_points
-from ..errors import EquilibriumError, ValuesError, require
+from ..errors import EquilibriumError, ValuesError
 from ..mechanics.families import E3, POLES
 from ..mechanics.reduction import K3, OMEGA, P
 from ..mechanics.system import System
@@ -58,7 +58,6 @@ class Critical:
 
 def critical_of(scene: System, name: str, low: Expr, high: Expr, values: Mapping[str, Any]) -> Critical:
     """All of them, exact; arguments as in continuation, the ends of the range as exact numbers."""
-    require(scene, System, "the scene")
     known = names_of(scene) | {"omega"}
     numbers, free = exact_point(scene, values, known), symbol(name)
     if name not in known or "omega" not in (name, *values):
@@ -68,42 +67,39 @@ def critical_of(scene: System, name: str, low: Expr, high: Expr, values: Mapping
     if free in numbers:
         raise ValuesError(f"{name} is along the axis, and has the value {numbers[free]} too: leave "
                           "out one of the two")
-    if sign_of_constant(high - low) != 1:
-        raise ValuesError(f"the range of {name} is {low} to {high}: give two numbers, the lower one "
-                          "first")
-    _admissible(scene, numbers, free, low, high)
+    admissible({*scene.body.moments[1:]} | ({free} if free.is_positive else set()), numbers, free, low, high)
     margin, held = _margin(scene, numbers, free)
     curve = PlaneCurve(insert(scene, relation_at_rate(scene), K3, numbers, {free, K3}, E3.label), K3, free,
                        (margin, held))
-    within = cache(lambda t: _within(t, low, high))
+    inside = cache(lambda t: within(t, low, high))
 
     def kept(points: Iterable[tuple[Expr, Expr]]) -> tuple[tuple[Expr, Expr], ...]:
-        return tuple(dict.fromkeys(point for point in points if within(point[0])))
+        return tuple(dict.fromkeys(point for point in points if inside(point[0])))
 
     margins = kept(_margins(curve, margin, held))
     infinite = kept(point for F in curve.components for pole in curve.poles
                     for point in curve.common(F, pole))
     lines = tuple(t for line in curve.lines for t in real_roots(curve.ring.expression(line), free) or ()
-                  if within(t))
-    poles = {s: tuple(t for t in _at_pole(scene, numbers, free, s) if within(t)) for s in POLES}
+                  if inside(t))
+    poles = {s: tuple(t for t in _at_pole(scene, numbers, free, s) if inside(t)) for s in POLES}
     points = tuple(dict.fromkeys((*kept(critical_points(curve)), *margins, *infinite)))
     return Critical(curve, points, frozenset(margins), frozenset(infinite), lines, poles)
 
 
-def _within(t: Expr, low: Expr, high: Expr) -> bool:
+def within(t: Expr, low: Expr, high: Expr) -> bool:
+    """Whether a value is in a range, its ends included."""
     return sign_of_constant(t - low) != -1 and sign_of_constant(high - t) != -1
 
 
-def _admissible(scene: System, numbers: Point, free: Symbol, low: Expr, high: Expr) -> None:
-    """Refuse a range in which a moment of inertia is not positive."""
-    for moment in {m for m in scene.body.moments[1:]
-                   if free in m.free_symbols} | ({free} if free.is_positive else set()):
+def admissible(positive: Iterable[Expr], numbers: Point, free: Symbol, low: Expr, high: Expr) -> None:
+    """Refuse a range in which what is positive of a body is not."""
+    for moment in {m for m in positive if free in m.free_symbols}:
         placed = moment.xreplace(numbers)
         if placed.free_symbols - {free}:
             continue                                       # named as missing later
         zeros = real_roots(placed, free) or []
         at_end = evaluate(placed, {free: low})
-        if sign_of_constant(at_end) != 1 or any(_within(zero, low, high) for zero in zeros):
+        if sign_of_constant(at_end) != 1 or any(within(zero, low, high) for zero in zeros):
             raise ValuesError(f"{free} goes from {low} to {high}, and {moment} is a moment of inertia: "
                               "give a range in which it is "
                               "positive")

@@ -60,7 +60,8 @@ def _met_at(body: Gyrostat, radius: Expr, nu: Expr) -> Iterator[tuple[str, tuple
     if proved_sign(under) != 0:
         yield "fold", tuple(evaluate(x, {NU: nu}) / under for x in above)
     elif not any(proved_sign(evaluate(x, {NU: nu})) for x in turned):
-        yield "sphere at this value alone", (S.Zero, S.Zero, radius)
+        if not any(body.gyrostatic_momentum):
+            yield "sphere at this value alone", (S.Zero, S.Zero, radius)
     else:
         for _, M, circle in along_principal_axes(turned, above, below, nu, radius):
             if kind := _kind_at_pole(body, radius, nu, M, circle):
