@@ -1,6 +1,6 @@
-"""Where relative equilibria of a body of revolution meet, as equations.
+"""Where relative equilibria meet, as equations.
 
-E3 leaves E1 or E2, tilts meet.
+Of a body of revolution E3 leaves E1 or E2, and tilts meet; of a free gyrostat permanent rotations do.
 """
 from contextlib import suppress
 from dataclasses import dataclass
@@ -8,13 +8,14 @@ from dataclasses import dataclass
 from sympy import Expr, S, Symbol, expand
 
 from ..algebra.exact import Point
-from ..errors import EquilibriumError, ValuesError
+from ..errors import EquilibriumError, ValuesError, require
 from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, expansion, reduce
 from ..mechanics.system import System
 from ..notation import Stored, jet, symbol
 from ..shown import Shown
 from .kinds import precessions_leave, tilt_leaves
+from .rotation_loci import loci_of_rotations
 
 
 @dataclass(frozen=True, repr=False)
@@ -26,9 +27,10 @@ class Bifurcation(Shown, Stored):
     kind : str
         a key of KINDS, which says what happens there
     equations : tuple of Expr
-        vanish there; omega is the rate about the vertical, p_psi is π3 + l
+        vanish there; omega is the rate about the vertical, p_psi is π3 + l; of a free gyrostat M is the
+        length of (M1, M2, M3)
     at : Expr
-        the k3 at which derivatives of U are taken
+        the k3 at which derivatives of U are taken; of a free gyrostat ν, ω = ν M
 
     Examples
     --------
@@ -45,17 +47,20 @@ class Bifurcation(Shown, Stored):
 
 
 def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
-    """The bifurcations of the relative equilibria of a body of revolution in U(k3), as equations.
+    """The bifurcations of the relative equilibria of a scene, as equations.
+
+    Of a free gyrostat with l on a principal axis or in a principal plane in closed form; of any other M and ν
+    are parameters.
 
     Parameters
     ----------
     scene : System
-        a body of revolution in U(k3)
+        a body of revolution in U(k3), or any body without a field
 
     Returns
     -------
     tuple of Bifurcation
-        each with what vanishes there, in the names of the scene and the derivatives of U
+        each with what vanishes there, in the names of the scene and the derivatives of U, or M
 
     Raises
     ------
@@ -64,7 +69,8 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
 
     References
     ----------
-    Lewis, Ratiu, Simo & Marsden, Nonlinearity 5 (1992) 1-48, for the heavy top; else derived.
+    Lewis, Ratiu, Simo & Marsden, Nonlinearity 5 (1992) 1-48, for the heavy top; Cayley, On the centro-surface
+    of an ellipsoid, for free gyrostats; else derived.
 
     Examples
     --------
@@ -76,7 +82,14 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     fold at fixed rate: I1*k3*omega**2 - I3*k3*omega**2 + dU - l*omega: I1*omega**2 - I3*omega**2 + d2U
     precessions leave E1: 4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2
     precessions leave E2: -4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2
+    >>> for b in gs.bifurcations(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))):
+    ...     print(b.kind, *b.equations, b.at, sep=": ")
+    pitchfork: -4*M**2 + l**2: 1
+    pitchfork: -M**2 + 4*l**2: 1/2
     """
+    require(scene, System, "the scene")
+    if scene.potential is None:
+        return tuple(Bifurcation(*row) for row in loci_of_rotations(scene.body))
     relation, motion = relation_at_rate(scene), reduce(scene)
     slope = relation.diff(K3) + symbol("d2U")
     found: list[tuple[str, tuple[Expr, ...], Expr]] = [

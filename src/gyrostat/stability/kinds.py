@@ -16,6 +16,9 @@ KINDS = {
     "precessions leave E2": "the boundary of E2, on the levels of E2; Report.boundary decides whether they "
                             "are stable",
     "fold on a level": "two precessions meet on a level of both momenta; one is stable, the other is not",
+    "fold": "two permanent rotations meet: of one the energy is an extremum, of the other a saddle",
+    "pitchfork": "two permanent rotations on either side of a principal plane meet one in it",
+    "circle leaves an axis": "a circle of permanent rotations about an axis shrinks to a rotation about it",
 }
 AT_RATE, ON_LEVEL = "at fixed rate", "on a level"
 
