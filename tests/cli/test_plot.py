@@ -59,6 +59,11 @@ def spun_up(heavy):
     return plotting.draw_bifurcation_diagram(scene, "l", ("0", 1), {"M": 1}, flat())
 
 
+def rotors(heavy):
+    return plotting.draw_rotor_set(gs.assemble(gs.Gyrostat()), {"I1": 1, "I2": 2, "I3": 3, "l2": 0, "M": 1},
+                                   flat())
+
+
 def diagram(heavy):
     return plotting.draw_energy_momentum(heavy, BODY | {"p_psi": 1}, ax=flat())
 
@@ -94,6 +99,7 @@ def contents(figure):
     (["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1"), "--energy", "1.9"], well),
     (["bifurcations", *HEAVY, "--x", "omega=-1/2:3"], branches),
     (["bifurcations", "--potential", "none", *sets("I1=1 I2=2 I3=3 M=1"), "--x", "l=0:1"], spun_up),
+    (["rotor-set", *sets("I1=1 I2=2 I3=3 l2=0"), "--momentum", "1"], rotors),
     (["energy-momentum", *HEAVY, *sets("p_psi=1")], diagram),
     (["eigenvalues", *HOPF, "--x", "omega3_0=2.2:0:40"], hopf),
     (["cones", *sets("I1=2 I3=1"), "--transverse", "1", "--axial", "2"], rolling)],
@@ -151,6 +157,8 @@ def test_files(capsys, tmp_path):
      "give I1 and I3"),
     (["cones", *sets("I1=1 I3=1"), "--transverse", "1", "--axial", "2", "--output", "x.png"],
      "there is no space cone"),
+    (["rotor-set", *sets("I1=1 I2=2 I3=3"), "--momentum", "1", "--output", "x.png"],
+     "without a number are l1, l2, l3, and the picture is a plane"),
     (["momentum-sphere", *sets("I1=1 I3=3 l=0"), "--momentum", "1", "--output", "x.png"], "no number for I2"),
     (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0"), "--momentum", "0", "--output", "x.png"],
      "give a positive number"),

@@ -58,6 +58,10 @@ KINDS = {
         "Draws all relative equilibria against a parameter, k3 of a body of revolution in a field, "
         "M along the rotor or the rate of a free gyrostat, with their verdicts and the points where "
         "they meet or change stability."),
+    "rotor-set": (
+        "where in a plane of the rotor the rotations of a free gyrostat meet",
+        "Draws the bifurcation set of a free gyrostat in a plane of two components of its rotor, at a "
+        "given length of the momentum: folds, pitchforks, and the number of permanent rotations."),
     "energy-momentum": (
         "critical values of the energy and C1 at a fixed axial momentum",
         "Draws the energy-momentum diagram: the critical values of the energy and C1 at a fixed "

@@ -45,6 +45,14 @@ def _momentum_sphere(given: argparse.Namespace, numbers: Numbers, figure: Any) -
     return _unusual(scene, numbers)
 
 
+def _rotor_set(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    texts = {"potential": NONE, **vars(given)}
+    scene = scene_of(asked_of(argparse.Namespace(**texts), numbers.keys() | {"l1"}))
+    plotting.draw_rotor_set(scene, {**numbers, "M": exact_number(given.momentum, "--momentum")},
+                            figure.subplots())
+    return _unusual(scene, numbers)
+
+
 def _nutation(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     times = times_of(given, POINTS)
     plotting.draw_nutation(moving := motion_of(given), times, figure.add_subplot(**SPACE))
@@ -116,5 +124,5 @@ def _free(name: str, numbers: Numbers) -> None:
 
 DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], str]] = {
     "momentum-sphere": _momentum_sphere, "nutation": _nutation, "effective-potential": _effective_potential,
-    "bifurcations": _bifurcations, "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues,
-    "cones": _cones}
+    "bifurcations": _bifurcations, "rotor-set": _rotor_set, "energy-momentum": _energy_momentum,
+    "eigenvalues": _eigenvalues, "cones": _cones}

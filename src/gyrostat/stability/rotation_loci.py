@@ -17,8 +17,8 @@ def loci_of_rotations(body: Gyrostat) -> Iterator[Locus]:
 
     With l on a principal axis or in a principal plane in I, l and M = abs(M) alone. In the plane of the axes
     i and j a fold is on the evolute of an ellipse, an astroid in I_j l_i and I_i l_j, and a pitchfork with
-    ν = 1/I_k on an ellipse, l_i²/(1 − I_i/I_k)² + l_j²/(1 − I_j/I_k)² = M². Elsewhere a fold is given by M and
-    ν.
+    ν = 1/I_k on an ellipse, l_i²/(1 − I_i/I_k)² + l_j²/(1 − I_j/I_k)² = M².
+    A fold elsewhere is given by its M and ν.
 
     References
     ----------

@@ -1,0 +1,168 @@
+"""The bifurcation set of a free gyrostat in its rotor: where in a plane of l permanent rotations meet."""
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from sympy import Expr
+
+from ..algebra.exact import proved_sign
+from ..algebra.floats import Array, in_floats
+from ..errors import ScopeError, ValuesError, require
+from ..mechanics.body import Gyrostat
+from ..mechanics.system import System, at_numbers, names_of_scene
+from ..notation import symbol
+from ..stability.asked import exact_point
+from ..stability.permanent_rotations import LENGTH, NU
+from ..stability.rotor_planes import fold_intervals, fold_squares, numbers_of_rotations_over
+from .looks import BLUE, DARK, axes_of, label, legend, named
+
+ARC, CELLS = 400, 120                                      # samples of an arc, of the plane each way
+FOLD, PITCHFORK = {"color": DARK, "linewidth": 1.4}, {"color": BLUE, "linewidth": 1.4}
+SMALL, LEAST = 1e-6, 3                                     # beside 0, of abs(M); cells about a number
+SHADES = {2: "#ffffff", 4: "#e4edf5", 6: "#c3d7e8"}
+
+
+def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **kwargs: Any) -> Any:
+    """Draw where, in a plane of the rotor at a given abs(M), permanent rotations of a free gyrostat meet.
+
+    Two components of l along principal axes are free, the third has a value. Dark: folds, two rotations meet;
+    blue, where the third component is 0: pitchforks, two off the plane meet one in it. In each region stands
+    the number of rotations, 2, 4 or 6; more of them, darker.
+
+    Parameters
+    ----------
+    scene : System
+        without a field, in principal axes, its moments different
+    values : mapping of name to number
+        for M and every name but two components of l
+    ax : matplotlib Axes
+        new ones where they are left out
+    **kwargs : Any
+        of the curves: of Axes.plot
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    ScopeError
+        the scene has a field or a full tensor, or two moments are equal
+    ValuesError
+        the names without a number are not two components of l, or a number is not admissible
+    MissingExtraError
+        pip install "gyrostat[plot]"
+
+    References
+    ----------
+    Cayley, On the centro-surface of an ellipsoid, Collected Papers VIII, no. 520; derived.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> from matplotlib.figure import Figure
+    >>> ax = gs.plotting.draw_rotor_set(gs.assemble(gs.Gyrostat((1, 2, 3))), {"l2": 0, "M": 1},
+    ...                                 Figure().subplots())
+    >>> sorted({text.get_text() for text in ax.texts}), ax.get_xlabel()
+    (['2', '4', '6'], '$l_1$')
+    """
+    body, radius, free = _section(scene, values)
+    held = next(n for n in range(3) if n not in free)
+    arcs = [_arc(body, radius, held, a, b) for a, b in fold_intervals(body, radius, held)]
+    ax = axes_of(ax)
+    ellipse = _pitchforks(body, radius, held)
+    width, height = (1.12 * max(float(np.nanmax(curve[n])) for curve in [*arcs, *ellipse]) for n in (0, 1))
+    x, y = (np.linspace(-size, size, CELLS) for size in (width, height))
+    counts = _counts(body, radius, free, x, y)
+    ax.contourf(x, y, counts, levels=[1, 3, 5, 7], colors=list(SHADES.values()))
+    handles = []
+    for curves, style, name in ((arcs, FOLD, "fold"), (ellipse, PITCHFORK, "pitchfork")):
+        for curve in curves:
+            for sx, sy in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+                ax.plot(sx * curve[0], sy * curve[1], **{**style, **kwargs})
+        if curves:
+            handles.append(named({**style, **kwargs}, name))
+    for number, place in _places(x, y, counts):
+        ax.text(*place, str(number), ha="center", va="center")
+    ax.set(xlim=(-width, width), ylim=(-height, height))
+    ax.set_xlabel(label(f"l{free[0] + 1}"))
+    ax.set_ylabel(label(f"l{free[1] + 1}"))
+    legend(ax, handles)
+    return ax
+
+
+def _section(scene: System, values: Mapping[str, Any]) -> tuple[Gyrostat, Expr, list[int]]:
+    """The body at its numbers, abs(M), and the two axes along which l is free."""
+    require(scene, System, "the scene")
+    if scene.potential is not None:
+        raise ScopeError("permanent rotations on a sphere of M are those of a free gyrostat, the scene has "
+                         f"the potential {scene.potential.expression}: assemble the body alone")
+    needed = {s.name for s in names_of_scene(scene)} | {LENGTH.name}
+    numbers = exact_point(scene, values, needed)
+    body = at_numbers(scene, numbers).body
+    left = {symbol(name) for name in needed - values.keys()}
+    free = [n for n, l in enumerate(body.gyrostatic_momentum) if l in left]
+    if len(free) != 2 or len(left) != 2:
+        raise ValuesError(f"without a number are {', '.join(sorted(map(str, left))) or 'no names'}, and "
+                          "the picture is a plane of two components of the rotor: leave out two of l1, l2, "
+                          "l3, and give a number for every other name and M")
+    if len(set(body.moments)) < 3:
+        raise ScopeError(f"inertia = {body.moments}: two moments are equal, and l may be turned about their "
+                         "axis; give three different ones")
+    if proved_sign(numbers[LENGTH]) != 1:
+        raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a positive "
+                          "number")
+    return body, numbers[LENGTH], free
+
+
+def _arc(body: Gyrostat, radius: Expr, held: int, a: Expr, b: Expr) -> Array:
+    """The free components along an interval of ν, in one quadrant."""
+    low, high = float(a), float(b)
+    nu = (low + high) / 2 - (high - low) / 2 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, ARC))
+    squares = [in_floats(square, np, {NU: nu}) for square in fold_squares(body, radius, held)]
+    return np.sqrt(np.maximum(np.array([np.broadcast_to(square, nu.shape) for square in squares]), 0.0))
+
+
+def _pitchforks(body: Gyrostat, radius: Expr, held: int) -> list[Array]:
+    """l_i²/(1 − I_i/I_k)² + l_j²/(1 − I_j/I_k)² = abs(M)² in one quadrant, where the component k is 0."""
+    if proved_sign(body.gyrostatic_momentum[held]) != 0:
+        return []
+    turn, own = np.linspace(0, np.pi / 2, ARC), body.moments[held]
+    half = [float(radius * abs(1 - moment / own)) for n, moment in enumerate(body.moments) if n != held]
+    return [np.array([half[0] * np.cos(turn), half[1] * np.sin(turn)])]
+
+
+def _counts(body: Gyrostat, radius: Expr, free: list[int], x: Array, y: Array) -> Array:
+    """The number of rotations over the plane, shape (len(y), len(x)); of a component that is 0 beside it."""
+    size = float(radius)
+    rotor = [np.full((len(y), len(x)), 0.0 if n in free else float(l) or SMALL * size)
+             for n, l in enumerate(body.gyrostatic_momentum)]
+    rotor[free[0]], rotor[free[1]] = np.meshgrid(x, y)
+    return numbers_of_rotations_over(np.array(body.moments, float), rotor, size)
+
+
+def _places(x: Array, y: Array, counts: Array) -> list[tuple[int, tuple[float, float]]]:
+    """A place well inside each region, with its number; none in a region that is too small for it."""
+    found, left = [], np.ones(counts.shape, dtype=bool)
+    while left.any():
+        start = tuple(np.argwhere(left)[0])
+        region = np.zeros_like(left)
+        region[start] = True
+        same = counts == counts[start]
+        while (grown := _spread(region) & same).sum() > region.sum():
+            region = grown
+        left &= ~region
+        inside, depth = region, 0
+        while (less := ~_spread(~np.pad(inside, 1))[1:-1, 1:-1]).any():
+            inside, depth = less, depth + 1
+        if depth > LEAST:
+            cells = np.argwhere(inside)
+            row, column = cells[((cells - cells.mean(axis=0)) ** 2).sum(axis=1).argmin()]
+            found.append((int(counts[start]), (float(x[column]), float(y[row]))))
+    return found
+
+
+def _spread(region: Array) -> Array:
+    """With its neighbours."""
+    wide = np.pad(region, 1)
+    return wide[1:-1, 1:-1] | wide[2:, 1:-1] | wide[:-2, 1:-1] | wide[1:-1, 2:] | wide[1:-1, :-2]
