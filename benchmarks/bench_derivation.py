@@ -119,7 +119,7 @@ def main() -> None:
         for name, command in commands.items():
             processes[name].append(whole(command))
         for route in results:
-            found = spawn(route, repeats, limit)
+            found = spawn(route, repeats, 120.0)           # these answer, however busy the machine is
             assert found and "error" not in found, (route, found)
             results[route].append(found)
     imports = [r["import"] for r in results["gyrostat"]]
