@@ -58,6 +58,14 @@ class RotationContinuation:
     pieces : list of RotationPiece
         none goes on through a value where two values of ν are one
     marks : list of BifurcationPoint
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
+    >>> found = gs.continuation(scene, "l", (0, 1), {"M": 1})
+    >>> [(mark.kind, mark.value) for mark in found.marks]
+    [('pitchfork', 1/2)]
     """
 
     pieces: list[RotationPiece]

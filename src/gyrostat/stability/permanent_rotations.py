@@ -93,10 +93,7 @@ class PermanentRotation(Shown, Stored):
 
     @cached_property
     def damped(self) -> Decision:
-        """The verdict under internal damping, which keeps M: stable where the energy is least on the sphere.
-
-        Of a circle, modulo the turns about its axis.
-        """
+        """The verdict under internal damping, which keeps M; of a circle, modulo the turns about its axis."""
         if self.nu is None or self.sphere:
             return replace(self.decision, notion="secular", growing=0)
         if self.decision not in (EXTREMUM, SADDLE, ON_CIRCLE):
