@@ -146,7 +146,9 @@ def test_numbers_below_0_after_an_option(capsys):
     (["--until", "1", "--state", "__import__('os'),0,0,0,0,1"], "cannot read"),
     (["--until", "1", "--state", "1,0,x,0,0,1"], "pi3 = x"),
     (["--until", "1", "--potential", "k1"],
-     "no number for I2, and the body has the moments (I1, I2, I3), the rotor (0, 0, l): add --set"),
+     "no number for I2, and the body has the moments (I1, I2, I3), the rotor (0, 0, l): add --set I2=…"),
+    (["--until", "1", "--potential", "a*k1 + b*k3"], "no number for I2, a, b, and the body has"),
+    (["--until", "1", "--potential", "a*k1 + b*k3"], ": add --set I2=… a=… b=…"),
     (["--until", "1", "--output", "top.txt"], "of no kind that is written: name a table, motion.csv"),
     (["--until", "1", "--output", "missing/top.csv"], "cannot write")])
 def test_bad_input_exits_2(capsys, tmp_path, monkeypatch, arguments, why):

@@ -95,7 +95,7 @@ def whole_scene(given: argparse.Namespace, names: Collection[str]) -> System:
                              for vector in (body.moments, body.gyrostatic_momentum))
         raise ValuesError(f"--set gives no number for {', '.join(missing)}, and the body has the moments "
                           f"{moments}, the rotor {momentum}: "
-                          f"add --set {missing[0]}=…")
+                          f"add --set {' '.join(f'{name}=…' for name in missing)}")
     return scene
 
 
