@@ -8,7 +8,7 @@ import pytest
 from sympy import Matrix, symbols
 
 import gyrostat as gs
-from gyrostat.algebra.numbers import parse
+from gyrostat.algebra.grammar import parse
 from gyrostat.printing.article import to_latex
 from gyrostat.printing.document import report_blocks
 from gyrostat.printing.text import text
