@@ -21,7 +21,7 @@ class Asked:
     ----------
     potential : str or None
     inertia, gyrostatic_momentum : str or None
-        three expressions, with , between them
+        three expressions, with , between them; of a tensor three rows of them, with ; between these
     point : str or None
         an expression for each coordinate
     spin, eliminate : str or None
@@ -64,7 +64,9 @@ def asked_of(given: argparse.Namespace, names: Collection[str]) -> Asked:
 @lru_cache(maxsize=64)
 def scene_of(asked: Asked) -> System:
     """The scene of a body in a field."""
-    body = {name: entries(getattr(asked, name)) for name in ("inertia", "gyrostatic_momentum")}
+    rows = [entries(row) for row in str(asked.inertia).split(";")]
+    body = {"inertia": rows if len(rows) > 1 else rows[0],
+            "gyrostatic_momentum": entries(str(asked.gyrostatic_momentum))}
     return SceneTable({"potential": asked.potential, **body}).system
 
 
@@ -89,10 +91,10 @@ def whole_scene(given: argparse.Namespace, names: Collection[str]) -> System:
         raise ValuesError(f'--potential is {potential.expression}, and an unspecified U moves nothing: write '
                           '--potential "m0*k3", or none for a free body')
     parameters = potential.parameters if potential else ()
-    if missing := [name for name in names_in([*body.moments, *body.gyrostatic_momentum, *parameters])
+    if missing := [name for name in names_in([*body.entries, *body.gyrostatic_momentum, *parameters])
                    if name not in names]:
         moments, momentum = (f"({', '.join(map(str, vector))})"
-                             for vector in (body.moments, body.gyrostatic_momentum))
+                             for vector in (body.entries, body.gyrostatic_momentum))
         raise ValuesError(f"--set gives no number for {', '.join(missing)}, and the body has the moments "
                           f"{moments}, the rotor {momentum}: "
                           f"add --set {' '.join(f'{name}=…' for name in missing)}")

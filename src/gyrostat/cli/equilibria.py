@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TypeVar
 
-from sympy import Expr, Symbol
+from sympy import Expr, ImmutableMatrix, Symbol
 
 from ..algebra.grammar import parse
 from ..errors import EquilibriumError, GyrostatError, ValuesError
@@ -70,7 +70,8 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
     scene = scene_of(asked)
     if reducible(scene):
         return labels(), []
-    if scene.potential is None and not any(scene.body.gyrostatic_momentum[:2]):
+    principal = not isinstance(scene.body.inertia, ImmutableMatrix)
+    if scene.potential is None and principal and not any(scene.body.gyrostatic_momentum[:2]):
         return (PRINCIPAL[2].label,), []
     held = []
     for family in POLES.values() if scene.potential else PRINCIPAL:

@@ -64,14 +64,25 @@ def _table(place: str) -> Mapping[str, Any]:
     try:
         scene = SceneTable(tables[name])
         _, family = scene.system, scene.family             # what is wrong in it is said of the file
-        return scene.table if family is None else {**scene.table, "equilibrium": family.asked_for}
+        return {**_without_rotors(scene), **({} if family is None else {"equilibrium": family.asked_for})}
     except GyrostatError as error:
         raise PublishedError(f"{path}: scene.{name}: {error}") from None
 
 
+def _without_rotors(scene: SceneTable) -> dict[str, Any]:
+    """The table, the body with its rotors as a tensor and a momentum."""
+    table = {name: value for name, value in scene.table.items() if name not in ("rotors", "lumped")}
+    if "rotors" in scene.table:
+        table["inertia"] = [[str(x) for x in row] for row in scene.body.tensor.tolist()]
+        table["gyrostatic_momentum"] = list(map(str, scene.body.gyrostatic_momentum))
+    return table
+
+
 def _text(value: Any) -> str:
-    """As an option has it."""
-    return value if isinstance(value, str) else ",".join(value)
+    """As an option has it; the rows of a tensor with ; between them."""
+    if isinstance(value, str):
+        return value
+    return ";".join(map(_text, value)) if isinstance(value[0], list) else ",".join(value)
 
 
 def _names(texts: Iterable[Any]) -> set[str]:

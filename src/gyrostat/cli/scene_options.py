@@ -10,8 +10,8 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
                       help="the table [scene.NAME] of a TOML file, as gyrostat verify reads it, with "
                       "numbers in values; options go before what stands in it")
     verb.add_argument("--inertia", metavar="I1,I2,I3",
-                      help=f"the principal moments, {THREE}; left out: I1,I1,I3, or I1,I2,I3 with I2 set, "
-                      "k1 or k2 in U, or no field")
+                      help=f"the principal moments, {THREE}, or a tensor, its rows with ; between them; "
+                      "left out: I1,I1,I3, or I1,I2,I3 with I2 set, k1 or k2 in U, or no field")
     verb.add_argument("--gyrostatic-momentum", metavar="L1,L2,L3",
                       help=f"of the rotor, {THREE}; left out: 0,0,l, or l1,l2,l3 where one of them is set")
 

@@ -26,7 +26,7 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
     ScopeError
         the scene has a field
     EquilibriumError
-        there is no such axis, or it does not carry l
+        there is no such axis, it is not principal, or it does not carry l
 
     References
     ----------
@@ -44,7 +44,6 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
                          "hanging or inclined")
     if axis not in (1, 2, 3):
         raise EquilibriumError(f"axis = {axis!r} is not a principal axis: give 1, 2 or 3")
-    momentum = scene.body.moments[axis - 1] * symbol(f"omega{axis}_0")
-    point = [momentum if i == axis else 0 for i in (1, 2, 3)]
-    total = momentum + scene.body.gyrostatic_momentum[axis - 1]
+    point = list(scene.body.tensor[:, axis - 1] * symbol(f"omega{axis}_0"))
+    total = point[axis - 1] + scene.body.gyrostatic_momentum[axis - 1]
     return equilibrium(scene, point, domain=(total**2,), label=PRINCIPAL[axis - 1].label)

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..algebra.grammar import parse
 from ..algebra.inputs import Written, is_name
+from ..algebra.quantities import in_si, not_mixed
 from ..errors import PublishedError, brief
 from ..kept import cached_property
 from ..notation import symbol
@@ -16,11 +17,14 @@ from .families import called, in_words, known_families
 from .family import Family
 from .potential import Potential
 from .potentials import axial_potential, general_potential
+from .rotors import Rotor, gyrostat_with_rotors
 from .system import System, assemble
 
 LISTS = ("inertia", "gyrostatic_momentum", "point", "state")    # of texts or numbers
-KEYS = {*LISTS, "potential", "values", "equilibrium", "spin", "eliminate", "angles", "vertical", "given",
-        "parameters"}
+# of each rotor, texts or numbers but for the axis
+ROTOR = ("axis", "axial", "transverse", "rate", "momentum")
+KEYS = {*LISTS, "rotors", "lumped", "potential", "values", "equilibrium", "spin", "eliminate", "angles",
+        "vertical", "given", "parameters"}
 NONE, AXIAL, GENERAL = "none", "U(k3)", "U(k1,k2,k3)"   # potentials that are no expressions
 
 
@@ -40,15 +44,29 @@ class SceneTable:
         object.__setattr__(self, "table", {name: _read(name, value) for name, value in self.table.items()})
         if {"point", "equilibrium"} <= self.table.keys():
             raise PublishedError("point and equilibrium are both given: leave out one of the two")
+        if {"rotors", "gyrostatic_momentum"} <= self.table.keys():
+            raise PublishedError("rotors and gyrostatic_momentum are both given: leave out one of the two")
+        if ("rotors" in self.table) != ("lumped" in self.table):
+            raise PublishedError("rotors and lumped go together: write lumped = true where the inertia "
+                                 "includes that of the rotors, lumped = false where it does not")
 
     @cached_property
     def body(self) -> Gyrostat:
         """The gyrostat; without entries a rigid body with three moments."""
-        inertia, rotor = (
-            self.table.get("inertia", ["I1", "I2", "I3"]),
-            self.table.get("gyrostatic_momentum", ["0", "0", "0"]),
-        )
-        return Gyrostat(tuple(map(parse, inertia)), tuple(map(parse, rotor)))
+        inertia: list[Any] = self.table.get("inertia", ["I1", "I2", "I3"])
+        momentum: list[str] = self.table.get("gyrostatic_momentum", ["0", "0", "0"])
+        rotors: list[dict[str, Any]] = self.table.get("rotors", [])
+        flat = [x for row in inertia for x in (row if isinstance(row, list) else [row])]
+        not_mixed([*(("inertia", x) for x in flat), *(("gyrostatic_momentum", x) for x in momentum),
+                   *((name, x) for rotor in rotors for name, x in rotor.items()),
+                   *self.table.get("values", {}).items()])
+        tensor = [[in_si(x, "inertia")[0] for x in row] if isinstance(row, list) else in_si(row, "inertia")[0]
+                  for row in inertia]
+        if not rotors:
+            return Gyrostat(tensor, [in_si(x, "gyrostatic_momentum")[0] for x in momentum])
+        return gyrostat_with_rotors(tensor, [
+            Rotor(rotor["axis"], **{name: in_si(x, name)[0] for name, x in rotor.items() if name != "axis"})
+            for rotor in rotors], lumped=self.table["lumped"])
 
     @cached_property
     def potential(self) -> Potential | None:
@@ -97,11 +115,16 @@ def _read(name: str, value: Any) -> Any:
                              f"entries are {', '.join(sorted(KEYS))}")
     if name == "values":
         return _values(value)
+    if name == "rotors":
+        return _rotors(value)
+    if name == "lumped":
+        if not isinstance(value, bool):
+            raise PublishedError(f"lumped = {brief(value)}: write true or false")
+        return value
+    if name == "inertia" and isinstance(value, list) and any(isinstance(row, list) for row in value):
+        return [_texts(name, row) for row in value]
     if name in LISTS:
-        if isinstance(value, list) and None not in (texts := [_text(x) for x in value]):
-            return texts
-        raise PublishedError(f'{name} = {brief(value)}: write a list of numbers, or of texts in quotation '
-                             f'marks, {name} = [1, 1, "1/3"]')
+        return _texts(name, value)
     if name != "parameters":
         if not isinstance(value, str):
             raise PublishedError(f"{name} = {brief(value)}: write a text, in quotation marks")
@@ -112,6 +135,29 @@ def _read(name: str, value: Any) -> Any:
         if not is_name(text):
             raise PublishedError(f"the parameter {brief(text)} is not a name: letters, digits and _ make one")
     return value
+
+
+def _texts(name: str, value: Any) -> list[str]:
+    """A list of numbers or texts."""
+    if isinstance(value, list) and None not in (texts := [_text(x) for x in value]):
+        return [text for text in texts if text is not None]
+    raise PublishedError(f'{name} = {brief(value)}: write a list of numbers, or of texts in quotation '
+                         f'marks, {name} = [1, 1, "1/3"]')
+
+
+def _rotors(value: Any) -> list[dict[str, Any]]:
+    """Of each rotor its texts by their names."""
+    if not isinstance(value, list) or not value or not all(isinstance(rotor, dict) for rotor in value):
+        raise PublishedError(f"rotors = {brief(value)}: write a list of tables, rotors = [{{ "
+                             'axis = [0, 1, 0], axial = "0.05 kg m^2", rate = "3000 rpm" }]')
+    for rotor in value:
+        if unknown := [name for name in rotor if name not in ROTOR]:
+            raise PublishedError(f"a rotor has no entry {unknown[0]}: its entries are {', '.join(ROTOR)}")
+        if missing := [name for name in ("axis", "axial") if name not in rotor]:
+            raise PublishedError(f"a rotor has no {missing[0]}: write {missing[0]} = "
+                                 + ("[0, 1, 0]" if missing[0] == "axis" else '"0.05 kg m^2"'))
+    return [{name: _texts(name, x) if name == "axis" else _texts(name, [x])[0] for name, x in rotor.items()}
+            for rotor in value]
 
 
 def _values(value: Any) -> dict[str, str]:
