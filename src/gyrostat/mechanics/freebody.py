@@ -51,7 +51,7 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
         raise BodyError(f"the torque has {len(torque)} components: give three, along the axes of the body")
     tau = ImmutableMatrix([parse(t) if isinstance(t, str) else exact_expression(t) for t in torque])
     pi = ImmutableMatrix([symbol(f"pi{i}") for i in (1, 2, 3)])
-    omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.moments)])
+    omega = body.inverse * pi
     return (pi + ImmutableMatrix(body.gyrostatic_momentum)).cross(omega) + tau
 
 

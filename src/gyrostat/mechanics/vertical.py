@@ -84,5 +84,5 @@ def _vertical(family: Family, scene: System, spin: str) -> Equilibrium:
     if spin not in ("pi3_0", "omega3_0"):
         raise EquilibriumError(f"spin = {spin!r} is not a parameter of {family.label}: use 'pi3_0' or "
                                "'omega3_0'")
-    momentum = symbol(spin) if spin == "pi3_0" else scene.body.moments[2] * symbol(spin)
+    momentum = symbol(spin) if spin == "pi3_0" else scene.body.tensor[2, 2] * symbol(spin)
     return equilibrium(scene, (0, 0, momentum, 0, 0, family.pole), label=family.label)

@@ -55,7 +55,8 @@ def symbol_rows(scene: System, names: Iterable[str]) -> Rows:
 def _body(body: Gyrostat) -> list[Row]:
     """Its moments and its rotor, as far as they are symbols."""
     rows: list[Row] = []
-    for entries, what in ((body.moments, "principal moment of inertia"),
+    moments = () if isinstance(body.inertia, MatrixBase) else body.moments
+    for entries, what in ((moments, "principal moment of inertia"),
                           (body.gyrostatic_momentum, "gyrostatic momentum")):
         for entry in dict.fromkeys(entries):
             if isinstance(entry, Symbol):

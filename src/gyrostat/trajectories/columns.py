@@ -4,9 +4,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from sympy import ImmutableMatrix
 
 from ..algebra.floats import Array
 from ..errors import ValuesError, optional
+from ..mechanics.body import Gyrostat
 from ..mechanics.system import System
 from ..notation import NOTATION, units
 
@@ -40,9 +42,9 @@ def columns(scene: System, states: Array, turns: Array | None) -> list[Column]:
         entry = NOTATION[s.name]
         found.append(Column(s.name, units(*entry.dimension, entry.length), entry.latex, entry.meaning,
                             states[:, i]))
-    for i, moment in enumerate(scene.body.moments, 1):
+    for i, rate in enumerate(_rates(scene.body, states[:, :3]), 1):
         found.append(Column(f"omega{i}", RATE, rf"\omega_{i}", f"angular velocity of the body, axis {i}",
-                            states[:, i - 1] / float(moment)))
+                            rate))
     if turns is None:
         return found
     for i, values in enumerate(quaternions(turns).T):
@@ -52,6 +54,13 @@ def columns(scene: System, states: Array, turns: Array | None) -> list[Column]:
     for name, about, values in zip(("phi", "theta", "psi"), ("precession", "tilt", "spin"), euler(turns).T):
         found.append(Column(name, "rad", rf"\{name}", f"Euler angle (z-x-z) of the {about}", values))
     return found
+
+
+def _rates(body: Gyrostat, momentum: Array) -> list[Array]:
+    """ω along each axis, of π."""
+    if isinstance(body.inertia, ImmutableMatrix):
+        return [momentum @ np.array([float(x) for x in row]) for row in body.inverse.tolist()]
+    return [momentum[:, i] / float(moment) for i, moment in enumerate(body.moments)]
 
 
 def quaternions(turns: Array) -> Array:

@@ -4,7 +4,7 @@ from contextlib import suppress
 from functools import lru_cache
 from typing import Any
 
-from sympy import Expr, Symbol
+from sympy import Expr, ImmutableMatrix, Symbol
 
 from ..algebra.numbers import exact_number
 from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError, require
@@ -19,7 +19,7 @@ from .motion import Motion
 from .route import Route
 from .top.level import Level
 from .top.motion import AxialMotion
-from .turned import TurnedMotion, of_revolution
+from .turned import of_revolution, turned_free, turned_top
 
 
 def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None = None, *,
@@ -29,7 +29,8 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
 
     A body of revolution in U(k3) by elliptic functions (U of degree at most 2) or by one spectral quadrature:
     a state costs the same at any time; about any other axis it is recognised, and turned. A free gyrostat by
-    Jacobi's functions, or from one turn of its momentum. Any other scene is integrated, twice, and monitored.
+    Jacobi's functions, or from one turn of its momentum, with a full tensor in its principal axes. Any other
+    scene is integrated, twice, and monitored.
 
     Parameters
     ----------
@@ -89,6 +90,8 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
 def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float | None) -> Route:
     """What computes the motion."""
     if scene.potential is None:
+        if isinstance(scene.body.inertia, ImmutableMatrix):
+            return turned_free(scene, point)
         return FreeMotion(scene, point)
     if reducible(scene) and any(point[3:]):
         try:
@@ -102,7 +105,7 @@ def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float |
     elif any(point[3:]) and (found := of_revolution(scene, point)):
         # it need not be exact: it can be integrated as it is
         with suppress(AccuracyError, ScopeError, ValuesError):
-            return TurnedMotion(found, point, bits)
+            return turned_top(found, point, bits)
     return Integration(scene, point, tolerance)
 
 

@@ -2,7 +2,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from sympy import Expr
+from sympy import Expr, ImmutableMatrix
 
 from ..mechanics.system import System
 from ..version import __version__
@@ -33,7 +33,9 @@ def attributes(scene: System, state: Sequence[Expr], route: Route, energy: float
     known = {"note": note or None, "route": route.name, "period": route.period,
              "precession": route.precession, "spin": route.spin, "energy": energy,
              "error": route.error, "nodes": route.nodes, "recognised": route.recognised or None}
-    numbers = {"inertia": body.moments, "gyrostatic_momentum": body.gyrostatic_momentum,
+    inertia = body.inertia
+    numbers = {"inertia": inertia.tolist() if isinstance(inertia, ImmutableMatrix) else inertia,
+               "gyrostatic_momentum": body.gyrostatic_momentum,
                "state": state, "potential": potential.expression if potential else "none",
                "gyrostat_version": __version__}
     return ({name: value for name, value in known.items() if value is not None}

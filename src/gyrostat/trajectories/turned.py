@@ -1,17 +1,21 @@
-"""The motion of a body of revolution about any axis: that of the standard scene, turned."""
+"""Motions in any axes: of a body of revolution, or a free body, in its own axes, turned."""
 from collections.abc import Sequence
 
 import numpy as np
 from flint import arb
-from sympy import Expr, trigsimp
+from sympy import Expr, ImmutableMatrix, Matrix, trigsimp
 
 from ..algebra.algebraic import is_algebraic
 from ..algebra.balls import ball
 from ..algebra.floats import Array
 from ..algebra.precision import own_precision
+from ..mechanics.axes import principal_axes
 from ..mechanics.recognition import Recognition, recognise
 from ..mechanics.spherical import lowest
-from ..mechanics.system import System
+from ..mechanics.system import System, assemble
+from .free.motion import FreeMotion
+from .free.uniform import CONSTANT
+from .periods import double
 from .top.level import Level
 from .top.motion import AxialMotion
 
@@ -19,8 +23,8 @@ GUARD = 32                                             # bits of the rotation be
 
 
 class TurnedMotion:
-    """A body of revolution about another axis than the third from a state on, a route of
-    gyrostat.trajectories.motion.
+    """A body of revolution about another axis than the third, or a free one whose axes are not principal, a
+    route of gyrostat.trajectories.motion.
 
     x = Rᵀ x' for π and k, with R the rotation to the standard scene; body to space, the rotation is that of
         the standard scene times R,
@@ -28,22 +32,23 @@ class TurnedMotion:
 
     Parameters
     ----------
-    found : Recognition
-    state : sequence of six Expr
-        exact numbers, in the axes of the scene; abs(k) > 0
-    bits : int
-        of the states in balls; 53 for doubles
+    standard : AxialMotion or FreeMotion
+    R : ImmutableMatrix, shape (3, 3)
+        the rotation to its axes, exact
+    precision : int
+        bits of the states in balls
+    recognised : str
+        what the scene is; "" of a free body
     """
 
     enclosed = True
 
-    def __init__(self, found: Recognition, state: Sequence[Expr], bits: int):
-        R = found.rotation
-        turned = [lowest(sum(R[i, j] * v[j] for j in range(3))) for v in (state[:3], state[3:])
-                  for i in range(3)]
-        self._standard = AxialMotion(Level(found.standard, tuple(turned)), bits)
-        self._exact, self._R = R, np.array(R.tolist(), dtype=float)
-        self.name, self.recognised, self.axis = self._standard.name, found.sentence, self._R[2]
+    def __init__(self, standard: AxialMotion | FreeMotion, R: ImmutableMatrix, precision: int,
+                 recognised: str = ""):
+        self._standard, self._exact, self._precision = standard, R, precision
+        self._R = np.array([[double(ball(x, CONSTANT)) for x in row] for row in R.tolist()])
+        self.name, self.recognised = standard.name, recognised
+        self.axis = self._R[2] if recognised else standard.axis
         first = self._standard.attitude(np.zeros(()))[..., :, :] @ self._R
         across = np.hypot(first[2, 0], first[2, 1])
         phi = np.arctan2(first[0, 2], -first[1, 2]) if across else np.arctan2(first[1, 0], first[0, 0])
@@ -53,7 +58,7 @@ class TurnedMotion:
     def state(self, t: Array) -> Array:
         """(π, k) at times of any shape, shape (..., 6)."""
         x = self._standard.state(t)
-        return (x.reshape(*x.shape[:-1], 2, 3) @ self._R).reshape(x.shape)
+        return (x.reshape(*x.shape[:-1], -1, 3) @ self._R).reshape(x.shape)
 
     def attitude(self, t: Array) -> Array:
         """R from body to space, shape (..., 3, 3)."""
@@ -61,10 +66,12 @@ class TurnedMotion:
 
     def ball_state(self, t: arb, bits: int) -> list[arb]:
         """(π, k) at a time, to as many bits as the motion was built for."""
-        x, precision = self._standard.ball_state(t, bits), self._standard.exact.precision + GUARD
+        x = self._standard.ball_state(t, bits)
+        precision = max(bits, self._precision) + GUARD
         entries = [[ball(entry, precision) for entry in row] for row in self._exact.T.tolist()]
         with own_precision(precision):
-            return [sum((a * b for a, b in zip(row, v)), arb(0)) for v in (x[:3], x[3:]) for row in entries]
+            return [sum((a * b for a, b in zip(row, x[n:n + 3])), arb(0)) for n in range(0, len(x), 3)
+                    for row in entries]
 
     def exact_period(self, bits: int) -> arb | None:
         """Of the nutation, as exact as the motion was built."""
@@ -80,18 +87,18 @@ class TurnedMotion:
         return self._standard.period
 
     @property
-    def precession(self) -> float:
+    def precession(self) -> float | None:
         """What the axis gains about the vertical in a period, or its rate."""
         return self._standard.precession
 
     @property
-    def spin(self) -> float:
-        """What the body gains about its axis in a period, or its rate."""
+    def spin(self) -> float | None:
+        """What the body gains about its axis in a period, or its rate; None of a free body."""
         return self._standard.spin
 
     @property
-    def limits(self) -> tuple[float, float]:
-        """Lowest and highest component of k along the axis."""
+    def limits(self) -> tuple[float, float] | None:
+        """Lowest and highest component of k along the axis; None of a free body."""
         return self._standard.limits
 
     @property
@@ -103,6 +110,20 @@ class TurnedMotion:
     def error(self) -> float:
         """Of a state in doubles, estimated: that of the standard scene, and the rounding of the turn."""
         return 2 * self._standard.error
+
+
+def turned_top(found: Recognition, state: Sequence[Expr], bits: int) -> TurnedMotion:
+    """The motion of a scene that was recognised from a state on, of which abs(k) > 0."""
+    R = found.rotation
+    turned = [lowest(sum(R[i, j] * v[j] for j in range(3))) for v in (state[:3], state[3:]) for i in range(3)]
+    standard = AxialMotion(Level(found.standard, tuple(turned)), bits)
+    return TurnedMotion(standard, R, standard.exact.precision, found.sentence)
+
+
+def turned_free(scene: System, state: Sequence[Expr]) -> TurnedMotion:
+    """The motion of a free body whose tensor is given in any axes, in principal ones."""
+    body, R = principal_axes(scene.body)
+    return TurnedMotion(FreeMotion(assemble(body), list(R * Matrix(state))), R, CONSTANT)
 
 
 def of_revolution(scene: System, state: Sequence[Expr]) -> Recognition | None:

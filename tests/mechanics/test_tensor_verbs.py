@@ -1,0 +1,78 @@
+"""Every verb with a full tensor: right, or refused with a sentence that says what to do."""
+import inspect
+
+import matplotlib
+import pytest
+
+import gyrostat as gs
+from gyrostat.errors import ScopeError
+
+TENSOR = [[3, 1, 0], [1, 3, 0], [0, 0, 5]]
+FREE = gs.assemble(gs.Gyrostat(TENSOR, (0, 0, "1/2")))
+HEAVY = gs.assemble(gs.Gyrostat(TENSOR, (0, 0, "1/2")), gs.axial_potential(lambda z: z))
+LEVEL = {"p_phi": 1, "p_psi": 1}
+
+# what needs principal moments
+REFUSED = {
+    "reduce": lambda: gs.reduce(HEAVY), "inclined": lambda: gs.inclined(HEAVY),
+    "static_tilt": lambda: gs.static_tilt(HEAVY), "bifurcations": lambda: gs.bifurcations(HEAVY),
+    "relative_equilibria": lambda: gs.relative_equilibria(HEAVY, {"omega": 1}),
+    "bifurcation_points": lambda: gs.bifurcation_points(HEAVY, "omega", {}),
+    "continuation": lambda: gs.continuation(HEAVY, "omega", (0, 1), {}),
+    "angular_momentum": lambda: gs.mechanics.angular_momentum(HEAVY.body),
+    "lagrangian": lambda: gs.mechanics.lagrangian(HEAVY.body, HEAVY.potential),
+    "momenta": lambda: gs.mechanics.momenta(HEAVY.body),
+    "effective_potential": lambda: gs.mechanics.effective_potential(HEAVY.body, HEAVY.potential),
+    "momentum_limits": lambda: gs.mechanics.momentum_limits(gs.Gyrostat(TENSOR, (0, 0, 0)), 1),
+    "draw_bifurcation_diagram": lambda: gs.plotting.draw_bifurcation_diagram(HEAVY, "omega", (0, 1), {}),
+    "draw_effective_potential": lambda: gs.plotting.draw_effective_potential(HEAVY, LEVEL),
+    "draw_energy_momentum": lambda: gs.plotting.draw_energy_momentum(HEAVY, {"p_psi": 1}),
+    "draw_momentum_sphere": lambda: gs.plotting.draw_momentum_sphere(FREE, 2),
+    "animate_top": lambda: gs.plotting.animate_top(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
+    "view_motion": lambda: gs.plotting.view_motion(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
+}
+ANSWERED = {
+    "principal_axes": lambda: gs.mechanics.principal_axes(FREE.body),
+    "torque_equations": lambda: gs.mechanics.torque_equations(FREE.body),
+    "upright": lambda: gs.upright(HEAVY, spin="omega3_0"), "hanging": lambda: gs.hanging(HEAVY),
+    "principal_rotation": lambda: gs.principal_rotation(FREE, 3),
+    "permanent rotations": lambda: gs.relative_equilibria(FREE, {"M": 1}),
+    "motion": lambda: gs.trajectories.motion(FREE, (1, 2, 3)).attributes,
+    "to_latex": lambda: gs.to_latex(gs.analyze(gs.principal_rotation(FREE, 3))),
+    "spectrum": lambda: gs.spectrum(gs.upright(HEAVY), "pi3_0", [0, 1], {}),
+    "stabilizing_set": lambda: gs.stabilizing_set(gs.analyze(gs.upright(HEAVY)), "pi3_0", {}),
+    "verdicts": lambda: gs.charts.verdicts(gs.analyze(gs.upright(HEAVY)), {"pi3_0": [0, 20]}),
+    "draw_eigenvalues": lambda: gs.plotting.draw_eigenvalues(gs.upright(HEAVY), "pi3_0", [0, 1], {}),
+    "draw_nutation": lambda: gs.plotting.draw_nutation(
+        gs.trajectories.motion(HEAVY, (1, 2, 3, "3/5", 0, "4/5")), [0, 0.5, 1]),
+}
+# of no body, of numbers, or of what the verbs above make
+OTHERS = {
+    "angle_rates", "angular_velocity", "rotation", "free_precession", "FreePrecession", "polhode_period",
+    "Reduction", "expansion", "caption", "draw_chart", "draw_cones", "save_animation"}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_it_is_refused_with_what_to_do(name):
+    """Never silently of the diagonal."""
+    matplotlib.use("Agg")
+    with pytest.raises(ScopeError, match=r"principal_axes\(body\) turns the body"):
+        REFUSED[name]()
+
+
+@pytest.mark.parametrize("name", ANSWERED)
+def test_it_answers(name, monkeypatch):
+    """What it says is compared with principal axes elsewhere."""
+    matplotlib.use("Agg")
+    monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
+    assert ANSWERED[name]() is not None
+    matplotlib.pyplot.close("all")
+
+
+def test_no_verb_is_left_out():
+    """Of the classical formulas and the pictures."""
+    named = REFUSED.keys() | ANSWERED.keys() | OTHERS
+    assert {*gs.mechanics.__all__, *gs.plotting.__all__} <= named
+    takes = {name for name in gs.__all__ if inspect.isfunction(verb := getattr(gs, name))
+             and "scene" in inspect.signature(verb).parameters}
+    assert takes - {"equilibrium", "assemble"} <= named
