@@ -2,6 +2,7 @@
 from fractions import Fraction
 
 import pytest
+from commands import run
 from sympy import Rational, pi
 
 import gyrostat as gs
@@ -72,6 +73,25 @@ def test_a_verdict_at_quantities():
     values = {"I1": "1 kg m^2", "I3": "2 kg m^2", "l": 0, "m0": "1 N m", "omega3_0": "10 rpm"}
     assert report.verdict(values).verdict == report.verdict(
         {"I1": 1, "I3": 2, "l": 0, "m0": 1, "omega3_0": pi / 3}).verdict
+
+
+def test_values_are_not_mixed_either(capsys):
+    """Nor those of the command line; a pure number has no unit."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    report = gs.analyze(gs.upright(scene))
+    values = {"I1": "1 kg m^2", "I3": 2, "l": 0, "m0": "1 N m", "pi3_0": "1 N m s"}
+    with pytest.raises(ValuesError, match="I1 = '1 kg m.2' has a unit and I3 = 2 has none"):
+        report.verdict(values)
+    with pytest.raises(ValuesError, match="I3 = 2 has none"):
+        gs.trajectories.motion(scene, (0, 0, 1, 0, 0, 1), {"I1": "1 kg m^2", "I3": 2, "l": 0, "m0": 1})
+    with pytest.raises(ValuesError, match="M = 1 has none"):
+        gs.relative_equilibria(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))),
+                               {"I1": "1 kg m^2", "I2": "2 kg m^2", "I3": "3 kg m^2", "M": 1})
+    status, _, err = run(capsys, "--potential", "none", "--set", "I1=1 kg m^2", "I2=2", "I3=3", "omega3_0=1",
+                         verb="decide")
+    assert status == 2 and "I2 = '2' has none" in err
+    assert gs.relative_equilibria(scene, {"I1": "2 kg m^2", "I3": "1 kg m^2", "l": 0, "m0": "3 N m",
+                                          "k3": "1/2", "pi3_0": "6 N m s"})
 
 
 def test_quantities_of_a_library():

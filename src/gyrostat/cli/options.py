@@ -6,6 +6,7 @@ from sympy import Expr
 
 from ..algebra.inputs import name_of, unknown_letter
 from ..algebra.numbers import exact_number
+from ..algebra.quantities import not_mixed
 from ..errors import ValuesError, brief
 
 SPINS = frozenset({"pi3_0", "omega3_0"})
@@ -16,6 +17,7 @@ LONGEST = 10**7                                        # values of an axis, rows
 def numbers_of(settings: Sequence[str]) -> dict[str, Expr]:
     """The numbers of --set NAME=VALUE."""
     numbers: dict[str, Expr] = {}
+    texts: dict[str, str] = {}
     for setting in settings:
         typed, equals, value = setting.partition("=")
         if not equals or "=" in value or value.endswith(",") or not (name := name_of(typed.strip())):
@@ -23,7 +25,8 @@ def numbers_of(settings: Sequence[str]) -> dict[str, Expr]:
                               "write, for example, --set I1=1.6 l=1/2")
         if name in numbers:
             raise ValuesError(f"--set gives {name} twice: give it once")
-        numbers[name] = exact_number(value, name)
+        numbers[name], texts[name] = exact_number(value, name), value
+    not_mixed(texts.items())
     one_spin(numbers)
     return numbers
 

@@ -4,6 +4,7 @@ from typing import Any
 
 from ..algebra.exact import Point, evaluate, proved_sign
 from ..algebra.numbers import exact_number
+from ..algebra.quantities import not_mixed
 from ..errors import ScopeError, ValuesError
 from ..mechanics.recognition import Recognition, recognise
 from ..mechanics.reduction import ENERGY, K3, OMEGA, P, V, reducible
@@ -42,6 +43,7 @@ def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Po
     for name in values:
         if name not in known:
             raise ValuesError(unknown(name, sorted(known), "the scene"))
+    not_mixed(values.items())
     numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
     if scene.potential is not None:
         scene.potential.check_size(numbers)

@@ -8,6 +8,7 @@ from sympy import Expr, Rational, S, Symbol
 from ..algebra.balls import ball
 from ..algebra.exact import Point, compiled, evaluate, sign_of_constant
 from ..algebra.numbers import exact_number, shown
+from ..algebra.quantities import not_mixed
 from ..errors import ValuesError
 from ..mechanics.equilibria import Equilibrium
 from ..notation import NOTATION, jet, symbol
@@ -33,6 +34,7 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
             raise ValuesError(unknown(name, known, eq.label))
     if missing := [name for name in required if name not in given]:
         raise ValuesError(f"{eq.label} needs {', '.join(map(_described, missing))}: give a number for each")
+    not_mixed(given.items())
     numbers = Point({symbol(name): exact_number(value, name) for name, value in given.items()})
     for name, number in numbers.items():
         if not isinstance(number, Rational) and not ball(number, 64).is_finite():

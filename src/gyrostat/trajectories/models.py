@@ -7,6 +7,7 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Symbol
 
 from ..algebra.numbers import exact_number
+from ..algebra.quantities import not_mixed
 from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError, require
 from ..mechanics.potential import Potential
 from ..mechanics.reduction import reducible
@@ -117,6 +118,7 @@ def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
     if scene.potential is not None and not scene.potential.given:
         raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
     check_names(values, sorted(s.name for s in free), "the scene")
+    not_mixed(values.items())
     numbers = {s: exact_number(values[s.name], s.name) for s in sorted(free, key=str)}
     if scene.potential is not None:
         scene.potential.check_size(numbers)
