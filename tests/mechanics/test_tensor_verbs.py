@@ -3,9 +3,10 @@ import inspect
 
 import matplotlib
 import pytest
+from sympy import ImmutableMatrix
 
 import gyrostat as gs
-from gyrostat.errors import ScopeError
+from gyrostat.errors import EquilibriumError, ScopeError
 
 TENSOR = [[3, 1, 0], [1, 3, 0], [0, 0, 5]]
 FREE = gs.assemble(gs.Gyrostat(TENSOR, (0, 0, "1/2")))
@@ -76,3 +77,15 @@ def test_no_verb_is_left_out():
     takes = {name for name in gs.__all__ if inspect.isfunction(verb := getattr(gs, name))
              and "scene" in inspect.signature(verb).parameters}
     assert takes - {"equilibrium", "assemble"} <= named
+
+
+def test_named_rotations_have_the_moment_of_their_axis():
+    """Where an axis is principal; Euler's equations have the whole tensor."""
+    omega = gs.symbol("omega3_0")
+    assert gs.principal_rotation(FREE, 3).point == (0, 0, 5 * omega)
+    assert gs.upright(HEAVY, spin="omega3_0").point == (0, 0, 5 * omega, 0, 0, 1)
+    with pytest.raises(EquilibriumError, match="rotation about axis 1 is not an equilibrium"):
+        gs.principal_rotation(FREE, 1)
+    pi = ImmutableMatrix(FREE.space.coordinates)
+    rate = gs.mechanics.torque_equations(FREE.body, (0, 0, 0))
+    assert (rate - FREE.vector_field()).expand().is_zero_matrix and rate.free_symbols == {*pi}
