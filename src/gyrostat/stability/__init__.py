@@ -10,7 +10,6 @@ relative equilibrium is found by `relative_equilibria`: in U(k3) by `branches` a
 `branch`, of a free body by `permanent_rotations`; where they meet, `bifurcations` say in equations and
 `meetings` in numbers, each of one of the `kinds`; `critical`, `pieces`, `followed` and `continuation` follow
 them along a parameter (of a free body `rotation_loci`, `rotation_meetings`, `followed_rotations`,
-`rotor_planes`); `critical_values`
-(`precessions`) and `spectra` their levels and eigenvalues. `solve` (`cases`, `sets`) and `stabilizing`
-(`decomposition`, `tilts`) turn a verdict into values.
+`rotor_planes`); `critical_values` (`precessions`) and `spectra` their levels and eigenvalues. `solve`
+(`cases`, `sets`) and `stabilizing` (`decomposition`, `tilts`) turn a verdict into values.
 """

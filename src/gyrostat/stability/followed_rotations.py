@@ -62,10 +62,12 @@ class RotationContinuation:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
-    >>> found = gs.continuation(scene, "l", (0, 1), {"M": 1})
-    >>> [(mark.kind, mark.value) for mark in found.marks]
-    [('pitchfork', 1/2)]
+    >>> spun_up = gs.assemble(gs.Gyrostat((1, 2, 3), ("1/20", "1/10", gs.symbol("l3"))))
+    >>> found = gs.continuation(spun_up, "l3", (0, 1), {"M": 1})
+    >>> [(mark.kind, round(float(mark.value), 4)) for mark in found.marks]
+    [('fold', 0.2036)]
+    >>> [piece.verdict.name for piece in found.pieces if piece.parameter[-1] == 1]
+    ['STABLE', 'UNSTABLE', 'STABLE', 'STABLE']
     """
 
     pieces: list[RotationPiece]
