@@ -2,7 +2,7 @@
 import random
 
 import pytest
-from slow import slow
+from slow import sampled, slow
 from sympy import Matrix, Rational, diag
 from turns import of_quaternion
 
@@ -51,10 +51,10 @@ def off(rotation, momentum, R):
 
 
 @pytest.mark.parametrize(("seed", "count"), [(1, 8), *slow((2, 1000))])
-def test_a_free_gyrostat_in_any_axes(seed, count):
+def test_a_free_gyrostat_in_any_axes(seed, count, full):
     """Its permanent rotations are the same, those that are degenerate too."""
     draw = random.Random(seed)
-    for _ in range(count):
+    for _ in range(sampled(count, full, 60)):
         inertia = [positive(draw) for _ in range(3)]
         if draw.random() < 0.3:
             inertia[draw.randrange(3)] = inertia[0]
@@ -98,10 +98,10 @@ def in_a_field(draw, revolution):
 
 @pytest.mark.parametrize("revolution", [True, False])
 @pytest.mark.parametrize(("seed", "count"), [(3, 4), *slow((4, 500))])
-def test_a_body_in_a_field_in_any_axes(revolution, seed, count):
+def test_a_body_in_a_field_in_any_axes(revolution, seed, count, full):
     """The same verdicts, with and without damping, and the same spectrum; bodies of revolution recognised."""
     draw = random.Random(seed)
-    for _ in range(count):
+    for _ in range(sampled(count, full, 60)):
         inertia, rotor, momentum, k, field = in_a_field(draw, revolution)
         R = rotation(draw)
         point = [*(R * Matrix(momentum)), *(R * Matrix(k))]

@@ -6,6 +6,7 @@ import counted_rotations as found
 import mpmath as mp
 import numpy as np
 import pytest
+from slow import sampled
 from sympy import Rational
 
 import gyrostat as gs
@@ -42,11 +43,11 @@ def is_held(moments, rotor, size, rotation):
 
 
 @pytest.mark.parametrize("cases", [10, pytest.param(10_000, marks=SLOW)])
-def test_random_gyrostats(cases):
+def test_random_gyrostats(cases, full):
     """As many as Sturm's theorem counts, where Newton's method finds them, each decided as its spectrum says.
     """
     rnd, numbers = random.Random(f"all {cases}"), set()
-    for _ in range(cases):
+    for _ in range(sampled(cases, full, 250)):
         moments, rotor, size = drawn(rnd)
         ours = rotations(moments, rotor, size)
         assert (len(ours), 0) == found.count(moments, rotor, size)
@@ -73,10 +74,10 @@ def degenerate(rnd, kind):
 
 @pytest.mark.parametrize("cases", [6, pytest.param(500, marks=SLOW)])
 @pytest.mark.parametrize("kind", ["on an axis or in a plane", "two equal moments"])
-def test_degenerate_gyrostats(kind, cases):
+def test_degenerate_gyrostats(kind, cases, full):
     """Points and circles as counted; points as their spectra say, circles drift."""
     rnd = random.Random(f"{kind} {cases}")
-    for _ in range(cases):
+    for _ in range(sampled(cases, full, 120)):
         moments, rotor, size = degenerate(rnd, kind)
         ours = rotations(moments, rotor, size)
         circles = [rotation for rotation in ours if rotation.circle]

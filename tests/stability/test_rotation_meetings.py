@@ -5,6 +5,7 @@ from itertools import pairwise
 
 import counted_rotations as found
 import pytest
+from slow import sampled
 from small_circle import is_extremum
 from sympy import Rational, S, sqrt
 
@@ -47,7 +48,7 @@ def cases(kinds, number):
 
 
 @pytest.mark.parametrize(("empty", "number"), list(cases((0, 1, 2), 3)))
-def test_their_number_changes_there_alone(empty, number):
+def test_their_number_changes_there_alone(empty, number, full):
     """Sturm's theorem counts as many rotations at five fractions of each gap between the values, two of them
     beside its ends.
 
@@ -55,7 +56,7 @@ def test_their_number_changes_there_alone(empty, number):
     rotor that are 0 is given.
     """
     rnd = random.Random(f"meetings {empty} {number}")
-    for _ in range(number):
+    for _ in range(sampled(number, full, 40)):
         name, values = drawn(rnd, empty)
         points = gs.bifurcation_points(BOX, name, values)
         at = list(dict.fromkeys(near(point.value) for point in points))

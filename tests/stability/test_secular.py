@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import mpmath as mp
 import pytest
+from slow import sampled
 from sympy import Rational
 from viscous_sphere import growing_modes
 
@@ -121,10 +122,10 @@ def field(rnd, special):
 @pytest.mark.parametrize("cases", [2, pytest.param(260, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("special", [False, True])
 @pytest.mark.parametrize("scene", [pole, tilt, free, field])
-def test_growing_modes_are_those_of_a_viscous_sphere(scene, special, cases):
+def test_growing_modes_are_those_of_a_viscous_sphere(scene, special, cases, full):
     """STABLE: none grows; UNSTABLE: as many as are said; UNDECIDED only where damping does not reach all."""
     rnd = random.Random(f"{scene.__name__} {special} {cases}")
-    for _ in range(cases):
+    for _ in range(sampled(cases, full, 80)):
         decision, modes = scene(rnd, special)
         if decision.verdict is gs.Verdict.UNDECIDED:
             assert special and modes == 0 and "does not reach every motion" in decision.reason
