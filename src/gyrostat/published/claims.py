@@ -5,7 +5,7 @@ from ..errors import PublishedError, brief
 from ..notation import symbol
 from ..stability.conditions import Criterion
 from .comparisons import comparisons
-from .criteria import K3, Claim, agree, criterion, free_symbols
+from .criteria import DAMPED, K3, Claim, agree, criterion, free_symbols
 from .readings import Reading
 from .sampling import K
 from .search import suspects
@@ -38,7 +38,7 @@ def condition(r: Reading) -> Outcome | Doubt:
     if (
         alike
         and not same
-        and claim.startswith("sufficient for stability")
+        and claim.startswith("sufficient for stability") and claim != DAMPED
         and _stable_at_equality(r, derived)
     ):
         return Outcome(True, printed, derived)

@@ -22,7 +22,9 @@ from .scenes import Scene
 
 K3 = symbol("k3")
 Margins = Sequence[tuple[Expr, bool]]
+DAMPED = "sufficient for stability under internal damping"
 CLAIMS = ("necessary for stability", "sufficient for stability", "sufficient for stability, Casimirs alone",
+          DAMPED,
           "necessary and sufficient for stability", "sufficient for instability",
           "sufficient for stability on the boundary",
           "sufficient for instability on the boundary", "existence", "sufficient for periodic motion")
@@ -86,6 +88,8 @@ class Claim:
             return self.report.sufficient
         if claim == "sufficient for stability, Casimirs alone":
             return self.report.casimirs_only
+        if claim == DAMPED:
+            return self.report.damped
         if claim == "sufficient for instability":
             return Criterion("instability", tuple((replace(c, margin=-c.margin, strict=True),)
                                                   for (a,) in [self.report.necessary.alternatives]

@@ -15,7 +15,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import E3, FAMILIES
 from ..notation import symbol
 from ..stability.conditions import Criterion
-from .criteria import free_symbols, holds
+from .criteria import DAMPED, free_symbols, holds
 from .readings import Reading
 from .sampling import K, on_family
 
@@ -56,7 +56,7 @@ def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) ->
     if (
         not (never and wanted)
         and "stability" in claim
-        and not claim.endswith(("Casimirs alone", "on the boundary"))
+        and claim != DAMPED and not claim.endswith(("Casimirs alone", "on the boundary"))
     ):
         at_equality = (_settled(r, values) for values in islice(_on_boundary(r, derived), ON_BOUNDARY))
         yield from (values for values in at_equality if wanted in (None, holds(printed, values)))

@@ -3,7 +3,9 @@ from ..algebra.exact import sign_of_constant
 from ..errors import GyrostatError, PublishedError
 from ..notation import symbol
 from .comparisons import holds_as_printed
+from .criteria import DAMPED
 from .independent import Model, Values
+from .independent_damping import is_least
 from .independent_separatrix import separatrix_residual
 from .readings import Reading
 from .statements import Doubt, Seen
@@ -40,6 +42,8 @@ def _word(claim: str, truth: bool) -> str:
     """What is true, in the words of the claim."""
     if claim.endswith("Casimirs alone"):
         return "definite" if truth else "not definite"
+    if claim == DAMPED:
+        return "least" if truth else "not least"
     if claim in ("existence", "sufficient for periodic motion"):
         return ("" if truth else "not ") + ("an equilibrium" if claim == "existence" else "periodic")
     return "stable" if truth == ("instability" not in claim) else "unstable"
@@ -58,6 +62,10 @@ def _truth(r: Reading, claim: str, model: Model, values: Values) -> tuple[bool |
             "the squares of D²(h + ν·C) on the tangent space of the orbit, counted exactly, are "
             + ("of one sign" if definite else "not of one sign"),
         )
+    if claim == DAMPED:
+        least = is_least(model)
+        return least, ("the energy on the level of the Casimirs, its squares counted exactly, is "
+                       + ("least there" if least else "not least there: damping takes it away"))
     if claim.endswith("on the boundary") and not model.is_on_boundary():
         return None, ""
     sign, why = model.stability()
