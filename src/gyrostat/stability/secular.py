@@ -31,6 +31,7 @@ Growing = tuple[bool | None, str, int | None]              # stable, why, and th
 KEPT = "damping takes energy, which has a strict minimum on the orbit"
 LOST = "damping takes energy, which is not least on the orbit: it is lost"
 OUT_OF_REACH = "the damping does not reach every motion: a linear motion of k goes on without a torque"
+NO_SPIN = "the damping does not reach every motion: from rest the body may turn about its axis without end"
 NO_SIGN = "a margin has no proved sign"
 
 
@@ -41,8 +42,9 @@ class Secular:
     Positive definite: stable, asymptotically on its orbit if the damping reaches every motion (is pervasive).
     Not degenerate, not positive, and the damping pervasive: unstable, with as many growing modes as the
     second variation has negative squares (Kelvin, Tait, Chetaev). Damping by all three components of ω
-    reaches every motion but in one case: the body turns about k with M along k, and no torque acts to first
-    order, so that k moves by itself. There M is that of a free body, and its growing modes are all.
+    reaches every motion but in two cases. The body turns about k with M along k, and no torque acts to first
+    order, so that k moves by itself: M is that of a free body, and its growing modes are all. Or a body of
+    revolution is at rest at a tilt: it may begin to spin about its axis, and nothing stops it.
 
     Parameters
     ----------
@@ -80,11 +82,13 @@ class Secular:
     @cached_property
     def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
         """Where the criterion is not necessary: where one of the first vanishes the second variation is
-        degenerate; where one of each of the others does, the damping does not reach every motion.
+        degenerate, or the body is at rest and free to spin; where one of each of the others does, the damping
+        does not reach every motion of k.
 
         In normal form, () for what vanishes nowhere.
         """
-        values = (self._coefficients[-1] if self._coefficients else S.One, *self._torques)
+        singular = self._coefficients[-1] if self._coefficients else S.One
+        values = (singular * self._rest if self.variation.modulo else singular, *self._torques)
         signs = signs_over(self.equilibrium, values)
         found = [signs.split(*signs.ring.fraction(value)) for value in values]
         groups = [[signs.ring.expression(x) for x in (margin, *even)] for margin, even in found]
@@ -130,6 +134,8 @@ class Secular:
             if coefficients and coefficients[-1] == 0:
                 return self._degenerate(numbers)
             negative = _changes(coefficients)
+        if self._spins(numbers):
+            return None, NO_SPIN, None
         if self._free(numbers):
             return self._along(numbers)
         return False, f"{LOST}, {modes(negative)}", negative
@@ -181,6 +187,15 @@ class Secular:
         _, *torques = self.exceptions
         return all(any(sign_of_constant(evaluate(e, numbers)) == 0 for e in torque) for torque in torques)
 
+    def _spins(self, numbers: Mapping[Symbol, Expr]) -> bool:
+        """Whether it is at rest and may turn along a symmetry: its rate is constant then to first order."""
+        return bool(self.variation.modulo) and sign_of_constant(evaluate(self._rest, numbers)) == 0
+
+    @property
+    def _rest(self) -> Expr:
+        """|π|², which vanishes at rest."""
+        return self.equilibrium.insert(Add(*(x**2 for x in self.equilibrium.point[:3])))
+
     def _along(self, numbers: Mapping[Symbol, Expr]) -> Growing:
         """Where k moves by itself: of M, as of a free body, M = μ k, ω = w k, on the plane across k."""
         eq = self.equilibrium
@@ -198,7 +213,7 @@ class Secular:
     def _degenerate(self, numbers: Mapping[Symbol, Expr]) -> Growing:
         """Where the second variation is degenerate beyond the symmetries: whether the energy is least."""
         least, why = least_at(self.equilibrium, numbers)
-        if least is None or (not least and self._free(numbers)):
+        if least is None or (not least and (self._free(numbers) or self._spins(numbers))):
             return None, why if least is None else OUT_OF_REACH, None
         return least, f"{KEPT}: {why}" if least else f"{LOST}: {why}", 0 if least else None
 
