@@ -124,3 +124,26 @@ def test_progress_of_a_chart(capsys, tmp_path, monkeypatch):
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     status, out, err = chart(capsys, *SPINS, "--output", str(tmp_path / "chart.zarr"))
     assert status == 0 and out == "" and "chart        [" in err and "] 10/10" in err and err.endswith(" \r")
+
+
+def test_e3_determines_what_is_neither_set_nor_an_axis(capsys, tmp_path):
+    """With l and k3 given, the parameter of U that is open; a U with several tilts at one l is refused."""
+    import numpy as np
+    import xarray as xr
+
+    import gyrostat as gs
+    from gyrostat.charts.chart import stability_chart
+    given = ["--potential", "m0*k3^4 - k3^2/2", "--equilibrium", "E3", "--x", "l=-2:2:9", "--y",
+             "omega=-2:2:8", "--set", "I1=2", "I3=1"]
+    assert chart(capsys, *given, "k3=1/2", "--output", str(tmp_path / "chart.nc")) == (0, "", "")
+    scene = gs.assemble(gs.symmetric_gyrostat(),
+                        gs.axial_potential(lambda k3: gs.symbol("m0") * k3**4 - k3**2 / 2))
+    wanted = stability_chart(gs.analyze(gs.inclined(scene, eliminate="m0")), x=("l", np.linspace(-2, 2, 9)),
+                             y=("omega", np.linspace(-2, 2, 8)), fixed={"I1": 2, "I3": 1, "k3": "1/2"})
+    with xr.open_dataset(tmp_path / "chart.nc") as found:
+        assert found.attrs["eliminated"] == "m0"
+        np.testing.assert_array_equal(found.verdict, wanted.verdict)
+        assert len(np.unique(found.verdict)) > 1
+    status, out, err = chart(capsys, *given, "m0=1", "--output", str(tmp_path / "several.png"))
+    assert (status, out) == (2, "") and not (tmp_path / "several.png").exists()
+    assert "E3 may have several tilts k3 at one l and omega" in err and "give k3 in place of l = (" in err

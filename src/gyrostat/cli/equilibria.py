@@ -178,11 +178,15 @@ def report_for(what: str, asked: Asked, given: str | None, numbers: Names) -> Re
     wanted, missing = labels_of(asked, given and [given], numbers)
     some(wanted, missing)
     (report, *_), _ = reports_of(asked, wanted, numbers)
+    eq = report.equilibrium
+    if eq.eliminated == "l" and "l" in numbers and "k3" not in numbers:
+        raise ValuesError("E3 may have several tilts k3 at one l and omega, and a "
+                          f"{what} is of one: give k3 in place of l = {dict(eq.relations)[symbol('l')]}")
     return report
 
 
 def _tilted(asked: Asked, numbers: Names) -> list[Report]:
-    """E3; its tilt eliminated where l is set and k3 is not.
+    """E3; where l is set its tilt is eliminated, or a parameter of U, that is not set.
 
     Without numbers the tilt at rest of a given U too, if there is one.
     """
@@ -191,9 +195,11 @@ def _tilted(asked: Asked, numbers: Names) -> list[Report]:
         raise ValuesError("E3 is a family of bodies of revolution in U(k3), and this scene is none of them: "
                           f"name a point of it, {BY_POINT}")
     if scene.potential and scene.potential.given and asked.eliminate is None:
+        free = [name for name in ("k3", *map(str, scene.potential.parameters)) if name not in numbers]
+        for name in free if "l" in numbers else ():
+            with contextlib.suppress(EquilibriumError):
+                return [analyze(E3.of(scene, eliminate=name))]
         with contextlib.suppress(EquilibriumError):
-            if "l" in numbers and "k3" not in numbers:
-                return [analyze(E3.of(scene, eliminate="k3"))]
             if not numbers and report_of(asked, AT_REST).equilibrium.eliminated in ("k3", None):
                 return [report_of(asked, E3.label), report_of(asked, AT_REST)]
     return [report_at(asked, E3.label, numbers)]
