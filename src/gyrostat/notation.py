@@ -93,6 +93,20 @@ PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1", "r"
 INTERNAL = frozenset({"nu1", "nu2", "nu3", "lamda"})   # names that a derivation introduces itself
 
 
+def dimension_of(name: str) -> tuple[int, int, int] | None:
+    """The dimension of a name, (a, b, c) for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ; None of a parameter of the user.
+
+    Examples
+    --------
+    >>> dimension_of("l"), dimension_of("d2U"), dimension_of("a")
+    ((1, 1, 0), (1, 2, 0), None)
+    """
+    if jet(name):
+        return 1, 2, 0
+    entry = NOTATION.get(name)
+    return None if entry is None else (*entry.dimension, entry.length)
+
+
 def order(name: str) -> tuple[int, str, int]:
     """Where a name stands among others: as in the table, derivatives of U with U.
 

@@ -45,7 +45,7 @@ def test_a_picture_in_a_field(capsys, tmp_path, heavy, drawn):
             len({line.get_linestyle() for line in ax.lines}) == 3
             or len({str(line._dash_pattern) for line in ax.lines}) == 3
         )
-    assert directions.get_xlabel() == "$t$"
+    assert directions.get_xlabel() == r"$t$ $[\mathrm{T}]$"
 
 
 def test_a_picture_of_a_free_body(capsys, tmp_path, drawn):

@@ -125,7 +125,8 @@ def test_the_picture():
         assert text in [entry.get_text() for entry in ax.get_legend().get_texts()]
         assert (mark.get_markerfacecolor() == "white") == (kind == "fold at fixed rate")
     assert {"E1", "E2", "E3"} <= {text.get_text() for text in ax.texts}
-    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_xlim()) == (r"$\omega$", "$k_3$", (0, 2))
+    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_xlim()) == (
+        r"$\omega$ $[\mathrm{T^{-1}}]$", "$k_3$", (0, 2))
 
 
 def test_what_cannot_be_drawn_is_refused():

@@ -85,9 +85,11 @@ def test_names_and_legend(wedge, tilted):
     The boundary is a black line.
     """
     ax = drawn(wedge, title=caption(wedge))
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$m_0$", "$l$")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$m_0$ $[\mathrm{M\,L^{2}\,T^{-2}}]$",
+                                                  r"$l$ $[\mathrm{M\,L^{2}\,T^{-1}}]$")
     assert legend(ax) == ["stable", "undecided", "unstable", "boundary"]
-    assert ax.get_title() == "E: $\\pi_3^0 = 1$, $I_1 = 2$, $I_2 = 3/2$, $I_3 = 1$, $m_1 = 1/4$"
+    assert ax.get_title().startswith("E, $U = m_0 k_3 + ")
+    assert ax.get_title().endswith(": $\\pi_3^0 = 1$, $I_1 = 2$, $I_2 = 3/2$, $I_3 = 1$, $m_1 = 1/4$")
     ax.figure.canvas.draw()
     assert ax.get_legend().get_window_extent().y0 >= ax.get_window_extent().y1 - 1
     assert ax.get_legend().get_window_extent().y1 <= ax.title.get_window_extent().y0 + 1
@@ -96,7 +98,9 @@ def test_names_and_legend(wedge, tilted):
     np.testing.assert_array_equal(line.get_xdata(), wedge.boundary_x)
     np.testing.assert_array_equal(line.get_ydata(), wedge.boundary_y)
     ax = drawn(tilted)
-    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_title()) == ("$k_3$", "$U''(k_3)$", "")
+    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_title()) == (
+        "$k_3$", r"$U''(k_3)$ $[\mathrm{M\,L^{2}\,T^{-2}}]$",
+        "E3: $\\omega = 1$, $l = 0.3$, $I_1 = 1$, $I_3 = 1/2$, $U'(k_3)$ determined at each point")
     assert legend(ax) == ["stable modulo the spin", "unstable", "no equilibrium", "boundary"]
     ax = drawn(tilted.isel(k3=slice(18, 22), d2U=slice(28, 32)).drop_vars(["boundary_x", "boundary_y"]))
     assert legend(ax) == ["stable modulo the spin"] and not ax.lines
@@ -129,7 +133,8 @@ def test_undecided_is_hatched(wedge):
 def test_a_transposed_chart_has_the_same_boundary(wedge):
     """The line follows the axes, whichever is horizontal."""
     ax = drawn(wedge.transpose())
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$l$", "$m_0$")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$l$ $[\mathrm{M\,L^{2}\,T^{-1}}]$",
+                                                  r"$m_0$ $[\mathrm{M\,L^{2}\,T^{-2}}]$")
     np.testing.assert_array_equal(ax.lines[0].get_xdata(), wedge.boundary_y)
 
 
@@ -162,7 +167,8 @@ def test_other_numbers_of_axes_are_refused(e1):
     with pytest.raises(ValuesError, match="has the axes pi3_0"):
         draw_chart(chart.isel(dU=0, l=0))
     ax = drawn(chart.sel(dU=1))
-    assert not ax.lines and ax.get_xlabel() == r"$\pi_3^0$" and "U'(1) = 1" in caption(chart.sel(dU=1))
+    assert not ax.lines and ax.get_xlabel().startswith(r"$\pi_3^0$ ")
+    assert "U'(1) = 1" in caption(chart.sel(dU=1))
 
 
 def test_from_a_file_and_from_a_store(e1, tmp_path):

@@ -82,7 +82,7 @@ def test_the_picture():
     curve = ax.lines[0]
     assert curve.get_linewidth() == 3
     assert curve.get_color() == DARK
-    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\theta$", "$V$")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\theta$", r"$V$ $[\mathrm{M\,L^{2}\,T^{-2}}]$")
     np.testing.assert_array_equal(curve.get_xydata().T,
                                   [well(scene, values, energy).theta, well(scene, values, energy).height])
     turns = sorted(np.arccos([float(k3) for k3 in well(scene, values, energy).turning_points]))

@@ -113,8 +113,9 @@ def test_the_picture():
     assert len(crosses.get_xdata()) == 2
     assert [text.get_text() for text in ax.get_legend().get_texts()] == [r"changes: Hamiltonian Hopf at "
                                                                          r"$\omega_3^0$ = 1.25"]
-    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\mathrm{Re}\,\lambda$", r"$\mathrm{Im}\,\lambda$")
-    assert ax.figure.axes[1].get_ylabel() == r"$\omega_3^0$"
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\mathrm{Re}\,\lambda$ $[\mathrm{T^{-1}}]$",
+                                                  r"$\mathrm{Im}\,\lambda$ $[\mathrm{T^{-1}}]$")
+    assert ax.figure.axes[1].get_ylabel() == r"$\omega_3^0$ $[\mathrm{T^{-1}}]$"
 
 
 def test_what_cannot_be_drawn_is_refused():

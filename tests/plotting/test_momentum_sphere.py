@@ -34,7 +34,7 @@ def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
     body, R = gs.Gyrostat(inertia, rotor), float(Rational(radius))
     I, l = floats(body.inertia), floats(body.gyrostatic_momentum)
     points = permanent_rotations(body, Rational(radius))
-    for energy in energies_between(points, 2):
+    for energy in energies_between(body, points, 2):
         M = level_curve(body, points, R, energy)
         M0 = M[np.isfinite(M[:, 0])]
         assert len(M0) > 20
@@ -70,10 +70,10 @@ def test_beside_a_saddle_both_curves_are_there():
 
 
 def test_energies_lie_between_the_critical_ones():
-    """As many in each band, none at its ends; closer together at a saddle than at an extremum."""
-    chosen = energies_between(permanent_rotations(gs.Gyrostat((1, 2, 3), (0, 0, 0)), Rational(1)), 4)
+    """As many in each band, none at its ends."""
+    body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
+    chosen = energies_between(body, permanent_rotations(body, Rational(1)), 4)
     assert ((chosen > 1 / 6) & (chosen < 1 / 4)).sum() == ((chosen > 1 / 4) & (chosen < 1 / 2)).sum() == 4
-    assert chosen[0] - 1 / 6 < np.diff(chosen[:4])[-1]
 
 
 def test_the_picture_has_what_was_found():

@@ -8,7 +8,7 @@ from ..algebra.floats import Array
 from ..algebra.readable import readable
 from ..errors import optional
 from ..mechanics.equilibria import Equilibrium
-from ..notation import NOTATION, jet, typeset, units
+from ..notation import NOTATION, dimension_of, jet, typeset, units
 from ..printing.latex import tex
 from ..printing.names import Names
 from ..version import __version__
@@ -68,11 +68,8 @@ def coordinate_attributes(name: str, eq: Equilibrium) -> dict[str, str]:
         meaning = entry.meaning
     else:
         meaning = f"derivative {name} of U" if derivative else f"parameter {name}"
-    unit = (
-        {"units": units(*((1, 2, 0) if derivative or not entry else (*entry.dimension, entry.length)))}
-        if derivative or entry
-        else {}
-    )
+    dimension = dimension_of(name)
+    unit = {"units": units(*dimension)} if dimension else {}
     return {"long_name": meaning, "latex": typeset(name, eq.at)} | unit
 
 

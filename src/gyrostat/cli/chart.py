@@ -10,13 +10,13 @@ import numpy as np
 from ..charts.chart import stability_chart
 from ..errors import ValuesError
 from ..notation import symbol
-from ..plotting import caption, draw_chart
+from ..plotting import draw_chart
 from ..printing.files import save_netcdf
 from ..stability.notes import scene_note
 from .asked import asked_of
 from .equilibria import report_for
 from .options import axis_of, numbers_of, one_spin
-from .output import PICTURES, Output, file_of, save_picture
+from .output import PICTURES, Output, file_of, printed_look, save_picture
 from .scene_files import with_scene
 
 DATA = (".nc", ".zarr")
@@ -73,6 +73,7 @@ def _as_written(settings: Sequence[str]) -> dict[str, str]:
 def _draw(chart: Any, path: Path) -> None:
     from matplotlib.figure import Figure
 
-    figure = Figure()
-    draw_chart(chart, figure.subplots(), title=caption(chart))
-    save_picture(figure, path)
+    with printed_look():
+        figure = Figure()
+        draw_chart(chart, figure.subplots())
+        save_picture(figure, path)

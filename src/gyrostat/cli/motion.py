@@ -20,13 +20,13 @@ from ..errors import ValuesError, optional
 from ..notation import NOTATION
 from ..plotting import animate_top, draw_momentum_sphere, draw_nutation, save_animation
 from ..plotting.globe import curve_on, dots_on, towards
-from ..plotting.looks import BLUE, DARK, INK, label, legend, named
+from ..plotting.looks import BLUE, DARK, INK, axis, label, legend, named
 from ..printing.files import save_netcdf
 from ..trajectories import Motion, motion
 from ..trajectories.columns import columns, dataset, turns_of
 from .asked import one_for_each, whole_scene
 from .options import LONGEST, numbers_of
-from .output import FILMS, PICTURES, Output, file_of, save_picture
+from .output import FILMS, PICTURES, Output, file_of, printed_look, save_picture
 from .scene_files import with_scene
 
 KINDS = ("a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; "
@@ -180,19 +180,20 @@ def _picture(moving: Motion, times: Array, path: Path) -> dict[str, float]:
     from matplotlib.figure import Figure
 
     states, _, drift = _computed(moving, times)
-    figure = Figure(figsize=(9.5, 4.4))
-    left, right = np.asarray(figure.subfigures(1, 2))
-    sphere = left.add_subplot(**SPACE)
-    if moving.scene.potential is None:
-        _polhode(sphere, moving, states)
-    else:
-        draw_nutation(moving, times, sphere)
-    names = [str(s) for s in moving.scene.space.coordinates]
-    panels = right.subplots(len(names) // 3, sharex=True, squeeze=False)[:, 0]
-    for n, ax in enumerate(panels):
-        _components(ax, times, states[:, 3 * n:3 * n + 3], names[3 * n:3 * n + 3])
-    panels[-1].set_xlabel("$t$")
-    save_picture(figure, path)
+    with printed_look():
+        figure = Figure(figsize=(7, 3.4))
+        left, right = np.asarray(figure.subfigures(1, 2))
+        sphere = left.add_subplot(**SPACE)
+        if moving.scene.potential is None:
+            _polhode(sphere, moving, states)
+        else:
+            draw_nutation(moving, times, sphere)
+        names = [str(s) for s in moving.scene.space.coordinates]
+        panels = right.subplots(len(names) // 3, sharex=True, squeeze=False)[:, 0]
+        for n, ax in enumerate(panels):
+            _components(ax, times, states[:, 3 * n:3 * n + 3], names[3 * n:3 * n + 3])
+        panels[-1].set_xlabel(axis("t", (0, -1, 0)))
+        save_picture(figure, path)
     return drift
 
 
@@ -221,9 +222,8 @@ def _film(moving: Motion, times: Array, path: Path) -> dict[str, float]:
     from matplotlib.figure import Figure
 
     def save(path: Path, writer: Any) -> None:
-        with telling(None, "animation") as told:
-            animation = animate_top(moving, times,
-                                    Figure(figsize=(4, 4.2)).add_axes((0, 0, 1, 0.95), **SPACE))
+        with telling(None, "animation") as told, printed_look():
+            animation = animate_top(moving, times, Figure(figsize=(3.2, 3.4)).add_subplot(**SPACE))
             animation.save(path, writer=writer, progress_callback=lambda n, total: told(n + 1, total))
 
     save_animation(SimpleNamespace(save=save), path)

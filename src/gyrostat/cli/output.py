@@ -135,7 +135,15 @@ def file_of(out: Output, what: str, kinds: Sequence[str], names: str) -> Path:
     return path
 
 
+@contextmanager
+def printed_look() -> Iterator[None]:
+    """Pictures with the letters, sizes and lines of a paper."""
+    from matplotlib import style
+    with style.context("gyrostat.plotting.paper"):
+        yield
+
+
 def save_picture(figure: Any, path: Path) -> None:
     """Write a Matplotlib figure, as large as what is on it."""
     with written(path) as new:
-        figure.savefig(new, dpi=200, bbox_inches="tight")
+        figure.savefig(new, dpi=300, bbox_inches="tight")

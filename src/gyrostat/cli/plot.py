@@ -17,7 +17,7 @@ from .asked import Asked, asked_of, scene_of, whole_scene
 from .equilibria import report_for
 from .motion import POINTS, SPACE, motion_of, times_of
 from .options import axis_of, numbers_of, one_spin
-from .output import PICTURES, Output, file_of, save_picture
+from .output import PICTURES, Output, file_of, printed_look, save_picture
 from .scene_files import with_scene
 
 SAMPLES = 200                                          # of the parameter, along eigenvalues
@@ -30,9 +30,10 @@ def run(given: argparse.Namespace, out: Output) -> int:
     given = with_scene(given)
     path = file_of(out, "picture", PICTURES, f"{given.kind}.png, .pdf or .svg")
     from matplotlib.figure import Figure
-    figure = Figure()
-    note = DRAWN[given.kind](given, numbers_of(given.values), figure)
-    save_picture(figure, path)
+    with printed_look():
+        figure = Figure()
+        note = DRAWN[given.kind](given, numbers_of(given.values), figure)
+        save_picture(figure, path)
     out.noted(note)
     return 0
 

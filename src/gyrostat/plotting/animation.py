@@ -12,7 +12,8 @@ from ..errors import MissingExtraError, ValuesError, optional, require
 from ..printing.files import written
 from ..trajectories import Motion
 from .globe import FADED, parted, polygons, stage
-from .looks import BLUE, DARK, axes_of, label
+from .headings import heading, of_motion
+from .looks import BLUE, DARK, axes_of, label, legend, named
 from .nutation import WIDEST, close_enough, widest
 from .solids import rigid, solid
 
@@ -22,6 +23,8 @@ NO_BODY = "no rigid body has these moments of inertia"
 
 def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
     """The body at the given times, one picture for each, with the path of one of its axes on the unit sphere.
+
+    Each has its time.
 
     A body of revolution in a field is a top on its tip, with the path of e3. Any other body is a box with its
     moments of inertia, with the path of the axis that is next to M, or to the vertical, at the first of the
@@ -65,7 +68,7 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     gs.plotting.save_animation(animation, f"{folder}/box.gif")
     """
-    turns, path, fine = attitudes(motion, times)
+    turns, path, fine, axis = attitudes(motion, times)
     ax = axes_of(ax, three=True)
     from matplotlib.animation import FuncAnimation
     eye, faces = stage(ax, 1.0, [label("x"), label("y"), label("z")]), solid(motion.scene)
@@ -75,6 +78,8 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     if not rigid(motion.scene.body):
         ax.text2D(0.5, 0.02, NO_BODY, ha="center", fontsize="small", transform=ax.transAxes)
     style = {"color": BLUE, "linewidth": 1.4}
+    clock, form = ax.text2D(0.03, 0.97, "", va="top", transform=ax.transAxes), _form(times)
+    legend(ax, [named(style, f"path of {label(f'e{axis + 1}')}")], title=heading(ax, *of_motion(motion)))
     (back,), (front,) = ax.plot([], [], [], alpha=FADED, zorder=1,
                                 **style), ax.plot([], [], [], zorder=3, **style)
 
@@ -82,14 +87,22 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
         body.set_verts([polygon @ turns[n].T for polygon, _ in faces])
         for line, part in zip((front, back), parted(path[:fine * n + 1], eye)):
             line.set_data_3d(*part.T)
-        return body, front, back
+        clock.set_text(f"$t = {times[n]:{form}}$")
+        return body, front, back, clock
 
     return FuncAnimation(ax.figure, show, frames=len(turns), **{"interval": 40, **kwargs})
 
 
-def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int]:
-    """The rotations from the body to space, shape (n, 3, 3), the path of the axis that is followed, and its
-    points to a step.
+def _form(times: Any) -> str:
+    """So many decimals that two times are two numbers."""
+    steps = np.abs(np.diff(np.asarray(times, dtype=float)))
+    least = steps[steps > 0].min(initial=np.inf)
+    return f".{int(np.clip(np.ceil(-np.log10(least)), 0, 12))}f" if np.isfinite(least) else "g"
+
+
+def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int, int]:
+    """The rotations from the body to space, shape (n, 3, 3), the path of the axis that is followed, its
+    points to a step, and which axis it is.
     """
     require(motion, Motion, "the motion")
     turns = motion.attitude(np.asarray(times, dtype=float))
@@ -99,7 +112,7 @@ def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int]:
         path = motion.attitude(np.interp(np.linspace(0, steps[-1], fine * steps[-1] + 1), steps,
                                          times))[..., axis]
         if fine >= FINEST or widest(path) <= WIDEST / 4:
-            return turns, close_enough(path), fine
+            return turns, close_enough(path), fine, axis
         fine *= 2
 
 

@@ -17,7 +17,8 @@ from ..stability.kinds import precessions_leave, tilt_leaves
 from ..stability.meetings import BifurcationPoint
 from ..stability.pieces import INFINITE, Mark, Piece
 from ..stability.report import Verdict
-from .looks import DARK, axes_of, label, legend, line, marker, named
+from .headings import heading, of_scene
+from .looks import DARK, axes_of, axis, label, legend, line, marker, named
 
 CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p"}
 MEETINGS = {tilt_leaves(E1): "^", tilt_leaves(E2): "v", "fold at fixed rate": "D",
@@ -106,9 +107,9 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
         ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5 if above else -5),
                     textcoords="offset points",
                     va="bottom" if above else "top")
-    ax.set_xlabel(label(name))
+    ax.set_xlabel(axis(name))
     ax.set_ylabel(label("k3"))
-    legend(ax, handles, 2)
+    legend(ax, handles, 2, heading(ax, *of_scene(scene, values)))
     return ax
 
 

@@ -6,12 +6,15 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import ValuesError
-from ..notation import order
-from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, legend
+from ..notation import dimension_of, order
+from .headings import field, heading, lines, number
+from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, legend, with_dimension
 
 MODULO = {"the flow of pi3": "the spin"}                   # about the axis of the body
 # values of an axis that are drawn; of more, every second, third, …
 SHOWN = 2000
+# squares along an axis that the eye can tell apart
+FINEST = 150
 
 
 def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: Any) -> Any:
@@ -25,7 +28,7 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     ax : matplotlib Axes
         a new one where it is left out
     title : str or None
-        caption(ds), say
+        above it; None: caption(ds), in lines as wide as the axes
     **kwargs : Any
         of the image of the verdicts: of Axes.imshow, or of Axes.pcolormesh where the values of an axis are
         not evenly spaced
@@ -50,7 +53,7 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     >>> chart = gs.charts.stability_chart(top, x=("pi3_0", np.linspace(-4, 4, 80)),
     ...                                   y=("l", np.linspace(-2, 2, 60)), fixed={"I1": 1, "m0": 1})
     >>> gs.plotting.draw_chart(chart, Figure().subplots()).get_xlabel()
-    '$\\pi_3^0$'
+    '$\\pi_3^0$ $[\\mathrm{M\\,L^{2}\\,T^{-1}}]$'
     """
     if ds.verdict.ndim != 2:
         raise ValuesError(f"the verdict has the axes {', '.join(ds.verdict.dims) or '(none)'}, two are "
@@ -78,15 +81,16 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]))
     ax.set_xlabel(_label(seen[dims[1]]))
     ax.set_ylabel(_label(seen[dims[0]]))
-    names = {name: name.replace("_", " ") for name in occurring} | _modulo(ds, occurring)
-    _legend(ax, names | ({DESTROYED: DESTROYED} if destroyed.any() else {}), lined)
-    if title is not None:
-        ax.set_title(title, pad=24, fontsize="medium")  # above the legend
+    shown = [name for name, where in occurring.items() if _visible(where)]
+    names = {name: name.replace("_", " ") for name in shown} | _modulo(ds, shown)
+    if _visible(destroyed):
+        names[DESTROYED] = DESTROYED
+    legend(ax, _handles(names, lined), title=heading(ax, *_said(ds)) if title is None else title)
     return ax
 
 
 def caption(ds: Any) -> str:
-    """The equilibrium, U where it is short, and what is fixed, as a title.
+    """The equilibrium, U, what is fixed and what the others determine, as a title.
 
     Parameters
     ----------
@@ -107,23 +111,23 @@ def caption(ds: Any) -> str:
     >>> print(gs.plotting.caption(chart))
     E1, $U = m_0 k_3$: $I_1 = 1$, $m_0 = 1$
     """
-    field = ds.attrs.get("potential_latex", "")
-    name = ds.attrs["equilibrium"] + (f", $U = {field}$" if 0 < len(field) <= 60 and "dfrac" not in field
-                                      else "")
+    return lines(*_said(ds))
+
+
+def _said(ds: Any) -> tuple[list[str], list[str]]:
+    """The equilibrium and U; what is fixed, and what the others determine."""
+    latex = ds.attrs.get("potential_latex", "")
     names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=order)
-    fixed = [f"${ds[name].attrs.get('latex', name)} = {_number(ds[name])}$" for name in names]
-    rows = [", ".join(fixed[i:i + 6]) for i in range(0, len(fixed), 6)]
-    return ": ".join([name, *([",\n".join(rows)] if rows else [])])
+    fixed = [f"${ds[name].attrs.get('latex', name)} = {number(ds[name].item(), _exact(ds[name]))}$"
+             for name in names]
+    if name := ds.attrs.get("eliminated"):
+        fixed.append(f"{label(name)} determined at each point")
+    return [ds.attrs["equilibrium"], *(field(latex) if latex else [])], fixed
 
 
-def _number(coordinate: Any) -> str:
-    """A number as it was given, where that is short and Matplotlib can set it."""
-    exact = str(coordinate.attrs.get("exact", ""))
-    return (
-        exact
-        if exact and len(exact) <= 8 and set(exact) <= set("0123456789./-")
-        else f"{float(coordinate):.4g}"
-    )
+def _exact(coordinate: Any) -> str:
+    """A fixed number as it was given; of a plane of a larger chart there is none."""
+    return str(coordinate.attrs.get("exact", ""))
 
 
 def _edges(values: Array) -> Array:
@@ -184,12 +188,36 @@ def _line(ax: Any, ds: Any, dims: tuple[str, ...], edges: Sequence[Array]) -> bo
     # the dataset may be a part of a chart
     if not ((left <= x) & (x <= right) & (bottom <= y) & (y <= top)).any():
         return False
-    ax.plot(x, y, color="black", linewidth=1.2)
+    ax.plot(*_off_the_frame(x, y, edges), color="black", linewidth=1.2)
     return True
 
 
+def _off_the_frame(x: Array, y: Array, edges: Sequence[Array]) -> tuple[Array, Array]:
+    """The curves without what runs along the frame in the outermost cells, where the frame itself is seen."""
+    along = np.zeros(len(x) - 1, dtype=bool)
+    for values, ends in zip((x, y), edges):
+        outer = (values < ends[1]) | (values > ends[-2])
+        still = np.abs(np.diff(values)) <= 1e-9 * (ends[-1] - ends[0])
+        along |= outer[:-1] & outer[1:] & still
+    gone = np.isnan(np.diff(x)) | along
+    before, after = np.append(False, along), np.append(along, False)
+    hidden = np.append(True, gone) & np.append(gone, True) & (before | after)
+    return np.where(hidden, np.nan, x), np.where(hidden, np.nan, y)
+
+
+def _visible(where: Array) -> bool:
+    """Whether a verdict fills somewhere a square wider than the line of a boundary."""
+    rows, columns = (max(1, n // FINEST) for n in where.shape)
+    count = np.pad(np.cumsum(np.cumsum(where, axis=0, dtype=np.int64), axis=1), ((1, 0), (1, 0)))
+    inside = (count[rows:, columns:] - count[:-rows, columns:] - count[rows:, :-columns]
+              + count[:-rows, :-columns])
+    return bool((inside == rows * columns).any())
+
+
 def _label(coordinate: Any) -> str:
-    return f"${coordinate.attrs['latex']}$" if "latex" in coordinate.attrs else str(coordinate.name)
+    name = str(coordinate.name)
+    text = f"${coordinate.attrs['latex']}$" if "latex" in coordinate.attrs else name
+    return with_dimension(text, dimension_of(name))
 
 
 def _modulo(ds: Any, names: Iterable[str]) -> dict[str, str]:
@@ -198,12 +226,11 @@ def _modulo(ds: Any, names: Iterable[str]) -> dict[str, str]:
     return {"stable": f"stable modulo {MODULO.get(modulo, modulo)}"} if modulo and "stable" in names else {}
 
 
-def _legend(ax: Any, names: Mapping[str, str], lined: bool) -> None:
-    """What occurs, in a row above the axes, where no data are."""
+def _handles(names: Mapping[str, str], lined: bool) -> list[Any]:
+    """What stands in the legend."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
     handles: list[Any] = [Patch(facecolor=AREAS[name][0], hatch=AREAS[name][1],
                                 edgecolor=INK.get(name, "black"), linewidth=0.6,
                                 label=said) for name, said in names.items()]
-    handles += [Line2D([], [], color="black", linewidth=1.2, label="boundary")] if lined else []
-    legend(ax, handles)
+    return handles + ([Line2D([], [], color="black", linewidth=1.2, label="boundary")] if lined else [])

@@ -12,6 +12,7 @@ from ..algebra.floats import Array
 from ..errors import ScopeError
 from ..mechanics.precession import free_precession
 from .globe import across, arrow, circle, polygons, towards
+from .headings import heading, number, numbers
 from .looks import BLUE, INK, LOOKS, axes_of, label, legend
 
 
@@ -147,5 +148,6 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
     low, high = points.min(axis=0), points.max(axis=0)
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     ax.set_box_aspect(high - low, zoom=1.2)
-    legend(ax, handles)
+    rates = [rf"$\omega_\perp = {number(transverse)}$", rf"$\omega_3 = {number(axial)}$"]
+    legend(ax, handles, title=heading(ax, [], [*numbers(dict(zip(("I1", "I3"), inertia))), *rates]))
     return ax

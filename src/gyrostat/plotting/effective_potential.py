@@ -19,7 +19,8 @@ from ..stability.asked import names_of
 from ..stability.branch import Branch
 from ..stability.branches import branches_at
 from ..stability.report import Verdict
-from .looks import BLUE, DARK, GREY, axes_of, label, legend, marker, meaning, named
+from .headings import heading, of_scene
+from .looks import BLUE, DARK, GREY, axes_of, axis, label, legend, marker, meaning, named
 from .numbers import numbers_of
 
 THETA = symbol("theta")
@@ -191,8 +192,9 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
             handles.append(named(marker(verdict), meaning(verdict, decisions)))
     ax.set_xticks(np.pi / 4 * np.arange(5), ["$0$", r"$\pi/4$", r"$\pi/2$", r"$3\pi/4$", r"$\pi$"])
     ax.set_xlabel(label("theta"))
-    ax.set_ylabel(label("V"))
-    legend(ax, handles, 2)
+    ax.set_ylabel(axis("V", (1, 2, 0)))
+    shown = {} if energy is None else {"h": energy}
+    legend(ax, handles, 2, heading(ax, *of_scene(scene, {**values, **shown})))
     return ax
 
 

@@ -6,8 +6,10 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..mechanics.equilibria import Equilibrium
+from ..notation import dimension_of, typeset
 from ..stability.spectra import spectrum
-from .looks import DARK, GREY, axes_of, label, legend, named
+from .headings import heading, of_scene
+from .looks import DARK, GREY, axes_of, axis, label, legend, named, with_dimension
 
 SHAPES = {"Hamiltonian Hopf": "x", "zero eigenvalue": "+", "real pairs meet": "1"}
 
@@ -57,7 +59,7 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
     >>> numbers, samples = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, np.linspace(2, 0, 80)
     >>> ax = gs.plotting.draw_eigenvalues(top, "omega3_0", samples, numbers, Figure().subplots())
     >>> ax.get_xlabel()
-    '$\\mathrm{Re}\\,\\lambda$'
+    '$\\mathrm{Re}\\,\\lambda$ $[\\mathrm{T^{-1}}]$'
     """
     found = spectrum(eq, name, samples, values)
     ax = axes_of(ax)
@@ -85,11 +87,11 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
         where = ", ".join(f"{collision.value:.4g}" for collision in these)
         handles.append(named(style,
                              f"{'changes: ' if changes else ''}{kind} at {label(name)} = {where}"))
-    if handles:
-        legend(ax, handles, 1)
-    ax.set_xlabel(rf"$\mathrm{{Re}}\,{label('lamda')[1:-1]}$")
-    ax.set_ylabel(rf"$\mathrm{{Im}}\,{label('lamda')[1:-1]}$")
-    ax.figure.colorbar(lines, ax=ax, label=label(name))
+    above, shown = of_scene(eq.system, values)
+    legend(ax, handles, 1, heading(ax, [eq.label, *above], shown))
+    for part, put in (("Re", ax.set_xlabel), ("Im", ax.set_ylabel)):
+        put(with_dimension(rf"$\mathrm{{{part}}}\,{typeset('lamda')}$", dimension_of("lamda")))
+    ax.figure.colorbar(lines, ax=ax, label=axis(name))
     return ax
 
 

@@ -1,5 +1,6 @@
 """Level curves of the energy of a free gyrostat on the momentum sphere abs(M) = const."""
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from sympy import Expr
@@ -22,19 +23,39 @@ def floats(numbers: Sequence[Expr]) -> Array:
     return np.array([float(in_floats(number, np, {})) for number in numbers])
 
 
-def energies_between(points: Sequence[PermanentRotation], count: int) -> Array:
+def energies_between(body: Gyrostat, points: Sequence[PermanentRotation], count: int) -> Array:
     """Energies for level curves.
 
-    Count in each band between the critical ones, closer together near a saddle.
+    Count in each band between the critical ones, as far from each other on the sphere, along the shortest arc
+    from an equilibrium at one end of the band to one at the other.
     """
-    levels = sorted({float(p.energy): p.decision.verdict is Verdict.UNSTABLE and p.circle is None
-                     for p in points}.items())
-    part = np.arange(1, count + 1) / (count + 1)
-    ease = {(False, False): (1 - np.cos(np.pi * part)) / 2, (False, True): part**2,
-            (True, False): 1 - (1 - part) ** 2,
-            (True, True): part}
-    return np.concatenate([low + (high - low) * ease[saddle, above] for (low, saddle),
-                           (high, above) in zip(levels, levels[1:])])
+    inertia, rotor = floats(body.moments), floats(body.gyrostatic_momentum)
+    levels: dict[float, list[PermanentRotation]] = {}
+    for point in points:
+        levels.setdefault(float(point.energy), []).append(point)
+    part, found = np.arange(1, count + 1) / (count + 1), []
+    for low, high in pairwise(sorted(levels)):
+        start, end = min(((floats(p.momentum), _nearest(q, floats(p.momentum)))
+                          for p in levels[low] for q in levels[high]), key=lambda ends: -ends[0] @ ends[1])
+        turn = part[:, None] * np.arccos(np.clip(start @ end / (start @ start), -1, 1))
+        arc = np.cos(turn) * start + np.sin(turn) * np.cross(_normal(start, end), start)
+        energies = ((arc - rotor) ** 2 / inertia).sum(axis=1) / 2
+        rising = bool((np.diff([low, *energies, high]) > 0).all())     # an arc may leave the band
+        found.append(energies if rising else low + (high - low) * part)
+    return np.concatenate(found) if found else np.empty(0)
+
+
+def _nearest(point: PermanentRotation, to: Array) -> Array:
+    """The equilibrium, of a circle of them that which is nearest to another point."""
+    at = floats(point.momentum)
+    if point.circle is None:
+        return at
+    axis = floats(point.circle)
+    aside = to - to @ axis * axis
+    if not aside.any():
+        return at
+    height = at @ axis * axis
+    return height + np.linalg.norm(at - height) / np.linalg.norm(aside) * aside
 
 
 def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: float, energy: float) -> Array:
@@ -80,13 +101,18 @@ def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: flo
     return np.concatenate(pieces[:-1]) if pieces else np.empty((0, 3))
 
 
+def _normal(start: Array, end: Array) -> Array:
+    """The normal of the great circle from one point to another; of any where they are opposite."""
+    aside = np.cross(start, end)
+    if np.linalg.norm(aside) < 1e-9 * (start @ start):
+        aside = np.cross(start, np.eye(3)[np.argmin(np.abs(start))])
+    return aside / np.linalg.norm(aside)
+
+
 def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array,
             energy: float) -> tuple[Array, list[Array]]:
     """The normal of a great circle from one point to another, and the points of the energy between them."""
-    aside = np.cross(start, end)
-    if np.linalg.norm(aside) < 1e-9 * (start @ start):     # they are opposite: any circle
-        aside = np.cross(start, np.eye(3)[np.argmin(np.abs(start))])
-    normal = aside / np.linalg.norm(aside)
+    normal = _normal(start, end)
     ahead = np.cross(normal, start)
     length = np.arctan2(end @ ahead, end @ start) % (2 * np.pi)
 

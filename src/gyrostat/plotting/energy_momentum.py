@@ -2,20 +2,21 @@
 
 Critical values of (C1, h) at a fixed axial momentum.
 """
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from ..algebra.floats import Array, in_floats
-from ..errors import require
+from ..errors import optional, require
 from ..mechanics.reduction import K3, V
 from ..mechanics.system import System
 from ..stability.asked import names_of
 from ..stability.branch import Branch
 from ..stability.critical_values import EnergyMomentum, critical_values
 from ..stability.report import Verdict
-from .looks import DARK, axes_of, label, legend, line, marker, named
+from .headings import heading, of_scene
+from .looks import DARK, axes_of, axis, legend, line, marker, named
 from .numbers import numbers_of
 
 CELLS = 400                                                # of each axis, for the regions
@@ -107,7 +108,7 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     >>> ax = gs.plotting.draw_energy_momentum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1},
     ...                                       ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['stable (curves: modulo the spin)', 'unstable', 'one band of $k_3$']
+    ['stable (curves: modulo the spin)', 'E1: unstable, focus-focus', 'one band of $k_3$']
     """
     found = energy_momentum(scene, values)
     ax = axes_of(ax)
@@ -118,41 +119,50 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     for curve in found.curves:
         ax.plot(curve.momentum, curve.energy, **{**line(curve.verdict), **kwargs})
     names: dict[tuple[float, float], list[str]] = {}
+    focus = [branch.label for *_, branch in found.poles if _focus(branch)]
+    halo = optional("matplotlib.patheffects", "plot").withStroke(linewidth=2.5, foreground=BANDS[1])
     for v, h, branch in found.poles:
         ax.plot([v], [h], zorder=4, **marker(branch.decision.verdict))
-        names.setdefault((v, h), []).append(_name(branch))
+        names.setdefault((v, h), []).append(branch.label)
     for (v, h), several in names.items():
-        inside = any("focus" in name for name in several)  # the curves are below
-        ax.annotate(", ".join(several), (v, h), xytext=(7, 3 if inside else -4), textcoords="offset points",
-                    va="bottom" if inside else "top")
+        inside = any(name in focus for name in several)    # the curves are below
+        ax.annotate(", ".join(several), (v, h), xytext=(0, 5 if inside else -5), textcoords="offset points",
+                    ha="center", va="bottom" if inside else "top", path_effects=[halo])
     handles = []
-    if found.cusps:
+    shown = left, right, low, high
+    poles = {branch.label: branch for v, h, branch in found.poles if _inside(v, h, shown)}
+    if seen := [name for name in focus if name in poles]:
+        handles.append(named(marker(Verdict.UNSTABLE), f"{', '.join(seen)}: unstable, focus-focus"))
+    cusps = [cusp for cusp in found.cusps if _inside(*cusp, shown)]
+    if cusps:
         style = {"color": DARK, "marker": "D", "markersize": 4.5, "linestyle": "none"}
-        ax.plot(*np.array(found.cusps).T, zorder=4, **style)
+        ax.plot(*np.array(cusps).T, zorder=4, **style)
         handles.append(named(style, "changes: fold on a level"))
     ax.set(xlim=(left, right), ylim=(low, high))
-    ax.set_xlabel(label("C1"))
-    ax.set_ylabel(label("h"))
-    seen = {x.verdict for x in found.curves} | {branch.decision.verdict for *_, branch in found.poles}
-    modulo = " (curves: modulo the spin)" if any(x.verdict is Verdict.STABLE for x in found.curves) else ""
-    verdicts = [named({**marker(x), **line(x), **kwargs},
+    ax.set_xlabel(axis("C1", (1, 1, 0)))
+    ax.set_ylabel(axis("h", (1, 2, 0)))
+    curves = {x.verdict for x in found.curves if _inside(x.momentum, x.energy, shown)}
+    points = {branch.decision.verdict for name, branch in poles.items() if name not in focus}
+    modulo = " (curves: modulo the spin)" if Verdict.STABLE in curves else ""
+    verdicts = [named({**(marker(x) if x in points else {}), **(line(x) | kwargs if x in curves else {})},
                       x.name.lower() + (modulo if x is Verdict.STABLE else ""))
-                for x in Verdict if x in seen]
-    legend(ax, [*verdicts, *handles, *_areas(int(count.max()))], 2)
+                for x in Verdict if x in curves | points]
+    legend(ax, [*verdicts, *handles, *_areas(int(count.max()))], 2, heading(ax, *of_scene(scene, values)))
     return ax
 
 
-def _name(branch: Branch) -> str:
-    """E1 or E2; below the critical spin it is a focus-focus point of (C1, h).
+def _inside(momentum: Any, energy: Any, window: Sequence[float]) -> bool:
+    """Whether a point is in the window, or one of a curve."""
+    left, right, low, high = window
+    return bool(np.any((left <= momentum) & (momentum <= right) & (low <= energy) & (energy <= high)))
+
+
+def _focus(branch: Branch) -> bool:
+    """Whether E1 or E2, below the critical spin, is a focus-focus point of (C1, h).
 
     Its eigenvalues are a complex quadruple.
     """
-    decision = branch.decision
-    return (
-        f"{branch.label} (focus)"
-        if decision.verdict is Verdict.UNSTABLE and decision.notion == "spectral"
-        else branch.label
-    )
+    return branch.decision.verdict is Verdict.UNSTABLE and branch.decision.notion == "spectral"
 
 
 def _areas(most: int) -> list[Any]:
@@ -175,4 +185,4 @@ def _window(found: EnergyMomentum) -> tuple[float, float, float, float]:
     near = np.concatenate([[h for _, h, _ in found.poles],
                            *(curve.energy[np.abs(curve.momentum) < width] for curve in found.curves)])
     low, high = float(near.min()), float(near.max())
-    return -width, width, low - 0.08 * (high - low), high + 0.15 * (high - low)
+    return -width, width, low - 0.15 * (high - low), high + 0.15 * (high - low)

@@ -9,6 +9,7 @@ from ..errors import optional
 from .looks import DARK
 
 BACKGROUND, FADED = "#f4f7fb", 0.28
+BESIDE = 0.12                                              # from the head of an axis to its name
 
 
 def stage(ax: Any, radius: float, names: Sequence[str]) -> Array:
@@ -39,11 +40,19 @@ def axis_through(ax: Any, axis: Array, radius: float, eye: Array, name: str) -> 
     if length < (0.05 if axis @ eye >= 0 else 0.35):
         return
     start = radius if axis @ eye >= 0 else radius / length
-    end = max(1.32 * radius, start + 0.3 * radius)
+    end = _end(length, start / radius) * radius
     arrow(ax, axis, end, eye, start, linewidth=0.9, zorder=4 if axis @ eye >= 0 else 0)
     halo = optional("matplotlib.patheffects", "plot").withStroke(linewidth=3, foreground=BACKGROUND)
-    ax.text(*(end * axis + 0.12 * radius / length * seen), name, ha="center", va="center", zorder=5,
+    ax.text(*(end * axis + BESIDE * radius / length * seen), name, ha="center", va="center", zorder=5,
             path_effects=[halo])
+
+
+def _end(length: float, start: float) -> float:
+    """How far an axis goes, so that its name does not lie over the outline, where 1 is the radius."""
+    end = max(1.32, start + 0.3)
+    if end * length + BESIDE >= 1.22:
+        return end
+    return min(end, (0.8 - BESIDE) / length) if length < 0.6 else (1.22 - BESIDE) / length
 
 
 def arrow(ax: Any, along: Array, end: float, eye: Array, start: float = 0.0, **style: Any) -> None:

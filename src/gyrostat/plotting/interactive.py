@@ -10,12 +10,14 @@ from .animation import attitudes
 from .looks import BLUE
 from .solids import Face, solid
 
+TO_COME = "#dde3ea"                                        # of the path
+
 
 def view_motion(motion: Motion, times: Any) -> Any:
     """The body at the given times as a figure of Plotly, with a slider.
 
-    The path of one of its axes on the unit sphere is shown too. Drag to turn it. The body is that of
-    animate_top. It needs the extra interactive.
+    The path of one of its axes on the unit sphere is shown too, what is to come in a faint colour. Drag to
+    turn it. The body is that of animate_top. It needs the extra interactive.
 
     Parameters
     ----------
@@ -27,7 +29,8 @@ def view_motion(motion: Motion, times: Any) -> Any:
     Returns
     -------
     plotly.graph_objects.Figure
-        shown by a notebook; .write_html("motion.html") makes a page of it
+        shown by a notebook; .write_html("motion.html") makes a page of it, which holds the 5 MB of Plotly's
+        own program, or, with include_plotlyjs="cdn", fetches them
 
     Raises
     ------
@@ -45,12 +48,13 @@ def view_motion(motion: Motion, times: Any) -> Any:
     >>> figure = gs.plotting.view_motion(box, [0, 1, 2])  # doctest: +SKIP
     """
     go = optional("plotly.graph_objects", "interactive")
-    turns, path, fine = attitudes(motion, times)
-    faces = solid(motion.scene)
-    frames = [go.Frame(name=f"{t:.4g}", data=[_body(go, faces, R), _path(go, path[:fine * n + 1])],
-                       traces=[1, 2])
+    turns, path, fine, _ = attitudes(motion, times)
+    corners, triangles, colors = _triangles(solid(motion.scene))
+    frames = [go.Frame(name=f"{t:.4g}", traces=[1, 2], data=[
+        go.Mesh3d(**_xyz(corners @ R.T)), go.Scatter3d(line=_come_to(fine * n, len(path)))])
               for n, (t, R) in enumerate(zip(times, turns))]
-    figure = go.Figure(data=[_sphere(go), *frames[0].data], frames=frames)
+    figure = go.Figure(data=[_sphere(go), _body(go, corners @ turns[0].T, triangles, colors),
+                             _path(go, path)], frames=frames)
     still: dict[str, Any] = {"visible": False, "range": [-1.1, 1.1]}
     at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": True}, "transition": {"duration": 0}}
     running = {"fromcurrent": True, "frame": {"duration": 40, "redraw": True}, "transition": {"duration": 0}}
@@ -66,24 +70,42 @@ def view_motion(motion: Motion, times: Any) -> Any:
     return figure
 
 
-def _body(go: Any, faces: list[Face], R: Array) -> Any:
-    """The faces as triangles that share their first corner."""
-    corners = np.concatenate([polygon @ R.T for polygon, _ in faces])
+def _triangles(faces: list[Face]) -> tuple[Array, Array, list[str]]:
+    """The corners, each once; faces as triangles of them that share their first corner; their colours."""
+    every = np.concatenate([polygon for polygon, _ in faces]).round(9)
+    corners, places = np.unique(every, axis=0, return_inverse=True)
     firsts = np.cumsum([0] + [len(polygon) for polygon, _ in faces])
     triangles = np.array([(first, first + n, first + n + 1)
                           for first, (polygon, _) in zip(firsts, faces) for n in range(1, len(polygon) - 1)])
     colors = [color for polygon, color in faces for _ in range(len(polygon) - 2)]
-    return go.Mesh3d(**dict(zip("xyz", corners.T)), **dict(zip("ijk", triangles.T)), facecolor=colors,
-                     flatshading=True, hoverinfo="skip")
+    return corners, places.ravel()[triangles], colors
+
+
+def _xyz(points: Array) -> dict[str, Array]:
+    """Coordinates for Plotly, which are written as they are: four digits are less than a pixel."""
+    return dict(zip("xyz", np.round(points.T, 4).astype(np.float32)))
+
+
+def _body(go: Any, corners: Array, triangles: Array, colors: list[str]) -> Any:
+    return go.Mesh3d(**_xyz(corners), **dict(zip("ijk", triangles.T)), facecolor=colors, flatshading=True,
+                     hoverinfo="skip")
 
 
 def _path(go: Any, path: Array) -> Any:
-    return go.Scatter3d(**dict(zip("xyz", path.T)), mode="lines", line={"color": BLUE, "width": 5},
-                        hoverinfo="skip")
+    """The path, once; how far it has come is told by the range of its colours."""
+    return go.Scatter3d(**_xyz(path), mode="lines", hoverinfo="skip", line={
+        "color": np.arange(len(path), dtype=np.float32), "width": 5, **_come_to(0, len(path)),
+        "colorscale": [[0, BLUE], [0.5, BLUE], [0.5, TO_COME], [1, TO_COME]]})
+
+
+def _come_to(place: int, length: int) -> dict[str, float]:
+    """The range of colours in whose middle, where they change, the path has come to."""
+    return {"cmin": place + 0.5 - length, "cmax": place + 0.5 + length}
 
 
 def _sphere(go: Any) -> Any:
     height, turn = np.meshgrid(np.linspace(-1, 1, 41), np.linspace(0, 2 * np.pi, 61))
     wide = np.sqrt(1 - height**2)
-    return go.Surface(x=wide * np.cos(turn), y=wide * np.sin(turn), z=height, opacity=0.15, showscale=False,
-                      colorscale=[[0, "#9fb4c9"], [1, "#9fb4c9"]], hoverinfo="skip")
+    points = np.stack([wide * np.cos(turn), wide * np.sin(turn), height])
+    return go.Surface(**dict(zip("xyz", np.round(points, 4).astype(np.float32))), opacity=0.15,
+                      showscale=False, colorscale=[[0, "#9fb4c9"], [1, "#9fb4c9"]], hoverinfo="skip")

@@ -6,7 +6,8 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import ArgumentError, optional
-from ..notation import typeset
+from ..notation import dimension_of, typeset
+from ..printing.linebreaks import width
 from ..stability.report import Decision, Verdict
 
 DESTROYED = "destroyed by internal damping"            # what is stable, but not under it
@@ -18,6 +19,7 @@ DARK, BLUE, GREY = "#1f2933", "#1d5b96", "#8592a0"
 LINES = {"stable": (BLUE, "-"), "unstable": (DARK, (0, (4, 2))), "undecided": (INK["undecided"], ":")}
 MARKERS = {"stable": {"color": BLUE, "fillstyle": "full"}, "unstable": {"color": DARK, "fillstyle": "none"},
            "undecided": {"color": INK["undecided"], "fillstyle": "left", "markerfacecoloralt": "white"}}
+SWATCH = 3.6                                           # line and gaps of a legend, in sizes of its letters
 
 
 def line(verdict: Verdict) -> dict[str, Any]:
@@ -67,16 +69,64 @@ def label(name: str) -> str:
     return f"${typeset(name)}$"
 
 
-def legend(ax: Any, handles: Sequence[Any], columns: int | None = None) -> None:
-    """A row, or columns, where no data are: above flat axes, below a view of space."""
-    where = (
-        {"loc": "upper center", "bbox_to_anchor": (0.5, 0.03)}
-        if ax.name == "3d"
-        else {"loc": "lower left", "bbox_to_anchor": (0, 1)}
-    )
-    ax.legend(handles=handles, ncols=columns or len(handles), fontsize="small", frameon=False,
-              borderaxespad=0.2, columnspacing=1.2,
-              handlelength=1.6, **where)
+def axis(name: str, dimension: tuple[int, int, int] | None = None) -> str:
+    r"""A name for an axis, with its dimension in brackets: that of the table, or [M L²]ᵃ [T]⁻ᵇ [L]ᶜ.
+
+    Examples
+    --------
+    >>> axis("omega"), axis("k3")
+    ('$\\omega$ $[\\mathrm{T^{-1}}]$', '$k_3$')
+    """
+    return with_dimension(label(name), dimension or dimension_of(name))
+
+
+def with_dimension(text: str, dimension: tuple[int, int, int] | None) -> str:
+    """The text of an axis and a dimension; nothing after a pure number, or where none is known."""
+    mass, rate, length = dimension or (0, 0, 0)
+    powers = (("M", mass), ("L", 2 * mass + length), ("T", -rate))
+    shown = r"\,".join(unit if power == 1 else f"{unit}^{{{power}}}" for unit, power in powers if power)
+    return f"{text} $[\\mathrm{{{shown}}}]$" if shown else text
+
+
+def legend(ax: Any, handles: Sequence[Any], columns: int | None = None, title: str = "") -> None:
+    """A row, or columns, where no data are: above flat axes, below a view of space; above it a title."""
+    columns, rows = _columns(ax, handles, columns or len(handles)), 0.0
+    where: dict[str, Any] = {}
+    if handles and ax.name == "3d":
+        where = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.03), "borderaxespad": 0.2}
+    elif handles:
+        ticks = ax.yaxis.get_major_formatter()
+        ticks.format_ticks(ax.get_yticks())
+        pad = 1.6 if ticks.get_offset() else 0.2       # room for a power of ten that the ticks have in common
+        where = {"loc": "lower left", "bbox_to_anchor": (0, 1), "borderaxespad": pad}
+    if handles:
+        found = ax.legend(handles=handles, ncols=columns, frameon=False, columnspacing=1.2, handlelength=1.6,
+                          **where)
+        size = found.get_texts()[0].get_fontsize()
+        if ax.name != "3d":
+            rows = size * (1.5 * -(-len(handles) // columns) + pad)
+    ax.set_title(title, pad=4 + rows, fontsize="medium", va="bottom")
+
+
+def room(ax: Any) -> float:
+    """The width of the axes in points, after the figure has laid them out."""
+    figure = ax.get_figure(root=True)
+    if layout := figure.get_layout_engine():
+        layout.execute(figure)
+    return float(ax.get_window_extent().width * 72 / figure.dpi)
+
+
+def _columns(ax: Any, handles: Sequence[Any], most: int) -> int:
+    """As many columns of a legend as the axes have room for."""
+    size = optional("matplotlib", "plot").rcParams["legend.fontsize"]
+    size = optional("matplotlib.font_manager", "plot").FontProperties(size=size).get_size_in_points()
+    space = room(ax) / size
+    wide = [0.08 * width(handle.get_label().replace("$", "")) + SWATCH for handle in handles]
+    for columns in range(most, 1, -1):
+        rows = -(-len(wide) // columns)
+        if sum(max(wide[i:i + rows]) for i in range(0, len(wide), rows)) <= space:
+            return columns
+    return 1
 
 
 def named(style: dict[str, Any], name: str) -> Any:

@@ -13,6 +13,7 @@ from ..stability.permanent_rotations import permanent_rotations
 from ..stability.report import Verdict
 from .energy_levels import energies_between, floats, level_curve
 from .globe import circle, curve_on, dots_on, stage
+from .headings import heading, number, of_scene
 from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
 from .numbers import body_at, numbers_of
 
@@ -93,7 +94,7 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
     ax = axes_of(ax, three=True)
     eye = stage(ax, size, [label(f"M{i}") for i in (1, 2, 3)])
     style = {"color": BLUE, "linewidth": 0.9, **kwargs}
-    chosen = energies_between(points, BAND) if energies is None else energies
+    chosen = energies_between(body, points, BAND) if energies is None else energies
     curve_on(ax, _joined([level_curve(body, points, size, float(energy)) for energy in chosen]), eye, **style)
     handles = [named(style, "polhode")]
     saddles = {float(p.energy) for p in points if p.decision.verdict is Verdict.UNSTABLE and p.circle is None}
@@ -113,8 +114,13 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
         if places:
             dots_on(ax, np.array(places), eye, **marker(verdict))
             handles.append(named(marker(verdict), verdict.name.lower()))
-    legend(ax, handles)
+    legend(ax, handles, title=heading(ax, *_said(scene, values or {}, radius)))
     return ax
+
+
+def _said(scene: System, values: Mapping[str, Any], radius: Any) -> tuple[list[str], list[str]]:
+    above, shown = of_scene(scene, values)
+    return above, [*shown, f"$|M| = {number(radius)}$"]
 
 
 def _joined(curves: Sequence[Array]) -> Array:

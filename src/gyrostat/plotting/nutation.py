@@ -7,6 +7,7 @@ from ..algebra.floats import Array
 from ..errors import ValuesError, require
 from ..trajectories import Motion
 from .globe import circle, curve_on, dots_on, stage
+from .headings import heading, of_motion
 from .looks import BLUE, DARK, GREY, axes_of, label, legend, named
 
 WIDEST = 0.5                                               # of a chord of the unit sphere: 29°
@@ -76,7 +77,8 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
     dots_on(ax, path[:1], eye, color=style["color"], marker="o", linestyle="none", markersize=5)
     named_height = label("k3") if motion.axis[2] == 1 else "its height"
     legend(ax, [named(style, "axis of the body"),
-                *([named(limit, f"limits of {named_height}")] if limits else [])])
+                *([named(limit, f"limits of {named_height}")] if limits else [])],
+           title=heading(ax, *of_motion(motion)))
     return ax
 
 

@@ -1,0 +1,120 @@
+"""What a picture is of, above it: U and the numbers, typeset, in lines that fit."""
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from ..algebra.numbers import exact_number
+from ..errors import optional
+from ..mechanics.potential import Potential
+from ..mechanics.system import System
+from ..notation import order, symbol, typeset
+from ..printing.latex import tex
+from ..printing.linebreaks import broken, width
+from ..printing.names import Names
+from ..trajectories import Motion
+from .looks import room
+
+# points of a line at 10 pt, as wide as a page and at least; lines of U
+ROOM, NARROWEST, LINES = 400.0, 150.0, 3
+MOMENTS, TENSOR = ("I1", "I2", "I3"), ("I11", "I22", "I33", "I23", "I31", "I12")
+
+
+def number(value: Any, exact: str = "") -> str:
+    r"""A number as Matplotlib sets it: the exact text, or its own, where that is short, else four digits.
+
+    Examples
+    --------
+    >>> number(0.333, "1/3"), number(0.123456789), number(2.5e-12)
+    ('1/3', '0.1235', '2.5 \\times 10^{-12}')
+    """
+    exact = exact or str(value)
+    if len(exact) <= 8 and set(exact) <= set("0123456789./-"):
+        return exact
+    mantissa, _, power = f"{float(value):.4g}".partition("e")
+    if not power:
+        return mantissa
+    shown = f"10^{{{int(power)}}}"
+    return {"1": shown, "-1": f"-{shown}"}.get(mantissa, rf"{mantissa} \times {shown}")
+
+
+def numbers(values: Mapping[str, Any]) -> list[str]:
+    """name = number for each, in the order of the notation."""
+    return [f"${typeset(name)} = {number(values[name])}$" for name in sorted(values, key=order)]
+
+
+def field(latex: str) -> list[str]:
+    """U = …; nothing where Matplotlib cannot set it."""
+    text = rf"$U = {latex}$".replace(r"\dfrac", r"\frac")
+    try:
+        optional("matplotlib.mathtext", "plot").MathTextParser("path").parse(text)
+    except ValueError:
+        return []
+    return [text]
+
+
+def of_scene(scene: System, values: Mapping[str, Any]) -> tuple[list[str], list[str]]:
+    """U, and the numbers of the body and the values."""
+    body, potential = scene.body, scene.potential
+    names = MOMENTS if len(body.entries) == 3 else TENSOR
+    entries = dict(zip(names, body.entries))
+    if potential is not None and body.entries[0] == body.entries[1]:
+        del entries[names[1]]
+    across, along = body.gyrostatic_momentum[:2], body.gyrostatic_momentum[2]
+    entries |= {"l": along} if not any(across) else dict(zip(("l1", "l2", "l3"), body.gyrostatic_momentum))
+    known = {name: entry for name, entry in entries.items() if not entry.free_symbols and entry != 0}
+    made = [f"${typeset(name)} = {tex(entry, Names())}$" for name, entry in entries.items()
+            if entry.free_symbols and entry != symbol(name)]
+    given = {name: exact_number(x, name) for name, x in values.items()}
+    return _of_field(potential), [*made, *numbers(known | given)]
+
+
+def _of_field(potential: Potential | None) -> list[str]:
+    if potential is None:
+        return []
+    if potential.given:
+        return field(tex(potential.expression, Names()))
+    return ["$U(k_3)$" if potential.axial else "$U(k)$"]
+
+
+def of_motion(motion: Motion) -> tuple[list[str], list[str]]:
+    """U, and the numbers of the body and of the state at the time 0."""
+    above, shown = of_scene(motion.scene, {})
+    for name, part in (("pi", motion.state[:3]), ("k", motion.state[3:])):
+        if part:
+            shown.append(rf"${typeset(name)}(0) = ({', '.join(map(number, part))})$")
+    return above, shown
+
+
+def lines(above: Sequence[str], shown: Sequence[str], most: float = ROOM) -> str:
+    """What is above, a colon, and the numbers, with a comma after each; broken where a line is full.
+
+    Examples
+    --------
+    >>> lines(["E1", "$U = k_3$"], ["$I_1 = 1$", "$l = 0$"])
+    'E1, $U = k_3$: $I_1 = 1$, $l = 0$'
+    """
+    marks = [*([","] * (len(above) - 1)), *([":"] if above and shown else [""] if above else []),
+             *([","] * (len(shown) - 1)), *([""] if shown else [])]
+    rows: list[str] = []
+    for item, mark in zip([*above, *shown], marks):
+        *wide, last = _broken(item, most)
+        for part in (*wide, last + mark):
+            row = f"{rows[-1]} {part}" if rows else ""
+            if rows and width(row.replace("$", "")) <= most:
+                rows[-1] = row
+            else:
+                rows.append(part)
+    return "\n".join(rows)
+
+
+def _broken(item: str, most: float) -> list[str]:
+    """A formula in parts that fit a line, before its plus and minus signs; of a long one the beginning."""
+    if not item.startswith("$") or width(item[1:-1]) <= most:
+        return [item]
+    parts = [f"${part.strip()}$" for part in broken(item[1:-1], most)]
+    return parts if len(parts) <= LINES else [*parts[:LINES], r"$+\;\ldots$"]
+
+
+def heading(ax: Any, above: Sequence[str], shown: Sequence[str]) -> str:
+    """The same in lines that are no wider than the axes."""
+    size = optional("matplotlib.font_manager", "plot").FontProperties(size="medium").get_size_in_points()
+    return lines(above, shown, max(room(ax) * 10 / size, NARROWEST))
