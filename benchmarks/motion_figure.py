@@ -17,10 +17,10 @@ STYLES = {                                                 # family: label, colo
     "SciPy Radau": ("Radau", "#a6761d", "P"),
     "SciPy LSODA": ("LSODA", "#cc79a7", "X"),
 }
-ROWS = (("M1", "M2", "M3", "M4", "top"), ("generic", "generic", "generic", "near", "near"),
-        ("sleep", "sleep", "sleep", "near", "near"))
+PANELS = (("M1", "t"), ("M3", "t"), ("generic", "1e4"),    # case and time, as they begin
+          ("sleep", "1e2"), ("near a separatrix, d = 1e-2", "t"), ("near a separatrix, d = 1e-6", "t"))
 SMALLEST = 1e-18                                           # where an error of 0 is drawn
-DPI = 110
+DPI = 130
 
 
 @dataclass
@@ -88,19 +88,18 @@ def short_table(panels):
 
 
 def draw(panels, limit, path):
-    """Error of the state against time, a panel for each case and time, on common axes."""
+    """Error of the state against time, a panel for each of some cases, on common axes."""
     matplotlib.use("Agg")
-    figure, grid = plt.subplots(3, 5, figsize=(18, 11.5), dpi=DPI, sharex=True, sharey=True)
-    figure.subplots_adjust(left=0.055, right=0.995, bottom=0.06, top=0.955, wspace=0.04, hspace=0.22)
-    left = list(panels)
-    for axes, start in zip(grid.flat, (name for row in ROWS for name in row)):
+    figure, grid = plt.subplots(2, 3, figsize=(10, 7.6), dpi=DPI, sharex=True, sharey=True)
+    figure.subplots_adjust(left=0.085, right=0.995, bottom=0.085, top=0.94, wspace=0.04, hspace=0.2)
+    for axes, (name, time) in zip(grid.flat, PANELS):
         axes.set(xscale="log", yscale="log", xlim=(3e-3, 6e5), ylim=(SMALLEST / 300, 100))
-        panel = next(panel for panel in left if panel[0].name.startswith(start))
-        left.remove(panel)
-        _panel(axes, *panel, limit)
+        case, label, rows = next(panel for panel in panels if panel[0].name.startswith(name)
+                                 and panel[1].startswith(time))
+        _panel(axes, case, label, rows, limit)
     figure.supxlabel("time of one state, ms; gyrostat without set-up (hollow star) and with it, the others "
-                     "without compilation", size=12)
-    figure.supylabel("error of the state", size=12)
+                     "without compilation", size=11)
+    figure.supylabel("error of the state", size=11)
     figure.canvas.draw()
     for axes in grid.flat:
         _name(axes)
@@ -110,7 +109,7 @@ def draw(panels, limit, path):
 
 def _panel(axes, case, label, rows, limit):
     """The curves, each with its name as label; what took too long is named at the foot."""
-    axes.set_title(f"{case.name}\n{label}", fontsize=9.5)
+    axes.set_title(f"{case.name}\n{label}", fontsize=10.5)
     axes.grid(True, color="0.92", linewidth=0.6)
     axes.set_axisbelow(True)
     for row in (row for row in rows if row.family == OURS):
@@ -130,7 +129,7 @@ def _panel(axes, case, label, rows, limit):
     names = [f"{name} ({late.count(name)})" for name in dict.fromkeys(late)]
     lines = [f"longer than {limit:.0f} s:"] * bool(names) + [", ".join(names[i:i + 4])
                                                              for i in range(0, len(names), 4)]
-    axes.text(0.025, 0.02, "\n".join(lines), transform=axes.transAxes, fontsize=7, color="0.35")
+    axes.text(0.025, 0.02, "\n".join(lines), transform=axes.transAxes, fontsize=8.5, color="0.35")
 
 
 def _name(axes):
@@ -143,7 +142,7 @@ def _name(axes):
     for curve, points in curves:
         if curve.get_label().startswith("_"):
             continue
-        text = axes.text(0, 0, curve.get_label(), fontsize=8, color=curve.get_color(), transform=None)
+        text = axes.text(0, 0, curve.get_label(), fontsize=9.5, color=curve.get_color(), transform=None)
         size, found = np.array(text.get_window_extent().size), []
         for n, point in enumerate(points[::-1]):
             for side in ((0, -0.5), (-1, -0.5), (-0.5, 0), (-0.5, -1), (0, 0), (-1, -1), (0, -1), (-1, 0)):
