@@ -129,7 +129,7 @@ def test_growing_modes_are_those_of_a_viscous_sphere(scene, special, cases, full
         decision, modes = scene(rnd, special)
         if decision.verdict is gs.Verdict.UNDECIDED:
             assert "does not reach every motion" in decision.reason or "to decide" in decision.reason
-            assert modes == 0
+            assert modes == 0 or "from rest" in decision.reason
         elif decision.growing is None:                     # of no linear mode: degenerate
             assert "to fourth order" in decision.reason or "no extremum" in decision.reason
         else:
