@@ -14,8 +14,8 @@ from ..trajectories import motion
 
 # of a turn at first; the longest chord; of halving, and of Newton's method
 TIMES, STEP, STEPS = 128, 0.03, 40
-# of the range of energies: how far below a saddle its curve is followed
-SHIFT = 1e-12
+# of the range of energies: how far below a saddle its curve is followed; where rotations meet M passes slower
+SHIFT, FLAT = 1e-12, 1e-8
 
 
 def floats(numbers: Sequence[Expr]) -> Array:
@@ -85,19 +85,21 @@ def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: flo
     values = [float(point.energy) for point in points]
     near = SHIFT * (max(values) - min(values))
     isolated = [(point, value) for point, value in zip(points, values) if point.circle is None]
-    passes = any(point.decision.verdict is Verdict.UNSTABLE and abs(value - energy) <= near
-                 for point, value in isolated)
+    passed = [point for point, value in isolated
+              if point.decision.verdict is Verdict.UNSTABLE and abs(value - energy) <= near]
+    if any(point.curvature == 0 for point in passed):
+        near *= FLAT / SHIFT
     around = [floats(point.momentum) for point, _ in isolated
               if point.decision.verdict is not Verdict.UNSTABLE]
     left = [(normal, seed) for other in around[1:]
             for normal, seeds in [_on_arc(around[0], other, inertia, rotor,
-                                          energy - near if passes else energy)] for seed in seeds]
+                                          energy - near if passed else energy)] for seed in seeds]
     pieces: list[Array] = []
     while left:
         curve = _turn(scene, left[0][1], rotor, radius)
         left = [(normal, seed) for normal, seed in left[1:]
                 if not _meets(curve, normal, seed, [x for n, x in left if n is normal])]
-        pieces += [_onto_level(curve, inertia, rotor, energy) if passes else curve, np.full((1, 3), np.nan)]
+        pieces += [_onto_level(curve, inertia, rotor, energy) if passed else curve, np.full((1, 3), np.nan)]
     return np.concatenate(pieces[:-1]) if pieces else np.empty((0, 3))
 
 
