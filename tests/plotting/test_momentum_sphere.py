@@ -6,8 +6,7 @@ from draw import moments, numbers
 from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure
-from slow import slow
-from sympy import Rational, sympify
+from sympy import Rational
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
@@ -59,24 +58,6 @@ def test_separatrices_lie_on_sphere_and_level(inertia, rotor, radius):
         M = M[np.isfinite(M[:, 0])]
         np.testing.assert_allclose(np.linalg.norm(M, axis=1), R, rtol=1e-14)
         np.testing.assert_allclose(((M - l) ** 2 / I).sum(axis=1) / 2, energy, rtol=2e-14)
-
-
-@pytest.mark.parametrize(("inertia", "rotor", "radius"), [
-    ((1, 2, 3), (0, 0, "1/2"), 1), *slow(((1, 2, 3), ("1/4", 0, 0), "1/2"),
-                                         (("1/2", "4/3", 1), (1, "-1/3", 0), "sqrt(5)"))])
-def test_where_rotations_meet_the_separatrix_passes(inertia, rotor, radius):
-    """Through two pitchforks and an umbilic that are unstable: on sphere and level, and to the rotation."""
-    body = gs.Gyrostat(inertia, rotor)
-    points = permanent_rotations(body, sympify(radius))
-    (met,) = [p for p in points if p.curvature == 0]
-    assert met.decision.verdict is gs.Verdict.UNSTABLE
-    I, l, M0 = map(floats, (body.inertia, body.gyrostatic_momentum, met.momentum))
-    M = level_curve(body, points, float(sympify(radius)), float(met.energy))
-    M = M[np.isfinite(M[:, 0])]
-    np.testing.assert_allclose(np.linalg.norm(M, axis=1), float(sympify(radius)), rtol=1e-12)
-    np.testing.assert_allclose(((M - l) ** 2 / I).sum(axis=1) / 2, float(met.energy), rtol=1e-9)
-    assert np.linalg.norm(M - M0, axis=1).min() < 0.03
-    drawn(inertia, rotor, radius, [])
 
 
 def test_beside_a_saddle_both_curves_are_there():
