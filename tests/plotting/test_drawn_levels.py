@@ -179,7 +179,7 @@ def poles(scene, seed):
     for s in (1, -1):
         if not scene.pole or scene.pole[1] != s:
             margin = scene.P**2 - 4 * s * scene.I1 * scene.field(float(s), 1)
-            name = f"E{1 if s == 1 else 2}" + (" (focus)" if margin < 0 else "")
+            name = f"E{1 if s == 1 else 2}"
             if abs(margin) > 1e-9:
                 expected[name] = (s * scene.P, scene.rest + scene.field(float(s)), margin > 0)
     drawn = [(*line.get_xydata()[0], line.get_markerfacecolor() != "white")
@@ -189,6 +189,11 @@ def poles(scene, seed):
     for name, (v, h, stable) in expected.items():
         assert any(np.allclose((v, h), xy) and full == stable for *xy, full in drawn), (seed, name, drawn)
         np.testing.assert_allclose(named[name], (v, h))
+    (left, right), (low, high) = scene.ax.get_xlim(), scene.ax.get_ylim()
+    focus = {name for text in scene.ax.get_legend().get_texts() if "focus-focus" in text.get_text()
+             for name in text.get_text().split(":")[0].split(", ")}
+    assert focus == {name for name, (v, h, stable) in expected.items() if not stable
+                     and left <= v <= right and low <= h <= high}, seed
 
 
 @pytest.mark.parametrize("seed", [1])
