@@ -29,6 +29,7 @@ REFUSED = {
     "draw_effective_potential": lambda: gs.plotting.draw_effective_potential(HEAVY, LEVEL),
     "draw_energy_momentum": lambda: gs.plotting.draw_energy_momentum(HEAVY, {"p_psi": 1}),
     "draw_momentum_sphere": lambda: gs.plotting.draw_momentum_sphere(FREE, 2),
+    "draw_rotor_set": lambda: gs.plotting.draw_rotor_set(gs.assemble(gs.Gyrostat(TENSOR)), {"l3": 0, "M": 1}),
     "animate_top": lambda: gs.plotting.animate_top(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
     "view_motion": lambda: gs.plotting.view_motion(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
 }
