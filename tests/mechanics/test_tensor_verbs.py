@@ -57,6 +57,8 @@ OTHERS = {
 @pytest.mark.parametrize("name", REFUSED)
 def test_it_is_refused_with_what_to_do(name):
     """Never silently of the diagonal."""
+    if name == "view_motion":
+        pytest.importorskip("plotly")
     matplotlib.use("Agg")
     with pytest.raises(ScopeError, match=r"principal_axes\(body\) turns the body"):
         REFUSED[name]()
