@@ -43,6 +43,7 @@ def decided(capsys, *arguments):
     return json.loads(out)["equilibria"]
 
 
+@pytest.mark.slow
 def test_a_file_with_rotors_is_the_body_with_a_tensor_and_a_momentum(capsys, tmp_path):
     """The free rotor taken out of the tensor, the other in it."""
     path = tmp_path / "sheet.toml"

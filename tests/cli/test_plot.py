@@ -93,14 +93,15 @@ def contents(figure):
 
 @pytest.mark.parametrize(("arguments", "ours"), [
     (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0.55"), "--momentum", "2"], sphere),
-    (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l1=0 l2=1/4 l3=1/2"), "--momentum", "2", "--energy", "1",
-      "--energy", "1.5"], level),
+    pytest.param(["momentum-sphere", *sets("I1=1 I2=2 I3=3 l1=0 l2=1/4 l3=1/2"), "--momentum", "2",
+                  "--energy", "1", "--energy", "1.5"], level, marks=pytest.mark.slow),
     (["nutation", *HEAVY, *STATE, "--until", "2", "--step", "1/4"], nutation),
     (["effective-potential", *HEAVY, *sets("p_phi=1 p_psi=1"), "--energy", "1.9"], well),
     (["bifurcations", *HEAVY, "--x", "omega=-1/2:3"], branches),
-    (["bifurcations", "--potential", "none", *sets("I1=1 I2=2 I3=3 M=1"), "--x", "l=0:1"], spun_up),
+    pytest.param(["bifurcations", "--potential", "none", *sets("I1=1 I2=2 I3=3 M=1"), "--x", "l=0:1"],
+                 spun_up, marks=pytest.mark.slow),
     (["rotor-set", *sets("I1=1 I2=2 I3=3 l2=0"), "--momentum", "1"], rotors),
-    (["energy-momentum", *HEAVY, *sets("p_psi=1")], diagram),
+    pytest.param(["energy-momentum", *HEAVY, *sets("p_psi=1")], diagram, marks=pytest.mark.slow),
     (["eigenvalues", *HOPF, "--x", "omega3_0=2.2:0:40"], hopf),
     (["cones", *sets("I1=2 I3=1"), "--transverse", "1", "--axial", "2"], rolling)],
                          ids=lambda value: getattr(value, "__name__", ""))

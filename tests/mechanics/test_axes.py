@@ -46,6 +46,7 @@ def test_a_body_of_revolution_is_one():
         assert body.is_of_revolution() and body.gyrostatic_momentum[2]**2 == 16
 
 
+@pytest.mark.slow
 def test_moments_are_surds_or_roots_of_a_cubic():
     """Of entries that are surds too, or floats; nothing is rounded."""
     assert axes([[2, 1, 0], [1, 3, 0], [0, 0, 1]], (1, 0, 0)).moments == (

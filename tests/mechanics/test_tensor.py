@@ -50,7 +50,7 @@ def off(rotation, momentum, R):
     return 0 if rotation.sphere else max(abs(float(x)) for x in (here - there).evalf(30))
 
 
-@pytest.mark.parametrize(("seed", "count"), [(1, 8), *slow((2, 1000))])
+@pytest.mark.parametrize(("seed", "count"), [(1, 3), *slow((2, 1000))])
 def test_a_free_gyrostat_in_any_axes(seed, count, full):
     """Its permanent rotations are the same, those that are degenerate too."""
     draw = random.Random(seed)
@@ -97,7 +97,7 @@ def in_a_field(draw, revolution):
 
 
 @pytest.mark.parametrize("revolution", [True, False])
-@pytest.mark.parametrize(("seed", "count"), [(3, 4), *slow((4, 500))])
+@pytest.mark.parametrize(("seed", "count"), [(3, 1), *slow((4, 500))])
 def test_a_body_in_a_field_in_any_axes(revolution, seed, count, full):
     """The same verdicts, with and without damping, and the same spectrum; bodies of revolution recognised."""
     draw = random.Random(seed)
