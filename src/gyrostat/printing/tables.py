@@ -37,7 +37,7 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
     shown = [part for report in given for part in _parts(report)] + ([_BETWEEN] if between else [])
     symbols = symbol_rows(given[0].equilibrium.system, occurring(shown))
     table = "\n".join((
-        r"\begin{table}[htbp]",
+        r"\begin{table}[htbp]\footnotesize",               # so that a page holds it
         rf"\caption{{Conditions for stability}}{paper.labelled('conditions')}\smallskip",
         rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\end{tabular}", r"\end{table}",
         *([tex(_BETWEEN, names)] if between else ()),
