@@ -14,6 +14,21 @@ def pytest_addoption(parser):
     parser.addoption("--full", action="store_true", help="long campaigns at full size")
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """Of a test marked few(n) n cases, evenly spaced, are in the default run; the others are slow."""
+    cases = {}
+    for item in items:
+        if item.get_closest_marker("few") and not item.get_closest_marker("slow"):
+            cases.setdefault((item.path, item.originalname), []).append(item)
+    for group in cases.values():
+        (count,) = group[0].get_closest_marker("few").args
+        default = {n * len(group) // count for n in range(count)}
+        for n, item in enumerate(group):
+            if n not in default:
+                item.add_marker(pytest.mark.slow)
+
+
 @pytest.fixture(scope="session")
 def full(request):
     """Whether a slow test of many minutes is run in full."""

@@ -94,10 +94,14 @@ def test_values_are_not_mixed_either(capsys):
                                           "k3": "1/2", "pi3_0": "6 N m s"})
 
 
-def test_quantities_of_a_library():
+@pytest.fixture(scope="module")
+def library():
+    return pytest.importorskip("pint").UnitRegistry()
+
+
+def test_quantities_of_a_library(library):
     """With magnitude and units, as pint has them."""
-    pint = pytest.importorskip("pint")
-    of = pint.UnitRegistry().Quantity
+    of = library.Quantity
     assert exact_number(of(3000, "rpm"), "omega") == 100 * pi
     assert exact_number(of(Fraction(1, 3), "kg mm^2"), "I1") == Rational(1, 3 * 10**6)
     with pytest.raises(ValuesError, match="one of kg m"):
@@ -105,11 +109,10 @@ def test_quantities_of_a_library():
 
 
 @pytest.mark.parametrize("name", [*_UNITS, "kg", "mm", "MN", "arcminute", "pound_force", "kJ", "uW"])
-def test_units_are_those_of_a_library(name):
+def test_units_are_those_of_a_library(name, library):
     """Sizes and dimensions, against pint."""
-    pint = pytest.importorskip("pint")
     text = {"Nm": "N*m", "Nms": "N*m*s", "min": "minute", "h": "hour", "rev": "turn"}.get(name, name)
-    theirs = pint.UnitRegistry().Quantity(1, text).to_base_units()
+    theirs = library.Quantity(1, text).to_base_units()
     size, dimension = unit(name)
     assert float(size) == pytest.approx(float(theirs.magnitude), rel=1e-14)
     powers = theirs.dimensionality

@@ -59,6 +59,7 @@ def test_names_as_keywords(reports):
     assert CODE_OF == {Verdict.STABLE: 1, Verdict.UNDECIDED: 0, Verdict.UNSTABLE: -1} and INVALID == -2
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("backend", "threads", "shapes"), [
     ("numpy", 1, ((9, 1), (11,))), ("numpy", 2, ((2, 1, 1), (3, 1), (5,))), ("numpy", 2, ((4, 1), (4, 6))),
     ("numpy", 2, ((30,), (30,))), ("numba", 1, ((2, 1, 1), (3, 1), (5,))), ("numba", 2, ((9, 1), (11,)))])

@@ -24,6 +24,7 @@ def neighbours(x, n=3):
     return np.stack(columns)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_neighbours_of_the_boundary(reports, backend):
     """The doubles next to the boundary, on it and on both sides."""
@@ -76,6 +77,7 @@ def test_stiff_fields(reports, name, backend):
 SCALES = [1e-160, 1e-150, 1e-100, 1.0, 1e100, 1e150, 1e200, 1.7e308, 5e-324, 2.0**-1040]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.filterwarnings("error")
 def test_extreme_scales(reports, backend):

@@ -21,6 +21,7 @@ k3, m0, a = gs.symbol("k3"), gs.symbol("m0"), gs.symbol("a")
 STABLE, UNSTABLE, UNDECIDED = Verdict.STABLE, Verdict.UNSTABLE, Verdict.UNDECIDED
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize("name",
                          [pytest.param(name, marks=[pytest.mark.slow]
                                        * (name in ("logarithm", "exponential"))) for name in NAMES])
@@ -106,6 +107,7 @@ def test_one_float_beside_the_boundary_is_decided(e1, side, scale):
     assert far.verdict in expected or scale < 1e-140 or scale > 1e140
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("low, high", [
     (0, 5e-324), (5e-324, 1e-323), (-5e-324, 5e-324), (0, 2.2e-308), (1e-200, 1e-199), (1e150, 1e200),
     (-1.7e308, 1.7e308),

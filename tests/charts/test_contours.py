@@ -70,6 +70,7 @@ def sign_at(margin, a, b):
     return (value > 0) - (value < 0)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("number", range(7))
 def test_a_margin_changes_its_sign_within_two_ulp(charts, number):
     """Every point lies on a line of the grid.

@@ -25,6 +25,7 @@ BACKENDS = ["numpy", "numba"]
 E1_NAMES = ("I1", "dU", "l", "pi3_0")
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("shapes", [((), (), (7,), ()), ((), (), (13, 1), (15,)), ((), (5, 7), (5, 1), (7,)),
                                     ((8,), (8,), (8,), (8,)),
@@ -111,6 +112,7 @@ def small(names, seed):
     return {n: source.integers(1 if n.startswith("I") else -2, 4, sides[i % 3]) for i, n in enumerate(names)}
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("which", "compiled"), [
     ("e1", True), ("uniform_tilt", True), ("free_body", True), ("e2", False), ("at_rest", False),
     ("general", False), *(pytest.param(which, True, marks=pytest.mark.slow)

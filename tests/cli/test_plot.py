@@ -91,6 +91,7 @@ def contents(figure):
     return found
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("arguments", "ours"), [
     (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0.55"), "--momentum", "2"], sphere),
     pytest.param(["momentum-sphere", *sets("I1=1 I2=2 I3=3 l1=0 l2=1/4 l3=1/2"), "--momentum", "2",

@@ -114,6 +114,7 @@ def test_a_file_draws_the_same_as_options(capsys, file, tmp_path, verb, scene, k
         assert found.verdict.size == 72 and found.I1.attrs["exact"] == "1"
 
 
+@pytest.mark.slow
 def test_the_momentum_sphere_of_a_file(capsys, file, tmp_path):
     """Without a field; a scene with one is refused."""
     drawn = ["momentum-sphere", "--momentum", "1", "--output", str(tmp_path / "sphere.png")]

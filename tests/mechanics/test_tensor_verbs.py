@@ -64,6 +64,7 @@ def test_it_is_refused_with_what_to_do(name):
         REFUSED[name]()
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize("name", ANSWERED)
 def test_it_answers(name, monkeypatch):
     """What it says is compared with principal axes elsewhere."""

@@ -54,6 +54,7 @@ def widening(low, high, n):
     return low + (high - low) * (part + part**2) / 2
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("spacing", "turned"), [
     (np.linspace, (1, 1)), (np.linspace, (-1, 1)), (np.linspace, (1, -1)), (widening, (1, 1)),
     (widening, (-1, -1))])

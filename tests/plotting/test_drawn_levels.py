@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from slow import sampled
 from sympy import Rational
 
 import gyrostat as gs
@@ -203,9 +204,9 @@ def test_critical_values_that_are_drawn(seed):
 
 
 @pytest.mark.slow
-def test_many():
+def test_many(full):
     """The same for many."""
-    for seed in range(10, 60):
+    for seed in range(10, 10 + sampled(50, full, 25)):
         check(seed, 2)
 
 

@@ -48,6 +48,7 @@ def apart(piece, x, rotation, M):
     return gaps[0] if rotation.circle else gaps.max()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("case", [*DEFAULT, pytest.param("tensor", marks=pytest.mark.slow)])
 def test_every_sample_is_a_rotation(case):
     """(1 − ν I) M = l on abs(M) = 1 or the parameter, written out; pieces go from one mark on to the next."""

@@ -84,6 +84,7 @@ def test_products_are_written_as_the_papers_do():
         r"k_3 \left(1 - k_3^{2}\right) \left(a + 2 b k_3\right)")
 
 
+@pytest.mark.slow
 def test_the_order_is_that_of_no_process():
     """Another seed of the hashes, symbols made in another order: the same formula."""
     code = ("import gyrostat as gs; d, k3, b, a = map(gs.symbol, ('d', 'k3', 'b', 'a')); "

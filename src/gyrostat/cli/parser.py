@@ -5,6 +5,7 @@ import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
 from difflib import get_close_matches
+from functools import cache
 
 from ..mechanics.families import called, in_words, known_families, named
 from ..version import __version__
@@ -18,6 +19,7 @@ from .watch import signals
 LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
 
 
+@cache
 def parser() -> argparse.ArgumentParser:
     """The command line's grammar."""
     top = argparse.ArgumentParser(prog="gyrostat", description=PROGRAM, epilog=examples("gyrostat"),

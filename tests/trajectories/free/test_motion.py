@@ -75,6 +75,7 @@ def test_momentum_and_attitude_are_those_of_integration(a, b, c, rotor, M, t):
     assert np.abs(start[:, 0] - end @ np.array(seen, float)).max() < 1e-13
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("inertia", "M", "rotor"), [
     ((2, 2, 1), (1, 2, 3), (0, 0, 1)), ((2, 1, 2), (1, 2, 3), (0, -1, 0)), ((1, 2, 2), (1, 2, -3), REST),
     ((2, 2, 2), (1, 2, 3), (3, 0, -1)), ((1, 2, 3), (0, -2, 0), REST),

@@ -31,6 +31,7 @@ def test_attitude_is_that_of_the_oracle(name):
     np.testing.assert_allclose(found.attitude(float(F(t))), plain(R), rtol=0, atol=1e-14)
 
 
+@pytest.mark.few(9)
 @pytest.mark.parametrize("name", CASES)
 def test_attitude_is_a_rotation_with_k_below(name):
     """Rᵀ R = 1, det R = 1, the third row is k/abs(k), the angles are those of R.

@@ -67,6 +67,7 @@ QUICK = [("degree 3", "-1e-6"), ("degree 3", "1e-14"), ("degree 6", "1e-2"), ("e
          ("exp", "-1e-14")]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("kind", "gap"), [
     *QUICK, *slow(*((kind, gap) for kind in THIRD for gap in GAPS if (kind, gap) not in QUICK))])
 def test_roots_that_almost_meet(kind, gap):
@@ -114,6 +115,7 @@ def elsewhere(U, side, size, mass):
                              gs.axial_potential(lambda k3: mass * U.subs(z, side * k3 / size))), tuple(state))
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("gap", ["1e-3", "1e-10", "1e-14"])
 @pytest.mark.parametrize("third", BESIDE, ids=["exp", "log", "bell", "pole", "sin"])
 def test_the_pair_beside_a_motion_is_found(third, gap):
