@@ -69,7 +69,9 @@ def test_the_picture_shows_what_was_followed():
     """Lines of M3 against l3, solid where stable; open marks at the pitchforks; what the legend says."""
     body, name, ends, values = CASES["along an axis"]
     ax = draw_bifurcation_diagram(gs.assemble(body), name, ends, values, Figure().subplots())
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$l_3$", "$M_{3}$")
+    dimension = r"$[\mathrm{M\,L^{2}\,T^{-1}}]$"
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (f"$l_3$ {dimension}", f"$M_{{3}}$ {dimension}")
+    assert ax.get_title() == "$I_1 = 1$, $I_2 = 2$, $I_3 = 3$, $|M| = 1$"
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["stable", "unstable", "pitchfork"]
     (marks,) = [line for line in ax.lines if line.get_marker() == "P"]
     assert sorted(zip(*map(list, marks.get_data()))) == [(-2, 1), (-0.5, 1), (0.5, -1), (2, -1)]
@@ -84,7 +86,9 @@ def test_against_another_name_it_is_the_rate():
     """ν against M; the fold at its value."""
     body, name, ends, values = CASES["general"]
     ax = draw_bifurcation_diagram(gs.assemble(body), name, ends, values, Figure().subplots())
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$M$", "$\\nu$")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (
+        r"$|M|$ $[\mathrm{M\,L^{2}\,T^{-1}}]$", r"$\nu$ $[\mathrm{T^{-1}}]$")
+    assert "|M|" not in ax.get_title()
     (marks,) = [line for line in ax.lines if line.get_marker() == "D"]
     assert len(marks.get_xdata()) == 2
 

@@ -66,10 +66,13 @@ def test_counts_in_doubles_are_those_of_sturm():
 
 
 def test_axes_and_legend(drawn):
-    """The free components; pitchforks only where the third is 0."""
+    """What the picture is of; the free components and their dimension; pitchforks where the third is 0."""
     ax, free, held = drawn
     names = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert (ax.get_xlabel(), ax.get_ylabel()) == tuple(f"$l_{name[1]}$" for name in free)
+    dimension = r"$[\mathrm{M\,L^{2}\,T^{-1}}]$"
+    assert (ax.get_xlabel(), ax.get_ylabel()) == tuple(f"$l_{name[1]}$ {dimension}" for name in free)
+    (name, value), = held.items()
+    assert ax.get_title() == f"$l_{name[1]} = {value}$, $I_1 = 1$, $I_2 = 2$, $I_3 = 3$, $|M| = 1$"
     assert names == (["fold", "pitchfork"] if "0" in held.values() else ["fold"])
 
 

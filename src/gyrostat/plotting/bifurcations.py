@@ -15,16 +15,18 @@ from ..stability.continuation import Continuation, continuation
 from ..stability.followed_rotations import RotationContinuation
 from ..stability.kinds import precessions_leave, tilt_leaves
 from ..stability.meetings import BifurcationPoint
+from ..stability.permanent_rotations import LENGTH
 from ..stability.pieces import INFINITE, Mark, Piece
 from ..stability.report import Verdict
-from .headings import heading, of_scene
-from .looks import DARK, axes_of, axis, label, legend, line, marker, named
+from .headings import heading, of_scene, of_sphere
+from .looks import DARK, axes_of, axis, label, legend, line, marker, named, with_dimension
 
 CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p"}
 MEETINGS = {tilt_leaves(E1): "^", tilt_leaves(E2): "v", "fold at fixed rate": "D",
             "pitchfork at fixed rate": "P", "crossing at fixed rate": "X", INFINITE: "x"}
 ROTATIONS = {"fold": "D", "pitchfork": "P", "umbilic": "X", "circle leaves an axis": "o",
              "circle at this value alone": "s", "sphere at this value alone": "*"}
+MOMENTUM, RATE = (1, 1, 0), (0, 1, 0)                      # dimensions
 CLEARANCE = 0.11                                           # of the names, in k3
 
 
@@ -84,7 +86,7 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     found = continuation(scene, name, ends, values)
     ax = axes_of(ax)
     if isinstance(found, RotationContinuation):
-        return _draw_rotations(found, scene, name, ax, kwargs)
+        return _draw_rotations(found, scene, name, values, ax, kwargs)
     for piece in found.pieces:
         alone = len(piece.parameter) == 1
         ax.plot(piece.parameter, piece.k3, **{**(marker if alone else line)(piece.verdict), "clip_on": False,
@@ -113,13 +115,13 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     return ax
 
 
-def _draw_rotations(found: RotationContinuation, scene: System, name: str, ax: Any,
-                    kwargs: Mapping[str, Any]) -> Any:
+def _draw_rotations(found: RotationContinuation, scene: System, name: str,
+                    values: Mapping[str, Any], ax: Any, kwargs: Mapping[str, Any]) -> Any:
     """Of a free gyrostat."""
     rotor = scene.body.gyrostatic_momentum
-    axis = rotor.index(symbol(name)) if symbol(name) in rotor else None
+    entry = rotor.index(symbol(name)) if symbol(name) in rotor else None
     for piece in found.pieces:
-        height = piece.nu if axis is None else piece.momentum[:, axis]
+        height = piece.nu if entry is None else piece.momentum[:, entry]
         ax.plot(piece.parameter, height, **{**line(piece.verdict), "clip_on": False, **kwargs})
     handles = [named({**line(verdict), **kwargs}, verdict.name.lower()) for verdict in Verdict
                if verdict in {piece.verdict for piece in found.pieces}]
@@ -127,20 +129,21 @@ def _draw_rotations(found: RotationContinuation, scene: System, name: str, ax: A
         if marks := [mark for mark in found.marks if mark.kind == kind]:
             style = {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none",
                      "markerfacecolor": "white"}
-            ax.plot([float(mark.value) for mark in marks], [_height(mark, axis) for mark in marks], zorder=4,
+            ax.plot([float(mark.value) for mark in marks], [_height(mark, entry) for mark in marks], zorder=4,
                     clip_on=False, **style)
             handles.append(named(style, kind))
     ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
     ax.set(xlim=(min(ends), max(ends)))
-    ax.set_xlabel(label(name))
-    ax.set_ylabel(label("nu" if axis is None else f"M{axis + 1}"))
-    legend(ax, handles, 3)
+    ax.set_xlabel(with_dimension("$|M|$", MOMENTUM) if name == LENGTH.name else axis(name))
+    ax.set_ylabel(axis("nu", RATE) if entry is None else axis(f"M{entry + 1}", MOMENTUM))
+    said = of_scene(scene, values) if name == LENGTH.name else of_sphere(scene, values, values[LENGTH.name])
+    legend(ax, handles, 3, heading(ax, *said))
     return ax
 
 
-def _height(mark: BifurcationPoint, axis: int | None) -> float:
+def _height(mark: BifurcationPoint, entry: int | None) -> float:
     assert mark.nu is not None and mark.momentum is not None
-    return float(mark.nu if axis is None else mark.momentum[axis])
+    return float(mark.nu if entry is None else mark.momentum[entry])
 
 
 def _style(mark: Mark, shape: str) -> dict[str, Any]:

@@ -59,12 +59,19 @@ def of_scene(scene: System, values: Mapping[str, Any]) -> tuple[list[str], list[
     if potential is not None and body.entries[0] == body.entries[1]:
         del entries[names[1]]
     across, along = body.gyrostatic_momentum[:2], body.gyrostatic_momentum[2]
-    entries |= {"l": along} if not any(across) else dict(zip(("l1", "l2", "l3"), body.gyrostatic_momentum))
+    entries |= {"l": along} if not any(across) and along != symbol("l3") else dict(
+        zip(("l1", "l2", "l3"), body.gyrostatic_momentum))
     known = {name: entry for name, entry in entries.items() if not entry.free_symbols and entry != 0}
     made = [f"${typeset(name)} = {tex(entry, Names())}$" for name, entry in entries.items()
             if entry.free_symbols and entry != symbol(name)]
     given = {name: exact_number(x, name) for name, x in values.items()}
     return _of_field(potential), [*made, *numbers(known | given)]
+
+
+def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[list[str], list[str]]:
+    """The same of a free body, and the radius of its momentum sphere."""
+    above, shown = of_scene(scene, {name: x for name, x in values.items() if name != "M"})
+    return above, [*shown, f"$|M| = {number(momentum)}$"]
 
 
 def _of_field(potential: Potential | None) -> list[str]:

@@ -13,7 +13,7 @@ from ..stability.permanent_rotations import permanent_rotations
 from ..stability.report import Verdict
 from .energy_levels import energies_between, floats, level_curve
 from .globe import circle, curve_on, dots_on, stage
-from .headings import heading, number, of_scene
+from .headings import heading, of_sphere
 from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
 from .numbers import body_at, numbers_of
 
@@ -114,13 +114,8 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
         if places:
             dots_on(ax, np.array(places), eye, **marker(verdict))
             handles.append(named(marker(verdict), verdict.name.lower()))
-    legend(ax, handles, title=heading(ax, *_said(scene, values or {}, radius)))
+    legend(ax, handles, title=heading(ax, *of_sphere(scene, values or {}, radius)))
     return ax
-
-
-def _said(scene: System, values: Mapping[str, Any], radius: Any) -> tuple[list[str], list[str]]:
-    above, shown = of_scene(scene, values)
-    return above, [*shown, f"$|M| = {number(radius)}$"]
 
 
 def _joined(curves: Sequence[Array]) -> Array:

@@ -14,7 +14,8 @@ from ..notation import symbol
 from ..stability.asked import exact_point
 from ..stability.permanent_rotations import LENGTH, NU
 from ..stability.rotor_planes import fold_intervals, fold_squares, numbers_of_rotations_over
-from .looks import BLUE, DARK, axes_of, label, legend, named
+from .headings import heading, of_sphere
+from .looks import BLUE, DARK, axes_of, axis, legend, named
 
 ARC, CELLS = 400, 120                                      # samples of an arc, of the plane each way
 FOLD, PITCHFORK = {"color": DARK, "linewidth": 1.4}, {"color": BLUE, "linewidth": 1.4}
@@ -23,7 +24,7 @@ SHADES = {2: "#ffffff", 4: "#e4edf5", 6: "#c3d7e8"}
 
 
 def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **kwargs: Any) -> Any:
-    """Draw where, in a plane of the rotor at a given abs(M), permanent rotations of a free gyrostat meet.
+    r"""Draw where, in a plane of the rotor at a given abs(M), permanent rotations of a free gyrostat meet.
 
     Two components of l along principal axes are free, the third has a value. Dark: folds, two rotations meet;
     blue, where the third component is 0: pitchforks, two off the plane meet one in it. In each region stands
@@ -64,7 +65,7 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     >>> ax = gs.plotting.draw_rotor_set(gs.assemble(gs.Gyrostat((1, 2, 3))), {"l2": 0, "M": 1},
     ...                                 Figure().subplots())
     >>> sorted({text.get_text() for text in ax.texts}), ax.get_xlabel()
-    (['2', '4', '6'], '$l_1$')
+    (['2', '4', '6'], '$l_1$ $[\\mathrm{M\\,L^{2}\\,T^{-1}}]$')
     """
     body, radius, free = _section(scene, values)
     held = next(n for n in range(3) if n not in free)
@@ -82,12 +83,12 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
                 ax.plot(sx * curve[0], sy * curve[1], **{**style, **kwargs})
         if curves:
             handles.append(named({**style, **kwargs}, name))
-    for number, place in _places(x, y, counts):
-        ax.text(*place, str(number), ha="center", va="center")
+    for rotations, place in _places(x, y, counts):
+        ax.text(*place, str(rotations), ha="center", va="center")
     ax.set(xlim=(-width, width), ylim=(-height, height))
-    ax.set_xlabel(label(f"l{free[0] + 1}"))
-    ax.set_ylabel(label(f"l{free[1] + 1}"))
-    legend(ax, handles)
+    ax.set_xlabel(axis(f"l{free[0] + 1}"))
+    ax.set_ylabel(axis(f"l{free[1] + 1}"))
+    legend(ax, handles, title=heading(ax, *of_sphere(scene, values, values[LENGTH.name])))
     return ax
 
 
