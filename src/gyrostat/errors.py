@@ -1,4 +1,5 @@
 """Every exception that gyrostat raises on purpose; each is also a builtin."""
+from collections.abc import Mapping
 from importlib import import_module
 from importlib.util import find_spec
 from types import ModuleType
@@ -125,17 +126,28 @@ _EXTRAS = {
 
 
 def optional(module: str, extra: str) -> ModuleType:
-    """A module that the extra brings, imported when it is first used.
+    """A module that the extra brings, imported when it is first used."""
+    needed({module: extra})
+    return import_module(module)
 
-    Where it is missing, all that is missing of the extra is named.
+
+def needed(extras: Mapping[str, str]) -> None:
+    """Refuse where one of the modules is missing, of which each is brought by its extra.
+
+    All that is missing of these extras is named at once.
     """
-    try:
-        return import_module(module)
-    except ImportError as error:
-        missing = [name for name in _EXTRAS[extra] if find_spec(name) is None] or [module]
+    missing, failed, reason = list[str](), list[str](), None
+    for module, extra in extras.items():
+        try:
+            import_module(module)
+        except ImportError as error:
+            reason = reason or error
+            failed += [extra] if extra not in failed else []
+            missing += [name for name in _EXTRAS[extra] if find_spec(name) is None] or [module]
+    if reason is not None:
+        missing = list(dict.fromkeys(missing))
         several = len(missing) > 1
-        raise MissingExtraError(f"{', '.join(missing)} cannot be imported ({error}): "
+        raise MissingExtraError(f"{', '.join(missing)} cannot be imported ({reason}): "
                                 f"{'they are' if several else 'it is an'} optional "
                                 f'package{"s" if several else ""}; install {"them" if several else "it"} '
-                                'with '
-                                f'pip install "gyrostat[{extra}]"') from error
+                                f'with pip install "gyrostat[{",".join(failed)}]"') from reason

@@ -118,6 +118,15 @@ def test_missing_extras_are_named(capsys, tmp_path, monkeypatch, missing, kind, 
     assert list(tmp_path.iterdir()) == []
 
 
+def test_all_that_a_picture_needs_is_named_at_once(capsys, tmp_path, monkeypatch):
+    """Of both extras, with one command."""
+    for missing in ("matplotlib", "xarray"):
+        monkeypatch.setitem(sys.modules, missing, None)
+    status, out, err = chart(capsys, *SPINS, "--output", str(tmp_path / "chart.png"))
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert "xarray" in err and "matplotlib" in err and 'pip install "gyrostat[charts,plot]"' in err
+
+
 def test_progress_of_a_chart(capsys, tmp_path, monkeypatch):
     """A bar on a terminal, of the blocks of a store, wiped at the end."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)

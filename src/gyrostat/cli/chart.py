@@ -27,7 +27,7 @@ LARGEST = 10**9                                        # points of a chart that 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the chart; 0."""
     given = with_scene(given)
-    path = file_of(out, "chart", PICTURES + DATA, KINDS)
+    path = file_of(out, "chart", PICTURES + DATA, KINDS, {"xarray": "charts"})
     numbers = numbers_of(given.values)
     axes = dict(_axes([("--axis", text) for text in given.axis or ()] + [("--y", given.y), ("--x", given.x)]))
     if len(axes) > 2 and path.suffix in PICTURES:

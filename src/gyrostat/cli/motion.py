@@ -16,7 +16,7 @@ from sympy import Add, Expr, Rational, floor, sqrt
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..charts.progress import telling
-from ..errors import ValuesError, optional
+from ..errors import ValuesError
 from ..notation import NOTATION
 from ..plotting import animate_top, draw_momentum_sphere, draw_nutation, save_animation
 from ..plotting.globe import curve_on, dots_on, towards
@@ -50,8 +50,6 @@ def run(given: argparse.Namespace, out: Output) -> int:
                           "write a .csv")
     times = times_of(given, {**dict.fromkeys(PICTURES, POINTS),
                              **dict.fromkeys(FILMS, FRAMES)}.get(kind, ROWS))
-    if kind == ".nc":
-        optional("xarray", "charts")                    # before anything is computed
     moving = motion_of(given)
     if path is None or kind == ".csv":
         drift = _table(moving, times, out, digits)

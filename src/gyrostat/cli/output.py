@@ -3,18 +3,21 @@ import errno
 import os
 import shutil
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from io import TextIOWrapper
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, TextIO
 
 from ..charts import progress
-from ..errors import ValuesError, optional
+from ..errors import ValuesError, needed
 from ..printing.files import written
 
 PICTURES, FILMS = (".png", ".pdf", ".svg"), (".gif", ".mp4")
-EXTRAS = dict.fromkeys((*PICTURES, *FILMS), ("matplotlib", "plot")) | {".nc": ("netCDF4", "charts")}
+# the modules of each kind of file, and the extras that bring them
+EXTRAS = {**dict.fromkeys((*PICTURES, *FILMS), {"matplotlib": "plot"}),
+          ".nc": {"xarray": "charts", "netCDF4": "charts"}, ".zarr": {"zarr": "charts", "dask": "charts"}}
 
 
 NARROWEST, WIDTH = 60, 100                             # columns of a text; of one that goes to no terminal
@@ -122,15 +125,15 @@ def silenced() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def file_of(out: Output, what: str, kinds: Sequence[str], names: str) -> Path:
-    """The file to write, of a kind that there is, and its packages."""
+def file_of(out: Output, what: str, kinds: Sequence[str], names: str,
+            extras: Mapping[str, str] = MappingProxyType({})) -> Path:
+    """The file to write, of a kind that there is; the packages for it and what else is needed are there."""
     if out.path is None:
         raise ValuesError(f"--output is missing, a {what} goes to a file: name {names}")
     path = Path(out.path)
     if path.suffix not in kinds:
         raise ValuesError(f"--output {path} is of no kind that is written: name {names}")
-    if path.suffix in EXTRAS:
-        optional(*EXTRAS[path.suffix])
+    needed({**extras, **EXTRAS.get(path.suffix, {})})
     path.parent.stat()                                 # raises OSError where there is no such folder
     return path
 
