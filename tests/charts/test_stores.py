@@ -4,6 +4,7 @@ import os
 import pickle
 import subprocess
 import sys
+from io import StringIO
 from pathlib import Path
 
 import numpy as np
@@ -134,12 +135,32 @@ def test_progress_on_a_terminal(e1, ten_blocks, tmp_path, capsys, monkeypatch):
     """A bar on standard error, wiped at the end; none where it is not wanted, or there is no terminal."""
     stability_chart(e1, **GRID, store=tmp_path / "quiet.zarr")
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     stability_chart(e1, **GRID, store=tmp_path / "silent.zarr", progress=False)
     assert capsys.readouterr() == ("", "")
     stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
     out, err = capsys.readouterr()
     assert out == "" and "] 10/10" in err and err.endswith(" \r")
+
+
+def test_progress_waits_some_seconds(e1, ten_blocks, tmp_path, capsys, monkeypatch):
+    """What is done sooner says nothing."""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.charts.progress.QUIET", 1e6)
+    stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
+    assert capsys.readouterr() == ("", "")
+
+
+def test_progress_in_a_notebook(e1, capsys, monkeypatch):
+    """Below the cell, of a chart in memory."""
+    class OutStream(StringIO):
+        __module__ = "ipykernel.iostream"
+
+    monkeypatch.setattr(sys, "stderr", cell := OutStream())
+    monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
+    stability_chart(e1, **GRID)
+    assert "verdicts     [" in cell.getvalue() and cell.getvalue().endswith(" \r")
 
 
 @pytest.mark.parametrize("missing", ["zarr", "dask"])

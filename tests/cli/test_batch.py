@@ -98,6 +98,7 @@ def test_progress_of_a_batch(capsys, monkeypatch, tmp_path):
     message.
     """
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     given = tmp_path / "tops.jsonl"
     given.write_bytes(b"\n".join(LINES[:4]))

@@ -127,10 +127,23 @@ def test_all_that_a_picture_needs_is_named_at_once(capsys, tmp_path, monkeypatch
     assert "xarray" in err and "matplotlib" in err and 'pip install "gyrostat[charts,plot]"' in err
 
 
+def test_progress_of_a_picture(capsys, tmp_path, monkeypatch):
+    """Of a chart in memory too, block by block, wiped at the end."""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.charts.arrays.NUMPY_BLOCK", 3 * 40)
+    monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
+    monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
+    status, out, err = chart(capsys, *SPINS, "--output", str(tmp_path / "chart.png"))
+    assert status == 0 and out == "" and "verdicts     [" in err and err.endswith(" \r")
+    shown = [line for line in err.split("\r") if "[" in line]
+    assert len(shown) > 2 and "[" + "#" * 30 + "]" in shown[-1]
+
+
 def test_progress_of_a_chart(capsys, tmp_path, monkeypatch):
     """A bar on a terminal, of the blocks of a store, wiped at the end."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setattr("gyrostat.charts.stores.POINTS", 3 * 40)
+    monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     status, out, err = chart(capsys, *SPINS, "--output", str(tmp_path / "chart.zarr"))
     assert status == 0 and out == "" and "chart        [" in err and "] 10/10" in err and err.endswith(" \r")

@@ -97,6 +97,7 @@ def test_a_general_body_is_integrated(capsys, tmp_path, monkeypatch):
     # heyoka compiles longer than this takes
     monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     sets = [f"--set={number}" for number in ("I1=1", "I2=2", "I3=3", "l1=0", "l2=0.1", "l3=1/2", "a=-1")]
     given = ["--potential", "a*k1*k2 + k3", *sets, "--state", "0.1,0,5,0,0,1", "--until", "-2", "--count",

@@ -78,6 +78,7 @@ def test_a_picture_file(capsys, tmp_path):
 def test_an_animation(capsys, tmp_path, monkeypatch):
     """A picture for each time, of a body that turns; on a terminal a bar."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     status, out, err = run(capsys, *FREE, "--until", "3", "--count", "3", "--output",
                            str(tmp_path / "box.gif"))

@@ -110,6 +110,7 @@ def test_verify_a_file_of_ones_own(capsys, tmp_path):
 def test_progress_on_a_terminal(capsys, tmp_path, monkeypatch):
     """A bar on standard error, wiped at the end."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
     (path := tmp_path / "mine.toml").write_text(OWN)
     _, out, err = verify(capsys, str(path))
     assert "#" in err and "mine" in err and err.rstrip(" ").endswith("\r") and "#" not in out

@@ -11,6 +11,7 @@ from ..stability.secular import secular_of
 from ..stability.values import check_family
 from .deciding import Decided, demands_of
 from .grids import Grid, grid_of
+from .progress import Told, telling
 from .screens import Screen, screened
 from .signs import dyadic_rational
 from .writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
@@ -18,7 +19,8 @@ from .writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 
 def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damped: bool = False,
              invalid: str = "raise", backend: str = "numpy",
-             threads: int = 1, out: Array | None = None, **arrays: Any) -> Array:
+             threads: int = 1, out: Array | None = None, progress: Told | bool | None = None,
+             **arrays: Any) -> Array:
     """The exact verdict at every point of a grid.
 
     What Report.verdict says of each point, near the speed of the margin in doubles: those decide where they
@@ -41,6 +43,9 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damp
     threads : int
     out : array of int8 or None, of the common shape
         to write to; it may overlap the arrays given
+    progress : callable, False or None
+        called with the blocks that are done and all blocks; None: a bar on a terminal or in a notebook, where
+        it takes longer than some seconds
     **arrays : number or array, any shape
         the same as values, by keyword
 
@@ -90,13 +95,15 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damp
     demands = demands_of(report, grid, damped)
     if backend == "numba" and screened(grid, demands):
         screen = Screen(report, grid, demands)
-        firsts = in_threads(lambda some: screen.fill(some, merged), screen.blocks(threads), threads)
+        with telling(progress, "verdicts") as told:
+            firsts = in_threads(lambda some: screen.fill(some, merged), screen.blocks(threads), threads, told)
     else:
         if invalid == "raise":
             _refuse_strange(report, given, grid, damped)
         blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
-        firsts = in_threads(lambda some: Decided(report, grid, backend, damped).fill(some, merged), blocks,
-                            threads)
+        with telling(progress, "verdicts") as told:
+            firsts = in_threads(lambda some: Decided(report, grid, backend, damped).fill(some, merged),
+                                blocks, threads, told)
     if invalid == "raise" and (bad := [first for first in firsts if first is not None]):
         _refuse_strange(report, given, grid, damped)
         place = min(bad)

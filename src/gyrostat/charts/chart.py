@@ -55,7 +55,8 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
         "numpy", or "numba" (extra fast)
     threads : int
     progress : callable, False or None
-        called with the blocks that are done and all blocks of a store; None: a bar on a terminal
+        called with the blocks that are done and all blocks, in memory of damped once more; None: a bar on a
+        terminal or in a notebook, where it takes longer than some seconds
 
     Returns
     -------
@@ -101,7 +102,7 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
                   bool(margins), backend, bool(damped))
     if store is not None:
         return filled(Path(store), request, arrays, threads, progress)
-    found = request.variables(arrays, threads)
+    found = request.variables(arrays, threads, progress)
     return described(request, arrays, found, found["verdict"])
 
 

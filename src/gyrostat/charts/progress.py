@@ -10,21 +10,21 @@ from time import monotonic
 Told = Callable[[int, int], object]
 
 WIDTH, PAUSE = 30, 0.1                                     # characters of a bar; seconds from one to the next
-# seconds until a process that waits says that the other works
+# seconds until anything is said
 QUIET = 2.0
 # one byte for both of them: whether the one that works has the terminal
 _shared: list[mmap.mmap] = []
 
 
 class Progress:
-    """A line on a terminal, drawn again a few times a second and wiped at the end.
+    """A line on a terminal or below a cell of a notebook, of work that takes longer than some seconds.
 
-    Nothing where there is no terminal.
+    It is drawn again a few times a second, and wiped at the end.
     """
 
     def __init__(self, shown: bool = True):
-        self.shown = shown and on_terminal()
-        self.length, self.next = 0, 0.0
+        self.shown = shown and (on_terminal() or in_notebook())
+        self.length, self.next = 0, monotonic() + QUIET
 
     def show(self, name: str, done: int, total: int | None = None) -> None:
         """A bar, or a counter where the total is not known."""
@@ -78,6 +78,11 @@ def on_terminal() -> bool:
     return sys.stderr is not None and sys.stderr.isatty()
 
 
+def in_notebook() -> bool:
+    """Whether standard error is shown below a cell of a notebook."""
+    return type(sys.stderr).__module__ == "ipykernel.iostream"
+
+
 def taken() -> None:
     """From now on this process writes to the terminal; the line of the one that waits for it is wiped."""
     if _shared and not _shared[0][0]:
@@ -90,7 +95,7 @@ def taken() -> None:
 def telling(progress: Told | bool | None, name: str) -> Iterator[Told]:
     """What to call as work goes on.
 
-    The function given, nothing for False, else a bar on a terminal, wiped at the end.
+    The function given, nothing for False, else a bar, wiped at the end.
     """
     bar = Progress(progress is not False)
     try:

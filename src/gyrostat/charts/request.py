@@ -12,6 +12,7 @@ from ..stability.report import Report
 from .arrays import verdicts
 from .contours import boundary, thinned
 from .numeric import compile_margin
+from .progress import Told
 
 
 @dataclass(frozen=True)
@@ -57,15 +58,17 @@ class Request:
         return [*self.all_margins, *(ring.expression(top * bottom)
                                      for top, bottom in map(ring.fraction, existence))]
 
-    def variables(self, arrays: Sequence[Array], threads: int = 1) -> dict[str, Array]:
+    def variables(self, arrays: Sequence[Array], threads: int = 1,
+                  progress: Told | bool | None = False) -> dict[str, Array]:
         """Verdicts, and what else is wanted, over the grid of the arrays, one for each axis."""
         grid = {name: array.reshape(-1, *(1,) * (len(arrays) - 1 - i))
                 for i, (name, array) in enumerate(zip(self.names, arrays))}
         numbers = {name: number for name, number, _ in self.fixed} | grid
         found = {"verdict": verdicts(self.report, numbers, invalid="mark", backend=self.backend,
-                                     threads=threads)}
+                                     threads=threads, progress=progress)}
         if self.damped:
-            found["damped"] = verdicts(self.report, numbers, damped=True, invalid="mark", threads=threads)
+            found["damped"] = verdicts(self.report, numbers, damped=True, invalid="mark", threads=threads,
+                                       progress=progress)
         if self.margins:
             shape = tuple(map(len, arrays))
             for n, margin in enumerate(self.all_margins):
@@ -87,7 +90,8 @@ class Request:
         numbers = {name: number for name, number, _ in self.fixed}
 
         def verdict_at(at_x: Array, at_y: Array) -> Array:
-            return verdicts(self.report, numbers | {across.name: at_x, up.name: at_y}, invalid="mark")
+            return verdicts(self.report, numbers | {across.name: at_x, up.name: at_y}, invalid="mark",
+                            progress=False)
 
         return boundary(self.deciding, {symbol(name): number for name, number in numbers.items()},
                         (across, x), (up, y), seen, verdict_at)

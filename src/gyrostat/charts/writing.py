@@ -1,7 +1,8 @@
 """Results written block by block: values, comparisons and what joins them, on threads."""
 import operator
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from ..errors import ValuesError, require
 from ..stability.truth import Relation
 from .grids import Grid, Slices, cut
 from .kernels import Finish, Kernel
+from .progress import Told
 from .straightline import program_of
 from .tiles import Tiles
 
@@ -99,10 +101,18 @@ def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
     return out
 
 
-def in_threads(work: Callable[[Iterable[Any]], Any], tasks: Sequence[Any], threads: int) -> list[Any]:
-    """The results of the work on equal shares of the tasks."""
+def in_threads(work: Callable[[Iterable[Any]], Any], tasks: Sequence[Any], threads: int,
+               told: Told = lambda done, total: None) -> list[Any]:
+    """The results of the work on equal shares of the tasks; told is called when one is done."""
     require(threads, int, "threads")
+    numbers = count(1)
+
+    def counted(share: Iterable[Any]) -> Iterator[Any]:
+        for task in share:
+            yield task
+            told(next(numbers), len(tasks))
+
     if threads <= 1 or len(tasks) <= 1:
-        return [work(tasks)]
+        return [work(counted(tasks))]
     with ThreadPoolExecutor(threads) as pool:
-        return list(pool.map(work, [tasks[i::threads] for i in range(threads)]))
+        return list(pool.map(work, [counted(tasks[i::threads]) for i in range(threads)]))
