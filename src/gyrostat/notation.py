@@ -110,13 +110,18 @@ def dimension_of(name: str) -> tuple[int, int, int] | None:
 def order(name: str) -> tuple[int, str, int]:
     """Where a name stands among others: as in the table, derivatives of U with U.
 
-    Parameters of the user before k, by name, a2 before a10.
+    Parameters of the user before k, a mass first, as in m g z0, the others by name, a2 before a10.
+
+    Examples
+    --------
+    >>> sorted(["k3", "z0", "g", "m"], key=order)
+    ['m', 'g', 'z0', 'k3']
     """
     if name in _PLACES:
         return _PLACES[name], "", 0
     place = _PLACES["d3U"] if jet(name) else _PLACES["k1"] - 1
     word = name.rstrip("0123456789")
-    return place, word, int(name[len(word):] or 0)
+    return place, "" if word == "m" else word, int(name[len(word):] or 0)
 
 
 def of_the_motion(symbols: Iterable[Symbol]) -> list[str]:
