@@ -75,6 +75,24 @@ def test_a_word_that_is_none_is_guessed(capsys, text, said):
     assert said in capsys.readouterr().err
 
 
+def test_a_name_of_a_field_is_no_formula(capsys):
+    """What is wanted, and where the formulas are; a letter for k3 is guessed as before."""
+    status, out, err = decide(capsys, "--potential", "newtonian", "--set", "I1=2")
+    assert (status, out) == (2, "") and "U is a formula, such as m0*k3" in err
+    assert "reference/fields.md" in err
+    err = decide(capsys, "--potential", "K3", "--set", "I1=2")[2]
+    assert "k3 for K3, as in U = k3" in err and "formula" not in err
+
+
+def test_a_part_of_the_rotor_alone_is_a_name_of_the_scene(capsys):
+    """Of a free body in no equilibrium that is known: what finds all; what is no name has a list of them."""
+    given = ["--potential", "none", "--inertia", "1,2,3", "--set", "l1=1"]
+    status, out, err = run(capsys, *given, verb="report")
+    assert (status, err) == (0, "") and "gyrostat decide finds all" in " ".join(out.split())
+    status, out, err = run(capsys, *given, "l7=2", verb="report")
+    assert (status, out) == (2, "") and "its parameters are l1, l2, l3" in err
+
+
 def test_a_batch_is_spelled_alike(capsys, tmp_path):
     """Names and equilibria of its lines; a name twice is refused."""
     lines = tmp_path / "spins.jsonl"

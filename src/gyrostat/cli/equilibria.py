@@ -73,14 +73,16 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
     principal = not isinstance(scene.body.inertia, ImmutableMatrix)
     if scene.potential is None and principal and not any(scene.body.gyrostatic_momentum[:2]):
         return (PRINCIPAL[2].label,), []
-    held = []
+    held, decide = [], ""
+    if scene.potential is None:
+        decide = "; gyrostat decide finds all, where every name and M have a number"
     for family in POLES.values() if scene.potential else PRINCIPAL:
         with contextlib.suppress(EquilibriumError):
             held.append(report_at(asked, family.label, numbers).equilibrium.label)
     by_point = BY_POINT if scene.potential else "--point PI1,PI2,PI3"
     others = "Other equilibria" if held else "Equilibria"
     return held, [Missing(others, f"{others} of this scene are not looked for: name one, {by_point}, in "
-                          "numbers or expressions")]
+                          f"numbers or expressions{decide}")]
 
 
 def some(labels: Sequence[str], missing: Sequence["Missing"]) -> None:
@@ -208,7 +210,7 @@ def _tilted(asked: Asked, numbers: Names) -> list[Report]:
 def known_names(asked: Asked, reports: Sequence[Report], numbers: Names) -> None:
     """Refuse a name that neither the scene nor one of the reports has."""
     scene = scene_of(asked)
-    known = {name for report in reports for name in report.parameters}
+    known = {name for report in reports for name in report.parameters} | set(map(str, names_of_scene(scene)))
     free_jet = scene.potential is not None and not scene.potential.given
     for name in numbers:
         if name not in known and not (free_jet and jet(name)):

@@ -160,7 +160,10 @@ def _derivative(expression: Expr, along: tuple[Symbol, ...]) -> Expr:
 
 
 def _meant(expression: Expr) -> str:
-    """What is likely to have been meant for a component of k."""
+    """What is likely to have been meant: by a word, a formula; else a component of k."""
+    if expression.is_Symbol and expression.name not in _HEIGHTS:
+        return ("; U is a formula, such as m0*k3 of a uniform field; those of fields with a name are in "
+                "docs/reference/fields.md")
     meant = [f for f in sorted(expression.atoms(cos), key=str) if str(f.args[0]) in _ANGLES]
     meant += sorted((s for s in expression.free_symbols if s.name in _HEIGHTS), key=str)
     return (
