@@ -122,6 +122,19 @@ def test_a_power_of_ten_is_not_under_the_legend():
     assert not power.get_window_extent(renderer).overlaps(ax.get_legend().get_window_extent(renderer))
 
 
+def test_a_legend_of_uneven_columns_fits_above_its_axes():
+    """Four names in three columns would be wider than a column of a paper, and push the axes together."""
+    tilted = gs.analyze(gs.inclined(in_a_field(lambda k: k - k**2), eliminate="k3"))
+    chart = stability_chart(tilted, x=("l", np.linspace(-3, 3, 40)), y=("omega", np.linspace(-2, 2, 41)),
+                            fixed={"I1": 2, "I3": 1})
+    with matplotlib.style.context("gyrostat.plotting.paper"):
+        ax = draw_chart(chart, Figure().subplots())
+        renderer = drawn(ax.figure)
+        assert len(names(ax)) == 4
+        assert ax.get_legend().get_window_extent(renderer).x1 <= ax.figure.bbox.x1
+        assert ax.get_window_extent().width > 0.75 * ax.figure.bbox.width
+
+
 def test_the_legend_has_nothing_that_is_outside_of_the_window():
     """Curves, points and marks beyond the ends of the axes are not named."""
     scene, values = in_a_field(lambda k: 6 * k**4 - 5 * k**2 + k / 2), {**BODY, "p_psi": "1/2"}

@@ -123,8 +123,8 @@ def _columns(ax: Any, handles: Sequence[Any], most: int) -> int:
     space = room(ax) / size
     wide = [0.08 * width(handle.get_label().replace("$", "")) + SWATCH for handle in handles]
     for columns in range(most, 1, -1):
-        rows = -(-len(wide) // columns)
-        if sum(max(wide[i:i + rows]) for i in range(0, len(wide), rows)) <= space:
+        # the first columns are the longer ones, as Matplotlib fills them
+        if sum(map(max, np.array_split(wide, columns))) <= space:
             return columns
     return 1
 
