@@ -74,6 +74,8 @@ def test_axes_and_legend(drawn):
     (name, value), = held.items()
     assert ax.get_title() == f"$l_{name[1]} = {value}$, $I_1 = 1$, $I_2 = 2$, $I_3 = 3$, $|M| = 1$"
     assert names == (["fold", "pitchfork"] if "0" in held.values() else ["fold"])
+    styles = {(line.get_color(), line.get_linestyle()) for line in ax.lines}
+    assert len(styles) == len(names) == len({style for _, style in styles})          # in grey too
 
 
 @pytest.mark.parametrize(("scene", "values", "error", "words"), [

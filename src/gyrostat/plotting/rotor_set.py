@@ -18,7 +18,8 @@ from .headings import heading, of_sphere
 from .looks import BLUE, DARK, axes_of, axis, legend, named
 
 ARC, CELLS = 400, 120                                      # samples of an arc, of the plane each way
-FOLD, PITCHFORK = {"color": DARK, "linewidth": 1.4}, {"color": BLUE, "linewidth": 1.4}
+FOLD = {"color": DARK, "linewidth": 1.4}
+PITCHFORK = {"color": BLUE, "linewidth": 1.4, "linestyle": (0, (7, 1.5, 1.5, 1.5))}
 SMALL, LEAST = 1e-6, 3                                     # beside 0, of abs(M); cells about a number
 SHADES = {2: "#ffffff", 4: "#e4edf5", 6: "#c3d7e8"}
 
@@ -27,8 +28,8 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     r"""Draw where, in a plane of the rotor at a given abs(M), permanent rotations of a free gyrostat meet.
 
     Two components of l along principal axes are free, the third has a value. Dark: folds, two rotations meet;
-    blue, where the third component is 0: pitchforks, two off the plane meet one in it. In each region stands
-    the number of rotations, 2, 4 or 6; more of them, darker.
+    blue with dots, where the third component is 0: pitchforks, two off the plane meet one in it. In each
+    region stands the number of rotations, 2, 4 or 6; more of them, darker.
 
     Parameters
     ----------
