@@ -49,6 +49,7 @@ if TYPE_CHECKING:
         secular_variation,
     )
     from .stability.followed_rotations import RotationContinuation
+    from .stability.heavy_rotations import HeavyRotation
     from .stability.linearization import Linearization, linearize
     from .stability.meetings import BifurcationPoint, bifurcation_points
     from .stability.permanent_rotations import PermanentRotation
@@ -67,15 +68,15 @@ __all__ = [
     "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "Bifurcation",
     "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch", "Case", "charts", "Condition",
     "Continuation", "continuation", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors",
-    "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors", "hanging", "ideal_fluid",
-    "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize",
-    "mechanics", "multipliers", "newtonian_field", "NOTATION", "orbit_tangent", "own_precision",
-    "PermanentRotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
-    "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation",
-    "SecondVariation", "secular_criterion", "secular_variation", "Solution", "SolvedCondition",
-    "solve_condition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt",
-    "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories",
-    "uniform_field", "upright", "Verdict",
+    "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors", "hanging",
+    "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson", "LiePoisson",
+    "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field", "NOTATION",
+    "orbit_tangent", "own_precision", "PermanentRotation", "plotting", "Potential", "principal_rotation",
+    "published", "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor",
+    "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
+    "SolvedCondition", "solve_condition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
+    "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex",
+    "trajectories", "uniform_field", "upright", "Verdict",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -95,6 +96,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.criteria": "formal_criterion secular_criterion spectral_criterion",
     "stability.continuation": "Continuation continuation",
     "stability.followed_rotations": "RotationContinuation",
+    "stability.heavy_rotations": "HeavyRotation",
     "stability.energy_casimir": "SecondVariation augmented_hessian multipliers "
                                 "second_variation secular_variation",
     "stability.linearization": "Linearization linearize",

@@ -14,6 +14,7 @@ from ..notation import symbol
 from ..printing.data import damped_data, decision_data, number_data
 from ..stability.branch import Branch
 from ..stability.branches import branches_at, pole_at
+from ..stability.heavy_rotations import HeavyRotation
 from ..stability.permanent_rotations import PermanentRotation
 from ..stability.relative_equilibria import relative_equilibria
 from ..stability.report import Decision, Report
@@ -73,7 +74,8 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
             return _all_found(scene, _level(scene, numbers), None)
     elif _asks_for_all(scene, numbers):
         here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
-        return [_rotation(here, found) if isinstance(found, PermanentRotation) else _recognised(here, found)
+        return [_rotation(here, found) if isinstance(found, PermanentRotation) else
+                _heavy(found) if isinstance(found, HeavyRotation) else _recognised(here, found)
                 for found in relative_equilibria(scene, numbers)]
     return _of_labels(asked, numbers)
 
@@ -176,6 +178,13 @@ def _rotation(scene: System, found: PermanentRotation) -> Answer:
     rates = {"Delta": found.curvature, "frequency": found.frequency, "growth_rate": found.growth_rate}
     return Answer(label, symbol("k3"), found.decision, found.damped, None, place,
                   {name: x for name, x in rates.items() if x is not None and found.nu is not None})
+
+
+def _heavy(found: HeavyRotation) -> Answer:
+    """One of a body in a field that is not of revolution."""
+    label = f"permanent rotations on {found.locus}" if found.locus else "permanent rotation"
+    place = {str(x): k for x, k in zip(found.scene.space.coordinates[3:], found.k)}
+    return Answer(label, symbol("k3"), found.decision, found.damped, None, place | {"omega": found.omega})
 
 
 def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from ..stability.bifurcations import Bifurcation
 from ..stability.boundary import Boundary
 from ..stability.branch import Branch
 from ..stability.drift import Drift
+from ..stability.heavy_rotations import HeavyRotation
 from ..stability.kinds import KINDS
 from ..stability.linearization import rational_root
 from ..stability.meetings import BifurcationPoint
@@ -197,6 +198,14 @@ def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
 
 
 @result_blocks.register
+def _heavy_rotation(rotation: HeavyRotation) -> list[Block]:
+    circle = f", and on {rotation.locus}" if rotation.locus else ""
+    place, k = listed(map(number, rotation.k)), Word("k", "⟨vector_k⟩")
+    return [sentence("permanent rotation at ", k, " = (", *place, "), ", *equations([(symbol("omega"), number(
+        rotation.omega))]), f"{circle}: {rotation.decision.verdict.name.lower()}")]
+
+
+@result_blocks.register
 def _bifurcation(b: Bifurcation) -> list[Block]:
     return [sentence(f"{b.kind} ({KINDS[b.kind]}):"),
             *(Display(readable(e), S.Zero, b.at) for e in b.equations)]
@@ -224,5 +233,6 @@ def _reduction(motion: Reduction) -> list[Block]:
     return [Display(Word("I₁² k̇₃²", "⟨I1⟩^2 ⟨k3_dot⟩^2"), motion.square())]
 
 
-RESULTS = (Solution, Branch, PermanentRotation, Bifurcation, BifurcationPoint, Boundary, Drift, Reduction)
+RESULTS = (Solution, Branch, PermanentRotation, HeavyRotation, Bifurcation, BifurcationPoint, Boundary, Drift,
+           Reduction)
 

@@ -8,6 +8,7 @@ from sympy import Add, Expr, ImmutableMatrix, Matrix, Rational, S, eye, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, proved_sign
+from ..algebra.pencils import points_on_sphere
 from ..algebra.precision import own_precision
 from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError
@@ -19,8 +20,7 @@ from ..shown import Shown
 from .asked import exact_point
 from .decision import Decision, Verdict
 from .secular import KEPT, LOST, modes
-from .sphere import DRIFTS, extremum
-from .tensor_rotations import rotations_of_tensor
+from .sphere import DRIFTS, circle_in_words, extremum
 from .values import unknown
 
 NU, LENGTH = symbol("nu"), symbol("M")
@@ -111,11 +111,7 @@ class PermanentRotation(Shown, Stored):
         """What it belongs to: "" for a point, else a circle or the sphere of equilibria, in words."""
         if self.sphere:
             return "the whole sphere"
-        if self.circle is None:
-            return ""
-        if self.circle.count(S.Zero) == 2:
-            return f"the circle about axis {self.circle.index(S.One) + 1}"
-        return f"the circle about the axis along ({', '.join(map(str, self.circle))})"
+        return "" if self.circle is None else circle_in_words(self.circle)
 
     @property
     def frequency(self) -> Expr | None:
@@ -186,7 +182,8 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
     if proved_sign(radius) == 0:
         return [PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)]
     if isinstance(body.inertia, ImmutableMatrix):
-        found = [_rotation(body, nu, M, axis) for nu, M, axis in rotations_of_tensor(body, radius)]
+        turned, rotor = eye(3) - NU * body.tensor, Matrix(body.gyrostatic_momentum)
+        found = [_rotation(body, *point) for point in points_on_sphere(turned, rotor, radius, NU)]
     else:
         found = list(_about_axes(body, radius))
     return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]

@@ -3,13 +3,17 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..errors import require
+from ..mechanics.reduction import reducible
 from ..mechanics.system import System
+from .asked import asked_about
 from .branch import Branch
 from .branches import branches_at
+from .heavy_rotations import HeavyRotation, heavy_rotations
 from .permanent_rotations import PermanentRotation, rotations_at
 
 
-def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch] | list[PermanentRotation]:
+def relative_equilibria(scene: System, values: Mapping[str, Any]
+                        ) -> list[Branch] | list[PermanentRotation] | list[HeavyRotation]:
     """Every relative equilibrium of a scene at given numbers, each with its decision.
 
     Of a body of revolution in U(k3): numbers for the moments, l and the parameters of U, and one of
@@ -23,19 +27,26 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
     A body of revolution about another axis is recognised: of axis 1 it is k1 and pi1_0 in place of k3 and
     pi3_0, of an oblique axis c it is kc = k·c and pic_0 = π·c.
 
+    Of any other body in a field: numbers for the moments, the rotor and the parameters of U, and one of
+
+    - omega: every permanent rotation ω = omega k of that rate, (omega² I − Q + σ) k = c − omega l, where U is
+      of degree 1 or 2, c·k + k·Qk/2
+    - k1, k2, k3: every rate of a permanent rotation in that direction, omega² Ik × k + omega l × k = ∇U × k.
+
     Of a free body or gyrostat: numbers for the moments and the rotor, and M, the length of M = π + l: every
     permanent rotation on that momentum sphere.
 
     Parameters
     ----------
     scene : System
-        a body of revolution, U rational in the component of k along its axis; or any body without a field
+        a body of revolution, U rational in the component of k along its axis; or any body, in a field that is
+        given or without one
     values : mapping of name to number
         rational or algebraic, as in Report.verdict
 
     Returns
     -------
-    list of Branch or of PermanentRotation
+    list of Branch, of HeavyRotation or of PermanentRotation
         complete; of a body in a field in the order of k3 from E1 down to E2, then of omega, without a pole
         where U is infinite; of a free one by energy
 
@@ -44,13 +55,13 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
     ValuesError
         names are missing, unknown or too many, or a number is not admissible
     ScopeError
-        the body is not of revolution, U is unspecified, or not rational in k3; or every rotation of the free
-        body is an equilibrium
+        U is unspecified; of a body of revolution it is not rational in k3; of any other, at a rate, not a
+        polynomial of degree 1 or 2
 
     References
     ----------
-    Goldstein, Classical Mechanics, §5.7 (the heavy top); Hughes, Spacecraft Attitude Dynamics (1986), chapter
-    6 (free gyrostats); else derived.
+    Goldstein, Classical Mechanics, §5.7 (the heavy top); Staude (1894) and Kharlamov (1965) (permanent
+    rotations); Hughes, Spacecraft Attitude Dynamics (1986), chapter 6 (free gyrostats); else derived.
 
     Examples
     --------
@@ -65,4 +76,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Branch
     [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
     """
     require(scene, System, "the scene")
-    return branches_at(scene, values) if scene.potential else rotations_at(scene, values)
+    if scene.potential is None:
+        return rotations_at(scene, values)
+    if reducible(scene) or not scene.potential.given or asked_about(scene, values):
+        return branches_at(scene, values)
+    return heavy_rotations(scene, values)

@@ -4,10 +4,10 @@ from collections.abc import Iterator
 from sympy import Expr, Matrix, S, Symbol, eye
 
 from ..algebra.exact import Point, evaluate, proved_sign
+from ..algebra.pencils import along_kernel
 from ..algebra.plane_curves import PlaneCurve
 from ..mechanics.body import Gyrostat
 from .permanent_rotations import NU
-from .tensor_rotations import along_principal_axes
 
 Place = tuple[str, Expr, Expr, tuple[Expr, ...]]
 
@@ -63,7 +63,7 @@ def _met_at(body: Gyrostat, radius: Expr, nu: Expr) -> Iterator[tuple[str, tuple
         if not any(body.gyrostatic_momentum):
             yield "sphere at this value alone", (S.Zero, S.Zero, radius)
     else:
-        for _, M, circle in along_principal_axes(turned, above, below, nu, radius):
+        for _, M, circle in along_kernel(turned, above, below, radius, NU, nu):
             if kind := _kind_at_pole(body, radius, nu, M, circle):
                 yield kind, M
 

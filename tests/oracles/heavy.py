@@ -1,0 +1,52 @@
+"""Permanent rotations of a heavy gyrostat by Newton's method from many starts, and their types by spectra.
+
+In doubles; U = c·k + k·Qk/2. Nothing is shared with the library.
+"""
+import numpy as np
+
+
+def directions(inertia, rotor, c, Q, omega, starts=120, seed=0):
+    """Every k with (omega² I − Q + sigma) k = c − omega l and abs(k) = 1 that is found from the starts."""
+    N, b = omega**2 * inertia - Q, c - omega * rotor
+    rng = np.random.default_rng(seed)
+    k = rng.normal(size=(starts, 3))
+    k /= np.linalg.norm(k, axis=1)[:, None]
+    sigma = np.einsum("ni,ni->n", k, b - k @ N) + rng.normal(size=starts) * (np.abs(N).max() + 1)
+    for _ in range(80):
+        J = np.zeros((starts, 4, 4))
+        J[:, :3, :3] = N + sigma[:, None, None] * np.eye(3)
+        J[:, :3, 3] = J[:, 3, :3] = k
+        length = np.sum(k**2, axis=1)[:, None]
+        residual = np.concatenate([k @ N + sigma[:, None] * k - b, (length - 1) / 2], axis=1)
+        step = np.linalg.solve(J + 1e-300, residual[..., None])[..., 0]
+        k, sigma = k - step[:, :3], sigma - step[:, 3]
+    good = np.all(np.isfinite(k), 1) & (np.abs(step).max(1) < 1e-9 * (1 + np.abs(sigma)))
+    found = []
+    for x in k[good]:
+        if all(np.abs(x - y).max() > 1e-6 for y in found):
+            found.append(x)
+    return found
+
+
+def hat(v):
+    return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+
+
+def growth(inertia, rotor, c, Q, omega, k):
+    """The largest real part of the six eigenvalues of the Euler-Poisson equations, linearised."""
+    inverse, rate = np.linalg.inv(inertia), omega * k
+    M, g = inertia @ rate + rotor, c + Q @ k
+    top = np.hstack([-hat(rate) + hat(M) @ inverse, -hat(g) + hat(k) @ Q])
+    bottom = np.hstack([hat(k) @ inverse, -hat(rate)])
+    return np.linalg.eigvals(np.vstack([top, bottom])).real.max()
+
+
+def squares(inertia, rotor, c, Q, omega, k):
+    """Eigenvalues of D²(h + nu·C) on the tangent space of the orbit, in increasing order."""
+    inverse, M = np.linalg.inv(inertia), omega * inertia @ k + rotor
+    nu1 = -omega
+    nu2 = -(k @ (c + Q @ k) + nu1 * (k @ M))               # of C2 = k·k/2
+    form = np.block([[inverse, nu1 * np.eye(3)], [nu1 * np.eye(3), Q + nu2 * np.eye(3)]])
+    normals = np.array([[*k, *M], [0, 0, 0, *k]])
+    tangent = np.linalg.svd(normals)[2][2:]
+    return np.linalg.eigvalsh(tangent @ form @ tangent.T)

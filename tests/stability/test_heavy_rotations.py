@@ -1,0 +1,147 @@
+"""Every permanent rotation of a heavy gyrostat, against Newton's method, spectra and signatures."""
+import random
+from fractions import Fraction
+
+import heavy
+import numpy as np
+import pytest
+from slow import sampled
+from sympy import Matrix, Rational, sqrt
+
+import gyrostat as gs
+from gyrostat.errors import ScopeError, ValuesError
+from gyrostat.stability.amended_form import amended_form
+
+k1, k2, k3 = DIRECTION = [gs.symbol(f"k{n}") for n in (1, 2, 3)]
+
+
+def drawn(rng, quadratic):
+    """A body, a rotor, U = c·k + k·Qk/2, in fractions."""
+    def number():
+        return Fraction(rng.randint(-12, 12), rng.randint(1, 6))
+    inertia = [Fraction(rng.randint(4, 30), 10) for _ in range(3)]
+    half = [[number() if quadratic else Fraction(0) for _ in range(3)] for _ in range(3)]
+    Q = [[half[i][j] + half[j][i] for j in range(3)] for i in range(3)]
+    return inertia, [number() / 5 for _ in range(3)], [number() / 3 for _ in range(3)], Q, number()
+
+
+def scene_of(inertia, rotor, c, Q):
+    slopes = [x + sum(y * k for y, k in zip(row, DIRECTION)) / 2 for x, row in zip(c, Matrix(Q).tolist())]
+    U = sum(x * k for x, k in zip(slopes, DIRECTION))
+    return gs.assemble(gs.Gyrostat(tuple(inertia), tuple(rotor)), gs.general_potential(U))
+
+
+def floats(inertia, rotor, c, Q, omega):
+    return np.diag([float(x) for x in inertia]), *(np.array(x, float) for x in (rotor, c, Q)), float(omega)
+
+
+def check(rng, quadratic):
+    """Nothing missing, nothing wrong, but within rounding of a boundary; how many were decided."""
+    inertia, rotor, c, Q, omega = drawn(rng, quadratic)
+    if not any(c) and not quadratic:
+        return 0
+    found = gs.relative_equilibria(scene_of(inertia, rotor, c, Q), {"omega": omega})
+    data = floats(inertia, rotor, c, Q, omega)
+    wanted = heavy.directions(*data)
+    places = [np.array([float(x) for x in rotation.k]) for rotation in found]
+    assert len(found) % 2 == 0 or min(abs(float(r.form.determinant)) for r in found) < 1e-6
+    for k in wanted:
+        assert min(np.abs(k - place).max() for place in places) < 1e-6, (data, k, places)
+    for rotation, k in zip(found, places):
+        growth, form = heavy.growth(*data, k), heavy.squares(*data, k)
+        least = np.abs(form).min() / np.abs(form).max()
+        if least > 1e-6 and (growth > 1e-4 or growth < 1e-7):
+            expected = "UNSTABLE" if growth > 1e-4 else "STABLE" if form[0] > 0 else "UNDECIDED"
+            assert rotation.decision.verdict.name == expected, (data, k)
+            assert rotation.damped.growing == np.sum(form < 0), (data, k)
+    return len(found)
+
+
+@pytest.mark.parametrize("quadratic", [False, True])
+def test_all_are_found_and_rightly_decided(quadratic):
+    rng = random.Random(f"heavy {quadratic}")
+    assert sum(check(rng, quadratic) for _ in range(15)) > 30
+
+
+@pytest.mark.slow
+def test_many(full):
+    rng = random.Random("many heavy")
+    count = sampled(3000, full, 120)
+    assert sum(check(rng, n % 2) for n in range(count)) > 2 * count
+
+
+def test_closed_forms_are_those_of_the_matrices():
+    """p, q of the linearised field, the determinant of K on a basis of the plane across k; exactly."""
+    rng = random.Random("closed forms")
+    for _ in range(10):
+        inertia, rotor, _, Q, omega = drawn(rng, True)
+        a, b = (Fraction(rng.randint(-5, 5), rng.randint(1, 4)) for _ in range(2))
+        k = [2 * a / (1 + a * a + b * b), 2 * b / (1 + a * a + b * b), 1 - 2 / (1 + a * a + b * b)]
+        sigma, slopes = Fraction(rng.randint(-9, 9), 2), [sum(x * y for x, y in zip(row, k)) for row in Q]
+        c = [omega**2 * m * x + omega * l + sigma * x - y for m, l, x, y in zip(inertia, rotor, k, slopes)]
+        scene = scene_of(inertia, rotor, c, Q)
+        eq = gs.equilibrium(scene, (*(omega * m * x for m, x in zip(inertia, k)), *k))
+        gradient = [x + y for x, y in zip(c, slopes)]
+        rows = [[inertia[i] if i == j else 0 for j in range(3)] for i in range(3)]
+        form = amended_form(rows, rotor, gradient, Q, k, omega)
+        assert gs.linearize(eq).coefficients == (form.p, form.q)
+        form = gs.second_variation(eq).matrix
+        minors = [form[:n, :n].det() for n in range(1, 5)]
+        found = amended_form(rows, rotor, gradient, Q, k, omega)
+        assert all(m > 0 for m in minors) == (found.trace > 0 and found.determinant > 0)
+        assert (minors[3] > 0) == (found.determinant > 0)
+
+
+@pytest.mark.parametrize("inertia, k, rotor, slopes, p, q", [
+    ((3, 5, 4), (2, 1, 2), (0, 0, 0), (0, "2/3", "2/3"), "2/3", "2/135"),
+    ((4, 6, 3), (-2, 1, 2), (0, 0, 0), ("-2/3", 1, 0), "209/324", "1/81"),
+    ((3, 4, 5), (1, 2, -2), (-1, 2, -1), ("4/3", "-2/3", -1), "479/540", "52/405"),
+])
+def test_in_a_direction(inertia, k, rotor, slopes, p, q):
+    """Derived by hand; gyroscopic: the amended potential is greatest there."""
+    U = sum(Rational(x) * y for x, y in zip(slopes, DIRECTION))
+    scene = gs.assemble(gs.Gyrostat(inertia, rotor), gs.general_potential(U))
+    found = gs.relative_equilibria(scene, {f"k{n}": Rational(x, 3) for n, x in enumerate(k, 1)})
+    (rotation,) = [r for r in found if r.omega == -1]
+    assert (rotation.form.p, rotation.form.q) == (Rational(p), Rational(q))
+    assert rotation.decision.verdict.name == "UNDECIDED" and "maximum" in rotation.decision.reason
+    assert rotation.damped.growing == 2
+    assert gs.analyze(rotation.equilibrium).verdict({}).verdict.name == "UNDECIDED"
+
+
+def test_staude():
+    """I = (1, 2, 3), c = (1, 1, 1)/√3: the numbers of a published example, in a direction off every plane."""
+    U = (k1 + k2 + k3) / sqrt(3)
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(U))
+    found = gs.relative_equilibria(scene, {"k1": -1 / sqrt(19), "k2": -3 / sqrt(19), "k3": 3 / sqrt(19)})
+    assert [f"{float(r.omega):.9f}" for r in found] == ["-1.295276413", "1.295276413"]
+    form = found[1].form
+    assert f"{float(form.p):.11f} {float(form.q):.11f}" == "2.28113905939 0.68680961663"
+    assert f"{float(form.determinant):.11f} {float(form.trace):.11f}" == "1.70209339775 3.35164274701"
+    assert not gs.relative_equilibria(scene, {"k1": 1 / sqrt(19), "k2": 3 / sqrt(19), "k3": -3 / sqrt(19)})
+
+
+def test_principal_axes_carry_every_rate_that_is_an_eigenvalue():
+    """c = 0 in a quadratic field: k is an eigenvector, six of them, and a circle where two values meet."""
+    U = k1**2 / 2 + k2**2 + 3 * k3**2 / 2
+    scene = gs.assemble(gs.Gyrostat((1, 2, 4), (0, 0, 0)), gs.general_potential(U))
+    found = gs.relative_equilibria(scene, {"omega": 2})
+    assert sorted(r.k for r in found) == sorted(
+        tuple(s * (n == m) for m in range(3)) for n in range(3) for s in (1, -1))
+    (circle, *_) = [r for r in gs.relative_equilibria(scene, {"omega": 1}) if r.circle]
+    assert circle.locus == "the circle about axis 3" and circle.k[2] == 0
+
+
+def test_what_is_refused():
+    body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
+    cubic = gs.assemble(body, gs.general_potential(k1**3 + k2))
+    with pytest.raises(ScopeError, match="has degree 3 in k"):
+        gs.relative_equilibria(cubic, {"omega": 1})
+    with pytest.raises(ValuesError, match="every rate omega"):
+        gs.relative_equilibria(cubic, {"k1": 0, "k2": 1, "k3": 0})
+    assert gs.relative_equilibria(cubic, {"k1": 0, "k2": "3/5", "k3": "-4/5"}) == []
+    linear = gs.assemble(body, gs.general_potential(k1 + k2))
+    with pytest.raises(ValuesError, match=r"\|k\|² − 1 = 1"):
+        gs.relative_equilibria(linear, {"k1": 1, "k2": 1, "k3": 0})
+    with pytest.raises(ValuesError, match="give omega, the rate"):
+        gs.relative_equilibria(linear, {"k1": 1})
