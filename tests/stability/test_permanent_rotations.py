@@ -5,7 +5,7 @@ import oracle
 import pytest
 from draw import moments, numbers
 from hypothesis import assume, given, settings
-from sympy import Rational
+from sympy import Rational, pi
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
@@ -115,6 +115,41 @@ def test_the_one_verb_finds_them_and_the_report_agrees(inertia, rotor, radius):
         decision = gs.analyze(gs.equilibrium(free, point)).verdict({})
         assert rotation.decision.verdict is decision.verdict and rotation.decision.notion == decision.notion
     assert str(found[0]).startswith("permanent rotation at M = (")
+
+
+TENSOR = ((5, 1, 0), (1, 4, 0), (0, 0, 3))
+
+
+@pytest.mark.parametrize("inertia", [(5, 4, 3), TENSOR], ids=["moments", "tensor"])
+def test_a_wheel_in_rpm_and_a_momentum_with_pi(inertia):
+    """In units of π both are rational: the rotations are those of the rational ones, π times as large."""
+    plain = gs.assemble(gs.Gyrostat(inertia, (1, 2, 2)))
+    turned = gs.assemble(gs.Gyrostat(inertia, ("pi", "2*pi", "2*pi")))
+    found, expected = (gs.relative_equilibria(s, {"M": M}) for s, M in ((turned, "30*pi"), (plain, 30)))
+    assert len(found) > 2 and [x.nu for x in found] == [x.nu for x in expected]
+    for x, y in zip(found, expected):
+        np.testing.assert_allclose(doubles(x.momentum), np.pi * doubles(y.momentum), rtol=1e-14)
+        assert x.decision == y.decision and x.damped == y.damped
+
+
+def test_a_range_of_rates_in_rpm():
+    """The folds of l = π n (1, 2, 2) on abs(M) = 9 π are those of l = n (1, 2, 2) on 9."""
+    folds = []
+    for unit, M in ((pi, "9*pi"), (1, 9)):
+        n = unit * gs.symbol("n")
+        scene = gs.assemble(gs.Gyrostat((5, 4, 3), (n, 2 * n, 2 * n)))
+        folds.append([mark.value for mark in gs.continuation(scene, "n", (0, 3), {"M": M}).marks])
+    assert folds[0] == folds[1] and len(folds[0]) == 2
+
+
+@pytest.mark.parametrize("inertia", [(5, 4, 3), TENSOR], ids=["moments", "tensor"])
+def test_a_wheel_in_rpm_and_a_rational_momentum_are_refused(inertia):
+    scene = gs.assemble(gs.Gyrostat(inertia, ("pi", "2*pi", "2*pi")))
+    for wanted in (lambda: gs.relative_equilibria(scene, {"M": 9}),
+                   lambda: gs.continuation(scene, "M", (1, 9), {})):
+        with pytest.raises(ScopeError, match=r"l = \(pi, 2\*pi, 2\*pi\) and M = .*with pi in one of them "
+                                             "only.*give M as a multiple of pi too"):
+            wanted()
 
 
 @pytest.mark.parametrize("scene, values, error, words", [

@@ -19,6 +19,7 @@ from ..notation import Stored, symbol
 from ..shown import Shown
 from .asked import exact_point
 from .decision import Decision, Verdict
+from .rotors_in_rpm import explained, without_pi
 from .secular import KEPT, LOST, modes
 from .sphere import DRIFTS, circle_in_words, extremum
 from .values import unknown
@@ -182,8 +183,10 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
     if proved_sign(radius) == 0:
         return [PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)]
     if isinstance(body.inertia, ImmutableMatrix):
-        turned, rotor = eye(3) - NU * body.tensor, Matrix(body.gyrostatic_momentum)
-        found = [_rotation(body, *point) for point in points_on_sphere(turned, rotor, radius, NU)]
+        inside, size, unit = without_pi(Matrix(body.gyrostatic_momentum), radius)
+        points = explained(lambda: list(points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)), body,
+                           radius)
+        found = [_rotation(body, nu, [unit * x for x in M], axis) for nu, M, axis in points]
     else:
         found = list(_about_axes(body, radius))
     return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]
@@ -192,8 +195,9 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
 def _about_axes(body: Gyrostat, radius: Expr) -> Iterator[tuple[list[float], PermanentRotation]]:
     """In principal axes."""
     inertia, rotor = body.moments, body.gyrostatic_momentum
-    secular = Add(*(l**2 / (1 - NU * moment) ** 2 for l, moment in zip(rotor, inertia))) - radius**2
-    for nu in real_roots(secular, NU) or ():
+    inside, size, _ = without_pi(Matrix(rotor), radius)
+    secular = Add(*(l**2 / (1 - NU * moment) ** 2 for l, moment in zip(inside, inertia))) - size**2
+    for nu in explained(lambda: real_roots(secular, NU), body, radius) or ():
         M = [l / (1 - nu * moment) if l else S.Zero for l, moment in zip(rotor, inertia)]
         yield _rotation(body, nu, M, None)
     for moment in dict.fromkeys(inertia):

@@ -8,6 +8,7 @@ from ..algebra.pencils import along_kernel
 from ..algebra.plane_curves import PlaneCurve
 from ..mechanics.body import Gyrostat
 from .permanent_rotations import NU
+from .rotors_in_rpm import explained, without_pi
 
 Place = tuple[str, Expr, Expr, tuple[Expr, ...]]
 
@@ -18,7 +19,9 @@ def rotation_curve(body: Gyrostat, radius: Expr, free: Symbol) -> PlaneCurve:
     Where l has no part along a principal axis, ν = 1/I is on it for every value, rotation or not.
     """
     above, below = _fraction(body)
-    return PlaneCurve(above.dot(above) - radius**2 * below**2, NU, free, ends=())
+    inside, size, _ = without_pi(above, radius)
+    return explained(lambda: PlaneCurve(inside.dot(inside) - size**2 * below**2, NU, free, ends=()), body,
+                     radius)
 
 
 def places_where_rotations_meet(body: Gyrostat, radius: Expr, free: Symbol) -> Iterator[Place]:
