@@ -48,6 +48,7 @@ if TYPE_CHECKING:
         second_variation,
         secular_variation,
     )
+    from .stability.energy_sink import energy_sink_criterion
     from .stability.followed_rotations import RotationContinuation
     from .stability.heavy_rotations import HeavyRotation
     from .stability.linearization import Linearization, linearize
@@ -67,14 +68,14 @@ _Shown.plain = lambda shown: import_module("gyrostat.printing.text").plain(shown
 __all__ = [
     "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "Bifurcation",
     "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch", "Case", "charts", "Condition",
-    "Continuation", "continuation", "Criterion", "Decision", "Equilibrium", "equilibrium", "errors",
-    "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors", "hanging",
-    "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson", "LiePoisson",
-    "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field", "NOTATION",
+    "Continuation", "continuation", "Criterion", "Decision", "energy_sink_criterion", "Equilibrium",
+    "equilibrium", "errors", "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors",
+    "hanging", "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson",
+    "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field", "NOTATION",
     "orbit_tangent", "own_precision", "PermanentRotation", "plotting", "Potential", "principal_rotation",
     "published", "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor",
     "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
-    "SolvedCondition", "solve_condition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
+    "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex",
     "trajectories", "uniform_field", "upright", "Verdict",
 ]
@@ -99,6 +100,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.heavy_rotations": "HeavyRotation",
     "stability.energy_casimir": "SecondVariation augmented_hessian multipliers "
                                 "second_variation secular_variation",
+    "stability.energy_sink": "energy_sink_criterion",
     "stability.linearization": "Linearization linearize",
     "stability.meetings": "BifurcationPoint bifurcation_points",
     "stability.permanent_rotations": "PermanentRotation",

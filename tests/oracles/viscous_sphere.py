@@ -16,15 +16,15 @@ def growing_modes(moments, rotor, pi, k=None, slope=None, curvature=None, dampin
         moments, J = [mp.mpf(m) for m in moments], mp.mpf(min(moments)) / 7
         turn = mp.diag([1 / m for m in moments])           # ω = turn (M − l − J s)
         omega, M = turn * mp.matrix(pi), mp.matrix(pi) + mp.matrix(rotor)
-        blocks = [[-_hat(omega) + _hat(M) * turn, -_hat(M) * turn * J]]
+        blocks = [[-hat(omega) + hat(M) * turn, -hat(M) * turn * J]]
         if k is not None:
             k = mp.matrix(k)
-            blocks[0].append(-_hat(mp.matrix(slope)) + _hat(k) * mp.matrix(curvature))
+            blocks[0].append(-hat(mp.matrix(slope)) + hat(k) * mp.matrix(curvature))
         free = (mp.eye(3) - J * turn) ** -1
-        own = [mp.zeros(3), -mp.mpf(damping) / J * mp.eye(3) - _hat(omega), mp.zeros(3)]
+        own = [mp.zeros(3), -mp.mpf(damping) / J * mp.eye(3) - hat(omega), mp.zeros(3)]
         blocks.append([free * (rate - turn * torque) for rate, torque in zip(own, blocks[0])])
         if k is not None:
-            blocks.append([_hat(k) * turn, -_hat(k) * turn * J, -_hat(omega)])
+            blocks.append([hat(k) * turn, -hat(k) * turn * J, -hat(omega)])
         matrix = mp.matrix(3 * len(blocks))
         for i, row in enumerate(blocks):
             for j, block in enumerate(row):
@@ -34,6 +34,6 @@ def growing_modes(moments, rotor, pi, k=None, slope=None, curvature=None, dampin
         return sum(mp.re(x) > scale * mp.mpf(10) ** -14 for x in values)
 
 
-def _hat(v):
+def hat(v):
     """The matrix of v ×."""
     return mp.matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])

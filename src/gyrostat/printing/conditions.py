@@ -25,7 +25,7 @@ def existence(domain: Expr, at: Any) -> Display:
 
 def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> list[Block]:
     """Each alternative as its comparisons, labelled."""
-    if criterion.alternatives == () and criterion.notion == "spectral":
+    if criterion.alternatives == () and criterion.necessary:
         return [sentence(f"{title}: never.")]
     if criterion.alternatives == ():
         form = "positive" if criterion.notion == "secular" else "definite"

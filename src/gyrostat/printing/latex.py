@@ -128,7 +128,7 @@ def _condition(condition: Condition, names: Names) -> str:
 @_formula.register
 def _criterion(criterion: Criterion, names: Names) -> str:
     if not criterion.alternatives:
-        return r"\text{never}" if criterion.notion == "spectral" else r"\text{no information}"
+        return r"\text{never}" if criterion.necessary else r"\text{no information}"
     rows = [r" \;\land\; ".join(_formula(c, names) for c in a) or r"\text{always}"
             for a in criterion.alternatives]
     shown = rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)

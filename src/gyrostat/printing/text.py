@@ -61,7 +61,7 @@ def _condition(condition: Condition) -> str:
 @plain.register
 def _criterion(criterion: Criterion) -> str:
     if not criterion.alternatives:
-        return "never" if criterion.notion == "spectral" else "no information"
+        return "never" if criterion.necessary else "no information"
     text = " or ".join(" and ".join(map(plain, alternative)) or "always"
                        for alternative in criterion.alternatives)
     return text + (f", modulo the flow of {_row(criterion.modulo)}" if criterion.modulo else "")

@@ -65,7 +65,7 @@ class Criterion(Shown, Stored):
     Parameters
     ----------
     notion : str
-        "spectral", "formal" or "secular"
+        "spectral", "formal", "secular" or "energy sink"
     alternatives : tuple
         of tuples of Condition; () never holds, ((),) always
     modulo : tuple of Expr
@@ -83,6 +83,11 @@ class Criterion(Shown, Stored):
     notion: str
     alternatives: tuple[tuple[Condition, ...], ...]
     modulo: tuple[Expr, ...] = ()
+
+    @property
+    def necessary(self) -> bool:
+        """Whether there is no stability where it does not hold; else nothing is known there."""
+        return self.notion in ("spectral", "energy sink")
 
 
 def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
