@@ -28,6 +28,8 @@ CHANGED = [                 # what is put instead of what is written, and words 
      ("moments 2, 3, 5", "= 1/3$", "0.149071")),
     ("what-does-a", {"rotors = 10_000": "rotors = 500", '"I3": "0.6"': '"I3": "0.8"', "100, 10_000)": "100)"},
      ("Twice 500", "I3 = 0.8", "1, 100 periods")),
+    ("how-do-we-get", {'rate="540 rpm"': 'rate="450 rpm"', '"100 kg m^2"': '"90 kg m^2"'},
+     ("wheel at 450 rpm", "at 183.00 rpm (pitchfork)", "period 28.10 s")),
     ("what-does-the", {'"l": "1/2"': '"l": "1/4"'}, ("$l = 1/4$",)),
 ]
 
