@@ -79,3 +79,16 @@ def test_a_field_integrates_a_tensor(monkeypatch):
     two = gs.trajectories.motion(gs.assemble(other, gs.general_potential(turned)), start)
     turn = np.kron(np.eye(2), np.array(R.tolist(), dtype=float))
     np.testing.assert_allclose(two(2.0), turn @ one(2.0), atol=1e-9)
+
+
+@pytest.mark.parametrize("rotor", [28, "9*pi"])
+def test_principal_axes_that_are_roots_of_a_cubic(rotor):
+    """M turns as Euler's equations say."""
+    tensor = ((120, 2, 3), (2, 80, -1), (3, -1, 40))
+    body = gs.Gyrostat(tensor, (0, 0, rotor))
+    thrown = gs.trajectories.motion(gs.assemble(body), (1, 0, "1/2"))
+    step = 1e-3
+    before, here, after = thrown(np.array([7 - step, 7, 7 + step]))
+    M = here + [0, 0, float(body.gyrostatic_momentum[2])]
+    torque = np.cross(M, np.linalg.solve(np.array(tensor), here))
+    np.testing.assert_allclose((after - before) / (2 * step), torque, atol=1e-7)

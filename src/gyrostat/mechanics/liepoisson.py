@@ -13,7 +13,7 @@ from typing import Any
 from sympy import Add, Expr, ImmutableMatrix, Symbol, expand, zeros
 
 from ..algebra.numbers import exact_expression
-from ..algebra.polynomials import Ring, derivatives
+from ..algebra.polynomials import Ring, derivatives, lowest_terms
 from ..errors import BodyError, ScopeError, StructureError
 from ..kept import cached_property
 from ..notation import Stored, symbol
@@ -73,7 +73,7 @@ class LiePoisson(Shown, Stored):
                                      f"{value}, not 0; "
                                      "check its entries")
         for casimir in self.casimirs:
-            if any(entry := list(expand(self.tensor * self.gradient(casimir)))):
+            if any(entry := [lowest_terms(e) for e in self.tensor * self.gradient(casimir)]):
                 raise StructureError(f"{casimir} is not a Casimir: B ∇C = {entry}, not 0")
 
     def gradient(self, f: Expr) -> ImmutableMatrix:
