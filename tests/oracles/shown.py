@@ -4,6 +4,7 @@ From the output alone. No gyrostat here.
 """
 from fractions import Fraction
 
+import damped
 import mpmath as mp
 import oracle
 import refuted
@@ -33,7 +34,9 @@ def is_true(statement, scene, shown, weaker=False):
             and _inserted(statement, values)
             and differs(statement, scene, {**statement["at"], **values})
         )
-    v = {name: Fraction(text) for name, text in values.items()}
+    # of k, which has a unit length, one component may be a root: the others say as much
+    v = {name: Fraction(text) for name, text in values.items()
+         if name not in ("k1", "k2") or "sqrt" not in text}
     texts = [t for t in (scene.get("given", ""), statement["given"]) if t]
     own, plain = Own(v, statement["let"], scene), Own(v, {}, scene)
     if not all(compared(t, plain) for t in texts) or not _inserted(statement, values):
@@ -168,6 +171,8 @@ def _fails(statement, scene, v, own):
     if claim.endswith("Casimirs alone"):
         sign = _form(scene, v)
         return None if sign is None else compared(printed, own) and sign != 1
+    if claim.endswith("internal damping"):
+        return compared(printed, own) and damped.least(scene, scene_of(scene)[1], v) == -1
     sign = (
         _triaxial(scene, v)
         if "k1" in scene.get("potential", "")

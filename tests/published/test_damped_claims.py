@@ -1,6 +1,10 @@
 """Claims of stability under internal damping, in files of one's own."""
 import pytest
-from written_sources import status
+from sympy import Integer
+from written_sources import BY_KEY, status
+
+from gyrostat.notation import symbol
+from gyrostat.published.independent import Model
 
 DAMPED = "sufficient for stability under internal damping"
 TOP = ('inertia = ["I1", "I1", "I3"]\ngyrostatic_momentum = ["0", "0", "l"]\npotential = "m0*k3"\n'
@@ -30,3 +34,29 @@ def test_conditions_of_the_books_are_confirmed(tmp_path, scene, printed):
 def test_other_conditions_are_refuted(tmp_path, scene, printed):
     """By a point where the energy is not least: what is sufficient without damping, among others."""
     assert status(tmp_path, scene, DAMPED, printed) == "misprint"
+
+
+@pytest.mark.parametrize("scene, printed, expected", [
+    (DUAL, LANDON.replace(">", ">="), "misprint"), (TOP, SLEEPS.replace(">", ">="), "misprint"),
+    (TILT, D.replace(">", ">="), "misprint"), (BOX, "I3 >= I1 and I3 >= I2", "unchecked")])
+def test_equality_is_decided_by_the_orders_that_follow(tmp_path, scene, printed, expected):
+    """Where a square vanishes the energy may rise or fall; of the box nothing is known: least on a circle."""
+    assert status(tmp_path, scene, DAMPED, printed) == expected
+
+
+def test_products_of_signs_are_compared(tmp_path):
+    """(I3 − I1) x > 0 and (I3 − I2) x > 0 is (I3 − I1) x > 0 and (I3 − I1) (I3 − I2) > 0."""
+    scene = ('potential = "m1/2*(I1*k1**2 + I2*k2**2 + I3*k3**2)"\nequilibrium = "E1"\n'
+             'spin = "omega3_0"')
+    x = "*(omega3_0**2 - m1) > 0"
+    for printed in (f"(I3 - I1){x} and (I3 - I2){x}", f"(I3 - I1){x} and (I3 - I1)*(I3 - I2) > 0"):
+        assert status(tmp_path, scene, "sufficient for stability", printed) == "confirmed"
+    assert status(tmp_path, scene, "sufficient for stability", f"(I3 - I1){x} and I3 > I2") != "confirmed"
+
+
+def test_equal_squares_are_counted_twice():
+    """At the poles of a body of revolution every square of the second variation occurs twice."""
+    values = {symbol(name): Integer(n) for name, n in (("I1", 1), ("I3", 2), ("m0", 1), ("l", 0),
+                                                       ("omega3_0", 3))}
+    model = Model(BY_KEY["literature", "S11-uniform"].scene, values)
+    assert model.inertia_of_second_variation() == (4, 0, 0) and model.is_definite()

@@ -19,6 +19,7 @@ from ..stability.implication import Item, reduced
 from ..stability.report import Report
 from ..stability.truth import Relation, truth
 from .scenes import Scene
+from .sign_patterns import sign_pattern
 
 K3 = symbol("k3")
 Margins = Sequence[tuple[Expr, bool]]
@@ -208,7 +209,8 @@ def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[E
                           for margin, strict, degenerate in a
                           if strictness or margin.free_symbols) for a in normal(side, domain)}
 
-    return bare(derived) == bare(printed)
+    theirs, ours = bare(printed), bare(derived)
+    return theirs == ours or {sign_pattern(a) or a for a in theirs} == {sign_pattern(a) or a for a in ours}
 
 
 def free_symbols(given: Criterion) -> set[Symbol]:

@@ -7,7 +7,7 @@ Nothing here uses the bracket, the linearisation or the criteria of the library,
 from collections.abc import Mapping
 
 import mpmath
-from sympy import Expr, Float, Integer, Matrix, Poly, PolynomialError, Symbol, hessian, linsolve, sqrt
+from sympy import Expr, Float, Integer, Matrix, Poly, Symbol, hessian, linsolve, sqrt
 
 from ..algebra.exact import sign_of_constant
 from ..errors import PublishedError
@@ -34,8 +34,9 @@ class Model:
                                                             self.values.get(K[2], Integer(0)))
         self.U = self._potential(scene) if scene.potential else Integer(0)
         self.point = self._point() if self.label else [x.subs(self.values) for x in self.coordinates]
-        if self.label and any(abs(x.evalf(30)) > 1e-20
-                              for x in self.field.subs(dict(zip(self.coordinates, self.point)))):
+        rates = self.field.subs(dict(zip(self.coordinates, self.point))) if self.label else ()
+        # not a number where the field is not defined
+        if not all(x.is_finite and abs(x.evalf(30)) < 1e-20 for x in rates):
             raise PublishedError(f"{self.label} is no equilibrium of Newton and Euler's equations at "
                                  f"{self.values}")
 
@@ -123,32 +124,21 @@ class Model:
     def stability(self) -> tuple[int, str]:
         """1 proved Lyapunov stable, modulo the spin at a tilt; -1 proved unstable; 0 neither; and why."""
         if self.grows():
-            return (
-                -1,
-                "an eigenvalue of the differenced field has the real part "
-                f"{mpmath.nstr(self.growth(), 15)}: unstable",
-            )
+            return -1, ("an eigenvalue of the differenced field has the real part "
+                        f"{mpmath.nstr(self.growth(), 15)}: unstable")
         level = self.level_set()
         if level == -1:
-            return (
-                -1,
-                "motions with the same energy and momenta, or with momenta as near as one likes, leave it: "
-                "unstable",
-            )
+            return -1, ("motions with the same energy and momenta, or with momenta as near as one likes, "
+                        "leave it: unstable")
         if level == 0:
             return 0, ""
         if not self.spins:
-            return (
-                1,
-                "the energy, on the level set of the Casimirs, has a strict extremum there: Lyapunov stable",
-            )
+            return 1, ("the energy, on the level set of the Casimirs, has a strict extremum there: Lyapunov "
+                       "stable")
         if self.label in ("E1", "E2"):
             return 1, "the level set of all integrals there is the point alone: Lyapunov stable"
-        return (
-            1,
-            "the level set of all integrals there is the orbit of the point under the spin: Lyapunov "
-            "stable, modulo the spin",
-        )
+        return 1, ("the level set of all integrals there is the orbit of the point under the spin: Lyapunov "
+                   "stable, modulo the spin")
 
     def is_on_boundary(self) -> bool:
         """Whether the second variation of a body of revolution does not decide.
@@ -179,15 +169,18 @@ class Model:
         return -1 if slope > 0 or not pole and power % 2 else 1
 
     def _on_sphere(self) -> int:
-        axis = int(str(self.label)[-1])
-        momentum = self.point[axis - 1] + self.rotor[axis - 1]
-        if momentum == 0:                                  # the sphere is a point
-            return 1
-        slope = self.omega[axis - 1].subs(PI[axis - 1], self.point[axis - 1]) / momentum
-        excess = [1 / moment - slope for i, moment in enumerate(self.inertia, 1) if i != axis]
-        if excess.count(0) == 1:                           # the fourth order decides along that axis
-            excess[excess.index(0)] = 1 / self.inertia[axis - 1] - slope
-        return sign_of_constant(excess[0] * excess[1]) or 0
+        signs = self.signs_on_sphere()                     # none where the sphere is a point
+        return (signs[0] or 0) * (signs[1] or 0) if signs else 1
+
+    def signs_on_sphere(self) -> list[int | None]:
+        """Of the energy about the point on the sphere, along the other axes: of order two, or else four."""
+        axis = int(str(self.label)[-1]) - 1
+        if (momentum := self.point[axis] + self.rotor[axis]) == 0:
+            return []
+        slope = self.point[axis] / self.inertia[axis] / momentum
+        own = sign_of_constant(1 / self.inertia[axis] - slope)
+        second = [sign_of_constant(1 / moment - slope) for n, moment in enumerate(self.inertia) if n != axis]
+        return [own if sign == 0 else sign for sign in second]
 
     def _leading(self) -> tuple[int, int]:
         """Of a body of revolution I1² k̇3² = g(k3), where g has a multiple root at the equilibrium.
@@ -214,11 +207,11 @@ class Model:
     def is_definite(self) -> bool | None:
         """Whether D²(h + ν·C) is definite on the tangent space of the orbit.
 
-        None where the numbers are not rational.
+        None where a sign is not proved.
         """
         try:
             plus, zero, minus = self.inertia_of_second_variation()
-        except (PolynomialError, NotImplementedError):
+        except NotImplementedError:
             return None
         return not zero and 0 in (plus, minus)
 
@@ -243,7 +236,10 @@ class Model:
         form = hessian(h + nu1 * C[0] + nu2 * C[1],
                        self.coordinates).subs(dict(zip(self.coordinates, self.point)))
         kernel = Matrix.hstack(*gradients[1:, :].nullspace())
-        roots = Poly((kernel.T * form * kernel).charpoly().all_coeffs(), symbol("lamda"))
-        zero = min(monomial[0] for monomial in roots.monoms())
-        positive = roots.count_roots(0, None) - (1 if zero else 0)
-        return positive, zero, roots.degree() - zero - positive
+        signs = [sign_of_constant(c) for c in (kernel.T * form * kernel).charpoly().all_coeffs()]
+        if None in signs:
+            raise NotImplementedError("a coefficient has no proved sign")
+        left = [s for s in signs if s]                     # all roots are real: Descartes' rule is exact
+        positive = sum(a != b for a, b in zip(left, left[1:]))
+        zero = len(signs) - 1 - max(n for n, s in enumerate(signs) if s)
+        return positive, zero, len(signs) - 1 - zero - positive

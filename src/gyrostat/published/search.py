@@ -15,7 +15,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import E3, FAMILIES
 from ..notation import symbol
 from ..stability.conditions import Criterion
-from .criteria import DAMPED, free_symbols, holds
+from .criteria import free_symbols, holds
 from .readings import Reading
 from .sampling import K, on_family
 
@@ -56,7 +56,7 @@ def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) ->
     if (
         not (never and wanted)
         and "stability" in claim
-        and claim != DAMPED and not claim.endswith(("Casimirs alone", "on the boundary"))
+        and not claim.endswith(("Casimirs alone", "on the boundary"))
     ):
         at_equality = (_settled(r, values) for values in islice(_on_boundary(r, derived), ON_BOUNDARY))
         yield from (values for values in at_equality if wanted in (None, holds(printed, values)))
@@ -118,23 +118,25 @@ def _cells(margins: list[Expr], s: Symbol) -> Iterator[Expr]:
 
 
 def _on_boundary(r: Reading, derived: Criterion) -> Iterator[Values]:
+    """Points where a margin is 0, of each in turn."""
+    return _in_turn(*(_where_zero(r, c.margin) for a in derived.alternatives for c in a))
+
+
+def _where_zero(r: Reading, margin: Expr) -> Iterator[Values]:
     """Points where a margin is 0, found along a name in which it is affine.
 
     The curvature of an unspecified U is drawn too.
     """
-    for alternative in derived.alternatives:
-        for condition in alternative:
-            yield from _at_rest(r, condition.margin)
-            for values in r.points([condition.margin,
-                                    *([symbol("d2U")] if condition.margin.has(symbol("dU")) else [])]):
-                for s in sorted(condition.margin.free_symbols, key=str):
-                    slope = condition.margin.diff(s)
-                    if slope.subs(values) and not slope.has(s) and s not in K:
-                        on = values | {s: (s - condition.margin / slope).subs(values)}
-                        if _admissible(r, on):
-                            yield on | _flat(r, on)
-                            yield from _next(r, on)
-                            yield from _double(r, condition.margin, s, on)
+    yield from _at_rest(r, margin)
+    for values in r.points([margin, *([symbol("d2U")] if margin.has(symbol("dU")) else [])]):
+        for s in sorted(margin.free_symbols, key=str):
+            slope = margin.diff(s)
+            if slope.subs(values) and not slope.has(s) and s not in K:
+                on = values | {s: (s - margin / slope).subs(values)}
+                if _admissible(r, on):
+                    yield on | _flat(r, on)
+                    yield from _next(r, on)
+                    yield from _double(r, margin, s, on)
 
 
 def _at_rest(r: Reading, margin: Expr) -> Iterator[Values]:
