@@ -57,6 +57,10 @@ MUTANTS = [
     ("literature", "S1-E1", {"let": {**BY_KEY["literature", "S1-E1"].let, "a": "pi3_0/I3 + P/(2*I1)"}}),
     ("literature", "S12-stable", {"printed": "dU + d2U >= 0"}),
     ("literature", "A1-Energy-Casimir", {"printed": "(I3 - I1)*(omega3_0**2 - m1) + l*omega3_0 - m0 > 0"}),
+    # k3 = 1/2 is of no rational direction
+    ("literature", "tilt-lost", {"printed": "unstable"}),
+    ("literature", "L6-damped", {"printed": "l + (I3 - I1)*omega3_0 > 0 and l + (I3 - I2)*omega3_0 >= 0"}),
+    ("literature", "sleeping-prolate", {"at": {}}),
 ]
 # among the mutants there are others like them
 LATER = {("VV2003", "E3-necessary", "printed"), ("literature", "S13", "printed"),

@@ -44,14 +44,16 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
     """
     names, positive, eq = unknowns(scene, expressions), list(given), scene.equilibrium
     positive += eq.existence() if eq and inside else []
-    directions = [v for v in _DIRECTIONS if v[2] == at.get(K[2], v[2])]
+    directions: list[tuple[Expr, ...]] = [v for v in _DIRECTIONS if v[2] == at.get(K[2], v[2])]
+    if K[2] in at and not directions:
+        directions = [(sqrt(1 - at[K[2]] ** 2), Integer(0), at[K[2]])]
     chance, found = random.Random(1), 0
     for trial in range(50 * TRIALS):
         if trial > 2000 and not found:                     # nothing satisfies what is given
             return
         values = {s: chance.choice(_SIZES) * (1 if s.is_positive or chance.random() < 0.7 else -1)
                   for s in names}
-        values |= {s: x for s, x in zip(K, chance.choice(directions)) if s in values}
+        values |= {s: x.xreplace(values) for s, x in zip(K, chance.choice(directions)) if s in values}
         values |= {name: value.xreplace(values) for name, value in at.items()}
         values = on_family(scene, values)
         if (
