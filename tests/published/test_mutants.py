@@ -61,6 +61,8 @@ MUTANTS = [
     ("literature", "tilt-lost", {"printed": "unstable"}),
     ("literature", "L6-damped", {"printed": "l + (I3 - I1)*omega3_0 > 0 and l + (I3 - I2)*omega3_0 >= 0"}),
     ("literature", "sleeping-prolate", {"at": {}}),
+    ("EA", "three-rotations", {"printed": ["-sin(theta)*cos(psi)", "sin(theta)*cos(psi)", "cos(theta)"]}),
+    ("VV2003", "influence", {"at": {"l": "I1*dU - pi3_0"}}),
 ]
 # among the mutants there are others like them
 LATER = {("VV2003", "E3-necessary", "printed"), ("literature", "S13", "printed"),
