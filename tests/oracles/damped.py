@@ -16,8 +16,10 @@ def least(scene, coefficients, v):
     """
     inertia = [refuted.value(t, v) for t in scene.get("inertia", ["I1", "I2", "I3"])]
     rotor = [refuted.value(t, v) for t in scene.get("gyrostatic_momentum", ["0", "0", "0"])]
-    label = scene["equilibrium"]
-    if label.startswith("axis"):
+    label = scene.get("equilibrium")
+    if label is None:
+        signs = across(scene, v)
+    elif label.startswith("axis"):
         signs = _on_sphere(int(label[-1]) - 1, inertia, rotor, v)
     elif "k1" in scene["potential"]:
         signs = _above(scene["potential"], inertia, rotor[2], v)
@@ -34,6 +36,42 @@ def _on_sphere(axis, inertia, rotor, v):
         return [0]
     return [1 / other - omega / m or 1 / inertia[axis] - 1 / other
             for i, other in enumerate(inertia) if i != axis]
+
+
+def across(scene, v):
+    """Two numbers with the signs of the squares of the energy on abs(M) = G at a point.
+
+    By the form in the basis M_n e_i − M_i e_n of the plane across M; 0 where G is.
+    """
+    inertia = [refuted.value(t, v) for t in scene.get("inertia", ["I1", "I2", "I3"])]
+    M, pi = momentum(scene, v), [refuted.value(t, v) for t in scene["point"]]
+    if not M:
+        return [0, 0]
+    n = next(i for i, m in enumerate(M) if m)
+    nu = pi[n] / inertia[n] / M[n]
+    i, j = (k for k in range(3) if k != n)
+    d = [1 / moment - nu for moment in inertia]
+    first, second = (d[k] * M[n] ** 2 + d[n] * M[k] ** 2 for k in (i, j))
+    determinant, trace = first * second - (d[n] * M[i] * M[j]) ** 2, first + second
+    # where it is 0 the third order along the kernel decides: a fold
+    if determinant < 0 or determinant == 0 and all(d):
+        return [1, -1]
+    return [trace, trace * determinant]
+
+
+def stability(scene, v):
+    """1 proved stable, as where the sphere is a point, -1 proved unstable, 0 neither."""
+    if not momentum(scene, v):
+        return 1
+    one, other = across(scene, v)
+    return (one * other > 0) - (one * other < 0)
+
+
+def momentum(scene, v):
+    """M = π + l at the point; empty where it is 0."""
+    rotor = scene.get("gyrostatic_momentum", ["0", "0", "0"])
+    M = [refuted.value(p, v) + refuted.value(l, v) for p, l in zip(scene["point"], rotor)]
+    return M if any(M) else []
 
 
 def _above(potential, inertia, rotor, v):

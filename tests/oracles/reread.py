@@ -97,11 +97,18 @@ class Motion(Texts):
         self.inertia = [plain.value(t, None) for t in table.get("inertia", ["I1", "I2", "I3"])]
         self.rotor = mp.matrix([plain.value(t, None)
                                 for t in table.get("gyrostatic_momentum", ["0", "0", "0"])])
-        self.label, self.potential = table.get("equilibrium"), table.get("potential")
+        self.label = table.get("equilibrium", "E" if "point" in table else None)
+        self.potential = table.get("potential")
         self.size = 3 if self.potential in (None, "none") else 6
         self.names = [f"{c}{i}" for c in ("pi", "k") for i in (1, 2, 3)][:self.size]
         self.k3 = {"E1": mp.mpf(1), "E2": mp.mpf(-1)}.get(self.label, numbers.get("k3", mp.mpf(0)))
-        self.start = self._start() if self.label else [numbers.get(name, mp.mpf(0)) for name in self.names]
+        self.start = (
+            [plain.value(t, None) for t in table["point"]]
+            if self.label == "E"
+            else self._start()
+            if self.label
+            else [numbers.get(name, mp.mpf(0)) for name in self.names]
+        )
 
     def _start(self):
         n = self.numbers
@@ -168,9 +175,8 @@ class Motion(Texts):
                   "nu2": lambda: self._multipliers(x)[1]}
         if name in simple:
             return simple[name]()
-        kept = [0, 1, 3, 4] if self.size == 6 else [i
-                                                    for i in range(3) if i + 1
-                                                    != int((self.label or "x1")[-1])]
+        axis = int((self.label or "E")[-1].replace("E", "1"))
+        kept = [0, 1, 3, 4] if self.size == 6 else [i for i in range(3) if i + 1 != axis]
         if name == "linearization":
             J = self.jacobian(x)
             return mp.matrix([[J[i, j] for j in kept] for i in kept])

@@ -173,11 +173,7 @@ def _fails(statement, scene, v, own):
         return None if sign is None else compared(printed, own) and sign != 1
     if claim.endswith("internal damping"):
         return compared(printed, own) and damped.least(scene, scene_of(scene)[1], v) == -1
-    sign = (
-        _triaxial(scene, v)
-        if "k1" in scene.get("potential", "")
-        else refuted.stability(scene_of(scene), v)[0]
-    )
+    sign = _stability(scene, v)
     if claim == "stability":
         return sign == (1 if printed == "unstable" else -1)
     says = compared(printed, own)
@@ -186,6 +182,15 @@ def _fails(statement, scene, v, own):
     if claim.startswith("necessary"):
         return not says and sign == 1
     return says and sign == (1 if "instability" in claim else -1)
+
+
+def _stability(scene, v):
+    """1 proved stable, -1 proved unstable, 0 neither."""
+    if "point" in scene:                                   # of a free body
+        return damped.stability(scene, v)
+    if "k1" in scene.get("potential", ""):
+        return _triaxial(scene, v)
+    return refuted.stability(scene_of(scene), v)[0]
 
 
 def _is_body(scene, v):

@@ -3,6 +3,7 @@ import pytest
 from sympy import Integer
 from written_sources import BY_KEY, status
 
+from gyrostat.errors import PublishedError
 from gyrostat.notation import symbol
 from gyrostat.published.independent import Model
 
@@ -38,7 +39,8 @@ def test_other_conditions_are_refuted(tmp_path, scene, printed):
 
 @pytest.mark.parametrize("scene, printed, expected", [
     (DUAL, LANDON.replace(">", ">="), "misprint"), (TOP, SLEEPS.replace(">", ">="), "misprint"),
-    (TILT, D.replace(">", ">="), "misprint"), (BOX, "I3 >= I1 and I3 >= I2", "unchecked")])
+    (TILT, D.replace(">", ">="), "misprint"),
+    pytest.param(BOX, "I3 >= I1 and I3 >= I2", "unchecked", marks=pytest.mark.slow)])
 def test_equality_is_decided_by_the_orders_that_follow(tmp_path, scene, printed, expected):
     """Where a square vanishes the energy may rise or fall; of the box nothing is known: least on a circle."""
     assert status(tmp_path, scene, DAMPED, printed) == expected
@@ -60,3 +62,25 @@ def test_equal_squares_are_counted_twice():
                                                        ("omega3_0", 3))}
     model = Model(BY_KEY["literature", "S11-uniform"].scene, values)
     assert model.inertia_of_second_variation() == (4, 0, 0) and model.is_definite()
+
+
+VOLTERRA = ('gyrostatic_momentum = ["(1 - nu*I1)*M1", "(1 - nu*I2)*M2", "(1 - nu*I3)*M3"]\n'
+            'point = ["nu*I1*M1", "nu*I2*M2", "nu*I3*M3"]')
+DELTA = "M1**2*(1/I2 - nu)*(1/I3 - nu) + M2**2*(1/I3 - nu)*(1/I1 - nu) + M3**2*(1/I1 - nu)*(1/I2 - nu)"
+TRACE = "M1**2*(1/I2 + 1/I3 - 2*nu) + M2**2*(1/I3 + 1/I1 - 2*nu) + M3**2*(1/I1 + 1/I2 - 2*nu)"
+
+
+@pytest.mark.parametrize("quantity, printed, expected", [
+    ("sufficient for stability", f"{DELTA} > 0", "confirmed"),
+    ("sufficient for stability", f"{DELTA} >= 0", "misprint"),          # at a fold it is unstable
+    ("sufficient for instability", f"{DELTA} <= 0", "misprint"),        # without momentum it is stable
+    (DAMPED, f"{DELTA} > 0 and {TRACE} > 0", "confirmed"), (DAMPED, f"{DELTA} > 0", "misprint")])
+def test_a_rotor_along_any_axis(tmp_path, quantity, printed, expected):
+    """At the equilibrium ω = ν M of a free gyrostat, by determinant and trace across M."""
+    assert status(tmp_path, VOLTERRA, quantity, printed) == expected
+
+
+def test_a_point_that_is_no_equilibrium_is_refused(tmp_path):
+    """With the rate that does not vanish."""
+    with pytest.raises(PublishedError, match="is not an equilibrium"):
+        status(tmp_path, VOLTERRA.replace("nu*I1*M1", "nu*I2*M1"), "sufficient for stability", f"{DELTA} > 0")

@@ -13,6 +13,7 @@ from ..algebra.exact import sign_of_constant
 from ..errors import PublishedError
 from ..kept import cached_property
 from ..notation import symbol
+from .independent_sphere import signs_on_sphere
 from .scenes import Scene
 
 Values = Mapping[Symbol, Expr]
@@ -27,7 +28,8 @@ class Model:
         self.values = dict(values)
         self.inertia = [moment.subs(self.values) for moment in scene.body.moments]
         self.rotor = Matrix([part.subs(self.values) for part in scene.body.gyrostatic_momentum])
-        self.label = scene.table.get("equilibrium")
+        self.claimed = scene.claimed
+        self.label = "E" if self.claimed else scene.table.get("equilibrium")
         self.spins = scene.body.is_of_revolution() and scene.potential is not None and scene.potential.axial
         self.coordinates = [*PI, *K] if scene.potential else [*PI]
         self.k3 = {"E1": Integer(1), "E2": Integer(-1)}.get(str(self.label),
@@ -68,6 +70,8 @@ class Model:
         if self.label == "E3":
             k = [self.values.get(K[0], sqrt(1 - self.k3**2)), self.values.get(K[1], Integer(0)), self.k3]
             return [*(moment * self.values[symbol("omega")] * x for moment, x in zip(self.inertia, k)), *k]
+        if self.claimed:
+            return [x.subs(self.values) for x in self.claimed]
         axis = int(str(self.label)[-1])
         return [self.inertia[axis - 1] * self.values[symbol(f"omega{i}_0")] if i == axis else Integer(0)
                 for i in (1, 2, 3)]
@@ -173,14 +177,8 @@ class Model:
         return (signs[0] or 0) * (signs[1] or 0) if signs else 1
 
     def signs_on_sphere(self) -> list[int | None]:
-        """Of the energy about the point on the sphere, along the other axes: of order two, or else four."""
-        axis = int(str(self.label)[-1]) - 1
-        if (momentum := self.point[axis] + self.rotor[axis]) == 0:
-            return []
-        slope = self.point[axis] / self.inertia[axis] / momentum
-        own = sign_of_constant(1 / self.inertia[axis] - slope)
-        second = [sign_of_constant(1 / moment - slope) for n, moment in enumerate(self.inertia) if n != axis]
-        return [own if sign == 0 else sign for sign in second]
+        """Of the two squares of the energy about the point on the sphere."""
+        return signs_on_sphere(self.inertia, [*(Matrix(self.point) + self.rotor)], self.point)
 
     def _leading(self) -> tuple[int, int]:
         """Of a body of revolution I1² k̇3² = g(k3), where g has a multiple root at the equilibrium.

@@ -53,13 +53,15 @@ def _moving(model: Model) -> dict[str, Any]:
             if isinstance(value, (Expr, MatrixBase)):
                 named[name] = Later(lambda value=value: value.subs(place))  # type: ignore[misc]
         lamda = symbol("lamda")
-        four = [0, 1, 3, 4] if len(x) == 6 else [i for i in range(3) if i + 1 != int(str(model.label)[-1])]
         named |= {"jacobian": Later(lambda: model.jacobian),
-                  "linearization": Later(lambda: model.jacobian.extract(four, four)),
-                  "identity": diag(*[1] * len(four)),
                   "polynomial": Later(lambda: model.polynomial.subs(model.values)),
                   "lamda": model.values.get(lamda, lamda),
                   "q": Later(lambda: model.polynomial.coeff(lamda, 0))}
+        if not model.claimed:                              # a basis of the orbit, known by the axis
+            basis = [0, 1, 3, 4] if len(x) == 6 else [n for n in range(3)
+                                                      if n + 1 != int(str(model.label)[-1])]
+            named |= {"linearization": Later(lambda: model.jacobian.extract(basis, basis)),
+                      "identity": diag(*[1] * len(basis))}
         if len(x) == 6 and all(e.is_Rational for e in model.point):
             named |= {f"nu{n + 1}": Later(lambda n=n: model.multipliers[n])  # type: ignore[misc]
                       for n in (0, 1)}

@@ -7,7 +7,9 @@ from typing import Any
 
 from sympy import Expr
 
+from ..algebra.grammar import parse
 from ..kept import cached_property
+from ..mechanics.claimed import equilibrium
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import E3
 from ..mechanics.scene_tables import SceneTable
@@ -18,7 +20,7 @@ from ..notation import jet, symbol
 class Scene(SceneTable):
     """One [scene.NAME] table: a body, a field, perhaps an equilibrium or Euler angles.
 
-    A point, a state and values are for the command line, no formula is about them.
+    A state, values, and a point in a field are for the command line, no formula is about them.
 
     Parameters
     ----------
@@ -28,9 +30,16 @@ class Scene(SceneTable):
 
     @cached_property
     def equilibrium(self) -> Equilibrium | None:
-        """Of the family that the table asks for."""
+        """Of the family that the table asks for, or the point of a free body."""
+        if self.claimed:
+            return equilibrium(self.system, self.claimed)
         spin, eliminated = self.table.get("spin", "pi3_0"), self.table.get("eliminate")
         return None if self.family is None else self.family.of(self.system, spin, eliminated)
+
+    @cached_property
+    def claimed(self) -> tuple[Expr, ...]:
+        """The point of a free body that its formulas are about; () without one."""
+        return () if self.potential else tuple(map(parse, self.table.get("point", ())))
 
     @property
     def point(self) -> tuple[Expr, ...]:

@@ -140,7 +140,13 @@ def _where_zero(r: Reading, margin: Expr) -> Iterator[Values]:
 
 
 def _at_rest(r: Reading, margin: Expr) -> Iterator[Values]:
-    """Points of the boundary without momentum along the vertical, where both sides vanish."""
+    """Points of the boundary without momentum along the vertical, where both sides vanish; or where all is 0
+    that may be.
+    """
+    for values in islice(r.points([margin]), 1):
+        on = values | {s: Integer(0) for s in values if not s.is_positive and s not in {*K, *r.at}}
+        if margin.xreplace(on) == 0 and _admissible(r, on):
+            yield on
     still = {symbol(name): Integer(0) for name in ("l", "pi3_0", "omega3_0")}
     for values in islice(r.points([margin]), 5):
         on = values | {s: x for s, x in still.items() if s in values}
