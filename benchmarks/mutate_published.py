@@ -53,7 +53,7 @@ EQUIVALENT = (
     (r"literature:F2: [xy] = sqrt\(1/I(\d) - 1/I\1\)",
      "μ = 0 and the motion is a rotation about an axis, a solution too"),
     (r"literature:F3-solution: [uvrs] = -\(", "two components or the time change sign: a solution too"),
-    (r"literature:(A1-Energy-Casimir|L8|L8-damped|L12|L12-still|major-axis|Volterra-off-plane-\w+): .*>=",
+    (r"literature:(A1-Energy-Casimir|L8|L8-damped|L12|L12-still|major-axis|Volterra-off-plane-\w+): .*[<>]=",
      "at equality the form is semidefinite: nothing is known there, and it is not confirmed"),
     (r"literature:L6-despun: .*>=", "true wherever l > 0"),
     (r"literature:sleeping-damped-critical: .*>=", "at equality the energy is least, by its fourth order"),
