@@ -122,7 +122,7 @@ def _columns(ax: Any, handles: Sequence[Any], most: int) -> int:
     size = optional("matplotlib.font_manager", "plot").FontProperties(size=size).get_size_in_points()
     space = room(ax) / size
     wide = [0.08 * width(handle.get_label().replace("$", "")) + SWATCH for handle in handles]
-    for columns in range(most, 1, -1):
+    for columns in range(min(most, len(handles)), 1, -1):
         # the first columns are the longer ones, as Matplotlib fills them
         if sum(map(max, np.array_split(wide, columns))) <= space:
             return columns
