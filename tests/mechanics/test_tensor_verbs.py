@@ -17,7 +17,6 @@ LEVEL = {"p_phi": 1, "p_psi": 1}
 REFUSED = {
     "reduce": lambda: gs.reduce(HEAVY), "inclined": lambda: gs.inclined(HEAVY),
     "static_tilt": lambda: gs.static_tilt(HEAVY), "bifurcations": lambda: gs.bifurcations(HEAVY),
-    "relative_equilibria": lambda: gs.relative_equilibria(HEAVY, {"omega": 1}),
     "bifurcation_points": lambda: gs.bifurcation_points(HEAVY, "omega", {}),
     "continuation": lambda: gs.continuation(HEAVY, "omega", (0, 1), {}),
     "angular_momentum": lambda: gs.mechanics.angular_momentum(HEAVY.body),
@@ -38,6 +37,7 @@ ANSWERED = {
     "torque_equations": lambda: gs.mechanics.torque_equations(FREE.body),
     "upright": lambda: gs.upright(HEAVY, spin="omega3_0"), "hanging": lambda: gs.hanging(HEAVY),
     "principal_rotation": lambda: gs.principal_rotation(FREE, 3),
+    "relative_equilibria": lambda: gs.relative_equilibria(HEAVY, {"omega": 1})[0].decision,
     "permanent rotations": lambda: gs.relative_equilibria(FREE, {"M": 1}),
     "motion": lambda: gs.trajectories.motion(FREE, (1, 2, 3)).attributes,
     "to_latex": lambda: gs.to_latex(gs.analyze(gs.principal_rotation(FREE, 3))),

@@ -121,6 +121,25 @@ def test_staude():
     assert not gs.relative_equilibria(scene, {"k1": 1 / sqrt(19), "k2": 3 / sqrt(19), "k3": -3 / sqrt(19)})
 
 
+@pytest.mark.parametrize("quadratic", [False, True])
+def test_in_any_axes(quadratic):
+    """A full tensor: the same rotations, turned, with the same verdicts."""
+    rng = random.Random(f"axes {quadratic}")
+    R = Matrix([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
+    for _ in range(3):
+        inertia, rotor, c, Q, omega = drawn(rng, quadratic)
+        scene = scene_of(inertia, rotor, c, Q)
+        turned = scene.potential.expression.xreplace(dict(zip(DIRECTION, R.T * Matrix(DIRECTION)))).expand()
+        tensor, moved = R * Matrix.diag(*inertia) * R.T, R * Matrix(rotor)
+        there = gs.assemble(gs.Gyrostat(tensor.tolist(), tuple(moved)), gs.general_potential(turned))
+        found, wanted = (gs.relative_equilibria(s, {"omega": omega}) for s in (there, scene))
+        assert len(found) == len(wanted)
+        for rotation in wanted:
+            place = np.array((R * Matrix(rotation.k)).evalf(20).tolist(), float).ravel()
+            (same,) = [r for r in found if np.abs(np.array([float(x) for x in r.k]) - place).max() < 1e-9]
+            assert same.decision == rotation.decision and same.damped == rotation.damped
+
+
 def test_principal_axes_carry_every_rate_that_is_an_eigenvalue():
     """c = 0 in a quadratic field: k is an eigenvector, six of them, and a circle where two values meet."""
     U = k1**2 / 2 + k2**2 + 3 * k3**2 / 2
