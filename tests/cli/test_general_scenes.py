@@ -122,6 +122,26 @@ def test_without_a_point(capsys):
     assert out.count("Verdict: Lyapunov stable") == 2 and out.startswith("E1\n")
 
 
+def test_every_permanent_rotation(capsys):
+    """At a rate, in text and as data; each is one where M × ω + k × ∇U vanishes. In a direction too."""
+    body = {"I1": 1, "I2": 2, "I3": 3, "l1": 0, "l2": 0, "l3": "1/2"}
+    given = ["--potential", "k1 + 2*k2 + k3", *sets(body)]
+    _, out, _ = run(capsys, *given, "--set", "omega=2", verb="decide")
+    assert out.count("permanent rotation\n") == 4 and out.count("the amended potential has a ") == 4
+    assert out.index("Lyapunov stable") < out.index("saddle") and "2 growing modes" in out
+    _, out, _ = run(capsys, *given, "--set", "omega=2", "--format", "json", verb="decide")
+    for each in json.loads(out)["equilibria"]:
+        k = [each[name]["decimal"] for name in ("k1", "k2", "k3")]
+        omega = [2 * float(x) for x in k]
+        M, g = [omega[0], 2 * omega[1], 3 * omega[2] + 0.5], (1, 2, 1)
+        for a, b in ((1, 2), (2, 0), (0, 1)):
+            torque = M[a] * omega[b] - M[b] * omega[a] + float(k[a]) * g[b] - float(k[b]) * g[a]
+            assert abs(torque) < 1e-9, each
+    one = [*sets({"k1": "-1/8", "k2": "-1/2", "k3": "sqrt(47)/8"})]
+    _, out, _ = run(capsys, *given, *one, verb="decide")
+    assert "ω = 2" in out and "Lyapunov stable" in out
+
+
 def test_an_unspecified_field_of_three_components(capsys):
     """Its scene is printed; a point needs a torque that vanishes."""
     status, out, _ = run(capsys, "--potential", "U(k1, k2, k3)", "--gyrostatic-momentum", "l1,l2,l3")
