@@ -1,13 +1,17 @@
 """gyrostat conditions: where each equilibrium exists, its two conditions, and what decides between them."""
 import argparse
 
-from ..printing.data import conditions_data, json_text
+from ..notation import symbol
+from ..printing.blocks import Heading
+from ..printing.conditions import criterion_blocks
+from ..printing.data import conditions_data, criterion_data, json_text
 from ..printing.document import conditions_blocks
 from ..printing.symbols import occurring, symbol_rows
 from ..printing.tables import conditions_table
 from ..printing.text import text
 from ..stability.stabilizing import inserted
 from .asked import asked_of
+from .energy_sink import sink_of
 from .equilibria import known_names, labels_of, of_each, reports_of, some
 from .options import numbers_of
 from .output import Output
@@ -20,6 +24,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     """Write the conditions; 0."""
     given = with_scene(given)
     numbers = numbers_of(given.values)
+    sink = sink_of(given, numbers)
     asked = asked_of(given, {*numbers, given.solve_for})
     labels, others = labels_of(asked, given.equilibrium, numbers)
     some(labels, others)
@@ -33,9 +38,12 @@ def run(given: argparse.Namespace, out: Output) -> int:
         missing = missing + without
     missing = missing + others
     after = [block for m in missing for block in m.blocks()]
+    if sink:
+        after += [Heading("Energy sink"), *criterion_blocks("Stable, to first order in weak dampers", sink,
+                                                             symbol("k3"), "energy sink")]
     if given.format == "json":
-        out(json_text({"equilibria": [conditions_data(report) for report in reports]
-                       + [m.data() for m in missing]}))
+        data = {"equilibria": [*map(conditions_data, reports), *(m.data() for m in missing)]}
+        out(json_text(data | ({"energy_sink": criterion_data(sink)} if sink else {})))
     elif given.format == "latex":
         out(conditions_table(reports, paper_of(given), after))
     else:

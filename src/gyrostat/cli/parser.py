@@ -44,6 +44,9 @@ def parser() -> argparse.ArgumentParser:
                             help="the values of one name, l, pi3_0, omega3_0, omega, m0, …, for which each "
                             "equilibrium exists and is stable; in closed form, or exact where --set gives "
                             "all other names")
+    for option, body in (("--platform-damping", "platform"), ("--rotor-damping", "rotor")):
+        conditions.add_argument(option, metavar="C", help=f"of a weak damper in the {body} of a --scene with "
+                                "one rotor, a number or a name: the energy-sink condition is added")
     for verb in (report, conditions):
         _equilibrium(verb, "may be repeated; left out: all that are known", "append")
     _equilibrium(decide, "left out: every relative equilibrium that the numbers allow")

@@ -47,6 +47,13 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
 
 
 def _table(place: str) -> Mapping[str, Any]:
+    """The entries of FILE#NAME, its rotors as a tensor and a momentum."""
+    scene = scene_of_file(place)
+    family = {} if scene.family is None else {"equilibrium": scene.family.asked_for}
+    return {**_without_rotors(scene), **family}
+
+
+def scene_of_file(place: str) -> SceneTable:
     """The table of FILE#NAME, or the only one of FILE."""
     file, _, name = place.rpartition("#") if "#" in place else (place, "", "")
     path = Path(file)
@@ -63,8 +70,8 @@ def _table(place: str) -> Mapping[str, Any]:
     name = name or next(iter(tables))
     try:
         scene = SceneTable(tables[name])
-        _, family = scene.system, scene.family             # what is wrong in it is said of the file
-        return {**_without_rotors(scene), **({} if family is None else {"equilibrium": family.asked_for})}
+        _ = scene.system, scene.family                     # what is wrong in it is said of the file
+        return scene
     except GyrostatError as error:
         raise PublishedError(f"{path}: scene.{name}: {error}") from None
 

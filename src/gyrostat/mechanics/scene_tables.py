@@ -55,7 +55,7 @@ class SceneTable:
         """The gyrostat; without entries a rigid body with three moments."""
         inertia: list[Any] = self.table.get("inertia", ["I1", "I2", "I3"])
         momentum: list[str] = self.table.get("gyrostatic_momentum", ["0", "0", "0"])
-        rotors: list[dict[str, Any]] = self.table.get("rotors", [])
+        rotors = self.table.get("rotors", [])
         flat = [x for row in inertia for x in (row if isinstance(row, list) else [row])]
         not_mixed([*(("inertia", x) for x in flat), *(("gyrostatic_momentum", x) for x in momentum),
                    *((name, x) for rotor in rotors for name, x in rotor.items()),
@@ -64,9 +64,14 @@ class SceneTable:
                   for row in inertia]
         if not rotors:
             return Gyrostat(tensor, [in_si(x, "gyrostatic_momentum")[0] for x in momentum])
-        return gyrostat_with_rotors(tensor, [
+        return gyrostat_with_rotors(tensor, self.rotors, lumped=self.table["lumped"])
+
+    @cached_property
+    def rotors(self) -> tuple[Rotor, ...]:
+        """Those that the table has."""
+        return tuple(
             Rotor(rotor["axis"], **{name: in_si(x, name)[0] for name, x in rotor.items() if name != "axis"})
-            for rotor in rotors], lumped=self.table["lumped"])
+            for rotor in self.table.get("rotors", []))
 
     @cached_property
     def potential(self) -> Potential | None:
