@@ -32,6 +32,7 @@ DOCUMENTS = [
     ("decide", "decide", (*WELLS, "--set", "I1=2", "--set", "I3=1", "--set", "l=0", "--set", "omega=1/2")),
     ("decide", "decide", (*TOP, "--equilibrium", "E1", "--set", "m0=1", "--set", "omega3_0=1.25")),
     ("decide", "decide", ("--potential", "none", "--set", "I1=1", "I2=2", "I3=3", "l=1", "--momentum", "2")),
+    ("decide", "decide", ("--potential", "k1 + 2*k2", "--set", "I1=1", "I2=2", "I3=3", "l=1", "omega=1")),
     ("verify", "verify", ("AR",)),
 ]
 
