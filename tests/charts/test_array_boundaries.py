@@ -64,6 +64,7 @@ def test_degenerate_shapes(reports, backend):
           backend=backend)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("name", ["E3 degree 20", "E3 exp"])
 def test_stiff_fields(reports, name, backend):

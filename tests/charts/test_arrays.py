@@ -76,7 +76,7 @@ def truth(reports):
 COMPILED = ("E1", "E3", "at rest", "E3 uniform, k3", "E3 exp", "free 3")
 
 
-@pytest.mark.few(10)
+@pytest.mark.few(6)
 @pytest.mark.parametrize(("name", "backend"), [
     *((name, "numpy") for name in GRIDS), *((name, "numba") for name in COMPILED),
     *(pytest.param(name, "numba", marks=pytest.mark.slow) for name in GRIDS if name not in COMPILED)])

@@ -18,6 +18,7 @@ BACKENDS = ["numpy", "numba"]
 E1_NAMES = ("I1", "dU", "l", "pi3_0")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_scalars_and_constants(e1, backend):
     """Numbers give a NumPy number; a margin that is a constant takes no names.

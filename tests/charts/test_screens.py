@@ -38,7 +38,7 @@ def columns(report, source):
     return given
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(3)
 @pytest.mark.parametrize("threads", [1, 3])
 @pytest.mark.parametrize("name", ["E1", "E2", "E3", "E1 degree 4", "E1 pole", "E3 pole", "E1 exp"])
 def test_a_list_is_decided_as_each_of_its_points(reports, monkeypatch, name, threads):

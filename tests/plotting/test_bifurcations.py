@@ -40,7 +40,7 @@ def at(pieces, x):
     return sorted(found.items(), key=lambda pair: -pair[0])
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(3)
 def test_every_branch_is_there_with_its_verdict(followed):
     """At values between the nodes: those of relative_equilibria, which are complete and exact."""
     scene, values, name, ends, _, pieces, _ = followed

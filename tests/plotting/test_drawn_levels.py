@@ -197,6 +197,7 @@ def poles(scene, seed):
                      and left <= v <= right and low <= h <= high}, seed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1])
 def test_critical_values_that_are_drawn(seed):
     """Random fields, with poles of U outside and inside."""

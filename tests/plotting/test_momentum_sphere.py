@@ -25,6 +25,7 @@ def drawn(inertia, rotor, radius, energies=None, **kwargs):
     return draw_momentum_sphere(gs.assemble(gs.Gyrostat(inertia, rotor)), radius, {}, energies, ax, **kwargs)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("inertia, rotor, radius", CASES)
 def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
     """abs(M) = R and Σ (M − l)²/(2 I) = energy to 1e-12, at every energy, and curves are closed.
@@ -47,6 +48,7 @@ def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
         assert apart.min(axis=1).max() < 1e-9
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("inertia, rotor, radius", [case for case in CASES if case[0] != (2, 3, 3)])
 def test_separatrices_lie_on_sphere_and_level(inertia, rotor, radius):
     """To rounding at the saddle too, where the gradient vanishes."""

@@ -11,6 +11,7 @@ from gyrostat.plotting.energy_levels import floats, level_curve
 from gyrostat.stability.permanent_rotations import permanent_rotations
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("inertia", "rotor", "radius"), [
     ((1, 2, 3), (0, 0, "1/2"), 1), *slow(((1, 2, 3), ("1/4", 0, 0), "1/2"),
                                          (("1/2", "4/3", 1), (1, "-1/3", 0), "sqrt(5)"))])

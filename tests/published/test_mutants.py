@@ -69,7 +69,7 @@ LATER = {("VV2003", "E3-necessary", "printed"), ("literature", "S13", "printed")
          ("literature", "F3-solution", "let"), ("N2025", "curves-around-1", "printed")}
 
 
-@pytest.mark.few(8)
+@pytest.mark.few(6)
 @pytest.mark.parametrize(("source", "key", "change"), [
     pytest.param(s, k, change, id=f"{s}:{k}:{n}", marks=[pytest.mark.slow] * ((s, k, *change) in LATER))
     for n, (s, k, change) in enumerate(MUTANTS)])

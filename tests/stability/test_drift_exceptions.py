@@ -2,6 +2,7 @@
 from fractions import Fraction
 
 import oracle
+import pytest
 from draw import moments, nonzero, tilts
 from hypothesis import assume, given, settings
 from precessions import at, k3, precession, ranks, turning
@@ -51,6 +52,7 @@ def test_a_flat_point_is_no_exception():
     assert turning(Fraction(1), Fraction(1), Fraction(0), tilt, Fraction(1), sigma, slope)
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, W=nonzero, tilt=tilts, h=nonzero)
 @settings(max_examples=15)
 def test_rates_of_second_order(e3, drift, I1, I3, W, tilt, h):

@@ -60,7 +60,7 @@ def check(rng, quadratic):
 @pytest.mark.parametrize("quadratic", [False, True])
 def test_all_are_found_and_rightly_decided(quadratic):
     rng = random.Random(f"heavy {quadratic}")
-    assert sum(check(rng, quadratic) for _ in range(15)) > 30
+    assert sum(check(rng, quadratic) for _ in range(6)) > 12
 
 
 @pytest.mark.slow
@@ -121,12 +121,13 @@ def test_staude():
     assert not gs.relative_equilibria(scene, {"k1": 1 / sqrt(19), "k2": 3 / sqrt(19), "k3": -3 / sqrt(19)})
 
 
+@pytest.mark.parametrize("cases", [1, pytest.param(20, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("quadratic", [False, True])
-def test_in_any_axes(quadratic):
+def test_in_any_axes(quadratic, cases):
     """A full tensor: the same rotations, turned, with the same verdicts."""
-    rng = random.Random(f"axes {quadratic}")
+    rng = random.Random(f"axes {quadratic} {cases}")
     R = Matrix([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
-    for _ in range(3):
+    for _ in range(cases):
         inertia, rotor, c, Q, omega = drawn(rng, quadratic)
         scene = scene_of(inertia, rotor, c, Q)
         turned = scene.potential.expression.xreplace(dict(zip(DIRECTION, R.T * Matrix(DIRECTION)))).expand()

@@ -132,6 +132,7 @@ def test_a_wheel_in_rpm_and_a_momentum_with_pi(inertia):
         assert x.decision == y.decision and x.damped == y.damped
 
 
+@pytest.mark.slow
 def test_a_range_of_rates_in_rpm():
     """The folds of l = π n (1, 2, 2) on abs(M) = 9 π are those of l = n (1, 2, 2) on 9."""
     folds = []

@@ -35,6 +35,7 @@ def test_a_free_body_in_closed_form(name):
         assert solution.contains(values) is truth(report, values), values
 
 
+@pytest.mark.slow
 def test_where_the_margin_is_zero_all_along():
     """U = k3 + a (k3 − 1)², P² = 4 I1: on the boundary for every a, stable for a ≥ −1/2.
 

@@ -39,6 +39,7 @@ def test_gyrostat_near_a_separatrix(gap):
         assert distance(motion.state(t), middles(motion.ball_state(arb(t), 60))) < 1e-14
 
 
+@pytest.mark.slow
 def test_gyrostat_on_a_separatrix():
     """It comes from the permanent rotation and returns to it, in infinite time.
 

@@ -35,6 +35,7 @@ def chaotic(request):
     return Integration(scene(INERTIA, ROTOR, FIELD), exact(STATE), method=request.param)
 
 
+@pytest.mark.slow
 def test_series_reproduce_the_printed_motion():
     """The oracle has the state of the chaotic gyrostat at t = 20, and of the free body at t = 32, to all 15
     to 18 digits printed.
@@ -114,6 +115,7 @@ def test_nothing_is_integrated_twice(chaotic):
     assert steps < chaotic.nodes < steps + 40
 
 
+@pytest.mark.slow
 @settings(max_examples=3)
 @given(inertia=st.tuples(*[draw.moments] * 3), rotor=st.tuples(*[numbers] * 3),
        momentum=st.tuples(*[numbers] * 3), tilt=draw.tilts,

@@ -173,6 +173,7 @@ def test_more_nodes_where_the_function_is_steeper():
         )
 
 
+@pytest.mark.slow
 def test_a_kink_is_no_smooth_function():
     """abs(cos) is integrated to no accuracy, neither is a step at 0, and a value known to a few bits is
     refused.
