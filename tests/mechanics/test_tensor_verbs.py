@@ -2,6 +2,7 @@
 import inspect
 
 import matplotlib
+import matplotlib.pyplot as plt
 import pytest
 from sympy import ImmutableMatrix
 
@@ -71,7 +72,7 @@ def test_it_answers(name, monkeypatch):
     matplotlib.use("Agg")
     monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
     assert ANSWERED[name]() is not None
-    matplotlib.pyplot.close("all")
+    plt.close("all")
 
 
 def test_no_verb_is_left_out():

@@ -79,6 +79,7 @@ FORMULA = ('[[formula]]\nkey = "a"\nwhere = "(1)"\nquantity = "p"\nprinted = "{}
     (GOOD + FORMULA.format("p").replace("[[formula]]", "[formula]"), "\\[\\[formula\\]\\]"),
     (GOOD + "[expected]\nmisprint = 'a'", "lists of keys"),
     (GOOD + FORMULA.format("p") + 'at = { zz = "1" }\n', "at gives zz"),
+    (GOOD + FORMULA.format("p") + 'at = { I1 = "2*m0", m0 = "1" }\n', "at gives I1 by m0, and m0 too"),
     (GOOD + FORMULA.format("p") + 'at = { I1 = "0" }\n', "are positive"),
     (GOOD + FORMULA.format("p") + 'given = "m0 >= 0"\n', "write > or <"),
     (GOOD + FORMULA.format("entry(jacobian, 0, 1)"), "no entry 0, 1"),

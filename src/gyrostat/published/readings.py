@@ -31,6 +31,10 @@ class Reading:
             value = self.at[symbol(name)] = read(text, bare)
             if symbol(name).is_positive and value.is_positive is False:
                 raise PublishedError(f"at gives {name} = {value}: moments of inertia are positive")
+        for name, value in self.at.items():
+            for other in (value.free_symbols & self.at.keys()) - {name}:
+                raise PublishedError(f"at gives {name} by {other}, and {other} too: write {name} with the "
+                                     f"value of {other} in it")
         self.names = names(self.scene, self.at) if self.at else bare
         self.own = _with_let(self.names, statement.let)
         given = [text for text in (self.scene.table.get("given", ""), statement.given) if text]
