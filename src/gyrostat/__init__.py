@@ -60,6 +60,8 @@ if TYPE_CHECKING:
     from .stability.solve import solve_condition
     from .stability.spectra import Spectrum, spectrum
     from .stability.stabilizing import stabilizing_set
+    from .stability.staude import StaudeCone, staude_cone
+    from .stability.staude_arcs import StaudeArc
 
 # loaded when something is shown
 _Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(shown)
@@ -76,8 +78,8 @@ __all__ = [
     "published", "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor",
     "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
     "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
-    "static_tilt", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex",
-    "trajectories", "uniform_field", "upright", "Verdict",
+    "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "symbol", "symmetric_gyrostat",
+    "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -107,4 +109,5 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.relative_equilibria": "relative_equilibria", "stability.report": "Decision Report Verdict",
     "stability.sets": "Case Interval Solution SolvedCondition", "stability.solve": "solve_condition",
     "stability.spectra": "Spectrum spectrum", "stability.stabilizing": "stabilizing_set",
+    "stability.staude": "staude_cone StaudeCone", "stability.staude_arcs": "StaudeArc",
 })

@@ -7,7 +7,7 @@ from ..notation import symbol
 from ..printing.blocks import Block, Display, Heading, Sentence, Word, sentence
 from ..printing.data import double, json_text
 from ..printing.decision import damped_block, decision_blocks
-from ..printing.results import number as rounded
+from ..printing.ends import number as rounded
 from ..printing.text import text
 from ..stability.report import Decision
 from .answers import Answer, answers_at, answers_data

@@ -5,7 +5,7 @@ Sets of a parameter, branches, bifurcations, the reduced motion.
 from functools import singledispatch
 from typing import Any
 
-from sympy import Abs, CRootOf, Expr, Pow, S, oo, sqrt
+from sympy import Expr, Pow, S, oo, sqrt
 
 from ..algebra.readable import readable
 from ..mechanics.reduction import Reduction
@@ -20,10 +20,14 @@ from ..stability.linearization import rational_root
 from ..stability.meetings import BifurcationPoint
 from ..stability.permanent_rotations import PermanentRotation
 from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
+from ..stability.staude import StaudeCone
+from ..stability.staude_arcs import StaudeArc
 from .blocks import Block, Display, Word, equations, joined, listed, sentence
 from .boundary import ladder, rung_display
 from .conditions import existence
 from .drift import drift_displays
+from .ends import number, tidy
+from .staude import arc_blocks, cone_blocks
 
 # operations under a root, more of which are given a name
 LONG = 8
@@ -74,7 +78,7 @@ def _part(part: SolvedCondition, name: str, title: str) -> list[Block]:
         shown = [_abbreviated(p, names) for p in (*parts, ": ", *_set(case.intervals, x), ".")]
         blocks.append(sentence(*shown, at=part.at))
     if names:
-        blocks += [sentence("There:"), *(Display(name, _tidy(e), part.at) for e, name in names.items())]
+        blocks += [sentence("There:"), *(Display(name, tidy(e), part.at) for e, name in names.items())]
     return blocks
 
 
@@ -162,20 +166,6 @@ def _vanishing(rung: Expr) -> Expr:
     return readable(rational_root(-rung) or rung if (-rung).is_nonnegative else rung)
 
 
-def number(value: Expr) -> Any:
-    """An end as it reads best: the root of a polynomial as a decimal, a fraction factored."""
-    if value.has(CRootOf):
-        digits = str(value.evalf(12))
-        return Word(f"{digits.replace('-', '−')}…", rf"{digits}\dots")
-    return _tidy(value)
-
-
-def _tidy(value: Expr) -> Expr:
-    """A fraction of polynomials factored, anything else as it is."""
-    rational = all(p.exp.is_Integer for p in value.atoms(Pow)) and not value.atoms(Abs)
-    return readable(value) if value.free_symbols and rational else value
-
-
 @result_blocks.register
 def _branch(branch: Branch) -> list[Block]:
     place = [(branch.along, branch.k3), (symbol("omega"), branch.omega), (symbol("sigma"), branch.sigma)]
@@ -203,6 +193,16 @@ def _heavy_rotation(rotation: HeavyRotation) -> list[Block]:
     place, k = listed(map(number, rotation.k)), Word("k", "⟨vector_k⟩")
     return [sentence("permanent rotation at ", k, " = (", *place, "), ", *equations([(symbol("omega"), number(
         rotation.omega))]), f"{circle}: {rotation.decision.verdict.name.lower()}")]
+
+
+@result_blocks.register
+def _staude_cone(cone: StaudeCone) -> list[Block]:
+    return cone_blocks(cone)
+
+
+@result_blocks.register
+def _staude_arc(arc: StaudeArc) -> list[Block]:
+    return arc_blocks(arc)
 
 
 @result_blocks.register
@@ -234,5 +234,4 @@ def _reduction(motion: Reduction) -> list[Block]:
 
 
 RESULTS = (Solution, Branch, PermanentRotation, HeavyRotation, Bifurcation, BifurcationPoint, Boundary, Drift,
-           Reduction)
-
+           Reduction, StaudeArc, StaudeCone)
