@@ -64,6 +64,11 @@ def rotors(heavy):
                                    flat())
 
 
+def staude(heavy):
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(lambda *k: sum(k)))
+    return plotting.draw_staude_cone(scene, {}, space())
+
+
 def diagram(heavy):
     return plotting.draw_energy_momentum(heavy, BODY | {"p_psi": 1}, ax=flat())
 
@@ -102,6 +107,7 @@ def contents(figure):
     pytest.param(["bifurcations", "--potential", "none", *sets("I1=1 I2=2 I3=3 M=1"), "--x", "l=0:1"],
                  spun_up, marks=pytest.mark.slow),
     (["rotor-set", *sets("I1=1 I2=2 I3=3 l2=0"), "--momentum", "1"], rotors),
+    (["staude-cone", "--potential", "k1+k2+k3", *sets("I1=1 I2=2 I3=3 l=0")], staude),
     pytest.param(["energy-momentum", *HEAVY, *sets("p_psi=1")], diagram, marks=pytest.mark.slow),
     (["eigenvalues", *HOPF, "--x", "omega3_0=2.2:0:40"], hopf),
     (["cones", *sets("I1=2 I3=1"), "--transverse", "1", "--axial", "2"], rolling)],
@@ -161,6 +167,13 @@ def test_files(capsys, tmp_path):
      "there is no space cone"),
     (["rotor-set", *sets("I1=1 I2=2 I3=3"), "--momentum", "1", "--output", "x.png"],
      "without a number are l1, l2, l3, and the picture is a plane"),
+    (["staude-cone", *sets("I1=1 I2=2 I3=3 l=0"), "--output", "x.png"],
+     "--potential is missing, and staude-cone is of a field"),
+    (["staude-cone", "--potential", "k1^2+k2", *sets("I1=1 I2=2 I3=3 l=0"), "--output", "x.png"],
+     "U = k1**2 + k2 is not c·k: the arcs are found in a uniform field"),
+    (["staude-cone", "--potential", "k1+k2", *sets("I1=1 I2=2 I3=3 l=1"), "--output", "x.png"],
+     "the arcs are those of a body without one: give l = 0"),
+    (["staude-cone", "--potential", "k1+k2", *sets("I1=1 I2=2 l=0"), "--output", "x.png"], "needs I3"),
     (["momentum-sphere", *sets("I1=1 I3=3 l=0"), "--momentum", "1", "--output", "x.png"], "no number for I2"),
     (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0"), "--momentum", "0", "--output", "x.png"],
      "give a positive number"),

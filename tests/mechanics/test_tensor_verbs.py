@@ -30,6 +30,8 @@ REFUSED = {
     "draw_energy_momentum": lambda: gs.plotting.draw_energy_momentum(HEAVY, {"p_psi": 1}),
     "draw_momentum_sphere": lambda: gs.plotting.draw_momentum_sphere(FREE, 2),
     "draw_rotor_set": lambda: gs.plotting.draw_rotor_set(gs.assemble(gs.Gyrostat(TENSOR)), {"l3": 0, "M": 1}),
+    "draw_staude_cone": lambda: gs.plotting.draw_staude_cone(gs.assemble(
+        gs.Gyrostat(TENSOR, (0, 0, 0)), HEAVY.potential)),
     "animate_top": lambda: gs.plotting.animate_top(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
     "view_motion": lambda: gs.plotting.view_motion(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
 }
@@ -39,6 +41,7 @@ ANSWERED = {
     "upright": lambda: gs.upright(HEAVY, spin="omega3_0"), "hanging": lambda: gs.hanging(HEAVY),
     "principal_rotation": lambda: gs.principal_rotation(FREE, 3),
     "relative_equilibria": lambda: gs.relative_equilibria(HEAVY, {"omega": 1})[0].decision,
+    "staude_cone": lambda: gs.staude_cone(HEAVY).polynomial,
     "permanent rotations": lambda: gs.relative_equilibria(FREE, {"M": 1}),
     "motion": lambda: gs.trajectories.motion(FREE, (1, 2, 3)).attributes,
     "to_latex": lambda: gs.to_latex(gs.analyze(gs.principal_rotation(FREE, 3))),

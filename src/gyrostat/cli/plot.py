@@ -54,6 +54,11 @@ def _rotor_set(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     return _unusual(scene, numbers)
 
 
+def _staude_cone(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    plotting.draw_staude_cone(scene := _in_a_field(given, numbers), numbers, figure.add_subplot(**SPACE))
+    return _unusual(scene, numbers)
+
+
 def _nutation(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     times = times_of(given, POINTS)
     plotting.draw_nutation(moving := motion_of(given), times, figure.add_subplot(**SPACE))
@@ -125,5 +130,5 @@ def _free(name: str, numbers: Numbers) -> None:
 
 DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], str]] = {
     "momentum-sphere": _momentum_sphere, "nutation": _nutation, "effective-potential": _effective_potential,
-    "bifurcations": _bifurcations, "rotor-set": _rotor_set, "energy-momentum": _energy_momentum,
-    "eigenvalues": _eigenvalues, "cones": _cones}
+    "bifurcations": _bifurcations, "rotor-set": _rotor_set, "staude-cone": _staude_cone,
+    "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues, "cones": _cones}
