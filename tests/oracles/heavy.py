@@ -50,3 +50,34 @@ def squares(inertia, rotor, c, Q, omega, k):
     normals = np.array([[*k, *M], [0, 0, 0, *k]])
     tangent = np.linalg.svd(normals)[2][2:]
     return np.linalg.eigvalsh(tangent @ form @ tangent.T)
+
+
+def on_level(inertia, rotor, c, Q, level, starts=200, seed=0):
+    """Every k at which U + (level − l·k)²/(2 k·Ik) is critical on abs(k) = 1, that is found; and its rate."""
+    rng = np.random.default_rng(seed)
+    k = rng.normal(size=(starts, 3))
+    k /= np.linalg.norm(k, axis=1)[:, None]
+
+    def slope(k):
+        along = k @ inertia
+        J = np.sum(k * along, axis=1)[:, None]
+        omega = (level - k @ rotor)[:, None] / J
+        return along, J, omega, c + k @ Q - omega * rotor - omega**2 * along
+
+    sigma = np.sum(k * slope(k)[3], axis=1)
+    for _ in range(80):
+        along, J, omega, g = slope(k)
+        v = 2 * omega * along + rotor
+        hessian = Q - omega[..., None]**2 * inertia + v[:, :, None] * v[:, None, :] / J[..., None]
+        M = np.zeros((starts, 4, 4))
+        M[:, :3, :3] = hessian - sigma[:, None, None] * np.eye(3)
+        M[:, :3, 3], M[:, 3, :3] = -k, k
+        residual = np.concatenate([g - sigma[:, None] * k, (np.sum(k**2, axis=1)[:, None] - 1) / 2], axis=1)
+        step = np.linalg.solve(M + 1e-300, residual[..., None])[..., 0]
+        k, sigma = k - step[:, :3], sigma - step[:, 3]
+    good = np.all(np.isfinite(k), 1) & (np.abs(step).max(1) < 1e-9 * (1 + np.abs(sigma)))
+    found = []
+    for x in k[good]:
+        if all(np.abs(x - y).max() > 1e-6 for y, _ in found):
+            found.append((x, (level - x @ rotor) / (x @ inertia @ x)))
+    return found

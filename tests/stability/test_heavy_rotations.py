@@ -5,34 +5,13 @@ from fractions import Fraction
 import heavy
 import numpy as np
 import pytest
+from heavy_scenes import DIRECTION, drawn, floats, k1, k2, k3, scene_of
 from slow import sampled
 from sympy import Matrix, Rational, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.stability.amended_form import amended_form
-
-k1, k2, k3 = DIRECTION = [gs.symbol(f"k{n}") for n in (1, 2, 3)]
-
-
-def drawn(rng, quadratic):
-    """A body, a rotor, U = c·k + k·Qk/2, in fractions."""
-    def number():
-        return Fraction(rng.randint(-12, 12), rng.randint(1, 6))
-    inertia = [Fraction(rng.randint(4, 30), 10) for _ in range(3)]
-    half = [[number() if quadratic else Fraction(0) for _ in range(3)] for _ in range(3)]
-    Q = [[half[i][j] + half[j][i] for j in range(3)] for i in range(3)]
-    return inertia, [number() / 5 for _ in range(3)], [number() / 3 for _ in range(3)], Q, number()
-
-
-def scene_of(inertia, rotor, c, Q):
-    slopes = [x + sum(y * k for y, k in zip(row, DIRECTION)) / 2 for x, row in zip(c, Matrix(Q).tolist())]
-    U = sum(x * k for x, k in zip(slopes, DIRECTION))
-    return gs.assemble(gs.Gyrostat(tuple(inertia), tuple(rotor)), gs.general_potential(U))
-
-
-def floats(inertia, rotor, c, Q, omega):
-    return np.diag([float(x) for x in inertia]), *(np.array(x, float) for x in (rotor, c, Q)), float(omega)
 
 
 def check(rng, quadratic):

@@ -102,7 +102,7 @@ def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None
     nothing = (0,) * len(ring.generators)
     coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
     found = in_order([r for factor, _ in fmpq_poly(coefficients).factor()[1]
-                      for r in _roots_of_factor(factor)])
+                      for r in roots_of_factor(factor)])
     return found if norm is polynomial else _kept(ring, polynomial, x, found)
 
 
@@ -210,7 +210,7 @@ def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -
                  for exponents, c in polynomial.to_dict().items()))
 
 
-def _roots_of_factor(factor: fmpq_poly) -> list[Expr]:
+def roots_of_factor(factor: fmpq_poly) -> list[Expr]:
     """The real roots of an irreducible polynomial."""
     c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
     if len(c) <= 3:

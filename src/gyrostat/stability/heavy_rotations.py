@@ -1,4 +1,4 @@
-"""The permanent rotations of any body in a field: every one at a rate, or in a direction."""
+"""The permanent rotations of any body in a field: every one at a rate, on a level, or in a direction."""
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -20,8 +20,9 @@ from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import Stored, symbol
 from ..shown import Shown
 from .amended_form import AmendedForm, amended_form
-from .asked import exact_point
+from .asked import C1, exact_point
 from .decision import Decision, Verdict
+from .heavy_levels import rates_on_level
 from .report import Report
 from .secular import KEPT, LOST, modes
 from .sphere import circle_in_words
@@ -152,8 +153,8 @@ class HeavyRotation(Shown, Stored):
 
 
 def heavy_rotations(scene: System, values: Mapping[str, Any]) -> list[HeavyRotation]:
-    """Every permanent rotation at a rate omega, or in a direction k1, k2, k3; as relative_equilibria says."""
-    needed, asked = {s.name for s in names_of_scene(scene)}, {"omega", *map(str, DIRECTION)}
+    """Every one at a rate omega, on a level C1, or in a direction k1, k2, k3; as relative_equilibria says."""
+    needed, asked = {s.name for s in names_of_scene(scene)}, {"omega", "C1", *map(str, DIRECTION)}
     if taken := sorted(needed & asked):
         raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion: rename it")
     numbers = exact_point(scene, values, needed | asked)
@@ -163,10 +164,15 @@ def heavy_rotations(scene: System, values: Mapping[str, Any]) -> list[HeavyRotat
     given = values.keys() & asked
     if given == {"omega"}:
         return sorted(_at_rate(here, numbers[OMEGA]), key=_place)
+    if given == {"C1"}:
+        linear, curved = _quadratic(here, "on a level of C1")
+        inertia, rotor = here.body.tensor, Matrix(here.body.gyrostatic_momentum)
+        found = rates_on_level(inertia, curved, linear, rotor, numbers[C1])
+        return sorted((HeavyRotation(here, k, omega, circle) for omega, k, circle in found), key=_place)
     if given == set(map(str, DIRECTION)):
         return _in_direction(here, tuple(numbers[x] for x in DIRECTION))
     raise ValuesError(f"given were {', '.join(sorted(given)) or 'no names of the motion'}: give omega, the "
-                      "rate about the vertical, or k1, k2, k3, a direction")
+                      "rate about the vertical, or C1, the value of M·k, or k1, k2, k3, a direction")
 
 
 def _data(scene: System, k: Sequence[Expr]) -> Data:
@@ -181,6 +187,15 @@ def _data(scene: System, k: Sequence[Expr]) -> Data:
 
 def _at_rate(scene: System, omega: Expr) -> Iterator[HeavyRotation]:
     """(omega² I − Q + sigma) k = c − omega l, where U = c·k + k·Qk/2."""
+    linear, curved = _quadratic(scene, "at a rate omega")
+    pencil = omega**2 * scene.body.tensor - curved + SIGMA * eye(3)
+    vector = linear - omega * Matrix(scene.body.gyrostatic_momentum)
+    for _, k, circle in points_on_sphere(pencil, vector, S.One, SIGMA):
+        yield HeavyRotation(scene, k, omega, circle)
+
+
+def _quadratic(scene: System, where: str) -> tuple[Matrix, Matrix]:
+    """c and Q of U = c·k + k·Qk/2, or a refusal."""
     U = scene.potential
     assert U is not None
     try:
@@ -189,13 +204,11 @@ def _at_rate(scene: System, omega: Expr) -> Iterator[HeavyRotation]:
         degree = None
     if degree not in (1, 2):
         what = "is not a polynomial" if degree is None else f"has degree {degree}"
-        raise ScopeError(f"U = {U.expression} {what} in k: all rotations at a rate omega are found where it "
+        raise ScopeError(f"U = {U.expression} {what} in k: all rotations {where} are found where it "
                          "has degree 1 or 2; give a direction k1, k2, k3 instead, of which every rate is "
                          "found in any field")
-    _, rotor, linear, curved = _data(scene, (S.Zero,) * 3)
-    pencil = omega**2 * scene.body.tensor - Matrix(curved) + SIGMA * eye(3)
-    for _, k, circle in points_on_sphere(pencil, Matrix(linear) - omega * Matrix(rotor), S.One, SIGMA):
-        yield HeavyRotation(scene, k, omega, circle)
+    _, _, linear, curved = _data(scene, (S.Zero,) * 3)
+    return Matrix(linear), Matrix(curved)
 
 
 def _in_direction(scene: System, k: tuple[Expr, ...]) -> list[HeavyRotation]:

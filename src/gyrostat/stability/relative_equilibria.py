@@ -31,6 +31,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
 
     - omega: every permanent rotation ω = omega k of that rate, (omega² I − Q + σ) k = c − omega l, where U is
       of degree 1 or 2, c·k + k·Qk/2
+    - C1: every permanent rotation on that level of C1 = M·k, the critical points of the amended potential
+      U + (C1 − l·k)²/(2 k·Ik), at rational numbers and in the same U; minima − saddles + maxima = 2
     - k1, k2, k3: every rate of a permanent rotation in that direction, omega² Ik × k + omega l × k = ∇U × k.
 
     Of a free body or gyrostat: numbers for the moments and the rotor, and M, the length of M = π + l: every
@@ -55,8 +57,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     ValuesError
         names are missing, unknown or too many, or a number is not admissible
     ScopeError
-        U is unspecified; of a body of revolution it is not rational in k3; of any other, at a rate, not a
-        polynomial of degree 1 or 2
+        U is unspecified; of a body of revolution it is not rational in k3; of any other, at a rate or on a
+        level, not a polynomial of degree 1 or 2; on a level rotations are not told apart by omega
 
     References
     ----------

@@ -1,0 +1,152 @@
+"""The permanent rotations of any body in a field on a level of C1 = M·k: critical points of U_c."""
+from collections.abc import Iterator
+from typing import Any
+
+from flint import arb, arb_mat, fmpq, fmpq_mpoly, fmpq_poly
+from sympy import Add, Expr, Matrix, Mul, Rational, Symbol, eye
+
+from ..algebra.balls import ball
+from ..algebra.exact import evaluate, proved_sign
+from ..algebra.pencils import points_on_sphere
+from ..algebra.polynomials import Ring, by_degree
+from ..algebra.precision import own_precision
+from ..algebra.roots import roots_of_factor
+from ..errors import ScopeError
+from ..notation import symbol
+
+OMEGA, SIGMA, EPSILON = symbol("omega"), symbol("sigma"), symbol("epsilon")
+PRECISION = 512                                            # bits
+OTHER = "; give omega instead, of which all are found, or a direction k1, k2, k3"
+Found = tuple[Expr, tuple[Expr, ...], tuple[Expr, ...] | None]
+
+
+def rates_on_level(inertia: Matrix, curved: Matrix, linear: Matrix, rotor: Matrix, level: Expr
+                   ) -> Iterator[Found]:
+    """omega, k, and the axis of a circle if there is one, of N k = b, k·k = 1 and C1 = omega k·Ik + l·k.
+
+    N = omega² I − Q + sigma and b = c − omega l, where U = c·k + k·Qk/2. Where det N ≠ 0 the solutions are
+    the common roots of two polynomials in omega and sigma; omega is a root of their resultant R. Of a root α
+    of one in sigma at which the other, G, vanishes, and at no other root, α is the ratio of the terms of R
+    in epsilon for G + epsilon sigma and G + epsilon: so sigma and k are rational in omega. The omega at which
+    det N = 0 and b has no part in the kernel are roots of R too, several times: there k·k = 1 and C1 are
+    looked at on the kernel.
+
+    Raises
+    ------
+    ScopeError
+        a number is not rational, or the rotations of one omega are not told apart
+    """
+    numbers = [*inertia, *curved, *linear, *rotor, level]
+    if not all(isinstance(x, Rational) for x in numbers):
+        raise ScopeError("all rotations on a level of C1 are found at rational numbers" + OTHER)
+    pencil, vector = OMEGA**2 * inertia - curved + SIGMA * eye(3), linear - OMEGA * rotor
+    ring = Ring([OMEGA, SIGMA, EPSILON])
+    above = [ring.numerator(x) for x in (pencil.adjugate() * vector).expand()]
+    below = ring.numerator(pencil.det(method="berkowitz").expand())
+    omega, sigma, epsilon = (ring.gens[x] for x in (OMEGA, SIGMA, EPSILON))
+
+    def total(parts: Any) -> fmpq_mpoly:
+        return sum(parts, ring.zero)
+
+    def number(x: Expr) -> fmpq:
+        return fmpq(int(x.p), int(x.q))
+
+    length = total(x**2 for x in above) - below**2
+    moment = omega * total(number(inertia[i, j]) * above[i] * above[j] for i in range(3) for j in range(3))
+    moment += below * total(number(rotor[i]) * above[i] for i in range(3)) - number(level) * below**2
+    moment += number(level) * -length                      # of a lower degree in sigma
+    place, name = ring.generators.index(EPSILON), str(length.context().names()[ring.generators.index(SIGMA)])
+    if not (resultant := _in_omega(ring, length.resultant(moment, name))):
+        raise ScopeError("the rotations on that level of C1 are not told apart by omega: the scene has a "
+                         "plane of symmetry, or c and l are along an axis" + OTHER)
+    changed = [length.resultant(moment + epsilon * x, name).derivative(place) for x in (1, sigma, sigma + 1)]
+    ones, sigmas, _ = (_in_omega(ring, x) for x in changed)
+    for factor, _ in resultant.factor()[1]:
+        if not (roots := roots_of_factor(factor)):
+            continue
+        one = ones % factor
+        if factor.degree() > 1 and one:
+            s = _divided(sigmas, one, factor)
+            if under := _placed(ring, below, s, factor):
+                slope = factor.derivative()
+                tops = [_divided(_placed(ring, x, s, factor) * slope, under, factor) for x in above]
+                for root in roots:
+                    yield root, tuple(_at(top, root) / _at(slope, root) for top in tops), None
+                continue
+        twice = [_in_omega(ring, x.derivative(place)) for x in changed]
+        if factor.degree() > 1 and twice[0] % factor:
+            product, both = (_divided(x, twice[0], factor) for x in twice[1:])
+            s = (both - product - 1) / 2
+            if not any(_placed(ring, x, s, factor) for x in (below, *above)) and not any(
+                    _may_turn(pencil, vector, inertia, rotor, level, root, _at(s, root)) for root in roots):
+                continue
+        for root in roots:
+            yield from _one_by_one(pencil, vector, inertia, rotor, level, root)
+
+
+def _one_by_one(pencil: Matrix, vector: Matrix, inertia: Matrix, rotor: Matrix, level: Expr,
+                root: Expr) -> Iterator[Found]:
+    """Of all rotations of a rate those on the level."""
+    if not isinstance(root, Rational):
+        raise ScopeError(f"several rotations may have the rate omega = {root}" + OTHER)
+    here = {OMEGA: root}
+    for _, k, circle in points_on_sphere(pencil.xreplace(here), vector.xreplace(here), Rational(1), SIGMA):
+        at = Matrix(k)
+        if circle is not None and (any(rotor.cross(Matrix(circle))) or not any(circle)):
+            raise ScopeError(f"at omega = {root} there is a circle of rotations, not all on one level of C1"
+                             + OTHER)
+        if proved_sign(evaluate(root * at.dot(inertia * at) + rotor.dot(at) - level, {})) == 0:
+            yield root, k, circle
+
+
+def _may_turn(pencil: Matrix, vector: Matrix, inertia: Matrix, rotor: Matrix, level: Expr, root: Expr,
+              sigma: Expr) -> bool:
+    """Whether a solution is not excluded where det N = 0 and b has no part in the kernel, spanned by e.
+
+    They are k = a ± t e, (N + e eᵀ) a = b.
+    """
+    with own_precision(PRECISION):
+        at = {OMEGA: ball(root, PRECISION), SIGMA: ball(sigma, PRECISION)}
+        N, adjugate = (_enclosed(m, at) for m in (pencil, pencil.adjugate()))
+        b, I, l = (_enclosed(m, at) for m in (vector, inertia, rotor))
+        n = max(range(3), key=lambda n: abs(adjugate[n, n]).lower())
+        if not abs(adjugate[n, n]) > 0:
+            return True
+        e = arb_mat([[adjugate[m, n]] for m in range(3)])
+        across = (N + e * e.transpose()).solve(b)
+        rest = (1 - (across.transpose() * across)[0, 0]) / (e.transpose() * e)[0, 0]
+        if rest < 0:
+            return False
+        places = [across + e * (side * rest.sqrt()) for side in (1, -1)]
+        return any((at[OMEGA] * (k.transpose() * I * k)[0, 0] + (l.transpose() * k)[0, 0]
+                    - ball(level, PRECISION)).contains(0) for k in places)
+
+
+def _enclosed(matrix: Matrix, at: dict[Symbol, arb]) -> arb_mat:
+    return arb_mat([[ball(x, PRECISION, at) for x in row] for row in matrix.tolist()])
+
+
+def _in_omega(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_poly:
+    """With 0 for what is not omega."""
+    place = ring.generators.index(OMEGA)
+    coefficients = {e[place]: c for e, c in polynomial.to_dict().items() if sum(e) == e[place]}
+    return fmpq_poly([coefficients.get(n, 0) for n in range(max(coefficients, default=-1) + 1)])
+
+
+def _placed(ring: Ring, polynomial: fmpq_mpoly, s: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
+    """With s for sigma."""
+    place = ring.generators.index(SIGMA)
+    value = fmpq_poly([0])
+    for part in reversed(by_degree(polynomial, place, polynomial.degrees()[place])):
+        value = (value * s + _in_omega(ring, part)) % modulus
+    return value
+
+
+def _divided(top: fmpq_poly, under: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
+    """The quotient in the field of a root of an irreducible polynomial."""
+    unit, inverse, _ = (under % modulus).xgcd(modulus)
+    return top * inverse / unit[0] % modulus
+
+
+def _at(polynomial: fmpq_poly, root: Expr) -> Expr:
+    return Add(*(Mul(Rational(int(c.p), int(c.q)), root**n) for n, c in enumerate(polynomial.coeffs()) if c))

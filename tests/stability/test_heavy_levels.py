@@ -1,0 +1,72 @@
+"""Every permanent rotation of a heavy gyrostat at given C1, against Newton's method, Morse's count."""
+import random
+
+import heavy
+import numpy as np
+import pytest
+from heavy_scenes import drawn, floats, k1, k2, k3, scene_of
+from slow import sampled
+from sympy import Rational, sqrt
+
+import gyrostat as gs
+from gyrostat.errors import ScopeError
+
+
+def check(rng, quadratic):
+    """Nothing missing, nothing wrong, #min − #saddle + #max = 2; how many there are."""
+    inertia, rotor, c, Q, level = drawn(rng, quadratic)
+    if not any(c) and not quadratic:
+        return 0
+    found = gs.relative_equilibria(scene_of(inertia, rotor, c, Q), {"C1": level})
+    data = floats(inertia, rotor, c, Q, level)
+    places = [np.array([float(x) for x in r.k]) for r in found]
+    for k, omega in heavy.on_level(*data):
+        near = min(range(len(found)), key=lambda n: np.abs(k - places[n]).max())
+        assert np.abs(k - places[near]).max() < 1e-6, (data, k)
+        assert abs(omega - float(found[near].omega)) < 1e-6 * (1 + abs(omega))
+    count = 0
+    for r, k in zip(found, places):
+        omega = float(r.omega)
+        growth, form = heavy.growth(*data[:4], omega, k), heavy.squares(*data[:4], omega, k)
+        least = np.abs(form).min() / np.abs(form).max()
+        if least > 1e-6 and (growth > 1e-4 or growth < 1e-7):
+            expected = "UNSTABLE" if growth > 1e-4 else "STABLE" if form[0] > 0 else "UNDECIDED"
+            assert r.decision.verdict.name == expected, (data, k)
+        count += 1 if np.sum(form < 0) % 2 == 0 else -1
+    assert count == 2, data
+    return len(found)
+
+
+@pytest.mark.parametrize("quadratic", [False, True])
+def test_all_are_found_and_rightly_decided(quadratic):
+    rng = random.Random(f"levels {quadratic}")
+    assert sum(check(rng, quadratic) for _ in range(2 if quadratic else 6)) >= 4
+
+
+@pytest.mark.slow
+def test_many(full):
+    rng = random.Random("many levels")
+    count = sampled(2000, full, 60)
+    assert sum(check(rng, n % 2) for n in range(count)) > 2 * count
+
+
+def test_at_rest():
+    """C1 = 0 and l = 0: omega = 0, k along c or against it."""
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(k1 + 2 * k2 + 2 * k3))
+    found = gs.relative_equilibria(scene, {"C1": 0})
+    third = Rational(1, 3)
+    assert [(r.k, r.omega) for r in found] == [((third, 2 * third, 2 * third), 0),
+                                               ((-third, -2 * third, -2 * third), 0)]
+    assert [r.decision.verdict.name for r in found] == ["UNSTABLE", "STABLE"]
+
+
+def test_what_is_refused():
+    body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
+    with pytest.raises(ScopeError, match="has degree 3 in k: all rotations on a level of C1"):
+        gs.relative_equilibria(gs.assemble(body, gs.general_potential(k1**3 + k2)), {"C1": 1})
+    linear = gs.assemble(body, gs.general_potential(k1 + 2 * k2 + k3))
+    with pytest.raises(ScopeError, match="at rational numbers"):
+        gs.relative_equilibria(linear, {"C1": sqrt(2)})
+    plane = gs.assemble(body, gs.general_potential(k1 + k3))
+    with pytest.raises(ScopeError, match="not told apart by omega"):
+        gs.relative_equilibria(plane, {"C1": 1})
