@@ -142,6 +142,18 @@ def test_every_permanent_rotation(capsys):
     assert "ω = 2" in out and "Lyapunov stable" in out
 
 
+def test_on_a_level(capsys):
+    """Roots of a long polynomial are printed as decimals; C1 = M·k at them."""
+    body = {"I1": 1, "I2": 2, "I3": 3, "l1": "1/2", "l2": 0, "l3": "1/3", "C1": 2}
+    _, out, _ = run(capsys, "--potential", "k1 + 2*k2 + k3", *sets(body), verb="decide")
+    assert "CRootOf" not in out and max(map(len, out.splitlines())) <= 100
+    names = "k₁", "k₂", "k₃", "ω"
+    shown = [line.split(" = ")[1].replace("−", "-").rstrip("…") for line in out.splitlines() if " = " in line]
+    assert len(shown) == 2 * len(names) and all(f"    {name} = " in out for name in names)
+    for k1, k2, k3, omega in (map(float, shown[n:n + 4]) for n in (0, 4)):
+        assert abs(omega * (k1**2 + 2 * k2**2 + 3 * k3**2) + k1 / 2 + k3 / 3 - 2) < 1e-9
+
+
 def test_an_unspecified_field_of_three_components(capsys):
     """Its scene is printed; a point needs a torque that vanishes."""
     status, out, _ = run(capsys, "--potential", "U(k1, k2, k3)", "--gyrostatic-momentum", "l1,l2,l3")

@@ -18,6 +18,8 @@ from .options import numbers_of
 from .output import Output
 from .scene_files import with_scene
 
+LONG = 200                                                 # characters that nobody reads
+
 _NOWHERE = "No such relative equilibrium exists at these numbers."
 
 
@@ -51,9 +53,11 @@ def _blocks(answer: Answer) -> list[Block]:
 
 
 def _value(number: Expr | None) -> Word:
-    """A number exactly, and as a decimal where that says more."""
+    """A number exactly, and as a decimal where that says more; a long one as a decimal alone."""
     if number is None:
         return Word("any", "any")
+    if len(str(number)) > LONG:
+        return rounded(number)
     text = (
         str(number)
         if number.is_Integer
