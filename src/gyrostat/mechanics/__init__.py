@@ -6,7 +6,8 @@ equations of motion and the integrals (`system`). `equilibria`, `claimed` ones t
 built, and what is asked of them is derived `once`; those with a name are `families`, each a `family`
 (`vertical`, `tilted`, `principal`), `relations` tie the names in them. At each the coadjoint orbit has a
 tangent space, in it the symplectic slice (`orbit`), all in one ring (`derivation`). A body of revolution has
-one degree of freedom (`reduction`); which scene is one, about which axis, is proved (`spherical`,
+one degree of freedom (`reduction`), any other the amended potential on the `levels` of C1; which scene is
+one, about which axis, is proved (`spherical`,
 `recognition`, `standard`). A tensor is turned into principal `axes`. Euler's angles are in `attitude`, the
 Lagrangian in them in `lagrange`, the classical formulas in `freebody` and `precession`.
 """
@@ -19,17 +20,20 @@ if TYPE_CHECKING:
     from .axes import principal_axes
     from .freebody import momentum_limits, polhode_period, torque_equations
     from .lagrange import angular_momentum, effective_potential, lagrangian, momenta
+    from .levels import amended_potential
     from .precession import FreePrecession, free_precession
     from .reduction import Reduction, expansion
 
-__all__ = ["angle_rates", "angular_momentum", "angular_velocity", "effective_potential", "expansion",
-           "free_precession", "FreePrecession", "lagrangian", "momenta", "momentum_limits", "polhode_period",
-           "principal_axes", "Reduction", "rotation", "torque_equations"]
+__all__ = ["amended_potential", "angle_rates", "angular_momentum", "angular_velocity",
+           "effective_potential", "expansion", "free_precession", "FreePrecession", "lagrangian", "momenta",
+           "momentum_limits", "polhode_period", "principal_axes", "Reduction", "rotation",
+           "torque_equations"]
 
 __getattr__, __dir__ = later(__name__, {
     "attitude": "angle_rates angular_velocity rotation",
     "axes": "principal_axes",
     "freebody": "momentum_limits polhode_period torque_equations",
     "lagrange": "angular_momentum effective_potential lagrangian momenta",
+    "levels": "amended_potential",
     "precession": "FreePrecession free_precession", "reduction": "Reduction expansion",
 })
