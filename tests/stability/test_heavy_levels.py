@@ -67,6 +67,17 @@ def test_what_is_refused():
     linear = gs.assemble(body, gs.general_potential(k1 + 2 * k2 + k3))
     with pytest.raises(ScopeError, match="at rational numbers"):
         gs.relative_equilibria(linear, {"C1": sqrt(2)})
-    plane = gs.assemble(body, gs.general_potential(k1 + k3))
-    with pytest.raises(ScopeError, match="not told apart by omega"):
-        gs.relative_equilibria(plane, {"C1": 1})
+
+
+def test_in_a_plane_of_symmetry_and_off_it():
+    """c and l in the plane of axes 1 and 3: Newton's method finds the same number, Morse counts 2."""
+    rotor, c = (Rational(-1), 0, Rational(5, 6)), (Rational(-5, 3), 0, Rational(-7, 2))
+    U = c[0] * k1 + c[2] * k3
+    scene = gs.assemble(gs.Gyrostat((Rational(5, 2), 1, 2), rotor), gs.general_potential(U))
+    found = gs.relative_equilibria(scene, {"C1": 6})
+    data = np.diag([2.5, 1, 2]), np.array(rotor, float), np.array(c, float), np.zeros((3, 3)), 6.0
+    wanted = heavy.on_level(*data)
+    rates = sorted(float(r.omega) for r in found)
+    assert np.allclose(rates, sorted(omega for _, omega in wanted), atol=1e-7)
+    kinds = [r.decision.reason for r in found]
+    assert sum(-1 if "saddle" in why else 1 for why in kinds) == 2
