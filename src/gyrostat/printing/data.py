@@ -10,6 +10,7 @@ from typing import Any
 
 from sympy import Expr
 
+from ..algebra.balls import ball
 from ..mechanics.system import System
 from ..stability.conditions import Condition, Criterion
 from ..stability.drift import Drift
@@ -106,7 +107,8 @@ def number_data(number: Expr | None) -> dict[str, Any] | None:
 
 def double(number: Expr) -> float | None:
     """The double next to a number, None where none is: JSON has no infinity."""
-    value = float(number.evalf(17))
+    enclosed = ball(number, 128)                           # of nested roots sooner than evalf
+    value = float(enclosed.mid() if enclosed.is_finite() else number.evalf(17))
     return value if math.isfinite(value) else None
 
 

@@ -58,7 +58,7 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
         names are missing, unknown or too many, or a number is not admissible
     ScopeError
         U is unspecified; of a body of revolution it is not rational in k3; of any other, at a rate or on a
-        level, not a polynomial of degree 1 or 2; on a level some are not told apart by omega, circles say
+        level, not a polynomial of degree 1 or 2; on a level, rotations of one irrational rate, or circles
 
     References
     ----------
