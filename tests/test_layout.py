@@ -53,6 +53,7 @@ def imports(path):
     return found
 
 
+@pytest.mark.slow
 def test_imports_point_downwards_and_in_no_circle():
     """A package uses those below it only, imports inside functions counted.
 

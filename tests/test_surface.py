@@ -211,6 +211,7 @@ def example_brings_its_names(member, what):
     assert set(used) <= known | set(dir(builtins))
 
 
+@pytest.mark.few(40)
 @pytest.mark.parametrize(("member", "what"), EVERYTHING)
 def test_docstring(member, what):
     """Every rule of the house, of each docstring."""

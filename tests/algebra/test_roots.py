@@ -124,6 +124,7 @@ def test_order():
         in_order([16 * atan(Rational(1, 5)) - 4 * atan(Rational(1, 239)), pi])
 
 
+@pytest.mark.slow
 @given(st.lists(st.integers(-9, 9), min_size=4, max_size=8).filter(lambda c: c[-1] and c[0]),
        st.lists(numbers, min_size=3, max_size=3))
 @settings(max_examples=8)

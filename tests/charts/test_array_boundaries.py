@@ -64,7 +64,7 @@ def test_degenerate_shapes(reports, backend):
           backend=backend)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("name", ["E3 degree 20", "E3 exp"])
 def test_stiff_fields(reports, name, backend):
@@ -164,6 +164,7 @@ def test_every_real_type(reports, dtype):
                           "dU": neighbours(np.array([near * near], dtype=np.float32))})
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("shape", [(60,), (6, 10)])
 def test_the_boundary_is_decided_at_once(reports, monkeypatch, backend, shape):

@@ -76,7 +76,7 @@ def truth(reports):
 COMPILED = ("E1", "E3", "at rest", "E3 uniform, k3", "E3 exp", "free 3")
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("name", "backend"), [
     *((name, "numpy") for name in GRIDS), *((name, "numba") for name in COMPILED),
     *(pytest.param(name, "numba", marks=pytest.mark.slow) for name in GRIDS if name not in COMPILED)])
@@ -91,6 +91,7 @@ def test_verdicts_are_those_of_each_point(reports, truth, name, backend):
     assert len(set(np.unique(found))) >= (2 if name != "E3 uniform" else 1)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_blocks_have_no_seams(reports, truth, tiny_blocks, backend):
     """The same in blocks of seven points, on one thread or two."""

@@ -16,6 +16,7 @@ k3, m0, a = gs.symbol("k3"), gs.symbol("m0"), gs.symbol("a")
 STABLE, UNSTABLE, UNDECIDED = Verdict.STABLE, Verdict.UNSTABLE, Verdict.UNDECIDED
 
 
+@pytest.mark.slow
 def test_the_heavy_gyrostat_is_charted(heavy):
     """Undecided on less than 10⁻³ of the square abs(l), abs(π3) ≤ 4.
 
@@ -30,7 +31,7 @@ def test_the_heavy_gyrostat_is_charted(heavy):
     assert_claims(heavy, chart, random.Random(2))
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", NAMES)
 def test_boxes_tile_the_region(regions, name):
     """Shares sum to 1, every point lies in a box, and a point that is on no edge lies in one only."""
@@ -52,6 +53,7 @@ def test_boxes_tile_the_region(regions, name):
         assert ((chart.low < point) & (point < chart.high)).all(axis=1).sum() <= 1
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["E1", "quartic", "exponential", "free body"])
 def test_half_the_resolution_is_half_the_undecided_share(regions, name):
     """The undecided boxes lie along the boundary, of dimension one less."""

@@ -21,7 +21,7 @@ k3, m0, a = gs.symbol("k3"), gs.symbol("m0"), gs.symbol("a")
 STABLE, UNSTABLE, UNDECIDED = Verdict.STABLE, Verdict.UNSTABLE, Verdict.UNDECIDED
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name",
                          [pytest.param(name, marks=[pytest.mark.slow]
                                        * (name in ("logarithm", "exponential"))) for name in NAMES])
@@ -36,6 +36,7 @@ def test_claims_agree_with_the_exact_verdict(regions, name):
     assert chart.measure["undecided"] < Fraction(1, 2)
 
 
+@pytest.mark.slow
 @given(l=st.tuples(numbers, numbers), spin=st.tuples(numbers, numbers), u=st.tuples(numbers, numbers),
        I1=st.tuples(numbers, numbers),
        depth=st.integers(min_value=0, max_value=6), seed=st.integers())

@@ -89,7 +89,7 @@ def test_a_margin_changes_its_sign_within_two_ulp(charts, number):
         assert any(len({sign_at(m, *p) for p in near}) > 1 for m in margins), (a, b)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("number", range(7))
 def test_no_edge_between_two_verdicts_is_left_out(charts, number):
     """Each edge of the grid from stable to unstable, or to no equilibrium, has a point on it."""

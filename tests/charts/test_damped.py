@@ -36,7 +36,7 @@ def drawn(rnd, name, size):
     return np.array([rnd.choice(few) for _ in range(size)])
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", SCENES)
 def test_arrays_are_what_verdicts_say(name):
     """Stable, unstable, undecided and where nothing is."""

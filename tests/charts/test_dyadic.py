@@ -18,6 +18,7 @@ doubles = st.builds(math.ldexp, st.integers(-2**53, 2**53),
                     st.sampled_from([-1127, -300, -55, -53, -3, 0, 960]))
 
 
+@pytest.mark.slow
 @given(values=st.lists(doubles, min_size=1, max_size=9))
 @settings(max_examples=60)
 def test_doubles_are_whole_numbers_times_powers(values):
@@ -27,6 +28,7 @@ def test_doubles_are_whole_numbers_times_powers(values):
         assert n * Fraction(2) ** power == Fraction(value) and (n % 2 or not value)
 
 
+@pytest.mark.slow
 @given(points=st.lists(st.tuples(doubles, doubles), min_size=1, max_size=9), moved=st.integers(-3, 3),
        room=st.integers(-70, 70))
 @settings(max_examples=150)

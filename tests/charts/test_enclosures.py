@@ -47,7 +47,7 @@ FUNCTIONS = [exp(50 * x), exp(-x * y), log(x + 6), sin(3 * x), cos(x - y), tan(x
              1 / (1 + exp(x))]
 
 
-@pytest.mark.few(7)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("function", FUNCTIONS, ids=str)
 @given(a=st.tuples(numbers, numbers).map(sorted), b=st.tuples(numbers, numbers).map(sorted), s=shares,
        t=shares)
@@ -97,6 +97,7 @@ def test_the_middle_of_a_box_lies_in_it():
     assert contains(sharp, sqrt(Rational(*5e-324.as_integer_ratio())))
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, omega=nonzero, k3=numbers, u=numbers,
        widths=st.lists(shares, min_size=6, max_size=6),
        place=st.lists(shares, min_size=6, max_size=6), power=st.sampled_from([0, -40, -480, 480]))

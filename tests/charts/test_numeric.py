@@ -25,7 +25,7 @@ BACKENDS = ["numpy", "numba"]
 E1_NAMES = ("I1", "dU", "l", "pi3_0")
 
 
-@pytest.mark.few(3)
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("shapes", [((), (), (7,), ()), ((), (), (13, 1), (15,)), ((), (5, 7), (5, 1), (7,)),
                                     ((8,), (8,), (8,), (8,)),
@@ -56,6 +56,7 @@ def test_blocks_have_no_seams(e1, drawn_shapes, seed, threads):
     assert found.shape == drawn_shapes.result_shape and np.array_equal(found, vertical(**values))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_values_are_within_the_bound(tilted_margin, backend):
     """E3: abs(value − exact value) is at most the proved bound, in Fractions, where terms cancel too."""
@@ -112,7 +113,7 @@ def small(names, seed):
     return {n: source.integers(1 if n.startswith("I") else -2, 4, sides[i % 3]) for i, n in enumerate(names)}
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("which", "compiled"), [
     ("e1", True), ("uniform_tilt", True), ("free_body", True), ("e2", False), ("at_rest", False),
     ("general", False), *(pytest.param(which, True, marks=pytest.mark.slow)
@@ -175,6 +176,7 @@ def test_a_condition_is_its_margin_a_criterion_a_truth(e1, backend):
     assert np.array_equal(compile_margin(e1.necessary, backend)(**values), from_margin >= 0)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("threads", [2, 3])
 def test_threads_change_nothing(e1, tiny_blocks, backend, threads):
@@ -184,6 +186,7 @@ def test_threads_change_nothing(e1, tiny_blocks, backend, threads):
         assert np.array_equal(compiled(threads=threads, **values), compiled(**values))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_no_warning_escapes(e1, backend):
     """Overflow to ∞, underflow, ∞ − ∞ and poles are values, not warnings of the caller's."""
@@ -206,6 +209,7 @@ LEAVES = [(exp(b * x) * y - z, lambda b, x, y, z: np.exp(b * x) * y - z),
           (y / x**2, lambda x, y: y / x**2)]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("expression", "formula"), LEAVES, ids=[str(e) for e, _ in LEAVES])
 @pytest.mark.parametrize("backend", [*BACKENDS, array_api_strict])
 def test_functions_are_those_of_the_namespace(tiny_blocks, expression, formula, backend):

@@ -38,7 +38,7 @@ def columns(report, source):
     return given
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("threads", [1, 3])
 @pytest.mark.parametrize("name", ["E1", "E2", "E3", "E1 degree 4", "E1 pole", "E3 pole", "E1 exp"])
 def test_a_list_is_decided_as_each_of_its_points(reports, monkeypatch, name, threads):
@@ -58,6 +58,7 @@ def test_a_list_is_decided_as_each_of_its_points(reports, monkeypatch, name, thr
             verdicts(report, given, backend="numba")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["E1", "E3"])
 def test_few_points_are_left_over(reports, monkeypatch, name):
     """Of ordinary columns none, with a period or sorted; with a huge number in one place that point alone."""
@@ -75,6 +76,7 @@ def test_few_points_are_left_over(reports, monkeypatch, name):
     assert left == [1] and (found == verdicts(reports[name], given)).all()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 @pytest.mark.parametrize("everywhere", [False, True])
 def test_a_number_that_no_verdict_needs_is_finite_too(reports, value, everywhere):

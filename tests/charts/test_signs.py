@@ -54,6 +54,7 @@ def test_signs_on_grids_are_exact(expression, data, points):
             assert (here == truth[block].reshape(here.shape)).all()
 
 
+@pytest.mark.slow
 def test_backends_agree():
     """Numba gives the signs that NumPy gives."""
     source = np.random.default_rng(1)
@@ -63,6 +64,7 @@ def test_backends_agree():
         assert (signs_of(expression, values, "numba", 300) == exactly(expression, values)).all()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("side", [1, -1])
 def test_signs_next_to_zero(backend, side):
@@ -134,6 +136,7 @@ def test_what_cannot_be_proved_is_unknown():
     )
 
 
+@pytest.mark.slow
 def test_no_warning_escapes():
     """Overflow, underflow and ∞ − ∞ on the way are no warning of the caller's."""
     for backend in BACKENDS:

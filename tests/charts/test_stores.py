@@ -19,6 +19,7 @@ from gyrostat.charts.chart import stability_chart
 from gyrostat.errors import MissingExtraError, StoreError
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("margins", [False, True])
 def test_a_store_is_the_chart_in_memory(e1, monkeypatch, tmp_path, margins):
     """Values, coordinates, attributes, boundary; lazily, for whoever opens it; every block is counted."""
@@ -37,6 +38,7 @@ def test_a_store_is_the_chart_in_memory(e1, monkeypatch, tmp_path, margins):
         xr.testing.assert_identical(back.compute(), memory)
 
 
+@pytest.mark.slow
 def test_further_axes_and_a_chart_without_a_boundary(e1, ten_blocks, tmp_path):
     """Three axes, blocks of one plane or several; and a curve without a point."""
     grid = {**GRID, "fixed": {"I1": 1}, "axes": {"dU": [-1.0, 0.5, 1.0]}}
@@ -56,6 +58,7 @@ def test_blocks_are_whole_rows(shape, points, block):
     assert frame.Frame(Path(), None, tuple(map(np.empty, shape)), points).block == block
 
 
+@pytest.mark.slow
 def test_another_chart_is_refused(e1, e2, store, tmp_path, monkeypatch):
     """Another report, axes, number, request, size of block or format; nothing of the store changes."""
     before = contents(store)
@@ -102,6 +105,7 @@ def test_what_is_no_store_is_left_alone(e1, tmp_path):
     assert contents(tmp_path) == before and not (tmp_path / "missing").exists()
 
 
+@pytest.mark.slow
 def test_a_store_is_moved_into_place_whole(e1, ten_blocks, memory, tmp_path, monkeypatch):
     """What interrupts its making leaves nothing.
 

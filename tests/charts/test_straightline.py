@@ -67,6 +67,7 @@ def inner(program, full):
     return [step for step in program.steps if step.arguments and step.axes == full]
 
 
+@pytest.mark.slow
 @given(data=st.data())
 def test_the_program_is_the_margin(margins, data):
     """The last step is the margin, in Fractions, whatever the axes."""

@@ -50,6 +50,7 @@ def test_tiny_constants_underflow_too(exponent, factor):
     assert holds(program_of(3 * x / Integer(10) ** exponent, {}), at, at, {}, computed=True)
 
 
+@pytest.mark.slow
 @given(values=st.lists(floats, min_size=2, max_size=2))
 @example([1e200, 1e200])
 @example([LARGEST, 1.0])

@@ -22,6 +22,7 @@ def test_a_chart_as_a_picture(capsys, tmp_path, kind, start):
     assert path.read_bytes().startswith(start) and path.stat().st_size > 5000
 
 
+@pytest.mark.slow
 def test_a_chart_as_data(capsys, tmp_path):
     """netCDF and Zarr hold the chart of the library at the numbers of the command line.
 

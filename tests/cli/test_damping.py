@@ -71,6 +71,7 @@ def test_every_rotation_of_a_momentum(capsys):
     assert status == 2 and "M" in err
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("inertia", "rotor", "radius"), [
     ((1, 2, 3), (0, 0, 0), 2), ((1, 2, 3), (0, 0, 3), 2), ((2, 2, 1), (0, 0, 0), 1),
     ((1, 1, 2), (0, 0, 0), 1), ((2, 2, 1), (0, 0, "1/2"), 3), ((1, 2, 3), (0, 0, "2"), 3),

@@ -81,7 +81,7 @@ def test_each_schema_is_one(name):
     Draft202012Validator.check_schema(SCHEMAS[name])
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("name", "verb", "arguments"), DOCUMENTS)
 def test_what_a_verb_writes_is_described(capsys, name, verb, arguments):
     """It validates, and has no key that its schema leaves out."""

@@ -175,6 +175,7 @@ def test_a_body_of_revolution_about_another_axis(capsys):
     assert "9 w² ≥ 8" in out.replace("  ", " ")
 
 
+@pytest.mark.slow
 def test_free_bodies(capsys):
     """A rotation about each axis, and every permanent rotation on a sphere of the momentum."""
     box = ["--potential", "none", "--gyrostatic-momentum", "0,0,0", *sets({"I1": 1, "I2": 2, "I3": 3})]

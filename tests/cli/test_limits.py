@@ -54,6 +54,7 @@ def test_json_has_no_infinity(capsys, arguments):
         assert found["equilibria"][0]["omega"] == {"exact": str(10**400), "decimal": None}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("verb", "potential", "missing"), [
     ("conditions", "k3**(1/3)", ["E2"]),
     pytest.param("conditions", "1/(k3-1)", ["E1"], marks=pytest.mark.slow),

@@ -29,6 +29,7 @@ def path_of(ax, width):
     return {tuple(point) for line in lines for point in line.round(12).tolist() if np.isfinite(point).all()}
 
 
+@pytest.mark.slow
 def test_a_picture_in_a_field(capsys, tmp_path, heavy, drawn):
     """The path of e3, and π and k over the time."""
     assert run(capsys, *TOP, "--until", "9", "--count", "50", "--output", str(tmp_path / "top.png"))[0] == 0
@@ -48,6 +49,7 @@ def test_a_picture_in_a_field(capsys, tmp_path, heavy, drawn):
     assert directions.get_xlabel() == r"$t$ $[\mathrm{T}]$"
 
 
+@pytest.mark.slow
 def test_a_picture_of_a_free_body(capsys, tmp_path, drawn):
     """The momentum sphere with the path of M = π + l."""
     assert run(capsys, *FREE, "--until", "-9", "--count", "50", "--output", str(tmp_path / "box.pdf"))[0] == 0
@@ -75,6 +77,7 @@ def test_a_picture_file(capsys, tmp_path):
         assert right.std() > 10
 
 
+@pytest.mark.slow
 def test_an_animation(capsys, tmp_path, monkeypatch):
     """A picture for each time, of a body that turns; on a terminal a bar."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)

@@ -96,7 +96,7 @@ def contents(figure):
     return found
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("arguments", "ours"), [
     (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0.55"), "--momentum", "2"], sphere),
     pytest.param(["momentum-sphere", *sets("I1=1 I2=2 I3=3 l1=0 l2=1/4 l3=1/2"), "--momentum", "2",
@@ -225,6 +225,7 @@ NOTED = [["plot", "momentum-sphere", *sets("I1=1 I2=1 I3=3 l=0.1"), "--momentum"
           "--output", "a.nc"]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arguments", [CONES,
                                        *(pytest.param(arguments, marks=pytest.mark.slow)
                                          for arguments in NOTED)])

@@ -25,6 +25,7 @@ def axes(tensor, rotor):
     return body
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("moments", [(1, 2, 3), (2, 2, 3), (2, 3, 3), ("1/2", "1/2", 5)])
 def test_a_turned_body_comes_back(moments):
     """Its moments in increasing order, two equal ones first."""

@@ -57,6 +57,7 @@ HEXAGON = [Fraction(c, 2) for c in (2, 1, -1, -2, -1, 1)]
 rings = st.lists(st.tuples(moments, moments, numbers), min_size=1, max_size=3)
 
 
+@pytest.mark.slow
 @given(rings=rings, g=moments, distance=moments, k=tilts)
 @settings(max_examples=15)
 def test_each_order_is_a_term_of_the_attraction(rings, g, distance, k):
@@ -206,6 +207,7 @@ def test_inclined_in_named_fields(inclined, I1_, I3_, omega, k, a, b, c, d, in_f
     )
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("field", "make"), [
     (gs.ideal_fluid(), gs.upright), (gs.ideal_fluid(), gs.static_tilt), (gs.newtonian_field(4), gs.hanging),
     (gs.newtonian_field(4), gs.static_tilt),

@@ -43,6 +43,7 @@ def test_bracket_of_smooth_functions():
     assert simplify(E3.bracket(f, g) - defined(f, g)) == 0
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("space", [E3, SO3])
 @given(data=st.data())
 @settings(max_examples=10)

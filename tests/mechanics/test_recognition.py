@@ -34,6 +34,7 @@ def test_a_body_of_revolution_is_recognised_about_every_axis(name):
     assert (standard.potential.expression - (k3 - k3**2 / 3 + 2 * k3**4)).expand() == 0
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize(("U", "inertia", "expected"), [
     (exp(k1 - k2**2 - k3**2), (3, 1, 1), exp(k3 + k3**2 - 1)), (1 / (k2 + 2), (1, 3, 1), 1 / (k3 + 2)),
     (a * (k1**2 + k2**2) + b * k3, (1, 1, 3), a * (1 - k3**2) + b * k3),

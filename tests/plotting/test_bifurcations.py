@@ -40,7 +40,7 @@ def at(pieces, x):
     return sorted(found.items(), key=lambda pair: -pair[0])
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 def test_every_branch_is_there_with_its_verdict(followed):
     """At values between the nodes: those of relative_equilibria, which are complete and exact."""
     scene, values, name, ends, _, pieces, _ = followed
@@ -105,6 +105,7 @@ def test_stability_changes_where_the_oracle_says():
     assert first.parameter[-1] == second.parameter[0] == 1.25
 
 
+@pytest.mark.slow
 def test_the_picture():
     """Solid where stable, dashed where unstable; every kind of bifurcation has its mark.
 
@@ -156,6 +157,7 @@ def test_what_cannot_be_drawn_is_refused():
                                  "omega", (0, 1), {"I1": 2, "I3": 1, "l": 0})
 
 
+@pytest.mark.slow
 def test_the_pitchfork_of_the_double_well():
     """U = k3⁴ − k3²/2, l = 0, I1 = 2, I3 = 1: stability of k3 = 0 changes at ω² = 1/2.
 
@@ -170,6 +172,7 @@ def test_the_pitchfork_of_the_double_well():
         "stable (E3: modulo the spin)", "unstable", "pitchfork at fixed rate", "changes: fold on a level"]
 
 
+@pytest.mark.slow
 def test_what_is_drawn_besides_branches():
     """An E3 at one rate alone, a rate at which every tilt is E3, branches that cross, and those that end
     where U is infinite.

@@ -54,7 +54,7 @@ def widening(low, high, n):
     return low + (high - low) * (part + part**2) / 2
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("spacing", "turned"), [
     (np.linspace, (1, 1)), (np.linspace, (-1, 1)), (np.linspace, (1, -1)), (widening, (1, 1)),
     (widening, (-1, -1))])
@@ -107,6 +107,7 @@ def test_names_and_legend(wedge, tilted):
     assert legend(ax) == ["stable modulo the spin"] and not ax.lines
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("scale", [1e-12, 1.0, 1e12])
 def test_spacing_is_seen_at_every_scale(e1, scale):
     """Cells of values that are not evenly spaced are where their values are, however small these are."""
@@ -172,6 +173,7 @@ def test_other_numbers_of_axes_are_refused(e1):
     assert "U'(1) = 1" in caption(chart.sel(dU=1))
 
 
+@pytest.mark.slow
 def test_from_a_file_and_from_a_store(e1, tmp_path):
     """The same picture from memory, netCDF and Zarr."""
     grid = {"x": ("pi3_0", np.linspace(-4, 4, 50)), "y": ("l", np.linspace(2, -2, 40)),

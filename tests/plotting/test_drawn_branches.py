@@ -231,6 +231,7 @@ def marked(tilted, poles, marks, values, pole, name, ends, seed):
                 assert k == (1 if label.endswith("E1") else -1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [pytest.param(0, marks=pytest.mark.slow), 1])
 def test_what_is_drawn(seed):
     """Random scenes: vertices, completeness, marks."""

@@ -216,6 +216,7 @@ def complete(points, expected, xs, ys):
                 assert ((values[j] <= on_row) & (on_row <= values[j + 1])).any(), (values[j], other)
 
 
+@pytest.mark.slow
 @given(charts())
 @settings(max_examples=4)
 def test_what_is_drawn_is_so(case):

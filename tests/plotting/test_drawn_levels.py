@@ -211,6 +211,7 @@ def test_many(full):
         check(seed, 2)
 
 
+@pytest.mark.slow
 def test_a_tilt_of_every_rate():
     """p_psi = 0 and U'(0) = 0.
 

@@ -236,6 +236,7 @@ def marked(ax, spectrum, expected, seed):
         assert min(abs(z - y) for k, y in points if k == kind) < 1e-6 * (1 + abs(z)), (seed, kind, z)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [51])
 def test_eigenvalues_that_are_drawn(seed):
     """Random bodies in fields with and without exponentials."""

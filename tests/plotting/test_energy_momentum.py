@@ -28,6 +28,7 @@ def g_of(values, U, v, h):
                                  v, values["p_psi"], U)
 
 
+@pytest.mark.slow
 def test_critical_values_are_double_roots_of_g(found):
     """g(k3) = g'(k3) = 0 on every curve, and g'' < 0 where it is stable."""
     _, values, U, diagram = found
@@ -53,6 +54,7 @@ def test_the_rate_is_that_of_the_precession(found):
                                    rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_both_rates_are_followed_to_where_they_meet():
     """Where P² = 4 I1 k3 U' the slow and the fast curve end in one point."""
     for P in (0.1, 0.7):
@@ -103,6 +105,7 @@ def test_regions_count_the_bands_of_motion(found):
             assert ours[i, j] == (inside[1:] & ~inside[:-1]).sum(), (momentum, energy)
 
 
+@pytest.mark.slow
 def test_the_picture():
     """Curves in the look of their verdict, E1 and E2 as markers, at the ends of the window.
 
@@ -128,6 +131,7 @@ def test_the_picture():
         "changes: fold on a level", "one band of $k_3$", "two bands"]
 
 
+@pytest.mark.few(1)
 def test_all_that_is_critical_is_in_the_window(found):
     """With room below and above: E1, E2, where stability changes, and the curves beside them."""
     scene, values, _, diagram = found
@@ -157,6 +161,7 @@ def test_what_cannot_be_drawn_is_refused():
         draw_energy_momentum(gs.assemble(gs.Gyrostat()), {})
 
 
+@pytest.mark.slow
 def test_a_field_that_is_multiplied_out():
     """U = 1/(3 k3 − 1)², written without the square: to the pole every value is a number, and the same."""
     k3, body = gs.symbol("k3"), {"I1": 2, "I3": 1, "l": 0, "p_psi": 1}

@@ -23,6 +23,7 @@ CASES = {
 DEFAULT = ("along an axis", "general", "circle broken")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("case", [case if case in DEFAULT else pytest.param(case, marks=pytest.mark.slow)
                                   for case in CASES])
 def test_every_rotation_is_there_with_its_verdict(case):
@@ -48,7 +49,7 @@ def apart(piece, x, rotation, M):
     return gaps[0] if rotation.circle else gaps.max()
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", [*DEFAULT, pytest.param("tensor", marks=pytest.mark.slow)])
 def test_every_sample_is_a_rotation(case):
     """(1 − ν I) M = l on abs(M) = 1 or the parameter, written out; pieces go from one mark on to the next."""

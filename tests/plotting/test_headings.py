@@ -41,6 +41,7 @@ def drawn(figure):
     return canvas.get_renderer()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("width", [3.4, 7])
 def test_a_title_is_as_wide_as_its_axes(width):
     """U of many terms and its numbers are broken into lines; each is read back whole; none is cut off."""
@@ -76,6 +77,7 @@ def test_numbers_of_body_and_field():
     assert free == [] and numbers == ["$l_2 = 1$", "$I_1 = 1$", "$I_2 = 2$", "$I_3 = 3$"]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", [0, 3, *slow(*((n,) for n in (1, 2, 4, 5, 6, 7)))])
 def test_names_of_axes_do_not_lie_over_the_outline(seed):
     """From wherever the sphere is seen, each is well inside or outside of the circle."""
@@ -95,6 +97,7 @@ def test_names_of_axes_do_not_lie_over_the_outline(seed):
             assert not 0.82 < away < 1.2, (elevation, azimuth, text.get_text())
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("inertia", [(1, 2, 3), (1, 2, "21/10"), (5, 2, 1)])
 def test_polhodes_are_evenly_spaced(inertia):
     """Those drawn cross the great circles from the saddle to the other axes at equal angles."""
@@ -122,6 +125,7 @@ def test_a_power_of_ten_is_not_under_the_legend():
     assert not power.get_window_extent(renderer).overlaps(ax.get_legend().get_window_extent(renderer))
 
 
+@pytest.mark.slow
 def test_a_legend_of_uneven_columns_fits_above_its_axes():
     """Four names in three columns would be wider than a column of a paper, and push the axes together."""
     tilted = gs.analyze(gs.inclined(in_a_field(lambda k: k - k**2), eliminate="k3"))
@@ -135,6 +139,7 @@ def test_a_legend_of_uneven_columns_fits_above_its_axes():
         assert ax.get_window_extent().width > 0.75 * ax.figure.bbox.width
 
 
+@pytest.mark.slow
 def test_the_legend_has_nothing_that_is_outside_of_the_window():
     """Curves, points and marks beyond the ends of the axes are not named."""
     scene, values = in_a_field(lambda k: 6 * k**4 - 5 * k**2 + k / 2), {**BODY, "p_psi": "1/2"}
@@ -162,6 +167,7 @@ def test_e3_in_l_and_omega_says_what_is_determined():
     np.testing.assert_array_equal(x[inside], chart.boundary_x.values[inside])
 
 
+@pytest.mark.slow
 def test_the_style_of_a_paper_is_found_by_its_name():
     """Serif letters and mathematics that go with them, at the width of a column."""
     with matplotlib.style.context("gyrostat.plotting.paper"):

@@ -25,7 +25,7 @@ def drawn(inertia, rotor, radius, energies=None, **kwargs):
     return draw_momentum_sphere(gs.assemble(gs.Gyrostat(inertia, rotor)), radius, {}, energies, ax, **kwargs)
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("inertia, rotor, radius", CASES)
 def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
     """abs(M) = R and Σ (M − l)²/(2 I) = energy to 1e-12, at every energy, and curves are closed.
@@ -48,7 +48,7 @@ def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
         assert apart.min(axis=1).max() < 1e-9
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("inertia, rotor, radius", [case for case in CASES if case[0] != (2, 3, 3)])
 def test_separatrices_lie_on_sphere_and_level(inertia, rotor, radius):
     """To rounding at the saddle too, where the gradient vanishes."""
@@ -213,6 +213,7 @@ def test_polhodes_are_complete(inertia, rotor, size, radius, part, seed):
     polhodes_are_complete(inertia, [Rational(x) * Rational(size) for x in rotor], radius, float(part), seed)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("inertia, rotor, part",
                          [((1, "1.0001", 2), ("1/100", "1/50", "1/5"), 0.9999), ((1, 2, 3), (0, 0, 0), 1e-6),
                                                   ((3, 1, 2), (0, 0, "1/10"), 0.4)])
@@ -221,6 +222,7 @@ def test_a_small_or_thin_polhode_is_not_missing(inertia, rotor, part):
     polhodes_are_complete(inertia, rotor, 1, part, 1)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("inertia, rotor, radius",
                          [*CASES[:3], *(pytest.param(*case, marks=pytest.mark.slow) for case in CASES[3:])])
 def test_separatrices_meet_the_saddles_and_are_complete(inertia, rotor, radius):

@@ -29,7 +29,7 @@ def rotor_at(free, held, x, y):
     return [given[name] for name in ("l1", "l2", "l3")]
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 def test_the_number_in_a_region_is_that_of_its_rotations(drawn):
     """As Sturm's theorem counts them where the text stands; every number that there is, is shown."""
     ax, free, held = drawn
@@ -40,7 +40,7 @@ def test_the_number_in_a_region_is_that_of_its_rotations(drawn):
         assert (int(text.get_text()), 0) == found.count((F(1), F(2), F(3)), rotor, F(1))
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 def test_rotations_meet_on_the_curves(drawn):
     """Across a line of the plane, where a curve crosses it and nowhere else."""
     ax, free, held = drawn

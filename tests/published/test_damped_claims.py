@@ -28,6 +28,7 @@ def test_conditions_of_the_books_are_confirmed(tmp_path, scene, printed):
     assert status(tmp_path, scene, DAMPED, printed) == "confirmed"
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("scene, printed", [
     (TOP, "(I3*omega3_0 + l)**2 > 4*I1*m0"), (TOP, SLEEPS.replace("I3 - I1", "I1 - I3")),
     (DUAL, "(l + (I3 - I1)*omega3_0)*(l + (I3 - I2)*omega3_0) > 0"), (BOX, "I3 > I1"),
@@ -37,6 +38,7 @@ def test_other_conditions_are_refuted(tmp_path, scene, printed):
     assert status(tmp_path, scene, DAMPED, printed) == "misprint"
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("scene, printed, expected", [
     (DUAL, LANDON.replace(">", ">="), "misprint"), (TOP, SLEEPS.replace(">", ">="), "misprint"),
     (TILT, D.replace(">", ">="), "misprint"),
@@ -70,6 +72,7 @@ DELTA = "M1**2*(1/I2 - nu)*(1/I3 - nu) + M2**2*(1/I3 - nu)*(1/I1 - nu) + M3**2*(
 TRACE = "M1**2*(1/I2 + 1/I3 - 2*nu) + M2**2*(1/I3 + 1/I1 - 2*nu) + M3**2*(1/I1 + 1/I2 - 2*nu)"
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("quantity, printed, expected", [
     ("sufficient for stability", f"{DELTA} > 0", "confirmed"),
     ("sufficient for stability", f"{DELTA} >= 0", "misprint"),          # at a fold it is unstable

@@ -80,6 +80,7 @@ def examined(tmp_path, scene, claim, printed):
 STALE = "I1**2*omega**4 + dU**2 - 2*k3*dU*I1*omega**2 + (1-k3**2)*d2U*I1*omega**2"
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("scene", "claim", "printed", "expected"), [
     pytest.param("E3", CLAIMS[0], STALE + " > 0", ("misprint", False), marks=pytest.mark.slow),
     pytest.param("E3", CLAIMS[1], STALE + " >= 0", ("misprint", False), marks=pytest.mark.slow),

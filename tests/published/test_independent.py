@@ -34,7 +34,7 @@ def with_new_names():
 FIRST = set(with_new_names())
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(3)
 @pytest.mark.parametrize("statement", [
     pytest.param(s, marks=[pytest.mark.slow] * ((s.source, s.key) not in FIRST), id=f"{s.source}:{s.key}")
     for s in DERIVED])

@@ -21,6 +21,7 @@ def decided(inertia, rotor, U, point, values=None):
     return gs.analyze(gs.equilibrium(scene, point)).verdict(values or {})
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("U, rotor, expected", [
     (lambda a, b, c: a**4 + b**4, (0, 0, 0), "STABLE"),
     (lambda a, b, c: (b + a**2) ** 2 + a**6, (0, 0, 0), "STABLE"),

@@ -65,6 +65,7 @@ def every_case():
                            id=f"level-{field}-{name}")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("kind", "values", "name"), list(cases(
     "rate-quartic-l", "rate-oblate-omega", "rate-quintic-I1", "level-cubic-C1", "level-cubic-a1")))
 def test_all_points_are_found(quintic, kind, values, name):
@@ -95,6 +96,7 @@ def test_all_points_are_found(quintic, kind, values, name):
         assert abs(before - after) == steps[0] if len(steps) == 1 else abs(before - after) <= sum(steps)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("kind", "values", "name"), [c for c in every_case() if c.id in (
     "rate-cubic-l", "rate-quartic-l", "rate-oblate-omega", "level-cubic-C1")])
 def test_the_equations_vanish(quintic, kind, values, name):
@@ -122,6 +124,7 @@ def test_the_equations_vanish(quintic, kind, values, name):
             assert sign(placed, numbers) == 0
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("kind", "values", "name"), [
     c for c in cases("rate-quartic-l", "level-cubic-C1") if c.id in (
         "rate-quartic-l", "rate-quartic-a2", "rate-quintic-I1", "level-cubic-C1", "level-cubic-a1")])

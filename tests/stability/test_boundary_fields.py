@@ -10,6 +10,7 @@ import gyrostat as gs
 from gyrostat.stability.report import Verdict
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("potential", "expected"), [
     (k3**2 / 2 - k3, "STABLE"), ((k3 - 1) ** 3, "UNSTABLE"), ((1 - k3) ** 3, "STABLE"),
     (-((k3 - 1) ** 6), "UNSTABLE"), (S.Zero, "UNSTABLE"), ((1 - k3) ** 2 / (3 + k3), "STABLE"),
@@ -43,6 +44,7 @@ def test_all_coefficients_vanish_at_a_pole():
     ]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("more", "expected"), [
     (0, "UNSTABLE"), ((k3 - HALF) ** 4, "STABLE"), ((k3 - HALF) ** 3, "UNSTABLE"),
     *slow((-((k3 - HALF) ** 4), "UNSTABLE"), (-((k3 - HALF) ** 3), "UNSTABLE"),

@@ -65,7 +65,7 @@ def report(family):
     return gs.analyze(getattr(gs, family)(gs.assemble(gs.symmetric_gyrostat(), potential)))
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kind", KINDS, ids=names)
 def test_verdict_is_what_the_motion_does(kind):
     """STABLE exactly where the excursion from a point moved by ε = 10⁻¹² has become small, UNSTABLE where it
@@ -77,7 +77,7 @@ def test_verdict_is_what_the_motion_does(kind):
         assert report(kind[0]).verdict(case.values()).verdict is motion is Verdict[kind[1]]
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("level", [False, True], ids=["generic", "level"])
 @pytest.mark.parametrize("kind", STABLE, ids=names)
 def test_excursion_from_a_stable_point_has_the_exponent(kind, level):
@@ -97,6 +97,7 @@ def test_excursion_from_a_stable_point_has_the_exponent(kind, level):
         assert min(range(1, 9), key=lambda j: abs(slopes[1] - exponent(family, j, same))) == n  # noqa: B023
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kind", UNSTABLE, ids=names)
 def test_excursion_from_an_unstable_point_is_of_order_one(kind):
     """abs(k3 − z0) > 1/4 for every ε, and tends to the next root of the unperturbed g on a side where g > 0.

@@ -31,6 +31,7 @@ def designed(moments, z, w, total, power, first, order):
     return jets, radsimp(expand(total - C * w * z))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("power", "first", "expected"), [
     (2, -1, "STABLE"), (3, 1, "UNSTABLE"), (4, Rational(1, 10**30), "UNSTABLE"),
     (4, 12 * sqrt(2) - 17, "STABLE"), (6, 2, "UNSTABLE"),
@@ -125,6 +126,7 @@ def test_tilts_that_are_roots_of_polynomials(modulus, rungs, last):
 UP, DOWN, RATIONAL, SURD = (0, 0, 1), (0, 0, -1), ("-2/7", "3/7", "6/7"), (0, sqrt(3) / 2, "-1/2")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("k", "power", "first"), [
     (UP, 3, 1), (DOWN, 3, -1), (RATIONAL, 4, -1), (SURD, 4, 1),
     *slow(*((k, 3, first) for k in (RATIONAL, SURD) for first in (1, -1)),

@@ -126,6 +126,7 @@ def newtonian(moments, rotor):
     return gs.assemble(gs.Gyrostat(moments, (0, 0, rotor)), gs.newtonian_field(2))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("motion", [{"omega": 1}, {"pi3_0": 1, "C1": "3/4"}, {"k3": "1/3", "pi3_0": 5}])
 def test_bodies_by_any_name(motion):
     """I = (2, 2, 3), l = 1 as symbols A, C, h, as numbers, as 2 I1, and with names in each other's places.
@@ -154,6 +155,7 @@ def test_the_rotor_may_be_in_the_field():
         ) == outcome(theirs)
 
 
+@pytest.mark.slow
 def test_algebraic_numbers(polynomial):
     """ω = √2/3, and an l, k3, π3 that are roots of polynomials: found and decided.
 

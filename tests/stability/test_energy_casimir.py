@@ -94,6 +94,7 @@ def reduced_form(inertia, rotor, k, w, g, H):
     return [[x.dot(A.dot(y)) for y in (a, b)] for x in (a, b)]
 
 
+@pytest.mark.slow
 @given(inertia=st.tuples(*[moments] * 3), rotor=THREE, a=numbers, b=numbers, w=nonzero,
        s=st.tuples(*[numbers] * 6), mu=numbers)
 @settings(max_examples=10)

@@ -39,7 +39,7 @@ def check(rng, quadratic):
 @pytest.mark.parametrize("quadratic", [False, True])
 def test_all_are_found_and_rightly_decided(quadratic):
     rng = random.Random(f"heavy {quadratic}")
-    assert sum(check(rng, quadratic) for _ in range(6)) > 12
+    assert sum(check(rng, quadratic) for _ in range(3)) >= 6
 
 
 @pytest.mark.slow

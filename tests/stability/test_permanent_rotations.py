@@ -120,6 +120,7 @@ def test_the_one_verb_finds_them_and_the_report_agrees(inertia, rotor, radius):
 TENSOR = ((5, 1, 0), (1, 4, 0), (0, 0, 3))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("inertia", [(5, 4, 3), TENSOR], ids=["moments", "tensor"])
 def test_a_wheel_in_rpm_and_a_momentum_with_pi(inertia):
     """In units of π both are rational: the rotations are those of the rational ones, π times as large."""

@@ -127,6 +127,7 @@ def test_branch_points_are_no_potentials():
         report.verdict({"I1": 1, "l": 0, "pi3_0": 9, "a": -1})
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("U", [k3 * sqrt((-k3 - 2) / (k3 - 3)), k3 * sqrt((k3 + 2) / (3 - k3)),
                                k3 * sqrt(k3 + 2) / sqrt(3 - k3)])
 def test_the_sign_of_a_root_of_a_fraction(U):

@@ -18,6 +18,7 @@ def scene_of(zeros):
     return gs.assemble(gs.Gyrostat(gyrostatic_momentum=rotor))
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("zeros", [(1, 2), (2, 3), (1, 3), (1,), (2,), (3,)])
 def test_they_hold_at_the_points_that_are_found(zeros):
     """Of each kind at the points of that kind and ν, exactly; found by another route, double points of ν."""

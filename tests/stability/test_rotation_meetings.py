@@ -47,7 +47,7 @@ def cases(kinds, number):
         yield pytest.param(empty, 200, id=f"{empty}-200", marks=pytest.mark.slow)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("empty", "number"), list(cases((0, 1, 2), 3)))
 def test_their_number_changes_there_alone(empty, number, full):
     """Sturm's theorem counts as many rotations at five fractions of each gap between the values, two of them

@@ -119,7 +119,7 @@ def field(rnd, special):
                           mp.matrix([floats(row) for row in curvature])))
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("cases", [2, pytest.param(260, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("special", [False, True])
 @pytest.mark.parametrize("scene", [pole, tilt, free, field])

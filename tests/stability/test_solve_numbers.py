@@ -20,7 +20,7 @@ NUMERIC = [("E1", gs.upright, "l", {"I1": 2, "pi3_0": 1}), ("E1", gs.upright, "I
            ("E3", gs.inclined, "I3", {"I1": 2, "omega": "1/3", "k3": "1/2"})]
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("label", "family", "name", "values"), NUMERIC)
 def test_numbers_give_intervals_with_exact_ends(label, family, name, values):
     """For a polynomial U of degree 5.

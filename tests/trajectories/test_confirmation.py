@@ -128,6 +128,7 @@ def test_free_body(axis, verdict):
     assert found.routes == ("free body",) and (axis != 2 or min(found.excursions) > 3.9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["heyoka", *slow(("DOP853",))])
 def test_asymmetric_body_in_a_field(asymmetric_report, monkeypatch, method):
     """Integrated motions, over some turns and not a whole orbit: definite, and with a growing mode."""

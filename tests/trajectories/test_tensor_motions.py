@@ -81,6 +81,7 @@ def test_a_field_integrates_a_tensor(monkeypatch):
     np.testing.assert_allclose(two(2.0), turn @ one(2.0), atol=1e-9)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("rotor", [28, "9*pi"])
 def test_principal_axes_that_are_roots_of_a_cubic(rotor):
     """M turns as Euler's equations say."""

@@ -61,6 +61,7 @@ def test_every_order_of_the_moments_and_every_sign(inertia, M):
     assert motion.period == pytest.approx(float(polhode_period(inertia, M)), rel=1e-14)
 
 
+@pytest.mark.slow
 @given(a=moments, b=moments, c=moments, rotor=rotors, M=st.tuples(nonzero, numbers, numbers), t=numbers)
 @settings(max_examples=3)
 def test_momentum_and_attitude_are_those_of_integration(a, b, c, rotor, M, t):

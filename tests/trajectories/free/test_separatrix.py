@@ -11,6 +11,7 @@ from slow import slow
 from sympy import sqrt
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("d", ["1/100", *slow(("1/10000",), (1e-6,), (1e-7,))])
 def test_momentum_near_the_separatrix_is_that_of_integration(d):
     """I = (1, 2, 3), M = (d/2, 2, 2 d), t = 400, ten flips: error below 10⁻¹³.

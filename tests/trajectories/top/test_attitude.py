@@ -9,6 +9,7 @@ from tops import BODY, CASES, MOTIONS, SEPARATRICES, F, as_mpf, moving, plain, t
 from gyrostat.mechanics.attitude import ANGLES, rotation
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", [
     "degree 1", "exp", "from the lower pole", "over the top", "sleeping top",
     *slow(("at the upper turning point",), ("from the upper pole",), ("through the upper pole",),

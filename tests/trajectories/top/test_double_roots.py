@@ -115,7 +115,7 @@ def elsewhere(U, side, size, mass):
                              gs.axial_potential(lambda k3: mass * U.subs(z, side * k3 / size))), tuple(state))
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("gap", ["1e-3", "1e-10", "1e-14"])
 @pytest.mark.parametrize("third", BESIDE, ids=["exp", "log", "bell", "pole", "sin"])
 def test_the_pair_beside_a_motion_is_found(third, gap):

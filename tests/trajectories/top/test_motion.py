@@ -12,7 +12,7 @@ some = settings(max_examples=4)
 small = st.fractions(min_value=-2, max_value=2, max_denominator=4)
 
 
-@pytest.mark.few(9)
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", CASES)
 def test_state_is_that_of_taylor_series(name):
     """The state at a time to 10⁻¹⁴ of its size; at the time 0 it is the state given."""

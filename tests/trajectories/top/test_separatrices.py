@@ -30,6 +30,7 @@ def levelled(heights, poles, across, P, height, degree):
 LEAVING = ["sleeping top", "hanging", "pendulum between its poles", "hanging in exp"]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", [
     *LEAVING, *slow(*((name,) for name in SEPARATRICES if name not in LEAVING))])
 def test_asymptotic_motions(name):
@@ -59,6 +60,7 @@ ONE, ONE_OF_THREE, TWO, POLE = ((F(1, 5),), (), 2), ((F(1, 5),), (), 3), ((F(1, 
     (F(1, 5),), (1,), 3)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("heights", "poles", "degree", "back"), [
     (*ONE, 1), (*TWO, -1), (*POLE, 1),
     *slow((*ONE, -1), (*ONE_OF_THREE, 1), (*ONE_OF_THREE, -1), (*TWO, 1), (*POLE, -1))])

@@ -47,6 +47,7 @@ def test_inclined_equilibria_stay(w, bend, k):
                                np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ found.attitude(0.0), atol=1e-15)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("W", "pi3", "k"), [(F(2), F(1), (F(3, 5), F(0), F(4, 5))),
                                              (F(-1), F(5, 2), (F(0), F(12, 13), F(-5, 13))),
                                             (F(1, 2), F(-3), (F(9, 5), F(0), F(12, 5)))])
