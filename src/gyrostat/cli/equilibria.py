@@ -77,8 +77,8 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
     if scene.potential is None:
         decide = "; gyrostat decide finds all, where every name and M have a number"
     elif scene.potential.given:
-        decide = ("; gyrostat decide finds those of a rate omega or a direction k1, k2, k3, where every name "
-                  "has a number")
+        decide = ("; gyrostat decide finds those of a rate omega, a level C1 or a direction k1, k2, k3, "
+                  "where every name has a number")
     for family in POLES.values() if scene.potential else PRINCIPAL:
         with contextlib.suppress(EquilibriumError):
             held.append(report_at(asked, family.label, numbers).equilibrium.label)
