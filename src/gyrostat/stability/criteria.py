@@ -1,16 +1,19 @@
 """The three criteria: the spectral, the formal and the secular, each as inequalities."""
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from sympy import Expr, Matrix, S
 
 from ..algebra.margins import Signs
 from ..algebra.polynomials import lowest_terms
-from ..mechanics.derivation import signs_over
+from ..mechanics.derivation import rows_at_point, signs_over
 from ..mechanics.equilibria import Equilibrium
+from .amended_form import amended_form, dot
 from .conditions import Criterion, condition_of
-from .energy_casimir import SecondVariation, augmented_hessian
+from .energy_casimir import SecondVariation, augmented_hessian, blocks
 from .implication import Item, eliminate, merge, reduced
 from .linearization import Linearization
+
+Minor = tuple[str, int, Expr]                              # its name, its order, what it is
 
 
 def spectral_criterion(linearization: Linearization) -> Criterion:
@@ -65,7 +68,8 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
 
     Of either sign, for some value of the free multiplier. The leading principal minors decide; a free
     multiplier enters one margin, quadratically, and is eliminated: a ν² + b ν + c takes a positive value
-    iff a > 0 or b² > 4ac.
+    iff a > 0 or b² > 4ac. A body in a field without integrals, in a direction where the second variation does
+    not split: trace and determinant of D²U_c on the plane across k (AmendedForm) decide, named t and s.
 
     Parameters
     ----------
@@ -90,11 +94,13 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     """
     if invariants := _on_sphere(variation):
         signs = signs_over(variation.equilibrium, invariants)
-        return _definite(variation, "formal", [(2, invariants[1])], signs, (1,))
+        return _definite(variation, "formal", _minors([(2, invariants[1])]), signs, (1,))
+    if across := _across(variation):
+        return _definite(variation, "formal", across, _signs(variation, across), (1,))
     # one multiplier is eliminated, any value of the others may be chosen
     others = dict.fromkeys(variation.free[1:], S.Zero)
-    minors = [(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)]
-    signs = signs_over(variation.equilibrium, [minor for _, minor in minors])
+    minors = _minors([(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)])
+    signs = signs_over(variation.equilibrium, [minor for _, _, minor in minors])
     return _definite(variation, "formal", minors, signs, (1, -1))
 
 
@@ -125,10 +131,8 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     >>> print(gs.independent(gs.secular_criterion(gs.secular_variation(spin)), spin))
     I₃ > I₁ and I₃ > I₂
     """
-    eq = variation.equilibrium
-    minors = [(2, e) for e in _on_sphere(variation)] or list(variation.block_minors)
-    signs = Signs.over([minor for _, minor in minors], (*eq.domain, *positive(eq)))
-    return _definite(variation, "secular", minors, signs, (1,))
+    minors = _across(variation) or _minors([(2, e) for e in _on_sphere(variation)] or variation.block_minors)
+    return _definite(variation, "secular", minors, _signs(variation, minors), (1,))
 
 
 def positive(eq: Equilibrium) -> tuple[Expr, ...]:
@@ -151,14 +155,42 @@ def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:
     return (lowest_terms(A.trace() * M.dot(M) - M.dot(A * M)), lowest_terms(M.dot(A.adjugate() * M)))
 
 
-def _definite(variation: SecondVariation, notion: str, minors: Sequence[tuple[int, Expr]], signs: Signs,
+def _across(variation: SecondVariation) -> list[Minor]:
+    """Of a body in a field without integrals: trace and determinant of D²U_c on the plane across k.
+
+    In any basis. The second variation has D²U_c beside a positive form of the velocities. Where k is along an
+    axis or the second variation splits, its own minors are shorter.
+    """
+    eq = variation.equilibrium
+    system, body, k = eq.system, eq.system.body, eq.point[3:]
+    if not system.potential or system.integrals or sum(x != 0 for x in k) < 2:
+        return []
+    if len(blocks(variation.matrix.tolist())) > 1:
+        return []
+    omega = dot(k, body.inverse * Matrix(eq.point[:3]))
+    gradient = [eq.at_point(d) for d in system.potential.gradient()]
+    hessian = [row[3:] for row in rows_at_point(eq, system.energy_hessian)[3:]]
+    form = amended_form(body.tensor.tolist(), body.gyrostatic_momentum, gradient, hessian, k, omega)
+    return [("t", 1, lowest_terms(form.trace)), ("s", 2, lowest_terms(form.determinant))]
+
+
+def _minors(of_order: Iterable[tuple[int, Expr]]) -> list[Minor]:
+    return [(f"minor {n}", n, minor) for n, minor in of_order]
+
+
+def _signs(variation: SecondVariation, minors: Sequence[Minor]) -> Signs:
+    eq = variation.equilibrium
+    return Signs.over([minor for _, _, minor in minors], (*eq.domain, *positive(eq)))
+
+
+def _definite(variation: SecondVariation, notion: str, minors: Sequence[Minor], signs: Signs,
               allowed: Sequence[int]) -> Criterion:
-    """Definite of a sign that is allowed, by minors with their orders."""
+    """Definite of a sign that is allowed, by minors with their names and orders."""
     ring = signs.ring
-    fractions = [(n, ring.fraction(minor)) for n, minor in minors]
+    fractions = [(name, n, ring.fraction(minor)) for name, n, minor in minors]
     alternatives: list[list[Item]] = []
     for s in allowed:
-        items = [Item(*signs.split(s**n * top, bottom), True, f"minor {n}") for n, (top, bottom) in fractions]
+        items = [Item(*signs.split(s**n * top, bottom), True, name) for name, n, (top, bottom) in fractions]
         conjunction = reduced(items, signs)
         if conjunction is not None:
             free = [nu for nu in variation.free if nu in ring.gens]

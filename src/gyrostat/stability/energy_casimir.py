@@ -73,10 +73,10 @@ class SecondVariation(Shown, Stored):
         rows, bottom = ring.matrix(self.matrix.tolist())
         return tuple((n, ring.quotient(determinant(ring, [[rows[i][j] for j in block[:n]]
                                                           for i in block[:n]]), bottom**n))
-                     for block in _blocks(rows) for n in range(1, len(block) + 1))
+                     for block in blocks(rows) for n in range(1, len(block) + 1))
 
 
-def _blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
+def blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
     """The indices of a symmetric matrix, those together that entries connect."""
     blocks: list[list[int]] = []
     for i, row in enumerate(rows):
