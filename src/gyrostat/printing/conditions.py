@@ -59,12 +59,18 @@ def _implied(criterion: Criterion, at: Any) -> list[Block]:
     """What is left out because the other conditions imply it, with the identity that shows it."""
     blocks: list[Block] = []
     for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
-        latex = re.sub("[pq]", r"⟨\g<0>⟩", proof.source).replace("²", "^2").replace("−", "-")
-        name = Word(proof.source, latex)
+        name = source_word(proof.source)
         identity = readable(proof.square), " + ", readable(proof.factor), " (", readable(proof.by), ")"
         blocks.append(sentence("Here ", name, " is, up to a positive factor, ", *identity,
                                ": it adds nothing.", at=at))
     return blocks
+
+
+def source_word(source: str, before: str = "") -> Word:
+    """What a condition came from, p² − 4q or minor 3, after a text."""
+    latex = rf"\text{{{source}}}" if source.startswith("minor") else (
+        re.sub("[pq]", r"⟨\g<0>⟩", source).replace("²", "^2").replace("−", "-"))
+    return Word(before + source, rf"\text{{{before}}}{latex}" if before else latex)
 
 
 def trivial(condition: Condition) -> bool:

@@ -1,10 +1,17 @@
 """A verdict at numbers, with its margins."""
+from collections.abc import Iterator
 from typing import Any
+
+from sympy import Expr
 
 from ..algebra.numbers import shown
 from ..algebra.readable import readable
 from ..stability.report import Decision, Verdict
 from .blocks import Block, Display, Sentence, Word, modulo_flow, sentence
+from .conditions import source_word
+
+LONG = 200                                                 # characters of a margin that is shown by its name
+OF = "margin of "
 
 _IN_WORDS = {Verdict.STABLE: "Stable", Verdict.UNSTABLE: "Unstable", Verdict.UNDECIDED: "Undecided"}
 _DAMPED = {(Verdict.STABLE, Verdict.STABLE): "Stable, and stays so under internal damping",
@@ -20,11 +27,23 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
     modulo = (" ", *modulo_flow(decision.modulo)) if decision.modulo and decision.notion else ()
     blocks: list[Block] = [sentence(f"{of}: {_TITLES[decision.verdict]}", *modulo,
                                     f"; {decision.verdict.value}.")]
-    blocks += [Display(readable(margin), Word(shown(value), shown(value)), at, label="value")
-               for margin, value in decision.margins if margin.free_symbols]
+    for margin, name, value in named_margins(decision):
+        left = source_word(name, OF) if name else readable(margin)
+        blocks.append(Display(left, Word(shown(value), shown(value)), at, label="value"))
+    if any(name in ("t", "s") for _, name, _ in named_margins(decision)):
+        blocks.append(sentence("Here t and s are the trace and the determinant of the second variation of "
+                               "the amended potential on the plane across k."))
     if decision.note:
         blocks.append(sentence(f"Note: {decision.note}."))
     return blocks
+
+
+def named_margins(decision: Decision) -> Iterator[tuple[Expr, str, Expr]]:
+    """The margins that are not numbers, the name of each that is long, else "", and its value."""
+    for n, (margin, value) in enumerate(decision.margins):
+        if margin.free_symbols:
+            long = decision.names and len(str(margin)) > LONG
+            yield margin, decision.names[n] if long else "", value
 
 
 def damped_block(decision: Decision, damped: Decision | None) -> Sentence:

@@ -22,6 +22,7 @@ from ..stability.linearization import Linearization
 from ..stability.report import Decision, Report
 from .blocks import Block, Display, Heading, Rows, Sentence, Word
 from .conditions import comparison, trivial
+from .decision import OF, named_margins
 from .document import point_blocks, report_blocks, scene_blocks
 from .unicode import matrix_lines, unicode
 
@@ -109,7 +110,8 @@ def _decision(decision: Decision) -> str:
         said += f", {decision.notion}"
         if decision.modulo:
             said += f" modulo the flow of {_row(decision.modulo)}"
-    values = [f"{margin} = {shown(value)}" for margin, value in decision.margins if margin.free_symbols]
+    values = [f"{OF + name if name else margin} = {shown(value)}"
+              for margin, name, value in named_margins(decision)]
     reason = f"{', '.join(values)}: {decision.reason}" if values else decision.reason
     note = f" (note: {decision.note})" if decision.note else ""
     return f"{said}: {reason}{note}"

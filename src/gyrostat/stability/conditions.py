@@ -2,7 +2,7 @@
 
 The spectral and the formal test as inequalities, reduced to what is independent.
 """
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 
 from sympy import Expr, Symbol
@@ -119,6 +119,17 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
         return first                                     # one conjunction, reduced to the end
     signs = Signs.over(map(eq.insert, _expressions(first)), eq.existence())
     return _independent(first, eq, eq.insert, signs)
+
+
+def sources(eq: Equilibrium, margins: Iterable[Expr], criteria: Iterable[Criterion]) -> tuple[str, ...]:
+    """What each margin came from, "" for none; () where there are integrals."""
+    if eq.system.integrals:
+        return ()
+    named: dict[Expr, str] = {}
+    for c in (c for criterion in criteria for alternative in criterion.alternatives for c in alternative):
+        if named.get(c.margin) != "s":                     # s says more than q, which has the same margin
+            named[c.margin] = c.source
+    return tuple(named.get(margin, "") for margin in margins)
 
 
 def _inserts(eq: Equilibrium) -> bool:

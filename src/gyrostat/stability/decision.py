@@ -59,6 +59,8 @@ class Decision(Shown, Stored):
         what is unusual about the numbers, if anything
     growing : int or None
         under internal damping, the number of growing modes; None where it is not asked for, or not proved
+    names : tuple of str
+        where there are no integrals, what each margin is of: p, q, p² − 4q, t, s or a minor; "" if none
 
     Examples
     --------
@@ -76,6 +78,7 @@ class Decision(Shown, Stored):
     margins: tuple[tuple[Expr, Expr], ...]
     note: str = ""
     growing: int | None = None
+    names: tuple[str, ...] = ()
 
 
 class Decider(Protocol):

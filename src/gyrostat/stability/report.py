@@ -14,7 +14,7 @@ from ..mechanics.standard import Seen, seen, seen_at
 from ..notation import Stored, symbol
 from ..shown import Shown
 from .boundary import Boundary, boundary_of
-from .conditions import Criterion, independent
+from .conditions import Criterion, independent, sources
 from .criteria import formal_criterion, spectral_criterion
 from .decision import Between, Decider, Decision, Verdict
 from .drift import Drift
@@ -170,16 +170,15 @@ class Report(Shown, Stored):
         elif not numbers.doubt:
             stable, notion, why, modulo = self._decided(numbers, margins)
         return Decision(Verdict.of(stable), notion, modulo, why, tuple(margins.items()),
-                        scene_note(self.equilibrium.system, numbers), growing)
+                        scene_note(self.equilibrium.system, numbers), growing,
+                        sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
         """The decision on the point itself, where verdict speaks of it modulo a flow.
 
-        Otherwise the same as verdict.
-
-        A tilted equilibrium that is stable modulo the spin is not Lyapunov stable as a point: relative
-        equilibria near it drift along its orbit (Drift). margins has D, which is not 0 where the linearised
-        flow grows too, by a Jordan block.
+        Otherwise the same as verdict. A tilted equilibrium that is stable modulo the spin is not Lyapunov
+        stable as a point: relative equilibria near it drift along its orbit (Drift). margins has D, which is
+        not 0 where the linearised flow grows too, by a Jordan block.
 
         Parameters
         ----------
