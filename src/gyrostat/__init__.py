@@ -21,10 +21,12 @@ if TYPE_CHECKING:
     from .algebra.precision import own_precision
     from .mechanics.body import Gyrostat, symmetric_gyrostat
     from .mechanics.claimed import equilibrium
+    from .mechanics.directions import stereographic
     from .mechanics.equilibria import Equilibrium
     from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
     from .mechanics.liepoisson import LiePoisson, lie_poisson
     from .mechanics.orbit import orbit_tangent, symplectic_slice
+    from .mechanics.permanent_rotation import permanent_rotation
     from .mechanics.potential import Potential
     from .mechanics.potentials import axial_potential, general_potential
     from .mechanics.principal import principal_rotation
@@ -74,21 +76,23 @@ __all__ = [
     "equilibrium", "errors", "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors",
     "hanging", "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson",
     "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field", "NOTATION",
-    "orbit_tangent", "own_precision", "PermanentRotation", "plotting", "Potential", "principal_rotation",
-    "published", "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor",
-    "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
+    "orbit_tangent", "own_precision", "permanent_rotation", "PermanentRotation", "plotting", "Potential",
+    "principal_rotation", "published", "reduce", "relative_equilibria", "Report", "RotationContinuation",
+    "Rotor", "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
     "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
-    "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "symbol", "symmetric_gyrostat",
+    "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
     "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
     "charts": "", "mechanics": "", "plotting": "", "published": "", "trajectories": "",
     "algebra.precision": "own_precision", "mechanics.body": "Gyrostat symmetric_gyrostat",
-    "mechanics.claimed": "equilibrium", "mechanics.equilibria": "Equilibrium",
+    "mechanics.claimed": "equilibrium", "mechanics.directions": "stereographic",
+    "mechanics.equilibria": "Equilibrium",
     "mechanics.fields": "ideal_fluid newtonian_field uniform_field",
     "mechanics.liepoisson": "LiePoisson lie_poisson", "mechanics.orbit": "orbit_tangent symplectic_slice",
-    "mechanics.potential": "Potential", "mechanics.potentials": "axial_potential general_potential",
+    "mechanics.permanent_rotation": "permanent_rotation", "mechanics.potential": "Potential",
+    "mechanics.potentials": "axial_potential general_potential",
     "mechanics.principal": "principal_rotation", "mechanics.reduction": "reduce",
     "mechanics.rotors": "Rotor gyrostat_with_rotors", "mechanics.system": "System assemble",
     "mechanics.tilted": "inclined static_tilt", "mechanics.vertical": "hanging upright",

@@ -31,7 +31,7 @@ def columns(report, source):
     """Numbers of every kind: ordinary, whole ones, of which margins vanish, tiny, huge, and none."""
     names = {*report.parameters, *(("d2U", "d3U", "d4U") if "dU" in report.parameters else ())}
     given = {}
-    for name in sorted(names - {report.equilibrium.eliminated}):
+    for name in sorted(names - {*report.equilibrium.eliminated}):
         kinds = [source.uniform(0.2, 3, POINTS), source.integers(-2, 3, POINTS) / 2, np.ones(POINTS)]
         kinds.append(source.choice([1e-200, -1e200, 5e-324, 1e308, -0.0, np.nan, np.inf], POINTS))
         given[name] = np.choose(source.choice(4, POINTS, p=[0.3, 0.35, 0.33, 0.02]), kinds)

@@ -90,7 +90,7 @@ def scene(kind, number, spin, eliminate):
     system = gs.assemble(gs.symmetric_gyrostat(), field)
     if kind == "E3":
         report = gs.analyze(gs.inclined(system, eliminate=eliminate if number is not None else None))
-        return report, lambda v: inclined(report.equilibrium.eliminated, number, v)
+        return report, lambda v: inclined(report.equilibrium.eliminated[0], number, v)
     return gs.analyze(FAMILIES[kind](system,
                                      spin=spin)), lambda v: upright(1 if kind == "E1" else -1, number, v)
 

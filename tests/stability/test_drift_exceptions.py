@@ -96,7 +96,7 @@ def test_a_constant_is_recognised():
     a, A = symbols("a A")
     report = gs.analyze(gs.inclined(gs.assemble(gs.Gyrostat((A, A, A), (0, 0, 0)),
                                                 gs.axial_potential(a * exp(k3)))))
-    assert report.equilibrium.eliminated == "a"
+    assert report.equilibrium.eliminated == ("a",)
     assert report.itself({"A": 1, "omega": 1, "k3": "1/3"}).verdict is Verdict.STABLE
 
 

@@ -62,7 +62,8 @@ def test_closed_form_is_the_verdict(field, label, name):
     report = tilt_solved(field) if label == "tilt" else reports(field)[label]
     solution, draw, ends, inside = stabilizing_set(report, name), random.Random(name + label + field), 0, 0
     names = [n for n in report.parameters if n in report.required or n == name]
-    names = [n for n in dict.fromkeys([*names, *_of_boundary(report)]) if n != report.equilibrium.eliminated]
+    names = [n for n in dict.fromkeys([*names, *_of_boundary(report)])
+             if n not in report.equilibrium.eliminated]
     for n in range(60):
         values = drawn(draw, names)
         if n % 4 == 1 and {"I1", "I3"} <= values.keys():

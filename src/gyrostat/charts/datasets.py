@@ -83,4 +83,5 @@ def _attributes(eq: Equilibrium) -> dict[str, str]:
             **({"potential_latex": tex(potential.expression, Names())}
                if potential and potential.given else {}),
             **relations,
-            **({"eliminated": eq.eliminated} if eq.eliminated else {}), "gyrostat_version": __version__}
+            **({"eliminated": ", ".join(eq.eliminated)} if eq.eliminated else {}),
+            "gyrostat_version": __version__}

@@ -184,7 +184,7 @@ def report_for(what: str, asked: Asked, given: str | None, numbers: Names) -> Re
     some(wanted, missing)
     (report, *_), _ = reports_of(asked, wanted, numbers)
     eq = report.equilibrium
-    if eq.eliminated == "l" and "l" in numbers and "k3" not in numbers:
+    if "l" in eq.eliminated and "l" in numbers and "k3" not in numbers:
         raise ValuesError("E3 may have several tilts k3 at one l and omega, and a "
                           f"{what} is of one: give k3 in place of l = {dict(eq.relations)[symbol('l')]}")
     return report
@@ -205,7 +205,7 @@ def _tilted(asked: Asked, numbers: Names) -> list[Report]:
             with contextlib.suppress(EquilibriumError):
                 return [analyze(E3.of(scene, eliminate=name))]
         with contextlib.suppress(EquilibriumError):
-            if not numbers and report_of(asked, AT_REST).equilibrium.eliminated in ("k3", None):
+            if not numbers and report_of(asked, AT_REST).equilibrium.eliminated in (("k3",), ()):
                 return [report_of(asked, E3.label), report_of(asked, AT_REST)]
     return [report_at(asked, E3.label, numbers)]
 

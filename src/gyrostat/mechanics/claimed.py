@@ -5,6 +5,7 @@ from typing import Any
 from sympy import Expr
 
 from ..algebra.numbers import exact_expression
+from ..errors import require
 from ..notation import jet, symbol
 from .equilibria import Equilibrium
 from .system import System
@@ -42,7 +43,9 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
     Traceback (most recent call last):
     gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, ...
     """
+    require(scene, System, "the scene")
+    given = scene.potential is not None and scene.potential.given
     pairs = tuple((symbol(str(name)), exact_expression(value)) for name, value in relations)
     return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs,
                        tuple(map(exact_expression, domain)),
-                       next((name.name for name, _ in pairs[::-1] if not jet(name.name)), None))
+                       tuple(name.name for name, _ in pairs if not (given and jet(name.name))))

@@ -33,8 +33,8 @@ class Equilibrium(Shown, Stored):
         inserted in this order; a derivative of U in them holds on the family
     domain : tuple of Expr
         positive on the family; the family is not claimed to exist elsewhere
-    eliminated : str or None
-        the parameter that the last relation expresses by the others
+    eliminated : tuple of str
+        the names that relations express by the others; if they are given, they are checked
 
     Raises
     ------
@@ -54,7 +54,7 @@ class Equilibrium(Shown, Stored):
     point: tuple[Expr, ...]
     relations: tuple[Relation, ...] = ()
     domain: tuple[Expr, ...] = ()
-    eliminated: str | None = None
+    eliminated: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         require(self.system, System, "the scene")
@@ -149,7 +149,7 @@ class Equilibrium(Shown, Stored):
     def insert(self, expression: Any) -> Any:
         """An expression with the values of a given U and of its derivatives at the point.
 
-        The eliminated parameter is replaced by its value then.
+        The eliminated names are replaced by their values then.
 
         Parameters
         ----------

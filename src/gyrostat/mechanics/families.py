@@ -1,5 +1,5 @@
 """The named families: upright E1, hanging E2, inclined E3 and its limit at rest, principal rotations of a
-free body.
+free body, permanent rotations.
 
 FAMILIES is the one list of them: a family that is added to it is known to the command line, to documents, to
 pictures and to published files. They are words: what makes an equilibrium of them is loaded when one is made.
@@ -33,8 +33,11 @@ E3_AT_REST = Family("E3 at rest", "at rest at a tilt", "tilted, without rotation
 PRINCIPAL = tuple(Family(f"rotation about axis {n}", "principal rotation", "",
                          partial(_made, "principal", "principal_rotation", axis=n), free=True,
                          asked_for=f"axis {n}", source="Hughes 1986, chapter 6") for n in (1, 2, 3))
+PERMANENT = Family("permanent rotation", "permanent rotation",
+                   "turning about the vertical, k fixed in the body",
+                   partial(_made, "permanent_rotation", "permanent_rotation"), source="Staude 1894")
 POLES = {1: E1, -1: E2}
-FAMILIES = {family.label: family for family in (E1, E2, E3, E3_AT_REST, *PRINCIPAL)}
+FAMILIES = {family.label: family for family in (E1, E2, E3, E3_AT_REST, *PRINCIPAL, PERMANENT)}
 
 
 def known_families() -> list[Family]:

@@ -103,7 +103,7 @@ def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Eq
         [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]
     )
     domain = [1 - K3**2] + ([pivot**2] if pivot.free_symbols else [])
-    return Equilibrium(label, scene, point, tuple(relations), tuple(domain), name)
+    return Equilibrium(label, scene, point, tuple(relations), tuple(domain), (name,) if name else ())
 
 
 def solved_tilt(eq: Equilibrium) -> Expr | None:
@@ -112,7 +112,7 @@ def solved_tilt(eq: Equilibrium) -> Expr | None:
     """
     potential = eq.system.potential
     slopes = [value for name, value in eq.relations if name == DU]
-    if not slopes or not potential or not potential.given or eq.eliminated == "k3":
+    if not slopes or not potential or not potential.given or "k3" in eq.eliminated:
         return None
     solved = affine(slopes[0] - potential.value(DU), K3)
     return solved and solved[0]

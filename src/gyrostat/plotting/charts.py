@@ -120,8 +120,8 @@ def _said(ds: Any) -> tuple[list[str], list[str]]:
     names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=order)
     fixed = [f"${ds[name].attrs.get('latex', name)} = {number(ds[name].item(), _exact(ds[name]))}$"
              for name in names]
-    if name := ds.attrs.get("eliminated"):
-        fixed.append(f"{label(name)} determined at each point")
+    if eliminated := ds.attrs.get("eliminated"):
+        fixed.append(f"{', '.join(map(label, eliminated.split(', ')))} determined at each point")
     return [ds.attrs["equilibrium"], *(field(latex) if latex else [])], fixed
 
 

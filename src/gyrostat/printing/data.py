@@ -45,7 +45,8 @@ def report_data(report: Report) -> dict[str, Any]:
 def conditions_data(report: Report) -> dict[str, Any]:
     """Where an equilibrium exists, and what decides there."""
     eq = report.equilibrium
-    return {"label": eq.label, "positive": strings(eq.existence()), "eliminated": eq.eliminated,
+    eliminated = eq.eliminated[0] if len(eq.eliminated) == 1 else list(eq.eliminated) or None
+    return {"label": eq.label, "positive": strings(eq.existence()), "eliminated": eliminated,
             "parameters": list(report.parameters),
             "necessary": criterion_data(report.necessary), "sufficient": criterion_data(report.sufficient),
             "boundary": boundary_data(report), "damped": criterion_data(report.damped)}

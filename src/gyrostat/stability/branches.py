@@ -169,7 +169,7 @@ class SceneAtNumbers:
         """The numbers that a report takes, but for the name that its family expresses by the others."""
         everything = {**{s.name: x for s, x in self.known.items()}, **given}
         return {n: x for n, x in everything.items() if n in report.parameters
-                and n != report.equilibrium.eliminated}
+                and n not in report.equilibrium.eliminated}
 
     def _defined(self, k3: Expr) -> bool:
         value = evaluate(self.potential.expression, {**self.known, K3: k3})

@@ -75,20 +75,24 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     if symbol(name) in numbers:
         raise ValuesError(f"{name} is solved for and given: leave out one of the two")
     left = [n for n in report.required if symbol(n) not in numbers and n != name]
-    if eq.eliminated == name and left == ["k3"]:
+    tied = [n for n in eq.eliminated if n == name or symbol(n) in numbers]
+    if tied and len(eq.eliminated) > 1:
+        raise ScopeError(f"{eq.label} expresses {', '.join(eq.eliminated)} by the other names: leave out "
+                         f"{', '.join(tied)}, and solve for one of the others")
+    if tied == [name] and left == ["k3"]:
         return Solution(name, (along_tilts(report, name, numbers),))
-    if eq.eliminated and (eq.eliminated == name or symbol(eq.eliminated) in numbers):
+    if tied:
         if left:
-            needed = ", ".join(n for n in left if n != "k3" or eq.eliminated != name)
+            needed = ", ".join(n for n in left if n != "k3" or tied != [name])
             leave = ""
-            if eq.eliminated != name:
-                leave = f", or leave out {eq.eliminated}"
+            if tied != [name]:
+                leave = f", or leave out {tied[0]}"
             elif "k3" in left:
                 leave = "; k3 may stay open"
-            raise ScopeError(f"{eq.label} ties {eq.eliminated} to the other names: {name} is not solved "
+            raise ScopeError(f"{eq.label} ties {tied[0]} to the other names: {name} is not solved "
                              f"for while {', '.join(left)} are open; give "
                              f"{'a number' if ',' not in needed else 'numbers'} for {needed}{leave}")
-        if (parts := _where_tied(report, name, numbers)) is not None:
+        if (parts := _where_tied(report, symbol(tied[0]), name, numbers)) is not None:
             return Solution(name, parts)
     try:
         return Solution(name, _in_numbers(report, name, numbers) if not left
@@ -122,17 +126,18 @@ def _decided(stable: tuple[Interval, ...], undecided: tuple[Interval, ...],
     return parts if undecided else parts[:1]
 
 
-def _where_tied(report: Report, name: str, numbers: Point) -> tuple[SolvedCondition, ...] | None:
+def _where_tied(report: Report, tied: Symbol, name: str,
+                numbers: Point) -> tuple[SolvedCondition, ...] | None:
     """The values that the relation of a family leaves, the eliminated name being given or solved for.
 
     None where it leaves all.
     """
     eq, x = report.equilibrium, symbol(name)
-    relation = dict(eq.relations)[symbol(str(eq.eliminated))]
-    if eq.eliminated == name:
+    relation = dict(eq.relations)[tied]
+    if tied == x:
         values = [evaluate(relation, numbers)]
     else:
-        given = relation.xreplace(numbers) - numbers[symbol(str(eq.eliminated))]
+        given = relation.xreplace(numbers) - numbers[tied]
         found = real_roots(given, x, S.Zero if x.is_positive else None)
         if found is None:
             return None
@@ -148,7 +153,7 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[SolvedCondit
     if numbers:
         report = inserted(report, {s.name: number for s, number in numbers.items()})
     eq = report.equilibrium
-    tilted = eq.eliminated == "k3" and "omega" in report.parameters and analyze(inclined(eq.system))
+    tilted = "k3" in eq.eliminated and "omega" in report.parameters and analyze(inclined(eq.system))
     # always, in terms of k3
     sufficient = tilted.sufficient if tilted and () in tilted.sufficient.alternatives else report.sufficient
     ends = report.between
@@ -202,10 +207,9 @@ def inserted(report: Report, numbers: Mapping[str, Expr]) -> Report:
     eq = report.equilibrium
     if jets := [name for name in numbers if jet(name)]:
         raise ValuesError(f"{jets[0]} is a derivative of U: give U itself, or ask for a verdict")
-    if eq.eliminated in numbers:
-        raise ValuesError(f"{eq.label} expresses {eq.eliminated} by the other names, "
-                          f"{dict(eq.relations)[symbol(eq.eliminated)]}: "
-                          f"leave out {eq.eliminated}")
+    if tied := [name for name in eq.eliminated if name in numbers]:
+        raise ValuesError(f"{eq.label} expresses {tied[0]} by the other names, "
+                          f"{dict(eq.relations)[symbol(tied[0])]}: leave out {tied[0]}")
     pairs = tuple((symbol(name), number) for name, number in numbers.items() if name in report.parameters)
     return analyze(_existing(replace(eq, relations=(*eq.relations, *pairs))))
 

@@ -75,9 +75,9 @@ def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str],
     others express.
     """
     free_jet = eq.system.potential is not None and not eq.system.potential.given
-    known = [name for name in parameters if name != eq.eliminated or name in required]
+    known = [name for name in parameters if name not in eq.eliminated or name in required]
     for name in given:
-        if name == eq.eliminated and name not in known:
+        if name in eq.eliminated and name not in known:
             raise ValuesError(f"{name} follows from the other names on {eq.label}, {name} = "
                               f"{dict(eq.relations)[symbol(name)]}: omit it")
         if name not in known and not (free_jet and jet(name)):
@@ -151,10 +151,15 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
         elif sign != 0:
             raise ValuesError(f"the point is not on {eq.label}: {residual} is {shown(value)}, not 0; "
                               "correct the numbers")
-    name = symbol(eq.eliminated) if eq.eliminated else None
-    if name is None or name not in numbers:
-        return doubt
-    needed = dict(eq.relations)[name]
+    for name in map(symbol, eq.eliminated):
+        if name in numbers:
+            doubt = _satisfied(eq, name, numbers) or doubt
+    return doubt
+
+
+def _satisfied(eq: Equilibrium, name: Symbol, numbers: Mapping[Symbol, Expr]) -> str:
+    """The relation that expresses a name whose value is given: what is not proved of it."""
+    needed = eq.insert(dict(eq.relations)[name])
     if missing := [n for n in names_in([needed]) if symbol(n) not in numbers]:
         raise ValuesError(f"to check {name} on {eq.label}, {', '.join(missing)} is needed: give it, or "
                           f"omit {name}")
@@ -169,7 +174,7 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
         raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {shown(value)}, given was "
                           f"{given}{off}; omit {name}, or "
                           "correct it")
-    return doubt
+    return ""
 
 
 def names_needed(eq: Equilibrium, criteria: Iterable[Criterion]) -> tuple[str, ...]:
@@ -185,7 +190,7 @@ def names_accepted(eq: Equilibrium, required: Sequence[str]) -> tuple[str, ...]:
              *eq.point, *eq.existence()]
     own = set(names_in([*scene, *(e for pair in eq.relations for e in pair)])) | set(required)
     moving = set(map(str, eq.system.space.coordinates)) - set(names_in(eq.point))
-    return tuple(sorted(n for n in own - moving if n in required or n == eq.eliminated or not jet(n)))
+    return tuple(sorted(n for n in own - moving if n in required or n in eq.eliminated or not jet(n)))
 
 
 def names_in(expressions: Iterable[Expr]) -> tuple[str, ...]:

@@ -1,0 +1,110 @@
+"""The family of all permanent rotations of a body in a field, ∇U eliminated."""
+from collections.abc import Sequence
+from typing import Any
+
+from sympy import Expr, Matrix, Symbol
+
+from ..algebra.numbers import exact_expression
+from ..errors import EquilibriumError, ScopeError, require
+from ..notation import jet, of_the_motion, symbol
+from .equilibria import Equilibrium, Relation
+from .families import PERMANENT
+from .potential import Potential
+from .relations import affine
+from .system import System, names_of_scene
+
+OMEGA, SIGMA = symbol("omega"), symbol("sigma")
+SLOPES = ("dU_1", "dU_2", "dU_3")
+
+
+def permanent_rotation(scene: System, direction: Sequence[Any]) -> Equilibrium:
+    """Every permanent rotation of a body in U(k1, k2, k3): ω = omega k, k fixed in the body and in space.
+
+    The body turns so iff ∇U(k) = omega² Ik + omega l + sigma k. There omega and sigma stay, ∇U goes: where U
+    is unspecified dU_1, dU_2, dU_3; of a given U a parameter for each equation that is affine in one, as c1,
+    c2, c3 of U = c1 k1 + c2 k2 + c3 k3. An equation without such a parameter is checked at every point asked
+    for.
+
+    Parameters
+    ----------
+    scene : System
+        in U(k1, k2, k3)
+    direction : sequence, shape (3,)
+        k in numbers or parameters, a unit vector identically: (sin(a), 0, cos(a)), or stereographic()
+
+    Returns
+    -------
+    Equilibrium
+        a family in omega [1/T], sigma [M L²/T²], and the parameters of the direction
+
+    Raises
+    ------
+    ScopeError
+        the scene has no field, or one in k3 alone
+    EquilibriumError
+        k is no unit vector, a name is that of a parameter of the scene, or U has no parameter to eliminate
+
+    References
+    ----------
+    Staude, J. reine angew. Math. 113 (1894) 318-334; with a rotor: Derived.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)), gs.general_potential())
+    >>> for name, value in gs.permanent_rotation(scene, ("1/3", "2/3", "2/3")).relations:
+    ...     print(name, "=", value)
+    dU_1 = I1*omega**2/3 + sigma/3
+    dU_2 = 2*I2*omega**2/3 + 2*sigma/3
+    dU_3 = 2*I3*omega**2/3 + 2*sigma/3
+    """
+    require(scene, System, "the scene")
+    U = scene.potential
+    if U is None or U.axial:
+        raise ScopeError("permanent_rotation is of a body in a field U(k1, k2, k3), this scene has "
+                         f"{'none' if U is None else f'U = {U.expression}'}: use "
+                         f"{'principal_rotation' if U is None else 'general_potential, or inclined'}")
+    if len(direction) != 3:
+        raise EquilibriumError(f"direction has {len(direction)} entries: give the three components of k")
+    k = tuple(exact_expression(x, "direction") for x in direction)
+    _names_apart(scene, k)
+    along, rotor = scene.body.tensor * Matrix(k), scene.body.gyrostatic_momentum
+    slopes = [OMEGA**2 * a + OMEGA * l + SIGMA * x for a, l, x in zip(along, rotor, k)]
+    relations, domain = list(zip(map(symbol, SLOPES), slopes)), list[Expr]()
+    if U.given:
+        relations, domain = _solved(U, scene, k, relations)
+    eliminated = tuple(name.name for name, _ in relations if not (U.given and jet(name.name)))
+    if not eliminated:
+        raise EquilibriumError(f"U = {U.expression} has no parameter that ∇U(k) determines: there is no "
+                               "family; relative_equilibria finds the rotations at numbers")
+    return Equilibrium(PERMANENT.label, scene, (*(OMEGA * a for a in along), *k), tuple(relations),
+                       tuple(domain), eliminated)
+
+
+def _names_apart(scene: System, k: Sequence[Expr]) -> None:
+    """The names of the family are those of nothing else."""
+    inside = set[Symbol]().union(*(x.free_symbols for x in k))
+    if wrong := of_the_motion(inside):
+        raise EquilibriumError(f"direction depends on {', '.join(wrong)}, a name of the motion: write k in "
+                               "parameters of your own, or leave it out")
+    if clash := sorted(map(str, names_of_scene(scene) & inside | (names_of_scene(scene) | inside) & {SIGMA})):
+        raise EquilibriumError(f"{', '.join(clash)} is a name of the scene and one of the family: rename it "
+                               "in the scene or in the direction")
+
+
+def _solved(U: Potential, scene: System, k: Sequence[Expr],
+            slopes: Sequence[Relation]) -> tuple[list[Relation], list[Expr]]:
+    """Each equation as a parameter of U by the others, where there is one; what is positive for that."""
+    own = [s for s in U.parameters if s not in scene.body.symbols]
+    found, domain = list[Relation](), list[Expr]()
+    for name, slope in slopes:
+        relation = (U.value(name).xreplace(dict(zip(U.variables, k))) - slope).xreplace(dict(found))
+        ways = [(s, way[0], relation.diff(s)) for s in own if (way := affine(relation, s))]
+        if not ways:
+            found.append((name, slope))
+            continue
+        s, value, pivot = min(ways, key=lambda way: not way[2].is_number)
+        found.append((s, value))
+        if not pivot.is_number:
+            domain.append(pivot**2)
+    return found, list(dict.fromkeys(domain))
