@@ -41,6 +41,8 @@ ANSWERED = {
     "amended_potential": lambda: gs.mechanics.amended_potential(HEAVY),
     "upright": lambda: gs.upright(HEAVY, spin="omega3_0"), "hanging": lambda: gs.hanging(HEAVY),
     "principal_rotation": lambda: gs.principal_rotation(FREE, 3),
+    "permanent_rotation": lambda: gs.analyze(gs.permanent_rotation(gs.assemble(
+        FREE.body, gs.general_potential()))).sufficient,
     "relative_equilibria": lambda: gs.relative_equilibria(HEAVY, {"omega": 1})[0].decision,
     "staude_cone": lambda: gs.staude_cone(HEAVY).polynomial,
     "permanent rotations": lambda: gs.relative_equilibria(FREE, {"M": 1}),

@@ -17,7 +17,6 @@ from ..notation import jet, symbol
 from ..printing.blocks import Block, Heading, prose
 from ..stability.analysis import analyze
 from ..stability.report import Decision, Report, Verdict
-from ..stability.secular import secular_of
 from ..stability.values import unknown
 from .asked import Asked, one_for_each, scene_of
 from .options import spin_of
@@ -232,7 +231,7 @@ def enough(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> list[bool]
 
 def both_verdicts(report: Report, numbers: Mapping[str, Expr]) -> tuple[Decision, Decision]:
     """The verdict, and that under internal damping, which may need more names."""
-    missing = ", ".join(name for name in secular_of(report.equilibrium).required if name not in numbers)
+    missing = ", ".join(name for name in report.secular.required if name not in numbers)
     damped = (Decision(Verdict.UNDECIDED, "", (), f"give {missing} to decide", ()) if missing
               else report.verdict(numbers, damped=True))
     return report.verdict(numbers), damped

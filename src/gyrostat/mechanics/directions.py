@@ -1,7 +1,8 @@
-"""Unit vectors in parameters."""
+"""Unit vectors in parameters, and any unit vector."""
 from sympy import Expr
 
 from ..notation import symbol
+from .equilibria import Equilibrium
 
 
 def stereographic() -> tuple[Expr, Expr, Expr]:
@@ -24,3 +25,8 @@ def stereographic() -> tuple[Expr, Expr, Expr]:
     u1, u2 = symbol("u1"), symbol("u2")
     square = u1**2 + u2**2
     return 2 * u1 / (1 + square), 2 * u2 / (1 + square), (1 - square) / (1 + square)
+
+
+def in_any_direction(eq: Equilibrium) -> bool:
+    """Whether k1, k2, k3 are names of a family: any unit vector, and that it is one is checked at numbers."""
+    return eq.system.potential is not None and eq.point[3:] == eq.system.space.coordinates[3:]

@@ -92,7 +92,8 @@ class Equilibrium(Shown, Stored):
     def _check_direction(self) -> None:
         """k is a unit vector (k = 0 is refused by the verbs), the relations hold for U, and it is smooth."""
         k = self.point[3:]
-        if any(k) and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
+        named = k == self.system.space.coordinates[3:]         # any unit vector: checked at numbers
+        if any(k) and not named and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
             unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
             raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}"
                                    f"{unknown}: k is a direction, |k| = 1; divide it by its length")

@@ -17,7 +17,7 @@ OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 SLOPES = ("dU_1", "dU_2", "dU_3")
 
 
-def permanent_rotation(scene: System, direction: Sequence[Any]) -> Equilibrium:
+def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) -> Equilibrium:
     """Every permanent rotation of a body in U(k1, k2, k3): ω = omega k, k fixed in the body and in space.
 
     The body turns so iff ∇U(k) = omega² Ik + omega l + sigma k. There omega and sigma stay, ∇U goes: where U
@@ -29,8 +29,9 @@ def permanent_rotation(scene: System, direction: Sequence[Any]) -> Equilibrium:
     ----------
     scene : System
         in U(k1, k2, k3)
-    direction : sequence, shape (3,)
-        k in numbers or parameters, a unit vector identically: (sin(a), 0, cos(a)), or stereographic()
+    direction : sequence, shape (3,), or None
+        k in numbers or parameters, a unit vector identically: (sin(a), 0, cos(a)), or stereographic(); None:
+        any, k1, k2, k3 are names of the family, and at numbers abs(k) = 1 is checked
 
     Returns
     -------
@@ -40,7 +41,7 @@ def permanent_rotation(scene: System, direction: Sequence[Any]) -> Equilibrium:
     Raises
     ------
     ScopeError
-        the scene has no field, or one in k3 alone
+        the scene has no field, one in k3 alone, or an integral, and k is any direction
     EquilibriumError
         k is no unit vector, a name is that of a parameter of the scene, or U has no parameter to eliminate
 
@@ -64,9 +65,10 @@ def permanent_rotation(scene: System, direction: Sequence[Any]) -> Equilibrium:
         raise ScopeError("permanent_rotation is of a body in a field U(k1, k2, k3), this scene has "
                          f"{'none' if U is None else f'U = {U.expression}'}: use "
                          f"{'principal_rotation' if U is None else 'general_potential, or inclined'}")
-    if len(direction) != 3:
-        raise EquilibriumError(f"direction has {len(direction)} entries: give the three components of k")
-    k = tuple(exact_expression(x, "direction") for x in direction)
+    if scene.integrals and direction is None:
+        raise ScopeError(f"the scene has the integral {scene.integrals[0]}, and its rotations "
+                         "go with a turn: give a direction, or use inclined")
+    k = scene.space.coordinates[3:] if direction is None else _given(direction)
     _names_apart(scene, k)
     along, rotor = scene.body.tensor * Matrix(k), scene.body.gyrostatic_momentum
     slopes = [OMEGA**2 * a + OMEGA * l + SIGMA * x for a, l, x in zip(along, rotor, k)]
@@ -81,13 +83,21 @@ def permanent_rotation(scene: System, direction: Sequence[Any]) -> Equilibrium:
                        tuple(domain), eliminated)
 
 
-def _names_apart(scene: System, k: Sequence[Expr]) -> None:
-    """The names of the family are those of nothing else."""
-    inside = set[Symbol]().union(*(x.free_symbols for x in k))
-    if wrong := of_the_motion(inside):
+def _given(direction: Sequence[Any]) -> tuple[Expr, ...]:
+    """A direction in numbers or parameters."""
+    if len(direction) != 3:
+        raise EquilibriumError(f"direction has {len(direction)} entries: give the three components of k")
+    k = tuple(exact_expression(x, "direction") for x in direction)
+    if wrong := of_the_motion(set[Symbol]().union(*(x.free_symbols for x in k))):
         raise EquilibriumError(f"direction depends on {', '.join(wrong)}, a name of the motion: write k in "
                                "parameters of your own, or leave it out")
-    if clash := sorted(map(str, names_of_scene(scene) & inside | (names_of_scene(scene) | inside) & {SIGMA})):
+    return k
+
+
+def _names_apart(scene: System, k: Sequence[Expr]) -> None:
+    """The names of the family are those of nothing else."""
+    own, inside = names_of_scene(scene), set[Symbol]().union(*(x.free_symbols for x in k))
+    if clash := sorted(map(str, own & (inside | {SIGMA}) | inside & {SIGMA})):
         raise EquilibriumError(f"{', '.join(clash)} is a name of the scene and one of the family: rename it "
                                "in the scene or in the direction")
 

@@ -75,15 +75,20 @@ def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
         moments = [evaluate(eq.insert(m), numbers) for m in body.moments]
         if all(not (a - b).free_symbols and sign_of_constant(a - b) for a, b in combinations(moments, 2)):
             return None                                    # proved different: no body of revolution
-    known = {s: evaluate(eq.insert(s), numbers) for s in names_of_scene(eq.system)}
-    scene, point = at_numbers(eq.system, known), [evaluate(eq.insert(x), numbers) for x in eq.point]
-    if len(scene.integrals) == 3 or not (found := recognise(scene)):
+    here = placed(eq, numbers)
+    if len(here.system.integrals) == 3 or not (found := recognise(here.system)):
         return None
+    turned = _turned(found, here, here.point)
+    return Seen(found, turned, "at these numbers ") if turned else None
+
+
+def placed(eq: Equilibrium, numbers: Point) -> Equilibrium:
+    """The point at numbers, of the scene at numbers."""
+    known = {s: evaluate(eq.insert(s), numbers) for s in names_of_scene(eq.system)}
     relations = tuple((name, evaluate(eq.insert(value), numbers))
                       for name, value in eq.relations if jet(name.name))
-    here = Equilibrium(eq.label, scene, tuple(point), relations)
-    turned = _turned(found, here, point)
-    return Seen(found, turned, "at these numbers ") if turned else None
+    point = tuple(evaluate(eq.insert(x), numbers) for x in eq.point)
+    return Equilibrium(eq.label, at_numbers(eq.system, known), point, relations)
 
 
 def _turned(found: Recognition, eq: Equilibrium, point: Sequence[Expr]) -> Equilibrium | None:

@@ -15,6 +15,7 @@ from ..mechanics.system import System
 from ..stability.conditions import Condition, Criterion
 from ..stability.drift import Drift
 from ..stability.report import Decision, Report
+from ..stability.rotation_report import RotationReport
 from ..version import DOCUMENT_FORMAT
 from .boundary import ladder, undecided
 
@@ -32,11 +33,14 @@ def scene_data(scene: System) -> dict[str, Any]:
 
 def report_data(report: Report) -> dict[str, Any]:
     """The whole derivation of one equilibrium."""
-    eq, linear = report.equilibrium, report.linearization
+    eq = report.equilibrium
     family, criteria = conditions_data(report), {"casimirs_only": criterion_data(report.casimirs_only)}
     drift = {} if report.boundary is None or report.boundary.pole else {"drift": drift_data(report.drift)}
-    return family | criteria | drift | {
-        "point": strings(eq.point), "relations": {str(name): str(value) for name, value in eq.relations},
+    place = {"point": strings(eq.point), "relations": {str(name): str(value) for name, value in eq.relations}}
+    if isinstance(report, RotationReport):
+        return family | criteria | place
+    linear = report.linearization
+    return family | criteria | drift | place | {
         "tangent_basis": [strings(row) for row in linear.basis.T.tolist()],
         "matrix": [strings(row) for row in eq.insert_field(linear.matrix).tolist()],
         "characteristic_polynomial": str(eq.insert_field(linear.characteristic_polynomial()))}
@@ -45,11 +49,14 @@ def report_data(report: Report) -> dict[str, Any]:
 def conditions_data(report: Report) -> dict[str, Any]:
     """Where an equilibrium exists, and what decides there."""
     eq = report.equilibrium
+    definitions = {}
+    if isinstance(report, RotationReport):
+        definitions = {"definitions": {str(name): str(value) for name, value in report.closed.definitions}}
     eliminated = eq.eliminated[0] if len(eq.eliminated) == 1 else list(eq.eliminated) or None
     return {"label": eq.label, "positive": strings(eq.existence()), "eliminated": eliminated,
             "parameters": list(report.parameters),
             "necessary": criterion_data(report.necessary), "sufficient": criterion_data(report.sufficient),
-            "boundary": boundary_data(report), "damped": criterion_data(report.damped)}
+            "boundary": boundary_data(report), "damped": criterion_data(report.damped)} | definitions
 
 
 def boundary_data(report: Report) -> dict[str, Any] | None:

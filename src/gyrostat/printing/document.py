@@ -14,6 +14,7 @@ from ..mechanics.tilted import solved_tilt
 from ..notation import jet, symbol
 from ..stability.linearization import Linearization
 from ..stability.report import Report
+from ..stability.rotation_report import RotationReport
 from .blocks import (
     DOT,
     VECTOR_FORM,
@@ -29,6 +30,7 @@ from .blocks import (
 from .boundary import boundary_blocks
 from .conditions import criterion_blocks, existence
 from .drift import drift_blocks
+from .rotations import definition_blocks, family_blocks
 from .symbols import occurring, symbol_rows
 
 IMAGINARY = Word("±i", r"\pm i")
@@ -79,7 +81,8 @@ def conditions_blocks(report: Report) -> list[Block]:
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
             *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
             *boundary_blocks(report),
-            *criterion_blocks("Under internal damping", report.damped, eq.at, "damped")]
+            *criterion_blocks("Under internal damping", report.damped, eq.at, "damped"),
+            *definition_blocks(report)]
 
 
 def _inertia(body: Gyrostat) -> tuple[Any, ...]:
@@ -93,10 +96,13 @@ def report_blocks(report: Report) -> list[Block]:
     """One equilibrium: point, linearisation, polynomial, second variation, criteria."""
     eq = report.equilibrium
     family = FAMILIES.get(eq.label)
-    title = f"{eq.label}: {family.title}" if family and family.title else eq.label[0].upper() + eq.label[1:]
+    title = eq.label[0].upper() + eq.label[1:]
+    title += f": {family.title}" if family and family.title else ""
     blocks: list[Block] = [Heading(title, label=eq.label), *point_blocks(eq)]
-    blocks += _linearization(report)
-    blocks += _second_variation(report)
+    if isinstance(report, RotationReport):
+        blocks += [Heading("Second variation and characteristic polynomial", 2), *definition_blocks(report)]
+    else:
+        blocks += [*_linearization(report), *_second_variation(report)]
     modulo = "; modulo the flow of an integral, Ortega & Ratiu 1999." if report.sufficient.modulo else "."
     blocks += [Heading("Conditions", 2), sentence(
         "Necessary: where a spectral condition fails, an eigenvalue has a positive real part, and the "
@@ -136,6 +142,7 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
         blocks.append(sentence("On the family:"))
         blocks += [Display(name, value if jet(name.name) else readable(value), eq.at, label="relation")
                    for name, value in eq.relations]
+    blocks += family_blocks(eq)
     if open_ones := [d for d in eq.existence() if d.free_symbols]:
         blocks.append(sentence("It exists where:"))
         blocks += [replace(existence(d, eq.at), label="exists") for d in open_ones]

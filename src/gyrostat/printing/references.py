@@ -14,6 +14,11 @@ REFERENCES = {
     "Hughes 1986": "P. C. Hughes, Spacecraft Attitude Dynamics (1986)",
     "Ortega & Ratiu 1999": "J.-P. Ortega & T. S. Ratiu, Stability of Hamiltonian relative equilibria, "
                            "Nonlinearity 12 (1999) 693-720",
+    "Simo, Lewis & Marsden 1991": "J. C. Simo, D. Lewis & J. E. Marsden, Stability of relative equilibria. "
+                                  "Part I: The reduced energy-momentum method, "
+                                  "Arch. Rational Mech. Anal. 115 (1991) 15-59",
+    "Staude 1894": "O. Staude, Über permanente Rotationsaxen bei der Bewegung eines schweren Körpers um "
+                   "einen festen Punkt, J. reine angew. Math. 113 (1894) 318-334",
     "Vera & Viguera 2003": "J. A. Vera & A. Viguera, Soluciones de equilibrio en un problema generalizado "
                            "del de Lagrange-Poisson, "
                            "Monografías de la Real Academia de Ciencias de Zaragoza 22 (2003) 141-150",

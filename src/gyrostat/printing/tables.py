@@ -9,6 +9,7 @@ from .boundary import ladder, rung_display, undecided
 from .conditions import existence
 from .latex import display, formula, tex
 from .names import PLAIN, Names, Paper
+from .rotations import definition_blocks
 from .symbols import Row, occurring, symbol_rows
 
 _COLUMNS = 0.13, 0.2, 0.56                             # of a line: equilibrium, what, formula
@@ -26,6 +27,7 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
     Below it what its symbols are, and what comes after.
     """
     given, names = list(reports), Names(paper.symbols)
+    below = [block for report in given for block in definition_blocks(report)] + list(after)
     rows = []
     for report in given:
         rows += [
@@ -43,7 +45,7 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
         *([tex(_BETWEEN, names)] if between else ()),
         *([rf"\par\smallskip\noindent In Table~\ref{{{paper.label}:conditions}}, "
            + _said(symbols.rows, names)] if symbols.rows else ()), ""))
-    table += "".join(block_latex(block, names, NARROW) + "\n" for block in after)
+    table += "".join(block_latex(block, names, NARROW) + "\n" for block in below)
     names.check(whole=True)
     if paper.fragment:
         return "% needs amsmath and array\n" + table

@@ -66,15 +66,36 @@ def amended_form(inertia: Rows, rotor: Sequence[Any], gradient: Sequence[Any], h
     ['-61/33', '8/33', '2/3', '2/135']
     """
     along = [dot(row, k) for row in inertia]               # Ik
+    mu = omega * dot(k, [omega * a + l for a, l in zip(along, rotor)]) - dot(k, gradient)
+    return with_multiplier(inertia, rotor, mu, hessian, k, omega)
+
+
+def with_multiplier(inertia: Rows, rotor: Sequence[Any], mu: Any, hessian: Rows, k: Sequence[Any],
+                    omega: Any) -> AmendedForm:
+    """The same, where μ is known."""
+    along = [dot(row, k) for row in inertia]
     J = dot(k, along)
     v = [2 * omega * a + l for a, l in zip(along, rotor)]
-    mu = omega * dot(k, [omega * a + l for a, l in zip(along, rotor)]) - dot(k, gradient)
-    K = [[hessian[i][j] - omega**2 * inertia[i][j] + v[i] * v[j] / J + (mu if i == j else 0)
-          for j in range(3)] for i in range(3)]
-    A = [[inertia[i][j] - along[i] * along[j] / J for j in range(3)] for i in range(3)]
-    B = dot(v, along) / J - omega * trace(inertia)
+    return of_forms(second_variation(inertia, mu, hessian, v, J, omega), reduced_inertia(inertia, along, J),
+                    dot(v, along) / J - omega * trace(inertia), k,
+                    J / dot(inertia[0], cross(inertia[1], inertia[2])))
+
+
+def second_variation(inertia: Rows, mu: Any, hessian: Rows, v: Sequence[Any], J: Any, omega: Any) -> Rows:
+    """K = D²U + μ − omega² I + v vᵀ/J."""
+    square = omega**2
+    return [[hessian[i][j] - square * inertia[i][j] + v[i] * v[j] / J + (mu if i == j else 0)
+             for j in range(3)] for i in range(3)]
+
+
+def reduced_inertia(inertia: Rows, along: Sequence[Any], J: Any) -> Rows:
+    """A = I − Ik (Ik)ᵀ/J."""
+    return [[inertia[i][j] - along[i] * along[j] / J for j in range(3)] for i in range(3)]
+
+
+def of_forms(K: Rows, A: Rows, B: Any, k: Sequence[Any], scale: Any) -> AmendedForm:
+    """Of the forms K and A and the gyroscopic term, scale = J/det I."""
     determinant = dot(k, [dot(row, k) for row in adjugate(K)])
-    scale = J / dot(inertia[0], cross(inertia[1], inertia[2]))
     return AmendedForm(trace(K) - dot(k, [dot(row, k) for row in K]), determinant,
                        scale * (B**2 + sum(dot(a, row) for a, row in zip(A, K))), scale * determinant)
 

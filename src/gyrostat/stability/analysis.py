@@ -1,8 +1,10 @@
 """The one call a newcomer needs."""
 from ..errors import ArgumentError
+from ..mechanics.directions import in_any_direction
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.system import System
 from .report import Report
+from .rotation_report import RotationReport
 
 
 def analyze(eq: Equilibrium) -> Report:
@@ -33,4 +35,4 @@ def analyze(eq: Equilibrium) -> Report:
         raise ArgumentError("the equilibrium is a System, a scene: choose one of its equilibria, "
                             "upright(scene), hanging(scene), inclined(scene), static_tilt(scene), "
                             "principal_rotation(scene, axis) or equilibrium(scene, point)")
-    return Report(eq)
+    return RotationReport(eq) if isinstance(eq, Equilibrium) and in_any_direction(eq) else Report(eq)

@@ -22,7 +22,7 @@ from .elementary import Elementary
 from .energy_casimir import SecondVariation, second_variation
 from .linearization import Linearization, linearize
 from .notes import scene_note
-from .secular import secular_of
+from .secular import Secular, secular_of
 from .sphere import sphere_of
 from .truth import holds
 from .values import exact_values, names_accepted, names_needed
@@ -61,10 +61,7 @@ class Report(Shown, Stored):
 
     @cached_property
     def necessary(self) -> Criterion:
-        """Spectral criterion, reduced to independent conditions.
-
-        Modulo the same flows as the sufficient one: they are neutral directions, which a growing mode leaves.
-        """
+        """Spectral criterion, reduced; modulo the flows of the sufficient one, which a growing mode leaves."""
         if self.recognised:
             return replace(_kept(self.recognised.equilibrium).necessary, modulo=self.recognised.modulo)
         return replace(independent(spectral_criterion(self.linearization), self.equilibrium),
@@ -87,11 +84,13 @@ class Report(Shown, Stored):
 
     @cached_property
     def damped(self) -> Criterion:
-        """Secular criterion: what is stable, and stays so under internal damping.
+        """Secular criterion, of positive sign and, unlike casimirs_only, modulo the integrals' flows."""
+        return self.secular.criterion
 
-        Unlike casimirs_only: of positive sign, and modulo the flows of the integrals.
-        """
-        return secular_of(self.equilibrium).criterion
+    @cached_property
+    def secular(self) -> Secular:
+        """What internal damping makes of it."""
+        return secular_of(self.equilibrium)
 
     @cached_property
     def boundary(self) -> Boundary | None:
@@ -159,7 +158,7 @@ class Report(Shown, Stored):
         >>> spin.verdict({"omega3_0": 1}).verdict.name, spin.verdict({"omega3_0": 1}, damped=True).growing
         ('STABLE', 2)
         """
-        secular = secular_of(self.equilibrium) if damped else None
+        secular = self.secular if damped else None
         numbers = exact_values(self.equilibrium, values, (secular or self).required, self.parameters)
         margins: dict[Expr, Expr] = {}
         modulo = (self.damped if damped else self.sufficient).modulo

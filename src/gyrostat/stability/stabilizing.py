@@ -24,7 +24,7 @@ from .report import Report
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
 from .solve import CLOSED, solve_condition
 from .tilts import along_tilts
-from .values import unknown
+from .values import refuse_any_direction, unknown
 
 
 def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None = None) -> Solution:
@@ -68,6 +68,7 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     """
     numbers = Point({symbol(n): exact_number(x, n) for n, x in (values or {}).items()})
     eq, known = report.equilibrium, {*report.parameters, *report.required}
+    refuse_any_direction(eq)
     if eq.system.potential is not None:
         eq.system.potential.check_size(numbers)
     if foreign := sorted({name, *(s.name for s in numbers)} - known):

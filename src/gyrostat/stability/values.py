@@ -3,13 +3,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
-from sympy import Expr, Rational, S, Symbol
+from sympy import Add, Expr, Rational, S, Symbol
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, compiled, evaluate, sign_of_constant
 from ..algebra.numbers import exact_number, shown
 from ..algebra.quantities import not_mixed
-from ..errors import ValuesError
+from ..errors import ScopeError, ValuesError
+from ..mechanics.directions import in_any_direction
 from ..mechanics.equilibria import Equilibrium
 from ..notation import NOTATION, jet, symbol
 from .conditions import Criterion
@@ -74,6 +75,7 @@ def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str],
     """Raise ValuesError unless the names are what a verdict on a family needs, without the name that the
     others express.
     """
+    refuse_any_direction(eq)
     free_jet = eq.system.potential is not None and not eq.system.potential.given
     known = [name for name in parameters if name not in eq.eliminated or name in required]
     for name in given:
@@ -84,6 +86,14 @@ def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str],
             raise ValuesError(unknown(name, known, eq.label))
     if missing := [name for name in required if name not in given]:
         raise ValuesError(f"{eq.label} needs {', '.join(missing)}: {how}")
+
+
+def refuse_any_direction(eq: Equilibrium) -> None:
+    """Raise ScopeError of a family in k1, k2, k3: no range of them stays on the sphere."""
+    if in_any_direction(eq):
+        raise ScopeError(f"{eq.label} has the names k1, k2, k3 with |k| = 1, and ranges of them leave the "
+                         "sphere: give a direction by stereographic coordinates u1, u2, "
+                         "permanent_rotation(scene, stereographic())")
 
 
 def unknown(name: str, known: Sequence[str], where: str) -> str:
@@ -139,10 +149,10 @@ def _may_be_real(constant: Expr) -> bool:
 
 
 def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
-    """The relation of the family, where a value is given for the eliminated name or no name was eliminated:
-    what is not proved of it.
+    """Of |k| = 1 where k1, k2, k3 are given, of relations where no name was eliminated, and of that of a name
+    that is given: what is not proved.
     """
-    doubt = ""
+    doubt = _unit_vector(eq, numbers) if in_any_direction(eq) else ""
     for residual in eq.constraints:
         sign = sign_of_constant(value := evaluate(residual, numbers))
         if sign is None and ball(value, 64).is_finite():
@@ -155,6 +165,20 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
         if name in numbers:
             doubt = _satisfied(eq, name, numbers) or doubt
     return doubt
+
+
+def _unit_vector(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
+    """Whether k is one: what is not proved of it."""
+    k = [numbers[s] for s in eq.point[3:]]
+    excess = Add(*(x**2 for x in k), -1)
+    sign = sign_of_constant(excess)
+    if sign is None and ball(excess, 64).is_finite():
+        return f"whether k is a unit vector is not proved: |k|² − 1 is {shown(excess)}"
+    if sign != 0:
+        place = ", ".join(map(shown, k))
+        raise ValuesError(f"k = ({place}) has |k|² − 1 = {shown(excess)}: k is a direction, |k| = 1; divide "
+                          "it by its length, or give its stereographic coordinates")
+    return ""
 
 
 def _satisfied(eq: Equilibrium, name: Symbol, numbers: Mapping[Symbol, Expr]) -> str:
