@@ -16,8 +16,8 @@ KNOWN = Registry().with_resources((f"{name}.json", Resource.from_contents(schema
 HEAVY = ("--potential", "m0*k3")
 TOP = (*HEAVY, "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0")
 WELLS = ("--potential", "k3**4 - k3**2/2")
-MAPS = {"margins", "relations", "values"}              # their keys are names, not those of the document
-OPTIONAL = {"drift", "decision", "itself", "k3", "omega", "sigma", "pi1", "pi2", "pi3", "Delta",
+MAPS = {"margins", "relations", "values", "definitions"}              # their keys are names, not those of the document
+OPTIONAL = {"definitions", "drift", "decision", "itself", "k3", "omega", "sigma", "pi1", "pi2", "pi3", "Delta",
             "frequency", "growth_rate"}
 
 DOCUMENTS = [
@@ -25,7 +25,9 @@ DOCUMENTS = [
     ("report", "report", (*TOP, "--set", "m0=1", "--set", "omega3_0=1.3")),
     ("report", "report", ("--potential", "none")),
     ("report", "report", ("--potential", "exp(a*k3)", "--equilibrium", "E3")),
+    ("report", "report", ("--potential", "U(k1,k2,k3)", "--equilibrium", "permanent-rotation")),
     ("conditions", "conditions", ()),
+    ("conditions", "conditions", ("--potential", "U(k1,k2,k3)", "--equilibrium", "permanent-rotation")),
     ("conditions", "conditions", ("--potential", "none")),
     ("solution", "conditions", (*HEAVY, "--equilibrium", "E1", "--solve-for", "l")),
     ("solution", "conditions", (*HEAVY, "--solve-for", "omega")),

@@ -99,10 +99,20 @@ def test_directions_that_are_none(direction, message):
 
 @pytest.mark.parametrize(("scene", "message"), [
     (gs.assemble(gs.Gyrostat()), "this scene has none: use principal_rotation"),
-    (gs.assemble(gs.Gyrostat(), gs.uniform_field()), "has U = k3.m0: use general_potential, or inclined")])
+    (gs.assemble(gs.Gyrostat(), gs.axial_potential()), "has U = U.k3.: use U.k1, k2, k3., general_potential"),
+    (gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), "has U = k3.m0: use U.k1, k2, k3.")])
 def test_scenes_that_have_no_such_family(scene, message):
     with pytest.raises(ScopeError, match=message):
         gs.permanent_rotation(scene, (0, 0, 1))
+
+
+def test_a_field_along_axis_3_is_one_in_k1_k2_k3():
+    """Of an asymmetric body: m0 k3 is entered as U(k3)."""
+    body, direction = gs.Gyrostat((1, 2, 3), (0, 0, 0)), ("3/5", 0, "4/5")
+    axial = gs.permanent_rotation(gs.assemble(body, gs.uniform_field()), direction)
+    general = family(lambda x, y, z: m0 * z, direction, body)
+    assert (axial.point, axial.relations, axial.constraints) == (
+        general.point, general.relations, general.constraints)
 
 
 def test_a_field_in_numbers_has_no_family():

@@ -4,7 +4,11 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 
+from sympy import Expr
+
+from ..algebra.grammar import parse
 from ..errors import ValuesError, brief
+from ..mechanics.directions import stereographic
 from ..mechanics.potential import Potential
 from ..mechanics.scene_tables import AXIAL, SceneTable
 from ..mechanics.system import System
@@ -26,6 +30,8 @@ class Asked:
         an expression for each coordinate
     spin, eliminate : str or None
         the name of the spin of E1 and E2; the name that the relation of E3 expresses
+    direction : str or None
+        of a permanent rotation: three expressions, or stereographic
     """
 
     potential: str | None = None
@@ -34,6 +40,7 @@ class Asked:
     point: str | None = None
     spin: str | None = None
     eliminate: str | None = None
+    direction: str | None = None
 
     def of_body(self, names: Collection[str]) -> "Asked":
         """With a body, where none is given: that which the names belong to.
@@ -78,6 +85,15 @@ def _field(potential: str) -> Potential | None:
 def entries(text: str) -> list[str]:
     """The expressions of a list."""
     return text.split(",")
+
+
+def direction_of(asked: Asked) -> tuple[Expr, ...] | None:
+    """The direction of --direction; None where it is left out."""
+    if asked.direction is None:
+        return None
+    if asked.direction == "stereographic":
+        return stereographic()
+    return tuple(map(parse, entries(asked.direction)))
 
 
 def whole_scene(given: argparse.Namespace, names: Collection[str]) -> System:

@@ -18,7 +18,7 @@ from ..printing.blocks import Block, Heading, prose
 from ..stability.analysis import analyze
 from ..stability.report import Decision, Report, Verdict
 from ..stability.values import unknown
-from .asked import Asked, one_for_each, scene_of
+from .asked import Asked, direction_of, one_for_each, scene_of
 from .options import spin_of
 
 CLAIMED = "E"                                          # the label of the point of --point
@@ -47,13 +47,13 @@ def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
 
 
 def labels() -> tuple[str, ...]:
-    """The labels of the equilibria in a field."""
-    return tuple(family.label for family in in_a_field())
+    """The labels of the equilibria of a body of revolution in U(k3)."""
+    return tuple(family.label for family in in_a_field() if family.pole or family.tilted)
 
 
 def labels_in_words() -> str:
-    """The same as a list in words."""
-    *others, last = labels()
+    """What the families in a field are asked for, as a list in words."""
+    *others, last = (family.asked_for for family in in_a_field())
     return f"{', '.join(others)} or {last}"
 
 
@@ -121,7 +121,8 @@ def _equilibrium(asked: Asked, label: str, spin: str, known: Mapping[Symbol, Exp
     if label == CLAIMED:
         return Equilibrium(CLAIMED, scene, _point(asked), held)
     eliminate = asked.eliminate if label == E3.label else None
-    eq = FAMILIES[label].of(at_numbers(scene, known) if known else scene, spin, eliminate)
+    here = at_numbers(scene, known) if known else scene
+    eq = FAMILIES[label].of(here, spin, eliminate, direction_of(asked))
     return replace(eq, system=scene, relations=(*eq.relations, *held)) if known else eq
 
 

@@ -26,3 +26,6 @@ def claimed_point(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--eliminate", metavar="NAME",
                       help="the name that the relation of E3 expresses by the others, k3, l or one of U; "
                       "left out: as the names that are set ask for it")
+    verb.add_argument("--direction", metavar="K1,K2,K3",
+                      help=f"of a permanent rotation, {THREE}, a unit vector; or stereographic: by two "
+                      "coordinates u1, u2; left out: any, with the names k1, k2, k3")

@@ -35,7 +35,8 @@ PRINCIPAL = tuple(Family(f"rotation about axis {n}", "principal rotation", "",
                          asked_for=f"axis {n}", source="Hughes 1986, chapter 6") for n in (1, 2, 3))
 PERMANENT = Family("permanent rotation", "permanent rotation",
                    "turning about the vertical, k fixed in the body",
-                   partial(_made, "permanent_rotation", "permanent_rotation"), source="Staude 1894")
+                   partial(_made, "permanent_rotation", "permanent_rotation"), "direction",
+                   asked_for="permanent-rotation", source="Staude 1894")
 POLES = {1: E1, -1: E2}
 FAMILIES = {family.label: family for family in (E1, E2, E3, E3_AT_REST, *PRINCIPAL, PERMANENT)}
 

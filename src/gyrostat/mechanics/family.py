@@ -1,7 +1,7 @@
 """What is known of a named family of equilibria."""
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .equilibria import Equilibrium
@@ -23,7 +23,7 @@ class Family:
     make : callable
         of a scene, and of what the family is made with
     made_with : str
-        the argument that its maker takes besides: "spin", "eliminate", or "" for none
+        the argument that its maker takes besides: "spin", "eliminate", "direction", or "" for none
     pole : int
         1 where k points upwards, −1 downwards, 0 at a tilt, and of a free body
     free : bool
@@ -48,8 +48,8 @@ class Family:
         """Whether it lies at a tilt, with a relation that a name may be eliminated from."""
         return self.made_with == "eliminate"
 
-    def of(self, scene: "System", spin: str = "pi3_0", eliminate: str | None = None) -> "Equilibrium":
+    def of(self, scene: "System", spin: str = "pi3_0", eliminate: str | None = None,
+           direction: Sequence[Any] | None = None) -> "Equilibrium":
         """The equilibrium of a scene, made with what its maker takes."""
-        if self.made_with == "spin":
-            return self.make(scene, spin)
-        return self.make(scene, eliminate) if self.made_with == "eliminate" else self.make(scene)
+        given = {"spin": spin, "eliminate": eliminate, "direction": direction}
+        return self.make(scene, given[self.made_with]) if self.made_with else self.make(scene)

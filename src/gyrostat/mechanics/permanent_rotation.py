@@ -1,5 +1,6 @@
 """The family of all permanent rotations of a body in a field, ∇U eliminated."""
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from sympy import Expr, Matrix, Symbol
@@ -9,9 +10,9 @@ from ..errors import EquilibriumError, ScopeError, require
 from ..notation import jet, of_the_motion, symbol
 from .equilibria import Equilibrium, Relation
 from .families import PERMANENT
-from .potential import Potential
+from .potential import DIRECTIONS, Potential
 from .relations import affine
-from .system import System, names_of_scene
+from .system import System, names_of_scene, system_of
 
 OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 SLOPES = ("dU_1", "dU_2", "dU_3")
@@ -61,10 +62,14 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
     """
     require(scene, System, "the scene")
     U = scene.potential
+    if U is not None and U.axial and U.given and not scene.integrals:
+        U = replace(U, variables=DIRECTIONS)               # of an asymmetric body: as any U(k1, k2, k3)
+        scene = system_of(scene.body, U)
     if U is None or U.axial:
+        given = "none" if U is None else f"U = {U.expression}"
+        instead = "principal_rotation" if U is None else "U(k1, k2, k3), general_potential, or inclined"
         raise ScopeError("permanent_rotation is of a body in a field U(k1, k2, k3), this scene has "
-                         f"{'none' if U is None else f'U = {U.expression}'}: use "
-                         f"{'principal_rotation' if U is None else 'general_potential, or inclined'}")
+                         f"{given}: use {instead}")
     if scene.integrals and direction is None:
         raise ScopeError(f"the scene has the integral {scene.integrals[0]}, and its rotations "
                          "go with a turn: give a direction, or use inclined")

@@ -38,7 +38,8 @@ def report_data(report: Report) -> dict[str, Any]:
     drift = {} if report.boundary is None or report.boundary.pole else {"drift": drift_data(report.drift)}
     place = {"point": strings(eq.point), "relations": {str(name): str(value) for name, value in eq.relations}}
     if isinstance(report, RotationReport):
-        return family | criteria | place
+        return family | criteria | place | {"tangent_basis": None, "matrix": None,
+                                            "characteristic_polynomial": "lamda**4 + lamda**2*p + q"}
     linear = report.linearization
     return family | criteria | drift | place | {
         "tangent_basis": [strings(row) for row in linear.basis.T.tolist()],

@@ -77,7 +77,8 @@ def whole_blocks(scene: System, found: Sequence[Block]) -> list[Block]:
 def conditions_blocks(report: Report) -> list[Block]:
     """The conditions of one equilibrium, without the way to them."""
     eq = report.equilibrium
-    return [Heading(eq.label), *(existence(d, eq.at) for d in eq.existence() if d.free_symbols),
+    exists = [existence(d, eq.at) for d in eq.existence() if d.free_symbols]
+    return [Heading(eq.label), *family_blocks(eq), *exists,
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
             *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
             *boundary_blocks(report),

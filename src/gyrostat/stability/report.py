@@ -61,7 +61,7 @@ class Report(Shown, Stored):
 
     @cached_property
     def necessary(self) -> Criterion:
-        """Spectral criterion, reduced; modulo the flows of the sufficient one, which a growing mode leaves."""
+        """Spectral criterion, reduced; modulo the flows of the sufficient one: a growing mode leaves them."""
         if self.recognised:
             return replace(_kept(self.recognised.equilibrium).necessary, modulo=self.recognised.modulo)
         return replace(independent(spectral_criterion(self.linearization), self.equilibrium),

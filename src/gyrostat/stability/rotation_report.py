@@ -6,7 +6,7 @@ from sympy import Expr
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..errors import ScopeError
 from ..kept import cached_property
-from ..mechanics.standard import placed
+from ..mechanics.standard import placed, seen, seen_at
 from .closed_form import DETERMINANT, DISCRIMINANT, ClosedForm, P, Q, T, closed_form
 from .conditions import Criterion
 from .energy_casimir import SecondVariation
@@ -15,7 +15,7 @@ from .report import Report
 from .secular import KEPT, LOST, Secular, modes, secular_of
 
 NO_MATRIX = ("in any direction k1, k2, k3 no matrix is derived, the conditions are in closed form: give a "
-             "direction, permanent_rotation(scene, stereographic())")
+             "direction, permanent_rotation(scene, stereographic()), --direction stereographic")
 
 
 class RotationReport(Report):
@@ -80,9 +80,14 @@ class RotationReport(Report):
             return True, "Lyapunov", "the second variation is definite on the symplectic slice", ()
         necessary = {P: form.p, Q: form.q, DISCRIMINANT: form.p**2 - 4 * form.q}
         margins |= necessary
-        if -1 in _signs(necessary.values()):
+        signs = _signs(necessary.values())
+        if -1 in signs:
             return False, "spectral", "an eigenvalue has a positive real part", ()
-        return Report(placed(self.equilibrium, numbers))._decided(numbers, {})
+        eq = self.equilibrium
+        if signs == [1, 1, 1] and not (seen(eq) or seen_at(eq, numbers)):
+            return None, "", "the point lies between the two criteria", ()
+        stable, notion, why, modulo = Report(placed(eq, numbers))._decided(numbers, {})
+        return stable, notion, f"at these numbers {why}", modulo
 
 
 class DampedRotation(Secular):

@@ -18,7 +18,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .criteria import spectral_criterion
 from .linearization import linearize
-from .values import check_names, names_in
+from .values import check_names, names_in, refuse_any_direction
 
 
 @dataclass(frozen=True)
@@ -107,6 +107,7 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     [('Hamiltonian Hopf', 1.25, True)]
     """
     require(eq, Equilibrium, "the equilibrium")
+    refuse_any_direction(eq)
     linear = linearize(eq)
     coefficients = [eq.insert(c) for c in linear.coefficients]
     conditions = spectral_criterion(linear).alternatives[0]

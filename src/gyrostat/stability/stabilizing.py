@@ -14,6 +14,7 @@ from ..algebra.numbers import exact_number, shown
 from ..algebra.polynomials import Ring
 from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError
+from ..mechanics.directions import in_any_direction
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.tilted import inclined
 from ..notation import jet, symbol
@@ -206,6 +207,9 @@ def _where_existing(part: SolvedCondition, x: Symbol, existence: Sequence[Expr])
 def inserted(report: Report, numbers: Mapping[str, Expr]) -> Report:
     """The report with numbers in place of some of its names."""
     eq = report.equilibrium
+    if in_any_direction(eq) and {"k1", "k2", "k3"} & numbers.keys():
+        raise ValuesError(f"{eq.label} has the names k1, k2, k3 with |k| = 1: give a direction in place of "
+                          "numbers for them, permanent_rotation(scene, direction), --direction K1,K2,K3")
     if jets := [name for name in numbers if jet(name)]:
         raise ValuesError(f"{jets[0]} is a derivative of U: give U itself, or ask for a verdict")
     if tied := [name for name in eq.eliminated if name in numbers]:

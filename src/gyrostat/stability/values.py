@@ -93,7 +93,7 @@ def refuse_any_direction(eq: Equilibrium) -> None:
     if in_any_direction(eq):
         raise ScopeError(f"{eq.label} has the names k1, k2, k3 with |k| = 1, and ranges of them leave the "
                          "sphere: give a direction by stereographic coordinates u1, u2, "
-                         "permanent_rotation(scene, stereographic())")
+                         "permanent_rotation(scene, stereographic()), --direction stereographic")
 
 
 def unknown(name: str, known: Sequence[str], where: str) -> str:
