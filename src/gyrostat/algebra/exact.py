@@ -80,7 +80,7 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
     if fraction is None or point is None:
         placed = _inserted(expression, values)
         # doit factors the polynomial of a root once more
-        return placed.doit() if placed.has(Derivative, Subs) else placed
+        return placed.doit() if fraction is None and placed.has(Derivative, Subs) else placed
     _, top, bottom = fraction
     value = top(*point)
     if bottom is not None:

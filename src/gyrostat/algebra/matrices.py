@@ -104,3 +104,8 @@ def null_space(ring: Ring, rows: Sequence[Row], key: Key, size: int) -> list[tup
 def cross(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, Any, Any]:
     """a × b."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def adjugate(rows: Sequence[Sequence[Any]]) -> list[tuple[Any, Any, Any]]:
+    """Of a symmetric matrix of three rows."""
+    return [cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])]

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from sympy import Add, Expr, Matrix, S, Symbol, eye, sqrt
 
 from .exact import evaluate, proved_sign
-from .matrices import cross
+from .matrices import adjugate, cross
 from .roots import real_roots
 
 Found = tuple[Expr, tuple[Expr, ...], tuple[Expr, ...] | None]
@@ -44,8 +44,8 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
     -5 (0, 0, -1)
     -1 (0, 0, 1)
     """
-    above = pencil.adjugate() * vector
-    below = pencil.det(method="berkowitz").expand()
+    minors = Matrix(adjugate(pencil.tolist()))
+    above, below = minors * vector, Add(*(x * y for x, y in zip(pencil[:, 0], minors[:, 0]))).expand()
     parts = [x / below for x in above]
     if pencil.is_diagonal():                               # the same, in lowest terms
         parts = [x / pencil[n, n] if x else S.Zero for n, x in enumerate(vector)]
@@ -79,8 +79,8 @@ def along_kernel(pencil: Matrix, above: Matrix, below: Expr, radius: Expr, nu: S
         e = next(v for v in (Matrix(cross(axis, eye(3)[:, m])) for m in range(3)) if any(v))
         yield root, tuple(across + sqrt(rest / e.dot(e)) * e), tuple(axis)
         return
-    adjugate = here.adjugate()
-    n = next(n for n in range(3) if proved_sign(evaluate(adjugate[n, n], {})) != 0)
-    e = adjugate[:, n].applyfunc(lambda x: evaluate(x, {}))
+    minors = Matrix(adjugate(here.tolist()))
+    n = next(n for n in range(3) if proved_sign(evaluate(minors[n, n], {})) != 0)
+    e = minors[:, n].applyfunc(lambda x: evaluate(x, {}))
     for side in (1, -1):
         yield root, tuple(across + side * sqrt(rest / e.dot(e)) * e), None

@@ -2,7 +2,7 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from ..algebra.matrices import cross
+from ..algebra.matrices import adjugate, cross
 
 Rows = Sequence[Sequence[Any]]
 
@@ -108,8 +108,3 @@ def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
 def trace(rows: Rows) -> Any:
     """The sum of the diagonal."""
     return rows[0][0] + rows[1][1] + rows[2][2]
-
-
-def adjugate(rows: Rows) -> Rows:
-    """Of a symmetric matrix."""
-    return [cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])]

@@ -143,7 +143,8 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
             s = _divided(sigmas, one, factor)
             if under := _placed(ring, below, s, factor):
                 slope = factor.derivative()
-                tops = [_divided(_placed(ring, x, s, factor) * slope, under, factor) for x in above]
+                ratio = _divided(slope, under, factor)
+                tops = [_placed(ring, x, s, factor) * ratio % factor for x in above]
                 for root in roots:
                     yield root, _embedded([_at(top, root) / _at(slope, root) for top in tops], axes), None
                 continue
