@@ -3,7 +3,7 @@ from collections.abc import Iterator
 from functools import reduce
 from typing import Any, NamedTuple
 
-from flint import arb, arb_mat, fmpq, fmpq_mpoly, fmpq_poly
+from flint import arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly, fmpq_poly
 from sympy import Add, Expr, Matrix, Mul, Rational, S, Symbol, eye, sqrt
 
 from ..algebra.balls import ball
@@ -140,17 +140,16 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
             continue
         one = ones % factor
         if factor.degree() > 1 and one:
-            s = _divided(sigmas, one, factor)
+            (s,) = _divided([sigmas], one, factor)
             if under := _placed(ring, below, s, factor):
                 slope = factor.derivative()
-                ratio = _divided(slope, under, factor)
-                tops = [_placed(ring, x, s, factor) * ratio % factor for x in above]
+                tops = _divided([_placed(ring, x, s, factor) * slope for x in above], under, factor)
                 for root in roots:
                     yield root, _embedded([_at(top, root) / _at(slope, root) for top in tops], axes), None
                 continue
         twice = [_in_omega(ring, x.derivative(place)) for x in changed]
         if factor.degree() > 1 and twice[0] % factor:
-            product, both = (_divided(x, twice[0], factor) for x in twice[1:])
+            product, both = _divided(twice[1:], twice[0], factor)
             s = (both - product - 1) / 2
             if not any(_placed(ring, x, s, factor) for x in (below, *above)) and not any(
                     _may_turn(part, root, _at(s, root)) for root in roots):
@@ -224,10 +223,16 @@ def _placed(ring: Ring, polynomial: fmpq_mpoly, s: fmpq_poly, modulus: fmpq_poly
     return value
 
 
-def _divided(top: fmpq_poly, under: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
-    """The quotient in the field of a root of an irreducible polynomial."""
-    unit, inverse, _ = (under % modulus).xgcd(modulus)
-    return top * inverse / unit[0] % modulus
+def _divided(tops: list[fmpq_poly], under: fmpq_poly, modulus: fmpq_poly) -> list[fmpq_poly]:
+    """Quotients in the field of a root of an irreducible polynomial: top = quotient·under + rest·modulus."""
+    under, size = under % modulus, modulus.degree()
+    width = size + under.degree()
+    columns = [[0] * n + f.coeffs() for f, count in ((under, size), (modulus, under.degree()))
+               for n in range(count)]
+    system, sides = ([[c[n] if n < len(c) else 0 for c in several] for n in range(width)]
+                     for several in (columns, [(top % modulus).coeffs() for top in tops]))
+    found = fmpq_mat(system).solve(fmpq_mat(sides))
+    return [fmpq_poly([found[n, m] for n in range(size)]) for m in range(len(tops))]
 
 
 def _at(polynomial: fmpq_poly, root: Expr) -> Expr:
