@@ -7,6 +7,9 @@ A verdict reads the numbers, checks them (positive, on the family, U real there)
 the reduced motion, and says why. The baseline is SymPy's subs on the same margin, alone: no check, no
 boundary. Both are timed in turn at the same random rational points, a third of them exactly on the boundary,
 and compared with the margin in fractions.
+
+Then all permanent rotations of random bodies, rotors and fields, at a rate and on a level, with their
+decisions: each is put into Euler's equations in doubles, and maxima − saddles + minima is counted.
 """
 import argparse
 import platform
@@ -15,6 +18,7 @@ import statistics
 import time
 from fractions import Fraction
 
+import numpy as np
 import sympy
 
 import gyrostat as gs
@@ -99,6 +103,47 @@ def timed(report, point, blocks, draw):
     return ours, theirs, wrong, wrong_subs
 
 
+def drawn(draw, quadratic):
+    """A body, a rotor, c and Q of U = c·k + k·Qk/2, and the scene."""
+    inertia = [Fraction(draw.randint(4, 30), 10) for _ in range(3)]
+    rotor, c = ([number(draw) / 5 for _ in range(3)] for _ in range(2))
+    half = [[number(draw) / 5 if quadratic else Fraction(0) for _ in range(3)] for _ in range(3)]
+    Q, k = sympy.Matrix(half) + sympy.Matrix(half).T, sympy.Matrix([gs.symbol(f"k{n}") for n in (1, 2, 3)])
+    U = gs.general_potential((sympy.Matrix(c).T * k + k.T * Q * k / 2)[0].expand())
+    doubles = np.diag(inertia), rotor, c, Q.tolist()
+    return [np.array(x, float) for x in doubles], gs.assemble(gs.Gyrostat(tuple(inertia), tuple(rotor)), U)
+
+
+def counted(data, rotations, on_level):
+    """Maxima − saddles + minima of what is critical at the rotations; None where one is no rotation."""
+    inertia, rotor, c, Q = data
+    count = 0
+    for found in rotations:
+        k, omega = np.array(found.k, float), float(found.omega)
+        gradient = c + Q @ k - omega * rotor - omega**2 * inertia @ k
+        if np.abs(np.cross(gradient, k)).max() > 1e-9 * (1 + np.abs(gradient).max()):
+            return None
+        v, along = 2 * omega * inertia @ k + rotor, k @ inertia @ k
+        hessian = Q - omega**2 * inertia - gradient @ k * np.eye(3) + on_level * np.outer(v, v) / along
+        across = np.linalg.svd(k[None])[2][1:]
+        count += np.sign(np.linalg.det(across @ hessian @ across.T))
+    return count
+
+
+def all_rotations(draw, asked, quadratic, scenes):
+    """Seconds of all rotations of a scene, how many there are, and how many counts are wrong."""
+    times, found, wrong = [], 0, 0
+    for _ in range(scenes):
+        data, scene = drawn(draw, quadratic)
+        begin = time.perf_counter()
+        rotations = gs.relative_equilibria(scene, {asked: number(draw) / 3})
+        for rotation in rotations:
+            rotation.decision  # noqa: B018
+        times.append(time.perf_counter() - begin)
+        found, wrong = found + len(rotations), wrong + (counted(data, rotations, asked == "C1") != 2)
+    return times, found, wrong
+
+
 def micro(times):
     return f"{1e6 * statistics.median(times):.0f} ({1e6 * min(times):.0f}–{1e6 * max(times):.0f})"
 
@@ -120,6 +165,16 @@ def main():
         failed += wrong
         ratio = statistics.median(t / o for t, o in zip(theirs, ours))
         print(f"| {name} | {micro(ours)} | {micro(theirs)} | {ratio:.0f} | {wrong} | {wrong_subs} |")
+    scenes = 3 if blocks == 1 else 60
+    print(f"\n| all permanent rotations, {scenes} scenes | median (min–max), ms | found | wrong counts |")
+    print("|---|---|---|---|")
+    for asked in ("omega", "C1"):
+        for name in ("linear", "quadratic"):
+            times, found, wrong = all_rotations(draw, asked, name == "quadratic", scenes)
+            failed += wrong
+            middle, low, high = (1e3 * x for x in (statistics.median(times), min(times), max(times)))
+            shown = f"{middle:.0f} ({low:.0f}–{high:.0f})"
+            print(f"| at given {asked}, U {name} | {shown} | {found} | {wrong} |")
     return 1 if failed else 0
 
 
