@@ -81,3 +81,71 @@ def on_level(inertia, rotor, c, Q, level, starts=200, seed=0):
         if all(np.abs(x - y).max() > 1e-6 for y, _ in found):
             found.append((x, (level - x @ rotor) / (x @ inertia @ x)))
     return found
+
+
+def jet(terms, k):
+    """Gradient and second derivatives of a polynomial {exponents: coefficient} at points, shape (n, 3)."""
+    def value(axes):
+        total = np.zeros(len(k))
+        for e, c in terms.items():
+            left = np.array(e, float)
+            for n in axes:
+                c, left[n] = c * left[n], left[n] - 1
+            if c:
+                total += c * np.prod(k ** np.maximum(left, 0), axis=1)
+        return total
+    first = np.stack([value([n]) for n in range(3)], axis=1)
+    second = np.stack([np.stack([value([n, m]) for m in range(3)], axis=1) for n in range(3)], axis=1)
+    return first, second
+
+
+def critical(slope, starts=300, seed=0):
+    """Every critical point on abs(k) = 1 that Newton's method finds; slope gives gradient and Hessian."""
+    rng = np.random.default_rng(seed)
+    k = rng.normal(size=(starts, 3))
+    k /= np.linalg.norm(k, axis=1)[:, None]
+    sigma = np.sum(k * slope(k)[0], axis=1)
+    for _ in range(80):
+        g, hessian = slope(k)
+        M = np.zeros((starts, 4, 4))
+        M[:, :3, :3] = hessian - sigma[:, None, None] * np.eye(3)
+        M[:, :3, 3], M[:, 3, :3] = -k, k
+        residual = np.concatenate([g - sigma[:, None] * k, (np.sum(k**2, axis=1)[:, None] - 1) / 2], axis=1)
+        step = np.linalg.solve(M + 1e-300, residual[..., None])[..., 0]
+        k, sigma = k - step[:, :3], sigma - step[:, 3]
+        away = np.abs(k).max(1) > 10                       # where it is lost, it begins again
+        k[away] /= np.linalg.norm(k[away], axis=1)[:, None]
+    good = np.abs(step).max(1) < 1e-9 * (1 + np.abs(sigma))
+    found = []
+    for x in k[good]:
+        if all(np.abs(x - y).max() > 1e-6 for y in found):
+            found.append(x)
+    return found
+
+
+def at_rate(inertia, rotor, terms, omega):
+    """Gradient and Hessian of U − omega² k·Ik/2 − omega l·k."""
+    def slope(k):
+        first, second = jet(terms, k)
+        return first - omega**2 * k @ inertia - omega * rotor, second - omega**2 * inertia
+    return slope
+
+
+def amended(inertia, rotor, terms, level):
+    """Gradient and Hessian of U + (level − l·k)²/(2 k·Ik)."""
+    def slope(k):
+        first, second = jet(terms, k)
+        along = k @ inertia
+        J = np.sum(k * along, axis=1)[:, None]
+        omega = (level - k @ rotor)[:, None] / J
+        v = 2 * omega * along + rotor
+        return (first - omega * rotor - omega**2 * along,
+                second - omega[..., None]**2 * inertia + v[:, :, None] * v[:, None, :] / J[..., None])
+    return slope
+
+
+def index(slope, k):
+    """1 at a minimum or maximum, −1 at a saddle."""
+    (g,), (hessian,) = slope(np.array([k]))
+    across = np.linalg.svd(k[None])[2][1:]
+    return np.sign(np.linalg.det(across @ (hessian - g @ k * np.eye(3)) @ across.T))

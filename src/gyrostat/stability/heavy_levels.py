@@ -3,11 +3,12 @@ from collections.abc import Iterator
 from functools import reduce
 from typing import Any, NamedTuple
 
-from flint import arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly, fmpq_poly
-from sympy import Add, Expr, Matrix, Mul, Rational, S, Symbol, eye, sqrt
+from flint import arb, arb_mat, fmpq, fmpq_mpoly, fmpq_poly
+from sympy import Expr, Matrix, Rational, S, Symbol, eye, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import evaluate, proved_sign
+from ..algebra.number_fields import at_root, divided
 from ..algebra.pencils import points_on_sphere
 from ..algebra.polynomials import Ring, by_degree
 from ..algebra.precision import own_precision
@@ -140,19 +141,20 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
             continue
         one = ones % factor
         if factor.degree() > 1 and one:
-            (s,) = _divided([sigmas], one, factor)
+            (s,) = divided([sigmas], one, factor)
             if under := _placed(ring, below, s, factor):
                 slope = factor.derivative()
-                tops = _divided([_placed(ring, x, s, factor) * slope for x in above], under, factor)
+                tops = divided([_placed(ring, x, s, factor) * slope for x in above], under, factor)
                 for root in roots:
-                    yield root, _embedded([_at(top, root) / _at(slope, root) for top in tops], axes), None
+                    scale = at_root(slope, root)
+                    yield root, _embedded([at_root(top, root) / scale for top in tops], axes), None
                 continue
         twice = [_in_omega(ring, x.derivative(place)) for x in changed]
         if factor.degree() > 1 and twice[0] % factor:
-            product, both = _divided(twice[1:], twice[0], factor)
+            product, both = divided(twice[1:], twice[0], factor)
             s = (both - product - 1) / 2
             if not any(_placed(ring, x, s, factor) for x in (below, *above)) and not any(
-                    _may_turn(part, root, _at(s, root)) for root in roots):
+                    _may_turn(part, root, at_root(s, root)) for root in roots):
                 continue
         for root in roots:
             yield from _one_by_one(field, root, axes)
@@ -171,13 +173,24 @@ def _one_by_one(field: Field, root: Expr, axes: list[int]) -> Iterator[Found]:
     for _, k, circle in points_on_sphere(field.pencil.xreplace(here), field.vector.xreplace(here), S.One,
                                          SIGMA):
         at = Matrix(k)
-        if circle is not None and (any(field.rotor.cross(Matrix(circle))) or not any(circle)):
+        if circle is not None and not _on_one_level(field, root, at, Matrix(circle)):
             raise ScopeError(f"at omega = {root} there is a circle of rotations, not all on one level of C1"
                              + OTHER)
         value = root * at.dot(field.inertia * at) + field.rotor.dot(at)
         if proved_sign(evaluate(value - field.level, {})) == 0 and not any(
                 proved_sign(k[n]) for n in range(3) if n not in axes):
             yield root, k, circle
+
+
+def _on_one_level(field: Field, root: Rational, k: Matrix, axis: Matrix) -> bool:
+    """Whether C1 is the same on the whole circle of k about an axis, no axis being any."""
+    inertia, rotor = field.inertia, field.rotor
+    across = k * axis.dot(axis) - axis * axis.dot(k)
+    other = axis.cross(across)
+    turned = [rotor.dot(across), rotor.dot(other), *(root * x for x in (
+        axis.dot(inertia * across), axis.dot(inertia * other), across.dot(inertia * other),
+        across.dot(inertia * across) * axis.dot(axis) - other.dot(inertia * other)))]
+    return any(axis) and not any(proved_sign(evaluate(x, {})) for x in turned)
 
 
 def _may_turn(part: Field, root: Expr, sigma: Expr) -> bool:
@@ -221,19 +234,3 @@ def _placed(ring: Ring, polynomial: fmpq_mpoly, s: fmpq_poly, modulus: fmpq_poly
     for part in reversed(by_degree(polynomial, place, polynomial.degrees()[place])):
         value = (value * s + _in_omega(ring, part)) % modulus
     return value
-
-
-def _divided(tops: list[fmpq_poly], under: fmpq_poly, modulus: fmpq_poly) -> list[fmpq_poly]:
-    """Quotients in the field of a root of an irreducible polynomial: top = quotient·under + rest·modulus."""
-    under, size = under % modulus, modulus.degree()
-    width = size + under.degree()
-    columns = [[0] * n + f.coeffs() for f, count in ((under, size), (modulus, under.degree()))
-               for n in range(count)]
-    system, sides = ([[c[n] if n < len(c) else 0 for c in several] for n in range(width)]
-                     for several in (columns, [(top % modulus).coeffs() for top in tops]))
-    found = fmpq_mat(system).solve(fmpq_mat(sides))
-    return [fmpq_poly([found[n, m] for n in range(size)]) for m in range(len(tops))]
-
-
-def _at(polynomial: fmpq_poly, root: Expr) -> Expr:
-    return Add(*(Mul(Rational(int(c.p), int(c.q)), root**n) for n, c in enumerate(polynomial.coeffs()) if c))

@@ -1,10 +1,11 @@
 """The permanent rotations of any body in a field: every one at a rate, on a level, or in a direction."""
+import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from flint import arb
-from sympy import Add, Expr, Matrix, Poly, PolynomialError, S, eye
+from sympy import Add, Expr, Matrix, S, eye
 
 from ..algebra.balls import ball
 from ..algebra.exact import evaluate, proved_sign
@@ -23,11 +24,12 @@ from .amended_form import AmendedForm, amended_form
 from .asked import C1, exact_point
 from .decision import Decision, Verdict
 from .heavy_levels import rates_on_level
+from .heavy_polynomials import DIRECTION, degree_in_k, directions_at_rate, rates_by_elimination
 from .report import Report
 from .secular import KEPT, LOST, modes
 from .sphere import circle_in_words
 
-OMEGA, SIGMA, DIRECTION = symbol("omega"), symbol("sigma"), tuple(symbol(f"k{n}") for n in (1, 2, 3))
+OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 PRECISION = 128                                            # bits that decide, and put the rotations in order
 LEAST = Decision(Verdict.STABLE, "Lyapunov", (), "the amended potential has a minimum", ())
 SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a saddle: an eigenvalue has a "
@@ -165,10 +167,7 @@ def heavy_rotations(scene: System, values: Mapping[str, Any]) -> list[HeavyRotat
     if given == {"omega"}:
         return sorted(_at_rate(here, numbers[OMEGA]), key=_place)
     if given == {"C1"}:
-        linear, curved = _quadratic(here, "on a level of C1")
-        inertia, rotor = here.body.tensor, Matrix(here.body.gyrostatic_momentum)
-        found = rates_on_level(inertia, curved, linear, rotor, numbers[C1])
-        return sorted((HeavyRotation(here, k, omega, circle) for omega, k, circle in found), key=_place)
+        return sorted(_on_level(here, numbers[C1]), key=_place)
     if given == set(map(str, DIRECTION)):
         return _in_direction(here, tuple(numbers[x] for x in DIRECTION))
     raise ValuesError(f"given were {', '.join(sorted(given)) or 'no names of the motion'}: give omega, the "
@@ -186,27 +185,30 @@ def _data(scene: System, k: Sequence[Expr]) -> Data:
 
 
 def _at_rate(scene: System, omega: Expr) -> Iterator[HeavyRotation]:
-    """(omega² I − Q + sigma) k = c − omega l, where U = c·k + k·Qk/2."""
-    linear, curved = _quadratic(scene, "at a rate omega")
+    """(omega² I − Q + sigma) k = c − omega l, where U = c·k + k·Qk/2; any other polynomial by elimination."""
+    if degree_in_k(scene, "at a rate omega") > 2:
+        yield from (HeavyRotation(scene, k, omega) for k in directions_at_rate(scene, omega))
+        return
+    linear, curved = _quadratic(scene)
     pencil = omega**2 * scene.body.tensor - curved + SIGMA * eye(3)
     vector = linear - omega * Matrix(scene.body.gyrostatic_momentum)
     for _, k, circle in points_on_sphere(pencil, vector, S.One, SIGMA):
         yield HeavyRotation(scene, k, omega, circle)
 
 
-def _quadratic(scene: System, where: str) -> tuple[Matrix, Matrix]:
-    """c and Q of U = c·k + k·Qk/2, or a refusal."""
-    U = scene.potential
-    assert U is not None
-    try:
-        degree = Poly(U.expression, *DIRECTION).total_degree()
-    except PolynomialError:
-        degree = None
-    if degree not in (1, 2):
-        what = "is not a polynomial" if degree is None else f"has degree {degree}"
-        raise ScopeError(f"U = {U.expression} {what} in k: all rotations {where} are found where it "
-                         "has degree 1 or 2; give a direction k1, k2, k3 instead, of which every rate is "
-                         "found in any field")
+def _on_level(scene: System, level: Expr) -> list[HeavyRotation]:
+    """By resultants where U = c·k + k·Qk/2 and they tell all rotations apart, else by elimination."""
+    if degree_in_k(scene, "on a level of C1") < 3:
+        linear, curved = _quadratic(scene)
+        inertia, rotor = scene.body.tensor, Matrix(scene.body.gyrostatic_momentum)
+        with contextlib.suppress(ScopeError):
+            return [HeavyRotation(scene, k, omega, circle)
+                    for omega, k, circle in rates_on_level(inertia, curved, linear, rotor, level)]
+    return [HeavyRotation(scene, k, omega) for omega, k in rates_by_elimination(scene, level)]
+
+
+def _quadratic(scene: System) -> tuple[Matrix, Matrix]:
+    """c and Q of U = c·k + k·Qk/2."""
     _, _, linear, curved = _data(scene, (S.Zero,) * 3)
     return Matrix(linear), Matrix(curved)
 

@@ -29,8 +29,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
 
     Of any other body in a field: numbers for the moments, the rotor and the parameters of U, and one of
 
-    - omega: every permanent rotation ω = omega k of that rate, (omega² I − Q + σ) k = c − omega l, where U is
-      of degree 1 or 2, c·k + k·Qk/2
+    - omega: every permanent rotation ω = omega k of that rate, (∇U − omega l − omega² Ik) × k = 0, in a U
+      polynomial in k; of degree d at most 2 (d² − d + 1), or circles of them where it is 1 or 2
     - C1: every permanent rotation on that level of C1 = M·k, the critical points of the amended potential
       U + (C1 − l·k)²/(2 k·Ik), at rational numbers and in the same U; minima − saddles + maxima = 2
     - k1, k2, k3: every rate of a permanent rotation in that direction, omega² Ik × k + omega l × k = ∇U × k.
@@ -58,7 +58,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
         names are missing, unknown or too many, or a number is not admissible
     ScopeError
         U is unspecified; of a body of revolution it is not rational in k3; of any other, at a rate or on a
-        level, not a polynomial of degree 1 or 2; on a level, rotations of one irrational rate, or circles
+        level, not a polynomial; a number is not rational, on a level or in a U of degree 3 or more; or there
+        are infinitely many rotations
 
     References
     ----------

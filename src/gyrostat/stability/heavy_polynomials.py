@@ -1,0 +1,61 @@
+"""The permanent rotations of any body in a field polynomial in k, of any degree, by elimination."""
+from collections.abc import Iterator, Sequence
+
+from sympy import Expr, Matrix, Poly, PolynomialError, Rational, S
+
+from ..algebra.exact import evaluate
+from ..algebra.matrices import cross
+from ..algebra.sphere_zeros import zeros_on_sphere
+from ..errors import ScopeError
+from ..mechanics.system import System
+from ..notation import symbol
+
+DIRECTION = tuple(symbol(f"k{n}") for n in (1, 2, 3))
+INSTEAD = "give a direction k1, k2, k3 instead, of which every rate is found"
+
+
+def degree_in_k(scene: System, where: str) -> int:
+    """Of U, or a refusal."""
+    U = scene.potential
+    assert U is not None
+    try:
+        return int(Poly(U.expression, *DIRECTION).total_degree())
+    except PolynomialError:
+        raise ScopeError(f"U = {U.expression} is not a polynomial in k: all rotations {where} are found "
+                         f"where it is one; {INSTEAD} in any field") from None
+
+
+def directions_at_rate(scene: System, omega: Expr) -> list[tuple[Expr, ...]]:
+    """Every k with (∇U − omega l − omega² Ik) × k = 0: of U of degree d at most 2 (d² − d + 1)."""
+    k, inertia, rotor, gradient = _parts(scene, omega)
+    return _found(gradient - omega * rotor - omega**2 * inertia * k, k, S.One, f"omega = {omega}")
+
+
+def rates_by_elimination(scene: System, level: Expr) -> Iterator[tuple[Expr, tuple[Expr, ...]]]:
+    """Every omega and k with omega k·Ik = C1 − l·k, and the same."""
+    k, inertia, rotor, gradient = _parts(scene, level)
+    J, top = k.dot(inertia * k), level - rotor.dot(k)
+    force = J**2 * gradient - J * top * rotor - top**2 * inertia * k
+    for point in _found(force, k, J, f"C1 = {level}"):
+        at = dict(zip(DIRECTION, point))
+        yield evaluate(top, at) / evaluate(J, at), point
+
+
+def _parts(scene: System, number: Expr) -> tuple[Matrix, Matrix, Matrix, Matrix]:
+    """k, I, l and ∇U, or a refusal."""
+    U, body = scene.potential, scene.body
+    assert U is not None
+    polynomial = Poly(U.expression, *DIRECTION)
+    numbers = [*polynomial.coeffs(), *body.tensor, *body.gyrostatic_momentum, number]
+    if irrational := [x for x in numbers if not isinstance(x, Rational)]:
+        raise ScopeError(f"{irrational[0]} is not rational: on a level of C1, and in a field of degree 3 or "
+                         f"more, all rotations are found at rational numbers; {INSTEAD}")
+    gradient = Matrix([polynomial.diff(x).as_expr() for x in DIRECTION])
+    return Matrix(DIRECTION), Matrix(body.tensor), Matrix(body.gyrostatic_momentum), gradient
+
+
+def _found(force: Matrix, k: Sequence[Expr], but: Expr, where: str) -> list[tuple[Expr, ...]]:
+    if (found := zeros_on_sphere(cross(force, k), DIRECTION, but)) is None:
+        raise ScopeError(f"at {where} no finite number of rotations is found: there may be circles of them; "
+                         f"{INSTEAD}")
+    return found
