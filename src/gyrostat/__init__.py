@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     )
     from .stability.energy_sink import energy_sink_criterion
     from .stability.followed_rotations import RotationContinuation
+    from .stability.gyrostat_arcs import GyrostatArc
     from .stability.heavy_rotations import HeavyRotation
     from .stability.linearization import Linearization, linearize
     from .stability.meetings import BifurcationPoint, bifurcation_points
@@ -74,14 +75,15 @@ __all__ = [
     "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch", "Case", "charts", "Condition",
     "Continuation", "continuation", "Criterion", "Decision", "energy_sink_criterion", "Equilibrium",
     "equilibrium", "errors", "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors",
-    "hanging", "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson",
-    "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field", "NOTATION",
-    "orbit_tangent", "own_precision", "permanent_rotation", "PermanentRotation", "plotting", "Potential",
-    "principal_rotation", "published", "reduce", "relative_equilibria", "Report", "RotationContinuation",
-    "Rotor", "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
-    "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
-    "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
-    "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
+    "GyrostatArc", "hanging", "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval",
+    "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field",
+    "NOTATION", "orbit_tangent", "own_precision", "permanent_rotation", "PermanentRotation", "plotting",
+    "Potential", "principal_rotation", "published", "reduce", "relative_equilibria", "Report",
+    "RotationContinuation", "Rotor", "second_variation", "SecondVariation", "secular_criterion",
+    "secular_variation", "Solution", "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum",
+    "spectrum", "stabilizing_set", "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic",
+    "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field",
+    "upright", "Verdict",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -103,7 +105,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.criteria": "formal_criterion secular_criterion spectral_criterion",
     "stability.continuation": "Continuation continuation",
     "stability.followed_rotations": "RotationContinuation",
-    "stability.heavy_rotations": "HeavyRotation",
+    "stability.gyrostat_arcs": "GyrostatArc", "stability.heavy_rotations": "HeavyRotation",
     "stability.energy_casimir": "SecondVariation augmented_hessian multipliers "
                                 "second_variation secular_variation",
     "stability.energy_sink": "energy_sink_criterion",

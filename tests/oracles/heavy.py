@@ -52,6 +52,14 @@ def squares(inertia, rotor, c, Q, omega, k):
     return np.linalg.eigvalsh(tangent @ form @ tangent.T)
 
 
+def verdict(inertia, rotor, c, Q, omega, k):
+    """Of spectra and signatures; None near a boundary."""
+    rate, form = growth(inertia, rotor, c, Q, omega, k), squares(inertia, rotor, c, Q, omega, k)
+    if np.abs(form).min() < 1e-6 * np.abs(form).max() or 1e-7 < rate < 1e-4:
+        return None
+    return "UNSTABLE" if rate > 1e-4 else "STABLE" if form[0] > 0 else "UNDECIDED"
+
+
 def on_level(inertia, rotor, c, Q, level, starts=200, seed=0):
     """Every k at which U + (level − l·k)²/(2 k·Ik) is critical on abs(k) = 1, that is found; and its rate."""
     rng = np.random.default_rng(seed)

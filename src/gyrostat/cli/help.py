@@ -64,8 +64,9 @@ KINDS = {
         "given length of the momentum: folds, pitchforks, and the number of permanent rotations."),
     "staude-cone": (
         "the directions of the permanent rotations of a heavy body, with verdicts",
-        "Draws the admissible arcs of Staude's cone on the sphere of directions: about which axes a body of "
-        "three moments in U = c·k turns permanently, with the verdicts and where they change."),
+        "Draws the admissible arcs of Staude's cone on the sphere of directions, with a rotor those of a "
+        "curve: about which axes a body of three moments in U = c·k turns permanently, with the verdicts and "
+        "where they change."),
     "energy-momentum": (
         "critical values of the energy and C1 at a fixed axial momentum",
         "Draws the energy-momentum diagram: the critical values of the energy and C1 at a fixed "

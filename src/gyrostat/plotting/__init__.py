@@ -3,8 +3,8 @@
 Stable, unstable and undecided look the same in all of them (`looks`), and above each is what it is of
 (`headings`); `paper.mplstyle` is a style for print. Each has its file: `momentum_sphere` (its curves:
 `energy_levels`), `nutation` and `cones` on a `globe`, `effective_potential`, `bifurcations`,
-`rotor_set`, `staude_cone`, `energy_momentum`, `eigenvalues`, `charts`; motions of `solids` as an
-`animation` or `interactive`; exact `numbers` become floats in one place.
+`rotor_set`, `staude_cone` (`along_arcs`), `energy_momentum`, `eigenvalues`, `charts`; motions of `solids` as
+an `animation` or `interactive`; exact `numbers` become floats in one place.
 """
 from .animation import animate_top, save_animation
 from .bifurcations import draw_bifurcation_diagram

@@ -1,23 +1,24 @@
-"""Staude's cone on the sphere of directions: admissible arcs with their verdicts, and where these change."""
+"""Permanent rotations on the sphere of directions: arcs with their verdicts, and where these change."""
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from sympy import Expr, oo
+from sympy import S, oo
 
-from ..algebra.floats import Array, in_floats
 from ..mechanics.system import System
+from ..stability.gyrostat_arcs import GyrostatArc
 from ..stability.report import Verdict
 from ..stability.staude import staude_cone
-from ..stability.staude_arcs import Piece, StaudeArc
+from .along_arcs import along, directions, floats, moves
 from .globe import curve_on, dots_on, stage
 from .headings import heading, of_scene
 from .looks import DARK, GREY, axes_of, label, legend, line, named
 
-STEP, ROUNDS, FIRST = 0.02, 12, 33                     # radians between points; halvings; points at first
+STEP = 0.02                                            # radians between points
 OPPOSITE = {"color": GREY, "linewidth": 0.8}
 CHANGE = {"marker": "D", "linestyle": "none", "markersize": 4.5, "color": DARK}
 REST = {"marker": "X", "linestyle": "none", "markersize": 6.5, "color": DARK, "markeredgecolor": "white"}
+FOLD = {"marker": "o", "linestyle": "none", "markersize": 4.5, "color": DARK, "markerfacecolor": "white"}
 ANY = {"marker": "s", "linestyle": "none", "markersize": 5.5, "color": GREY}
 
 
@@ -26,14 +27,16 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     """Draw the directions of the permanent rotations of a heavy body, seen as ax.view_init says.
 
     On the sphere abs(k) = 1 the admissible arcs of Staude's cone, each point of one omega² > 0, in the look
-    of its verdict; grey: the directions −k, of no rotation. Diamonds: changes of the verdict; crosses: ±c, at
-    rest; squares: an axis of rotations of every rate. What is behind is faded. At a principal axis that an
-    arc goes to, omega → ∞.
+    of its verdict; grey: the directions −k, of no rotation. With a rotor the curve of the directions, each
+    point of one omega; circles: two rotations of one omega become one. Diamonds: changes of the verdict;
+    crosses: ±c, at rest; squares: an axis of rotations of every rate. What is behind is faded. At a principal
+    axis that an arc goes to, omega → ±∞. Where c and l are in a principal plane, so are arcs that cover each
+    other.
 
     Parameters
     ----------
     scene : System
-        a body without a rotor, in principal axes, and U = c·k
+        in principal axes, with U = c·k; with a rotor, of rational numbers
     values : mapping of name to number, or None
         for every name of the scene
     ax : axes of mplot3d
@@ -48,8 +51,8 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     Raises
     ------
     ScopeError
-        there is a rotor, U is not c·k, the axes are not principal, or every direction is one of a permanent
-        rotation
+        U is not c·k, the axes are not principal, every direction, or every one of a circle, is that of a
+        permanent rotation; with a rotor, a number is not rational
     ValuesError
         a name is missing or unknown, or a number is not admissible
     ArgumentError
@@ -59,7 +62,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
 
     References
     ----------
-    Staude, J. reine angew. Math. 113 (1894) 318-334.
+    Staude, J. reine angew. Math. 113 (1894) 318-334; Kharlamov (1965), for gyrostats.
 
     Examples
     --------
@@ -74,10 +77,12 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     arcs = staude_cone(scene).arcs(values or {})
     ax = axes_of(ax, three=True)
     eye = stage(ax, 1.0, [label(f"k{n}") for n in (1, 2, 3)])
-    curves = [(piece.decision.verdict, _curve(arc, piece)) for arc in arcs if _moves(arc)
+    moving = [arc for arc in arcs if moves(arc)]
+    curves = [(piece.decision.verdict, directions(arc, piece, STEP)) for arc in moving
               for piece in arc.pieces]
-    for _, curve in curves:
-        curve_on(ax, -curve, eye, **OPPOSITE)
+    opposite = [-curve for _, curve in curves] if not any(scene.body.gyrostatic_momentum) else []
+    for curve in opposite:
+        curve_on(ax, curve, eye, **OPPOSITE)
     handles = []
     for verdict in Verdict:
         style = {**line(verdict), "linewidth": 2.0, **kwargs}
@@ -85,54 +90,17 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
         for curve in own:
             curve_on(ax, curve, eye, **style)
         handles += [named(style, verdict.name.lower())] if own else []
-    handles += [named(OPPOSITE, "no rotation")] if curves else []
-    changes = [_at(arc, np.array([float(x)]))[0] for arc in arcs if _moves(arc) for x in arc.boundaries]
-    rest = [_floats(end.k) for arc in arcs if _moves(arc) for end in arc.ends
-            if end.omega_squared == 0]
-    still = [_floats(arc.ends[0].k) for arc in arcs if not _moves(arc)]
-    for points, style, name in ((changes, CHANGE, "change"), (rest, REST, "at rest"),
-                                (still, ANY, "every rate")):
+    handles += [named(OPPOSITE, "no rotation")] if opposite else []
+    changes = [along(arc, np.array([float(x)])).k[0] for arc in moving for x in arc.boundaries]
+    folds = [floats(end.k) for arc in moving for end in arc.ends if end.omega not in (0, oo, -oo)]
+    rest = [floats(end.k) for arc in moving for end in arc.ends if end.omega == 0]
+    rest += [floats(arc.rotation(S.Zero).k) for arc in moving if isinstance(arc, GyrostatArc)
+             and arc.low < 0 < arc.high]
+    still = [floats(arc.ends[0].k) for arc in arcs if not moves(arc)]
+    for points, style, name in ((folds, FOLD, "fold"), (changes, CHANGE, "change"),
+                                (rest, REST, "at rest"), (still, ANY, "every rate")):
         if points:
             dots_on(ax, np.array(points), eye, **style)
             handles.append(named(style, name))
     legend(ax, handles, title=heading(ax, *of_scene(scene, values or {})))
     return ax
-
-
-def _moves(arc: StaudeArc) -> bool:
-    """Whether its direction changes along it."""
-    return sum(x != 0 for x in arc.n) > 1
-
-
-def _curve(arc: StaudeArc, piece: Piece) -> Array:
-    """The directions along a piece, its ends with it, shape (n, 3)."""
-    first, last = (_floats(end.k) if at == own else _at(arc, np.array([float(at)]))[0] for end, at, own in
-                   zip(arc.ends, (piece.low, piece.high), (arc.low, arc.high)))
-    t = np.linspace(0, 1, FIRST)
-    for _ in range(ROUNDS):
-        k = np.vstack([first, _at(arc, _placed(arc, piece, t[1:-1])), last])
-        wide = np.flatnonzero(np.linalg.norm(np.diff(k, axis=0), axis=1) > STEP)
-        t = np.insert(t, wide + 1, (t[wide] + t[wide + 1]) / 2)
-    return k
-
-
-def _placed(arc: StaudeArc, piece: Piece, t: Array) -> Array:
-    """Values of the parameter between the ends of a piece, for t between 0 and 1."""
-    moments = [float(x) for x in arc.scene.body.moments]
-    low, high, size = float(piece.low), float(piece.high), sum(moments)
-    if piece.low == -oo and piece.high == oo:
-        return size * np.tan(np.pi * (t - 0.5))
-    if piece.low == -oo:
-        return high - size * (1 - t) / t
-    return low + size * t / (1 - t) if piece.high == oo else low + (high - low) * t
-
-
-def _at(arc: StaudeArc, values: Array) -> Array:
-    """k at values of the parameter, shape (n, 3)."""
-    parts = [np.broadcast_to(in_floats(x, np, {arc.parameter: values}), values.shape) for x in arc.n]
-    n = np.stack(parts, axis=1)
-    return n / np.linalg.norm(n, axis=1)[:, None]
-
-
-def _floats(k: tuple[Expr, ...]) -> Array:
-    return np.array([float(x) for x in k])

@@ -14,6 +14,7 @@ from ..stability.bifurcations import Bifurcation
 from ..stability.boundary import Boundary
 from ..stability.branch import Branch
 from ..stability.drift import Drift
+from ..stability.gyrostat_arcs import GyrostatArc
 from ..stability.heavy_rotations import HeavyRotation
 from ..stability.kinds import KINDS
 from ..stability.linearization import rational_root
@@ -27,7 +28,7 @@ from .boundary import ladder, rung_display
 from .conditions import existence
 from .drift import drift_displays
 from .ends import number, tidy
-from .staude import arc_blocks, cone_blocks
+from .staude import arc_blocks, cone_blocks, gyrostat_arc_blocks
 
 # operations under a root, more of which are given a name
 LONG = 8
@@ -206,6 +207,11 @@ def _staude_arc(arc: StaudeArc) -> list[Block]:
 
 
 @result_blocks.register
+def _gyrostat_arc(arc: GyrostatArc) -> list[Block]:
+    return gyrostat_arc_blocks(arc)
+
+
+@result_blocks.register
 def _bifurcation(b: Bifurcation) -> list[Block]:
     return [sentence(f"{b.kind} ({KINDS[b.kind]}):"),
             *(Display(readable(e), S.Zero, b.at) for e in b.equations)]
@@ -234,4 +240,4 @@ def _reduction(motion: Reduction) -> list[Block]:
 
 
 RESULTS = (Solution, Branch, PermanentRotation, HeavyRotation, Bifurcation, BifurcationPoint, Boundary, Drift,
-           Reduction, StaudeArc, StaudeCone)
+           Reduction, StaudeArc, GyrostatArc, StaudeCone)

@@ -1,17 +1,19 @@
 """Staude's cone and its arcs, as sentences and displays."""
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from sympy import Add, Expr, S, oo, sqrt
 
 from ..algebra.readable import readable
 from ..notation import symbol
+from ..stability.gyrostat_arcs import GyrostatArc
 from ..stability.staude import StaudeCone
-from ..stability.staude_arcs import End, StaudeArc
+from ..stability.staude_arcs import End, Piece, StaudeArc
 from .blocks import Block, Display, Word, equations, listed, sentence
 from .ends import number
 
 VECTOR, OMEGA = Word("k", "⟨vector_k⟩"), symbol("omega")
-FAST = Word("ω → ∞", r"⟨omega⟩\to\infty")
+FAST = {oo: Word("ω → ∞", r"⟨omega⟩\to\infty"), -oo: Word("ω → −∞", r"⟨omega⟩\to-\infty")}
 
 
 def cone_blocks(cone: StaudeCone) -> list[Block]:
@@ -31,12 +33,29 @@ def arc_blocks(arc: StaudeArc) -> list[Block]:
     return [sentence("Arc from ", *_end(low), " to ", *_end(high), " along it:"),
             Display(OMEGA**2, length),
             *(Display(symbol(f"k{n}"), readable(x) / OMEGA**2) for n, x in enumerate(arc.n, 1)),
-            *(sentence(*_interval(piece.low, arc.parameter, piece.high),
-                       f": {piece.decision.verdict.name.lower()}") for piece in arc.pieces)]
+            *_verdicts(arc.parameter, arc.pieces)]
+
+
+def gyrostat_arc_blocks(arc: GyrostatArc) -> list[Block]:
+    """Its ends, the direction along it, and the verdict of each part."""
+    low, high = arc.ends
+    return [sentence("Arc from ", *_end(low), " to ", *_end(high), " along it |", VECTOR, "| = 1:"),
+            *(Display(symbol(f"k{n}"), x) for n, x in enumerate(arc.curve.k, 1) if x != symbol(f"k{n}")),
+            *_verdicts(OMEGA, arc.pieces)]
+
+
+def _verdicts(parameter: Expr, pieces: Iterable[Piece]) -> Iterator[Block]:
+    for piece in pieces:
+        yield sentence(*_interval(piece.low, parameter, piece.high),
+                       f": {piece.decision.verdict.name.lower()}")
 
 
 def _end(end: End) -> tuple[Any, ...]:
-    rate = equations([(OMEGA, S.Zero)]) if end.omega_squared == 0 else (FAST,)
+    if end.omega in FAST:
+        rate: tuple[Any, ...] = (FAST[end.omega],)
+    else:
+        rate = (*equations([(OMEGA, number(end.omega))]), " and rotations meet") if end.omega else equations(
+            [(OMEGA, S.Zero)])
     return (VECTOR, " = (", *listed(map(number, end.k)), "), where ", *rate, ",")
 
 

@@ -14,6 +14,7 @@ from ..notation import Stored
 from ..shown import Shown
 from .amended_form import dot
 from .asked import exact_point
+from .gyrostat_arcs import GyrostatArc, gyrostat_arcs
 from .heavy_rotations import DIRECTION
 from .staude_arcs import StaudeArc, staude_arcs
 
@@ -76,8 +77,11 @@ class StaudeCone(Shown, Stored):
         body = self.scene.body
         return (body.tensor * Matrix(DIRECTION)).flat(), body.gyrostatic_momentum, slopes
 
-    def arcs(self, values: Mapping[str, Any]) -> list[StaudeArc]:
-        """Every admissible arc, in the order of tau; on it both omega and −omega are rates.
+    def arcs(self, values: Mapping[str, Any]) -> list[StaudeArc] | list[GyrostatArc]:
+        """Every admissible arc.
+
+        Without a rotor in the order of tau, and on each both omega and −omega are rates. With one, over
+        omega: from each end, at which two rotations become one, to another, or to omega → ±∞.
 
         Parameters
         ----------
@@ -86,14 +90,15 @@ class StaudeCone(Shown, Stored):
 
         Returns
         -------
-        list of StaudeArc
-            complete; where c is on a principal axis, that axis is the direction of two of them, of every rate
+        list of StaudeArc, with a rotor of GyrostatArc
+            complete; where c, and l, are on a principal axis, that axis is the direction of two of them, of
+            every rate
 
         Raises
         ------
         ScopeError
-            there is a rotor, U is not c·k, the axes are not principal, or every direction is one of a
-            permanent rotation
+            U is not c·k, the axes are not principal, every direction, or every one of a circle, is that of
+            a permanent rotation; with a rotor, a number is not rational
         ValuesError
             a name is missing or unknown, or a number is not admissible
         """
@@ -102,10 +107,9 @@ class StaudeCone(Shown, Stored):
         if missing := sorted(needed - values.keys()):
             raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
         here = at_numbers(self.scene, numbers)
-        if StaudeCone(here).turned:
-            raise ScopeError(f"the rotor is l = {here.body.gyrostatic_momentum}, and the arcs are those of a "
-                             "body without one: give l = 0, or ask relative_equilibria at a rate omega")
         c = _linear(here)
+        if StaudeCone(here).turned and any(c):
+            return list(gyrostat_arcs(here, c))
         if is_identically_zero(StaudeCone(here).polynomial):
             raise ScopeError(f"inertia = {here.body.moments}, c = {c}: the body is one of revolution in its "
                              "field, or free, and permanent rotations are about every direction: ask "

@@ -28,10 +28,10 @@ class Piece(NamedTuple):
 
 
 class End(NamedTuple):
-    """What an arc goes to: a direction, and the square of the rate there."""
+    """What an arc goes to: a direction, and the rate there, which may be infinite."""
 
     k: tuple[Expr, ...]
-    omega_squared: Expr
+    omega: Expr
 
 
 @dataclass(frozen=True, repr=False)

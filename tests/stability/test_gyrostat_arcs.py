@@ -1,0 +1,160 @@
+"""The arcs of the permanent rotations of a gyrostat, against Newton's method, spectra and signatures."""
+import random
+from fractions import Fraction
+
+import heavy
+import numpy as np
+import pytest
+from heavy_scenes import floats, k1, k2, k3, scene_of
+from slow import sampled, slow
+from sympy import Rational, oo, sqrt
+
+import gyrostat as gs
+from gyrostat.errors import ScopeError, ValuesError
+
+NOTHING = [[Fraction(0)] * 3] * 3
+GENERAL = [Fraction(11, 10), Fraction(2), Fraction(13, 5)], [1, -2, 3], [Fraction(1, 2), 1, Fraction(-3, 2)]
+SPECIAL = {"c on an axis": ((1, 2, 3), (0, 0, 2), (1, Fraction(1, 2), -1)),
+           "l on an axis": ((1, 2, 3), (1, 2, 1), (0, 0, 1)),
+           "one l is 0": ((1, 2, 3), (1, 1, 1), (0, Fraction(1, 2), 1)),
+           "l along c": ((3, 5, 4), (1, -2, 2), (Fraction(1, 2), -1, 1)),
+           "on one axis": ((1, 2, Fraction(13, 5)), (0, 0, 3), (0, 0, Fraction(3, 2))),
+           "in a plane": ((3, 5, 4), (1, 0, 3), (Fraction(2, 3), 0, -1)),
+           "in a plane, a component 0": ((1, 2, 3), (0, 2, 2), (0, 0, 1)),
+           "two moments": ((2, 2, 3), (1, 1, 2), (1, 0, Fraction(1, 2))),
+           "two moments, in a plane": ((2, 2, 3), (0, 1, 1), (0, 1, 0)),
+           "three moments": ((2, 2, 2), (1, 1, 3), (1, 0, Fraction(3, 2))),
+           "two folds at one rate": ((1, 2, 3), (1, 1, 1), (Fraction(1, 2), 1, Fraction(1, 2)))}
+DEFAULT = ("on one axis", "two moments", "three moments", "in a plane")
+
+
+def arcs_of(inertia, c, rotor):
+    return gs.staude_cone(scene_of(inertia, rotor, c, NOTHING)).arcs({})
+
+
+def drawn(rng):
+    inertia = [Fraction(rng.randint(4, 30), 10) for _ in range(3)]
+    c = [Fraction(rng.randint(-12, 12), rng.randint(1, 6)) for _ in range(3)]
+    return inertia, c, [Fraction(rng.randint(-9, 9) or 4, 8) for _ in range(3)]
+
+
+def check(rng, arcs, inertia, c, rotor, rates=3):
+    """Each rotation that Newton's method finds is on one arc, in a piece of its verdict; nothing else is."""
+    found = 0
+    for _ in range(rates):
+        omega = Rational(rng.randint(-4000, 4000), 1009)
+        data = floats(inertia, rotor, c, NOTHING, omega)
+        here = [(arc, np.array(arc.rotation(omega).k, float)) for arc in arcs if arc.low < omega < arc.high]
+        for _, k in here:
+            assert abs(k @ k - 1) < 1e-9
+            assert np.abs(np.cross(omega**2 * data[0] @ k + omega * data[1] - data[2], k)).max() < 1e-9
+        for k in heavy.directions(*data, starts=60):
+            near = [arc for arc, place in here if np.abs(k - place).max() < 1e-6]
+            assert len(near) == 1, (inertia, c, rotor, omega, k)
+            decision = next(p for p in near[0].pieces if p.low < omega < p.high).decision
+            assert heavy.verdict(*data, k) in (None, decision.verdict.name), (inertia, c, rotor, omega, k)
+            found += 1
+        scene = scene_of(inertia, rotor, c, NOTHING)
+        assert len(here) == len(gs.relative_equilibria(scene, {"omega": omega}))
+    return found
+
+
+def test_a_general_gyrostat():
+    arcs = arcs_of(*GENERAL)
+    assert check(random.Random("arcs"), arcs, *GENERAL, rates=6) > 12
+    assert sum(arc.low == -oo for arc in arcs) == sum(arc.high == oo for arc in arcs) == 6
+
+
+@pytest.mark.parametrize("kind", [*DEFAULT, *slow(*((kind,) for kind in SPECIAL if kind not in DEFAULT))])
+def test_special_gyrostats(kind):
+    assert check(random.Random(kind), arcs_of(*SPECIAL[kind]), *SPECIAL[kind]) >= 6
+
+
+@pytest.mark.slow
+def test_many(full):
+    rng, found = random.Random("many arcs"), 0
+    for _ in range(sampled(200, full, 30)):
+        case = drawn(rng)
+        found += check(rng, arcs_of(*case), *case)
+    assert found > 200
+
+
+def test_ends_are_folds_and_axes():
+    """At a fold k is that of two arcs, and a direction turns there about no rotation of its rate."""
+    inertia, c, rotor = GENERAL
+    ends = [end for arc in arcs_of(*GENERAL) for end in arc.ends]
+    folds = [end for end in ends if end.omega not in (oo, -oo)]
+    assert folds and all(sum(other == end for other in folds) == 2 for end in folds)
+    for end in folds:
+        omega, k = float(end.omega), np.array([x.evalf(20) for x in end.k], float)
+        I, l, g = np.diag(np.array(inertia, float)), np.array(rotor, float), np.array(c, float)
+        sigma = k @ (g - omega * l - omega**2 * I @ k)
+        across = np.linalg.svd(k[None])[2][1:]
+        form = across @ (omega**2 * I + sigma * np.eye(3)) @ across.T
+        assert abs(np.linalg.det(form)) < 1e-9 * np.abs(form).max() ** 2
+        assert np.abs(np.cross(omega**2 * I @ k + omega * l - g, k)).max() < 1e-9
+
+
+@pytest.mark.parametrize("kind", ["on one axis", "two moments", "three moments", "in a plane"])
+def test_what_the_arcs_go_to(kind):
+    for arc in arcs_of(*SPECIAL[kind]):
+        for end, beside in zip(arc.ends, (-1, 1)):
+            if end.omega in (oo, -oo):
+                k, _ = arc.near(Fraction(beside * 10**7))
+                assert np.abs(np.array(k) - np.array(end.k, float)).max() < 1e-5
+            else:
+                k, _ = arc.near(Fraction(float(end.omega)) - beside * Fraction(1, 10**12))
+                assert np.abs(np.array(k) - [float(x) for x in end.k]).max() < 1e-4
+
+
+def test_the_verdict_changes_at_the_boundaries():
+    """On either side of each, in doubles."""
+    inertia, c, rotor = GENERAL
+    changes = 0
+    for arc in arcs_of(*GENERAL):
+        for before, after in zip(arc.pieces, arc.pieces[1:]):
+            for piece, side in ((before, -1), (after, 1)):
+                omega = Fraction(float(after.low)) + side * Fraction(1, 2000)
+                if piece.low < Rational(omega) < piece.high:
+                    data = floats(inertia, rotor, c, NOTHING, omega)
+                    found = heavy.verdict(*data, np.array(arc.near(omega)[0]))
+                    assert found in (None, piece.decision.verdict.name)
+                    changes += found is not None
+    assert changes >= 8
+
+
+def test_where_branches_cross():
+    """At rest, and where two rotations have one sigma: each arc goes on with its own k."""
+    for arc in arcs_of(*SPECIAL["one l is 0"]):
+        for omega in (0, 1, 2):
+            if arc.low < omega < arc.high:
+                k = np.array(arc.rotation(omega).k, float)
+                for side in (-1, 1):
+                    beside = np.array(arc.near(omega + side * Fraction(1, 10**8))[0])
+                    assert np.abs(k - beside).max() < 1e-6, omega
+                assert np.abs(np.array(arc.near(Fraction(omega))[0]) - k).max() < 1e-12
+    axis = next(arc for arc in arcs_of(*SPECIAL["one l is 0"]) if arc.low == -oo and arc.high == oo)
+    assert axis.rotation(0).k in {tuple(s * sqrt(3) / 3 for _ in range(3)) for s in (1, -1)}
+
+
+def test_as_text():
+    arc = next(arc for arc in arcs_of(*SPECIAL["on one axis"]) if arc.curve.unknown == k2)
+    assert "k₁ = 0" in str(arc) and "ω → −∞" in str(arc) and "and rotations meet" in str(arc)
+    assert r"\omega\to-\infty" in gs.to_latex(arc)
+
+
+def test_what_is_refused():
+    for inertia, c, rotor, why in (
+            ((2, 2, 3), (0, 0, 1), (0, 0, 1), r"l = \(0, 0, 1\): the body is one of revolution"),
+            ((2, 2, 3), (1, 1, 0), (2, 2, Fraction(1, 10)), "at omega = 1/2 permanent rotations are about"),
+            ((1, 2, 3), (0, 0, 0), (0, 0, 1), "or free")):
+        with pytest.raises(ScopeError, match=why):
+            arcs_of(inertia, c, rotor)
+    root = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), gs.general_potential(sqrt(2) * k1 + k2 + k3))
+    with pytest.raises(ScopeError, match="at rational numbers"):
+        gs.staude_cone(root).arcs({})
+    arc = next(arc for arc in arcs_of(*SPECIAL["on one axis"]) if arc.high != oo)
+    with pytest.raises(ValuesError, match="give a rate between"):
+        arc.rotation(10**6)
+    with pytest.raises(ValuesError, match="give a rational rate"):
+        arc.rotation(-sqrt(30))
