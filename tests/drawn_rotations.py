@@ -22,6 +22,13 @@ def drawn(rng, kind):
     With d = omega² I − Q + sigma, b = d k and c = b + omega l. "fold": two rotations of that rate meet, Σ
     k²/d = 0. "level": two rotations meet on their level of C1, (y·dy)/J = k·adj(d)k, y = v × k.
     """
+    found = _drawn(rng, kind)
+    moments, _, c, Q, *_ = found
+    field = any(c) or any(map(any, Q))
+    return found if field and min(moments) > 0 and len(set(moments)) > 1 else drawn(rng, kind)
+
+
+def _drawn(rng, kind):
     k, sigma, omega = direction(rng), fraction(rng), fraction(rng) or F(1)
     moments, rotor = [F(rng.randint(4, 30), 10) for _ in range(3)], [fraction(rng) / 3 for _ in range(3)]
     Q = NOTHING
@@ -49,7 +56,7 @@ def drawn(rng, kind):
             return moments, rotor, [omega * l for l in rotor], Q, omega, [F(0), F(0), F(1)]
         part = fraction(rng)
         if part * omega == 1:
-            return drawn(rng, kind)
+            return _drawn(rng, kind)
         c = [b / (1 - part * omega) for b in along]
         return moments, [part * x for x in c], c, Q, omega, k
     return moments, rotor, [b + omega * l for b, l in zip(along, rotor)], Q, omega, k

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from .mechanics.vertical import hanging, upright
     from .notation import NOTATION, symbol
     from .printing.article import to_latex
+    from .stability.amended_potential import AmendedPotential, CriticalPoint, amended_potential
     from .stability.analysis import analyze
     from .stability.bifurcations import Bifurcation, bifurcations
     from .stability.branch import Branch
@@ -71,19 +72,19 @@ _Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(
 _Shown.plain = lambda shown: import_module("gyrostat.printing.text").plain(shown)
 
 __all__ = [
-    "__version__", "analyze", "assemble", "augmented_hessian", "axial_potential", "Bifurcation",
-    "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch", "Case", "charts", "Condition",
-    "Continuation", "continuation", "Criterion", "Decision", "energy_sink_criterion", "Equilibrium",
-    "equilibrium", "errors", "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors",
-    "GyrostatArc", "hanging", "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval",
-    "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field",
-    "NOTATION", "orbit_tangent", "own_precision", "permanent_rotation", "PermanentRotation", "plotting",
-    "Potential", "principal_rotation", "published", "reduce", "relative_equilibria", "Report",
-    "RotationContinuation", "Rotor", "second_variation", "SecondVariation", "secular_criterion",
-    "secular_variation", "Solution", "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum",
-    "spectrum", "stabilizing_set", "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic",
-    "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field",
-    "upright", "Verdict",
+    "__version__", "amended_potential", "AmendedPotential", "analyze", "assemble", "augmented_hessian",
+    "axial_potential", "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch",
+    "Case", "charts", "Condition", "Continuation", "continuation", "Criterion", "CriticalPoint", "Decision",
+    "energy_sink_criterion", "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential",
+    "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyRotation", "ideal_fluid", "inclined",
+    "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics",
+    "multipliers", "newtonian_field", "NOTATION", "orbit_tangent", "own_precision", "permanent_rotation",
+    "PermanentRotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
+    "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation", "SecondVariation",
+    "secular_criterion", "secular_variation", "Solution", "solve_condition", "SolvedCondition",
+    "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt", "staude_cone",
+    "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat", "symplectic_slice", "System",
+    "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -99,6 +100,7 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.rotors": "Rotor gyrostat_with_rotors", "mechanics.system": "System assemble",
     "mechanics.tilted": "inclined static_tilt", "mechanics.vertical": "hanging upright",
     "notation": "NOTATION symbol", "printing.article": "to_latex",
+    "stability.amended_potential": "amended_potential AmendedPotential CriticalPoint",
     "stability.analysis": "analyze", "stability.bifurcations": "Bifurcation bifurcations",
     "stability.branch": "Branch",
     "stability.conditions": "Condition Criterion independent",

@@ -38,7 +38,7 @@ REFUSED = {
 ANSWERED = {
     "principal_axes": lambda: gs.mechanics.principal_axes(FREE.body),
     "torque_equations": lambda: gs.mechanics.torque_equations(FREE.body),
-    "amended_potential": lambda: gs.mechanics.amended_potential(HEAVY),
+    "amended_potential": lambda: gs.amended_potential(HEAVY).expression,
     "upright": lambda: gs.upright(HEAVY, spin="omega3_0"), "hanging": lambda: gs.hanging(HEAVY),
     "principal_rotation": lambda: gs.principal_rotation(FREE, 3),
     "permanent_rotation": lambda: gs.analyze(gs.permanent_rotation(gs.assemble(

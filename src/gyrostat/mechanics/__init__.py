@@ -20,11 +20,10 @@ if TYPE_CHECKING:
     from .axes import principal_axes
     from .freebody import momentum_limits, polhode_period, torque_equations
     from .lagrange import angular_momentum, effective_potential, lagrangian, momenta
-    from .levels import amended_potential
     from .precession import FreePrecession, free_precession
     from .reduction import Reduction, expansion
 
-__all__ = ["amended_potential", "angle_rates", "angular_momentum", "angular_velocity",
+__all__ = ["angle_rates", "angular_momentum", "angular_velocity",
            "effective_potential", "expansion", "free_precession", "FreePrecession", "lagrangian", "momenta",
            "momentum_limits", "polhode_period", "principal_axes", "Reduction", "rotation",
            "torque_equations"]
@@ -34,6 +33,5 @@ __getattr__, __dir__ = later(__name__, {
     "axes": "principal_axes",
     "freebody": "momentum_limits polhode_period torque_equations",
     "lagrange": "angular_momentum effective_potential lagrangian momenta",
-    "levels": "amended_potential",
     "precession": "FreePrecession free_precession", "reduction": "Reduction expansion",
 })

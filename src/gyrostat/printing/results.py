@@ -10,6 +10,7 @@ from sympy import Expr, Pow, S, oo, sqrt
 from ..algebra.readable import readable
 from ..mechanics.reduction import Reduction
 from ..notation import symbol
+from ..stability.amended_potential import AmendedPotential, CriticalPoint
 from ..stability.bifurcations import Bifurcation
 from ..stability.boundary import Boundary
 from ..stability.branch import Branch
@@ -23,11 +24,12 @@ from ..stability.permanent_rotations import PermanentRotation
 from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
 from ..stability.staude import StaudeCone
 from ..stability.staude_arcs import StaudeArc
-from .blocks import Block, Display, Word, equations, joined, listed, sentence
+from .blocks import Block, Display, Word, equations, joined, sentence
 from .boundary import ladder, rung_display
 from .conditions import existence
 from .drift import drift_displays
 from .ends import number, tidy
+from .rotations import amended_potential, critical_point, free_rotation, heavy_rotation
 from .staude import arc_blocks, cone_blocks, gyrostat_arc_blocks
 
 # operations under a root, more of which are given a name
@@ -181,19 +183,22 @@ def _branch(branch: Branch) -> list[Block]:
 
 @result_blocks.register
 def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
-    circle = f", and on {rotation.locus}" if rotation.locus else ""
-    verdict = rotation.decision.verdict.name.lower()
-    place = listed(map(number, rotation.momentum))
-    momentum = Word("M", "⟨vector_M⟩")
-    return [sentence("permanent rotation at ", momentum, " = (", *place, f"){circle}: {verdict}")]
+    return free_rotation(rotation)
 
 
 @result_blocks.register
 def _heavy_rotation(rotation: HeavyRotation) -> list[Block]:
-    circle = f", and on {rotation.locus}" if rotation.locus else ""
-    place, k = listed(map(number, rotation.k)), Word("k", "⟨vector_k⟩")
-    return [sentence("permanent rotation at ", k, " = (", *place, "), ", *equations([(symbol("omega"), number(
-        rotation.omega))]), f"{circle}: {rotation.decision.verdict.name.lower()}")]
+    return heavy_rotation(rotation)
+
+
+@result_blocks.register
+def _amended_potential(amended: AmendedPotential) -> list[Block]:
+    return amended_potential(amended)
+
+
+@result_blocks.register
+def _critical_point(point: CriticalPoint) -> list[Block]:
+    return critical_point(point)
 
 
 @result_blocks.register
@@ -239,5 +244,5 @@ def _reduction(motion: Reduction) -> list[Block]:
     return [Display(Word("I₁² k̇₃²", "⟨I1⟩^2 ⟨k3_dot⟩^2"), motion.square())]
 
 
-RESULTS = (Solution, Branch, PermanentRotation, HeavyRotation, Bifurcation, BifurcationPoint, Boundary, Drift,
-           Reduction, StaudeArc, GyrostatArc, StaudeCone)
+RESULTS = (AmendedPotential, CriticalPoint, Solution, Branch, PermanentRotation, HeavyRotation, Bifurcation,
+           BifurcationPoint, Boundary, Drift, Reduction, StaudeArc, GyrostatArc, StaudeCone)

@@ -109,7 +109,7 @@ class HeavyRotation(Shown, Stored):
     @cached_property
     def decision(self) -> Decision:
         """The verdict on the point itself."""
-        trace, determinant, p, discriminant = self._signs
+        trace, determinant, p, discriminant = self.signs
         if determinant == -1:
             return SADDLE
         if determinant == 1 and trace == 1:
@@ -123,7 +123,7 @@ class HeavyRotation(Shown, Stored):
     @cached_property
     def damped(self) -> Decision:
         """The verdict under internal damping."""
-        trace, determinant, *_ = self._signs
+        trace, determinant, *_ = self.signs
         if not (determinant and trace) or not self._reached:
             return Report(self.equilibrium).verdict({}, damped=True)
         growing = 1 if determinant == -1 else 0 if trace == 1 else 2
@@ -131,7 +131,7 @@ class HeavyRotation(Shown, Stored):
         return Decision(Verdict.of(not growing), "secular", (), reason, (), growing=growing)
 
     @cached_property
-    def _signs(self) -> tuple[int | None, ...]:
+    def signs(self) -> tuple[int | None, ...]:
         """Of trace, determinant, p and p² − 4q."""
         with own_precision(PRECISION):
             k = [ball(x, PRECISION) for x in self.k]
