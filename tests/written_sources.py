@@ -25,9 +25,10 @@ scene = "s"
 """
 
 
-def status(tmp_path, scene, quantity, printed, kind="condition", given=""):
+def status(tmp_path, scene, quantity, printed, kind="condition", given="", at="{}"):
     """What check says of one claim in a scene of its own."""
     text = '[source]\nname = "mine"\ntitle = "t"\n[scene.s]\n' + scene + "\n"
     text += CLAIM.format(key="a", quantity=quantity, printed=printed, kind=kind)
+    text += f"at = {at}\n"
     (finding,) = check([written(tmp_path, text + (f'given = "{given}"\n' if given else ""))])
     return finding.status

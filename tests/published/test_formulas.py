@@ -1,5 +1,6 @@
 """Printed numbers against what is derived."""
 import pytest
+from written_sources import status as status_of
 
 from gyrostat.published import check
 
@@ -15,3 +16,11 @@ def test_a_number_rounds_to_the_printed_digits(tmp_path, quantity, printed, stat
                     encoding="utf-8")
     (found,) = check([path])
     assert found.status == status
+
+
+@pytest.mark.parametrize(("quantity", "status"), [
+    ("dt(pi1)", "misprint"), ("bracket(pi1, h)", "misprint"), ("dt(pi1) - entry(field, 1, 1)", "confirmed")])
+def test_a_coordinate_gets_its_value_after_a_derivative(tmp_path, quantity, status):
+    """The rate of pi1 where pi1 is 0 is not 0."""
+    scene = 'potential = "c1*k1 + c3*k3"'
+    assert status_of(tmp_path, scene, quantity, "0", "identity", at='{ pi1 = "0" }') == status

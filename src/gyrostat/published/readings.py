@@ -35,7 +35,10 @@ class Reading:
             for other in (value.free_symbols & self.at.keys()) - {name}:
                 raise PublishedError(f"at gives {name} by {other}, and {other} too: write {name} with the "
                                      f"value of {other} in it")
-        self.names = names(self.scene, self.at) if self.at else bare
+        # where a formula differentiates, a coordinate gets its value afterwards, from finish
+        moving = () if self.scene.equilibrium else self.scene.system.space.coordinates
+        fixed = {name: value for name, value in self.at.items() if name not in moving}
+        self.names = names(self.scene, fixed) if fixed else bare
         self.own = _with_let(self.names, statement.let)
         given = [text for text in (self.scene.table.get("given", ""), statement.given) if text]
         conditions = [condition for text in given for condition in comparisons(text, self.names)]
