@@ -5,6 +5,7 @@ Motions as functions, derivatives by differences. Imports nothing of gyrostat.
 import ast
 
 import mpmath as mp
+import rotating
 from differences import cross, dot, rate
 
 _BINARY = {ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b,
@@ -95,8 +96,8 @@ class Motion(Texts):
         # any, where no formula has them
         plain = Texts({"I1": mp.mpf(1), "I2": mp.mpf(1), "I3": mp.mpf(1), **numbers})
         self.inertia = [plain.value(t, None) for t in table.get("inertia", ["I1", "I2", "I3"])]
-        self.rotor = mp.matrix([plain.value(t, None)
-                                for t in table.get("gyrostatic_momentum", ["0", "0", "0"])])
+        rotor = table.get("gyrostatic_momentum", ["0", "0", "0"])
+        self.rotor, self.turned = mp.matrix([plain.value(t, None) for t in rotor]), set(rotor) != {"0"}
         self.label = table.get("equilibrium", "E" if "point" in table else None)
         self.potential = table.get("potential")
         self.size = 3 if self.potential in (None, "none") else 6
@@ -172,7 +173,11 @@ class Motion(Texts):
                   "G": lambda: self._linear("G", x),
                   "jacobian": lambda: self.jacobian(x), "B": lambda: self.tensor(x),
                   "nu1": lambda: self._multipliers(x)[0],
-                  "nu2": lambda: self._multipliers(x)[1]}
+                  "nu2": lambda: self._multipliers(x)[1],
+                  "staude_cone": lambda: rotating.cone(self, x)[0],
+                  "staude_rate": lambda: rotating.cone(self, x)[1],
+                  "amended_trace": lambda: rotating.form(self, x)[0],
+                  "amended_determinant": lambda: rotating.form(self, x)[1]}
         if name in simple:
             return simple[name]()
         axis = int((self.label or "E")[-1].replace("E", "1"))

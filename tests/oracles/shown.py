@@ -9,6 +9,7 @@ import mpmath as mp
 import oracle
 import refuted
 import reread
+import rotating
 import turned
 
 
@@ -169,7 +170,7 @@ def _fails(statement, scene, v, own):
     if not _is_body(scene, v):
         return False
     if claim.endswith("Casimirs alone"):
-        sign = _form(scene, v)
+        sign = _in_field(scene, v, rotating.definite) if "k1" in scene["potential"] else _form(scene, v)
         return None if sign is None else compared(printed, own) and sign != 1
     if claim.endswith("internal damping"):
         return compared(printed, own) and damped.least(scene, scene_of(scene)[1], v) == -1
@@ -186,11 +187,18 @@ def _fails(statement, scene, v, own):
 
 def _stability(scene, v):
     """1 proved stable, -1 proved unstable, 0 neither."""
+    if "k1" in scene.get("potential", ""):
+        return _in_field(scene, v, rotating.stability)
     if "point" in scene:                                   # of a free body
         return damped.stability(scene, v)
-    if "k1" in scene.get("potential", ""):
-        return _triaxial(scene, v)
     return refuted.stability(scene_of(scene), v)[0]
+
+
+def _in_field(scene, v, what):
+    """What is true of a rotation in a field."""
+    with mp.workdps(40):
+        return what(reread.Motion(scene, {name: mp.mpf(x.numerator) / x.denominator
+                                          for name, x in v.items()}))
 
 
 def _is_body(scene, v):
@@ -222,29 +230,3 @@ def _form(scene, v):
     omega = v["omega3_0"] if "omega3_0" in v else v["pi3_0"] / v["I3"]
     nu1, nu2 = -s * omega, s * (s * omega * (v["I3"] * omega + v.get("l", 0)) - slope)    # ν2 doubled
     return 1 if nu2 / v["I1"] > nu1**2 else -1
-
-
-def _triaxial(scene, v):
-    """At k = (0, 0, 1), U of the second degree in k without products.
-
-    1 definite, -1 an eigenvalue grows, 0 neither.
-    """
-    def U(*k):
-        return refuted.value(scene["potential"], {**v, **dict(zip(("k1", "k2", "k3"), map(Fraction, k)))})
-
-    inertia, omega = [v[f"I{i}"] for i in (1, 2, 3)], v["omega3_0"]
-    bends = [U(1, 0, 1) + U(-1, 0, 1) - 2 * U(0, 0, 1), U(0, 1, 1) + U(0, -1, 1) - 2 * U(0, 0, 1)]
-    slope = (U(0, 0, 2) - U(0, 0, 0)) / 2
-    M = inertia[2] * omega + v.get("l", 0)
-    excess = [(omega * M - slope + bend) / moment - omega**2 for bend, moment in zip(bends, inertia)]
-    if min(excess) > 0:
-        return 1
-    rotor = oracle.exact([0, 0, v.get("l", 0)])
-    mid = (U(0, 0, 2) + U(0, 0, 0) - 2 * U(0, 0, 1))
-
-    def gradient(k):
-        return oracle.exact([bends[0] * k[0], bends[1] * k[1], slope + mid * (k[2] - 1)])
-
-    x = oracle.exact([0, 0, inertia[2] * omega, 0, 0, 1])
-    field = lambda x: oracle.field(x, oracle.exact(inertia), rotor, gradient)    # noqa: E731
-    return -1 if oracle.growth(field, x) else 0

@@ -32,8 +32,9 @@ class Model:
         self.label = "E" if self.claimed else scene.table.get("equilibrium")
         self.spins = scene.body.is_of_revolution() and scene.potential is not None and scene.potential.axial
         self.coordinates = [*PI, *K] if scene.potential else [*PI]
-        self.k3 = {"E1": Integer(1), "E2": Integer(-1)}.get(str(self.label),
-                                                            self.values.get(K[2], Integer(0)))
+        k3 = (self.claimed[5].subs(self.values) if len(self.claimed) == 6
+              else self.values.get(K[2], Integer(0)))
+        self.k3 = {"E1": Integer(1), "E2": Integer(-1)}.get(str(self.label), k3)
         self.U = self._potential(scene) if scene.potential else Integer(0)
         self.point = self._point() if self.label else [x.subs(self.values) for x in self.coordinates]
         rates = self.field.subs(dict(zip(self.coordinates, self.point))) if self.label else ()
@@ -139,7 +140,7 @@ class Model:
         if not self.spins:
             return 1, ("the energy, on the level set of the Casimirs, has a strict extremum there: Lyapunov "
                        "stable")
-        if self.label in ("E1", "E2"):
+        if self.is_at_pole:
             return 1, "the level set of all integrals there is the point alone: Lyapunov stable"
         return 1, ("the level set of all integrals there is the orbit of the point under the spin: Lyapunov "
                    "stable, modulo the spin")
@@ -164,13 +165,17 @@ class Model:
         if not self.spins:
             return int(self.is_definite() is True)
         power, slope = self._leading()
-        pole = self.label in ("E1", "E2")
         # with a little more energy, or less momentum, k3 moves away
         if power == 0:
             return -1
         if slope == 0:
             return 0
-        return -1 if slope > 0 or not pole and power % 2 else 1
+        return -1 if slope > 0 or not self.is_at_pole and power % 2 else 1
+
+    @property
+    def is_at_pole(self) -> bool:
+        """Whether k is along the axis of a body of revolution."""
+        return self.label in ("E1", "E2") or bool(self.claimed) and self.k3**2 == 1
 
     def _on_sphere(self) -> int:
         signs = self.signs_on_sphere()                     # none where the sphere is a point
@@ -193,7 +198,7 @@ class Model:
         energy = (sum(p**2 / moment for p, moment in zip(PI[:2], self.inertia)) / 2 + self.U).subs(at)
         momentum, total = M.dot(K).subs(at), M[2].subs(at)
         g = 2 * self.inertia[0] * (energy - self.U.subs(K[2], z)) * (1 - z**2) - (momentum - total * z) ** 2
-        shifted = g.subs(z, self.k3 * (1 - x) if self.label in ("E1", "E2") else self.k3 + x).expand()
+        shifted = g.subs(z, self.k3 * (1 - x) if self.is_at_pole else self.k3 + x).expand()
         if shifted == 0:
             return 0, 0
         for power in range(2, 7):                          # g and its slope vanish at an equilibrium

@@ -37,7 +37,7 @@ def _is_least_at_its_height(model: Model) -> bool | None:
     along = (PI + model.rotor).dot(K).subs(at) - model.rotor[2] * z
     inertia = model.inertia[0] * (1 - z**2) + model.inertia[2] * z**2
     excess = 2 * inertia * (model.U.subs(K[2], z) - energy) + along**2
-    pole = model.label in ("E1", "E2")
+    pole = model.is_at_pole
     excess = excess.subs(z, model.k3 * (1 - x) if pole else model.k3 + x).expand()
     for power in range(1, 7):
         known = sign_of_constant(excess.diff(x, power).subs(x, 0).expand())

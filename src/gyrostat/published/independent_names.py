@@ -11,6 +11,7 @@ from sympy import Expr, Float, Integer, Matrix, MatrixBase, Rational, Symbol, di
 from ..notation import jet, symbol
 from .independent import DIGITS, PI, K, Model, Values
 from .independent_kinematics import turning
+from .independent_rotations import amended_names, cone_names
 from .kinematics import Later
 from .names import FUNCTIONS, Names
 from .scenes import Scene
@@ -22,7 +23,7 @@ def names(scene: Scene, values: Values) -> Names:
     Functions of the motion differentiate along the field of Newton and Euler.
     """
     return Names(_functions() | (turning(scene, values) if "angles" in scene.table
-                                 else _moving(Model(scene, values))), {})
+                                 else _moving(Model(scene, values), scene)), {})
 
 
 def _functions() -> dict[str, Callable[..., Any]]:
@@ -32,7 +33,7 @@ def _functions() -> dict[str, Callable[..., Any]]:
             **{name: (lambda u, m, i=i: _jacobi(u, m)[i]) for i, name in enumerate(("sn", "cn", "dn"))}}
 
 
-def _moving(model: Model) -> dict[str, Any]:
+def _moving(model: Model, scene: Scene) -> dict[str, Any]:
     x, field = model.coordinates, model.field
     h = sum(p**2 / moment for p, moment in zip(PI, model.inertia)) / 2 + model.U
     named: dict[str, Any] = {str(s): v for s, v in model.values.items() if s not in x and not jet(s.name)}
@@ -47,6 +48,8 @@ def _moving(model: Model) -> dict[str, Any]:
         slope = model.U.diff(K[2])
         named |= {"dU": slope, "d2U": slope.diff(K[2]), "d3U": slope.diff(K[2], 2)}
         named |= {f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}
+        if not model.label:
+            named |= cone_names(model, any(scene.body.gyrostatic_momentum))
     if model.label:
         place = dict(zip(x, model.point))
         for name, value in named.items():
@@ -65,6 +68,8 @@ def _moving(model: Model) -> dict[str, Any]:
         if len(x) == 6 and all(e.is_Rational for e in model.point):
             named |= {f"nu{n + 1}": Later(lambda n=n: model.multipliers[n])  # type: ignore[misc]
                       for n in (0, 1)}
+        if len(x) == 6:
+            named |= amended_names(model)
         return named | ({"p": Later(lambda: model.polynomial.coeff(lamda, 2))} if len(x) == 6 else {})
 
     def along(direction: Matrix) -> Callable[[Any], Any]:

@@ -16,6 +16,7 @@ from ..stability.energy_casimir import multipliers
 from ..stability.linearization import linearize
 from .jacobi import cn, dn, sn
 from .kinematics import Later, turning
+from .rotations import amended_names, cone_names
 from .scenes import Scene
 
 
@@ -118,6 +119,8 @@ def _phase_space(scene: Scene) -> dict[str, Any]:
         place = dict(zip(coordinates, scene.point))
         return {name: value.xreplace(place)
                 for name, value in found.items()} | _at_equilibrium(scene.equilibrium, place)
+    if potential:
+        found |= cone_names(system)
     delta = ImmutableMatrix([symbol(f"delta_{x}") for x in coordinates])
     return found | {
         "delta_pi": ImmutableMatrix(delta[:3]), "delta_k": ImmutableMatrix(delta[3:]),
@@ -138,5 +141,5 @@ def _at_equilibrium(eq: Equilibrium, place: Mapping[Symbol, Expr]) -> dict[str, 
     if eq.system.potential:
         nu = {f"nu{n + 1}": Later(lambda n=n: multipliers(eq, eq.system.space.casimirs)[n])  # type: ignore[misc]
               for n in (0, 1)}
-        found |= {"p": Later(lambda: linearize(eq).coefficients[0]), **nu}
+        found |= {"p": Later(lambda: linearize(eq).coefficients[0]), **nu, **amended_names(eq)}
     return found

@@ -20,7 +20,7 @@ from ..notation import jet, symbol
 class Scene(SceneTable):
     """One [scene.NAME] table: a body, a field, perhaps an equilibrium or Euler angles.
 
-    A state, values, and a point in a field are for the command line, no formula is about them.
+    A state and values are for the command line, no formula is about them.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class Scene(SceneTable):
 
     @cached_property
     def equilibrium(self) -> Equilibrium | None:
-        """Of the family that the table asks for, or the point of a free body."""
+        """Of the family that the table asks for, or its point."""
         if self.claimed:
             return equilibrium(self.system, self.claimed)
         spin, eliminated = self.table.get("spin", "pi3_0"), self.table.get("eliminate")
@@ -38,8 +38,8 @@ class Scene(SceneTable):
 
     @cached_property
     def claimed(self) -> tuple[Expr, ...]:
-        """The point of a free body that its formulas are about; () without one."""
-        return () if self.potential else tuple(map(parse, self.table.get("point", ())))
+        """The point that its formulas are about; () without one."""
+        return tuple(map(parse, self.table.get("point", ())))
 
     @property
     def point(self) -> tuple[Expr, ...]:
