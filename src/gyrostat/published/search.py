@@ -128,10 +128,13 @@ def _where_zero(r: Reading, margin: Expr) -> Iterator[Values]:
     The curvature of an unspecified U is drawn too.
     """
     yield from _at_rest(r, margin)
+    slopes = {s: margin.diff(s) for s in sorted(margin.free_symbols - {*K}, key=str)}
+    affine = {s: slope for s, slope in slopes.items() if not slope.has(s)}
+    if not affine:
+        return
     for values in r.points([margin, *([symbol("d2U")] if margin.has(symbol("dU")) else [])]):
-        for s in sorted(margin.free_symbols, key=str):
-            slope = margin.diff(s)
-            if slope.subs(values) and not slope.has(s) and s not in K:
+        for s, slope in affine.items():
+            if slope.subs(values):
                 on = values | {s: (s - margin / slope).subs(values)}
                 if _admissible(r, on):
                     yield on | _flat(r, on)
