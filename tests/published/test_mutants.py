@@ -61,6 +61,11 @@ MUTANTS = [
     ("literature", "tilt-lost", {"printed": "unstable"}),
     ("literature", "L6-damped", {"printed": "l + (I3 - I1)*omega3_0 > 0 and l + (I3 - I2)*omega3_0 >= 0"}),
     ("literature", "sleeping-prolate", {"at": {}}),
+    ("literature", "Kharlamov-curve", {"printed": "m0*(m0*B**2 + A*D)"}),
+    ("literature", "A2-stable", {"printed": "unstable"}),
+    ("literature", "A2-s", {"printed": "1.70209339777"}),
+    ("literature", "planar-stable", {"printed": "N > 0"}),
+    ("literature", "A3", {"printed": "S > 0"}),
     ("EA", "three-rotations", {"printed": ["-sin(theta)*cos(psi)", "sin(theta)*cos(psi)", "cos(theta)"]}),
     ("VV2003", "influence", {"at": {"l": "I1*dU - pi3_0"}}),
 ]
