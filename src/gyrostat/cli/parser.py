@@ -165,7 +165,8 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     scene_file(rotors)
     _numbers(rotors, "I1, I2, I3 and one of l1, l2, l3; the others are the axes")
     rotors.add_argument("--momentum", metavar="M", required=True, help="|M|")
-    _scene(staude, "I1, I2, I3, l or l1, l2, l3, and the names in U", "of degree 1 in k1, k2, k3; it is required")
+    _scene(staude, "I1, I2, I3, l or l1, l2, l3, and the names in U",
+           "of degree 1 in k1, k2, k3; it is required")
     _scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")
     _scene(eigenvalues, "all names in the spectrum but the axis")
     _equilibrium(eigenvalues, "left out: of a free body axis 3")

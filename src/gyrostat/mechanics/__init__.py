@@ -6,10 +6,10 @@ equations of motion and the integrals (`system`). `equilibria`, `claimed` ones t
 built, and what is asked of them is derived `once`; those with a name are `families`, each a `family`
 (`vertical`, `tilted`, `principal`, `permanent_rotation`, about one of the `directions`), `relations` tie the
 names in them. At each the coadjoint orbit has a tangent space, in it the symplectic slice (`orbit`), all in
-one ring (`derivation`). A body of revolution has one degree of freedom (`reduction`), any other the amended
-potential on the `levels` of C1; which scene is one, about which axis, is proved (`spherical`, `recognition`,
-`standard`). A tensor is turned into principal `axes`. Euler's angles are in `attitude`, the Lagrangian in
-them in `lagrange`, the classical formulas in `freebody` and `precession`.
+one ring (`derivation`). A body of revolution has one degree of freedom (`reduction`); which scene is one,
+about which axis, is proved (`spherical`, `recognition`, `standard`). A tensor is turned into principal
+`axes`. Euler's angles are in `attitude`, the Lagrangian in them in `lagrange`, the classical formulas in
+`freebody` and `precession`.
 """
 from typing import TYPE_CHECKING
 

@@ -7,11 +7,11 @@ from sympy import Expr, Matrix, S, eye
 from ..algebra.polynomials import lowest_terms
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.levels import amended_potential
 from ..mechanics.potential import DIRECTIONS
 from ..mechanics.system import System
 from ..notation import symbol
 from ..stability.amended_form import adjugate, dot
+from ..stability.amended_potential import amended_potential
 from ..stability.staude import staude_cone
 from .kinematics import Later
 
@@ -40,7 +40,7 @@ class _Curved:
         """Of U by its jet, of the rest of U_c by derivatives at constant C1."""
         system = self.eq.system
         assert system.potential is not None
-        twist = amended_potential(system) - system.potential.expression
+        twist = amended_potential(system).expression - system.potential.expression
         slopes = Matrix([U + twist.diff(x) for U, x in zip(system.potential.gradient(), DIRECTIONS)])
         bent = Matrix([[(system.potential.following(d)[j] if d else S.Zero) + twist.diff(x, y)
                         for j, y in enumerate(DIRECTIONS)]
