@@ -18,7 +18,9 @@ from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.potential import DIRECTIONS
 from ..notation import jet_name, symbol
+from .decision import Finding, settled
 
+ALONG = "where the second variation vanishes"
 HIGHEST = 16                                           # degree up to which the expansion goes
 X, Y, SIZE = Dummy("x", real=True), Dummy("y", real=True), Dummy("size", real=True)
 
@@ -93,36 +95,33 @@ class Amended:
         return [{}, *(_form(ring.quotient(part, bottoms[0] ** (n + 1)))
                       for n, part in enumerate(parts) if n > 0)]
 
-    def decide(self) -> tuple[bool | None, str]:
-        """Whether the equilibrium is stable where the second variation is degenerate, None if that is not
-        elementary; and why.
+    def decide(self, oscillates: bool) -> Finding:
+        """Whether the equilibrium is stable where the second variation is degenerate, None: not known.
+
+        Parameters
+        ----------
+        oscillates : bool
+            p > 0: beside the eigenvalue 0 there are imaginary ones
         """
         values, which = self.leading()
         if values is None:
-            return None, which
+            return settled(None, which)
         if values == {1}:
-            return (
-                True,
-                f"the amended potential has a strict minimum, its leading form, {which}, is positive "
-                "(Lagrange-Dirichlet)",
-            )
+            return settled(True, f"the amended potential has a strict minimum, its leading form, {which}, is "
+                           "positive (Lagrange-Dirichlet)")
+        said = f"the leading form of the amended potential, {which}, "
+        if values == {-1} and ALONG in which and oscillates:
+            return settled(True, f"{said}is negative as the second variation is: a strict maximum, held by "
+                           "gyroscopic forces (Sokolskii)", "Lyapunov on its level of C1")
         if -1 not in values:
-            return (
-                None,
-                f"the leading form of the amended potential, {which}, is positive or 0: whether it has a "
-                "minimum is not elementary",
-            )
+            return settled(None, f"{said}is positive or 0: whether it has a minimum is not elementary")
         if self.natural:
-            return (
-                False,
-                f"at rest with l = 0 the leading form of the potential, {which}, takes negative values "
-                "(Chetaev)",
-            )
-        return (
-            None,
-            f"the leading form of the amended potential, {which}, takes negative values: gyroscopic forces "
-            "may hold the motion",
-        )
+            return settled(False, f"at rest with l = 0 the leading form of the potential, {which}, takes "
+                           "negative values (Chetaev)")
+        if ALONG in which and oscillates:
+            return settled(False, f"{said}is not of the sign of the second variation: a motion leaves "
+                           "(Sokolskii)")
+        return settled(None, f"{said}takes negative values: gyroscopic forces may hold the motion")
 
     def leading(self) -> tuple[set[int] | None, str]:
         """The signs that the leading form takes, and which form it is; None, and why, if they are not proved.
@@ -150,11 +149,12 @@ class Amended:
         if first == 0:
             return None, ""
         values = values_of(forms[first], first)
-        if first > 2 or values != {0, 1}:
+        if first > 2 or values not in ({0, 1}, {0, -1}):
             return values, f"of degree {first}"
         for n, coefficient in enumerate(valley(forms), 3):
             if (sign := proved_sign(coefficient)) != 0:
-                return {-1, 1} if n % 2 else {sign}, f"of degree {n} where the second variation vanishes"
+                steady = n % 2 == 0 and {sign} < values    # of the sign of the second variation
+                return {sign} if steady else {-1, 1}, f"of degree {n} {ALONG}"
         return None, ""
 
     def _slopes(self, degree: int) -> dict[tuple[int, ...], Expr]:

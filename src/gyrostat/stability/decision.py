@@ -2,7 +2,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from sympy import Expr, Symbol
 
@@ -81,8 +81,21 @@ class Decision(Shown, Stored):
     names: tuple[str, ...] = ()
 
 
+class Finding(NamedTuple):
+    """Whether an equilibrium is stable, None if that is not proved; the notion, "" then; and why."""
+
+    stable: bool | None
+    notion: str
+    why: str
+
+
+def settled(stable: bool | None, why: str, notion: str = "Lyapunov") -> Finding:
+    """What is proved, of a notion."""
+    return Finding(stable, "" if stable is None else notion, why)
+
+
 class Decider(Protocol):
-    """What decides an equilibrium where its criteria do not: Boundary, MomentumSphere, Drift, Elementary."""
+    """What decides an equilibrium where its criteria do not: Boundary, MomentumSphere, Drift."""
 
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
         """Whether it is stable at exact numbers, None if that is not proved, and why.

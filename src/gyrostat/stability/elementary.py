@@ -9,10 +9,15 @@ from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .amended import Amended
+from .decision import Finding, settled
 from .linearization import Linearization
+from .local_motion import local_motion
 from .sphere import extremum_at
 from .torquefree import torque_free
 from .values import names_in
+from .windows import decide_window
+
+DEGREE = 4                                                 # of U, where only its derivatives are given
 
 
 @dataclass(frozen=True)
@@ -37,16 +42,30 @@ class Elementary:
         determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
         return determinant, names_in([determinant])
 
-    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
-        """Whether it is stable between the two criteria, None if that is not elementary; and why."""
+    def decide(self, numbers: Mapping[Symbol, Expr]) -> Finding:
+        """Whether it is stable between the two criteria, None if that is not known; the notion, and why."""
         eq, (determinant, names) = self.equilibrium, self._determinant
         if missing := [name for name in names if symbol(name) not in numbers]:
-            return None, f"the point lies between the two criteria; give {', '.join(missing)} to decide"
-        if sign(determinant, numbers) != 0:
-            return None, "the point lies between the two criteria"
+            return settled(None, "the point lies between the two criteria; give "
+                           f"{', '.join(missing)} to decide")
         if eq.system.potential is None:
             found, why = extremum_at(eq, numbers)
-            return (None if found is None else found != 0), why
+            return settled(None if found is None else found != 0, why)
+        if sign(determinant, numbers) != 0:
+            return self._window(numbers)
         if torqueless := torque_free(eq, numbers):
-            return torqueless.decide(self.free)
-        return Amended(eq, numbers).decide()
+            return settled(*torqueless.decide(self.free))
+        return Amended(eq, numbers).decide(self._oscillates(numbers))
+
+    def _oscillates(self, numbers: Mapping[Symbol, Expr]) -> bool:
+        """Whether p > 0: beside the eigenvalue 0 there are imaginary ones."""
+        p = self.equilibrium.insert(self.linearization.coefficients[0])
+        return sign(p, numbers) == 1
+
+    def _window(self, numbers: Mapping[Symbol, Expr]) -> Finding:
+        """Where gyroscopic forces hold a maximum of the amended potential."""
+        motion = local_motion(self.equilibrium, numbers, DEGREE)
+        if isinstance(motion, list):
+            return settled(None, "the amended potential has a maximum, held by gyroscopic forces; give "
+                              f"{', '.join(motion)} to decide")
+        return decide_window(motion)

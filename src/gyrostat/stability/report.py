@@ -16,7 +16,7 @@ from ..shown import Shown
 from .boundary import Boundary, boundary_of
 from .conditions import Criterion, independent, sources
 from .criteria import formal_criterion, spectral_criterion
-from .decision import Between, Decider, Decision, Verdict
+from .decision import Between, Decider, Decision, Verdict, settled
 from .drift import Drift
 from .elementary import Elementary
 from .energy_casimir import SecondVariation, second_variation
@@ -231,10 +231,10 @@ class Report(Shown, Stored):
             return stable, notion, known.worded(why), known.modulo
         if None in (sufficient, necessary):
             return None, "", "a margin has no proved sign", modulo
-        decider: Decider = self.between or self._elementary
-        stable, why = decider.decide(numbers, margins)
-        why = self.recognised.worded(why) if self.recognised else why
-        return stable, "" if stable is None else "Lyapunov", why, modulo
+        decider: Decider | None = self.between
+        stable, notion, why = (settled(*decider.decide(numbers, margins)) if decider
+                               else self._elementary.decide(numbers))
+        return stable, notion, self.recognised.worded(why) if self.recognised else why, modulo
 
     @cached_property
     def _elementary(self) -> Elementary:

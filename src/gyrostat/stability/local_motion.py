@@ -1,0 +1,128 @@
+"""The motion near an equilibrium of a body in a field, at exact numbers: two degrees of freedom."""
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from math import factorial
+from typing import Any
+
+from flint import acb, fmpq
+from sympy import Add, Expr, Mul, Rational, Symbol
+
+from ..algebra.balls import ball
+from ..algebra.exact import Point, evaluate
+from ..algebra.series import Part, Series, composed
+from ..kept import cached_property
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.once import once
+from ..mechanics.potential import DIRECTIONS
+from ..notation import jet, jet_name, symbol
+from .birkhoff import Modes, linear_motion, modes
+from .linearization import linearize
+from .orbit_chart import energy_on_orbit
+
+Number = Callable[[Expr], Any]
+
+
+@dataclass(frozen=True)
+class LocalMotion:
+    """What a body in a field is near an equilibrium on its coadjoint orbit; every number is exact.
+
+    Parameters
+    ----------
+    inverse : tuple of tuple of Expr, shape (3, 3)
+        of the tensor of inertia [1/(M L²)]
+    rotor, k, momentum : tuple of Expr, shape (3,)
+        l and M = π + l [M L²/T], and the direction
+    potential : Expr
+        U in k1, k2, k3; where only its derivatives are given, the polynomial of them
+    p, q : Expr
+        of λ⁴ + p λ² + q [1/T², 1/T⁴]
+    """
+
+    inverse: tuple[tuple[Expr, ...], ...]
+    rotor: tuple[Expr, ...]
+    k: tuple[Expr, ...]
+    momentum: tuple[Expr, ...]
+    potential: Expr
+    p: Expr
+    q: Expr
+
+    @cached_property
+    def rational(self) -> bool:
+        """Whether every number is, and U is a fraction of polynomials with rational coefficients."""
+        numbers = [*(x for row in self.inverse for x in row), *self.rotor, *self.k, *self.momentum]
+        return (all(isinstance(x, Rational) for x in numbers)
+                and all(isinstance(x, Rational | Symbol) for x in self.potential.atoms())
+                and bool(self.potential.is_rational_function(*DIRECTIONS)))
+
+    def energy(self, degree: int, number: Number) -> list[Part]:
+        """h on the orbit in canonical coordinates, homogeneous parts up to a degree, in a ring of numbers."""
+        upright = min(range(3), key=lambda n: abs(float(ball(self.k[n], 64).mid())))
+
+        def potential(places: Sequence[Series]) -> Series:
+            return composed(self.potential, dict(zip(DIRECTIONS, places)), number)
+
+        inverse = [[number(x) for x in row] for row in self.inverse]
+        rotor, k, momentum = ([number(x) for x in vector] for vector in (self.rotor, self.k, self.momentum))
+        return energy_on_orbit(inverse, rotor, k, momentum, potential, upright, degree)
+
+    def in_balls(self, degree: int, precision: int) -> tuple[list[Part], Modes]:
+        """The energy and the modes, each with a positive norm: h = Σ ω_j I_j + …, ω_j of either sign.
+
+        Inside own_precision.
+        """
+        parts = self.energy(degree, lambda x: ball(x, precision))
+        p, q = ball(self.p, precision), ball(self.q, precision)
+        root = (p**2 - 4 * q).sqrt()
+        squares = (p + root) / 2, 2 * q / (p + root)
+        found = modes(linear_motion(parts[2]), p, (acb(0, squares[0].sqrt()), acb(0, squares[1].sqrt())))
+        return parts, found.oriented()
+
+
+def fraction(x: Expr) -> fmpq:
+    """A rational number in the ring of fractions."""
+    return fmpq(int(x.p), int(x.q))
+
+
+def local_motion(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -> LocalMotion | list[str]:
+    """At an equilibrium of a body in a field, k ≠ 0; or the derivatives of U to a degree that are missing."""
+    potential = eq.system.potential
+    assert potential is not None
+    known = Point({**numbers, **{name: evaluate(eq.insert(value), numbers) for name, value in eq.relations
+                                 if not jet(name.name)}})
+    inverse, rotor, point, coefficients = _data(eq)
+    tensor = [evaluate(x, known) for x in inverse]
+    pi, k = ([evaluate(x, known) for x in point[n:n + 3]] for n in (0, 3))
+    l = [evaluate(x, known) for x in rotor]
+    if potential.given:
+        parameters = {s: known[s] for s in potential.parameters}
+        U = potential.expression.xreplace(parameters)
+    else:
+        slopes = {orders: evaluate(slope, known) for orders, slope in _slopes(eq, degree).items()}
+        if missing := sorted({s.name for slope in slopes.values() for s in slope.free_symbols}):
+            return missing
+        U = Add(*(slope * Mul(*((x - x0) ** n / factorial(n) for x, x0, n in zip(DIRECTIONS, k, orders)))
+                  for orders, slope in slopes.items()))
+    p, q = (evaluate(c, known) for c in coefficients)
+    return LocalMotion(tuple(tuple(tensor[3 * i:3 * i + 3]) for i in range(3)), tuple(l), tuple(k),
+                       tuple(x + y for x, y in zip(pi, l)), U, p, q)
+
+
+@once
+def _data(eq: Equilibrium) -> tuple[list[Expr], list[Expr], list[Expr], list[Expr]]:
+    """The inverse of the tensor, the rotor, the point, p and q, on the family."""
+    body = eq.system.body
+    return ([eq.insert(x) for x in body.inverse], [eq.insert(x) for x in body.gyrostatic_momentum],
+            [eq.insert(x) for x in eq.point], [eq.insert(c) for c in linearize(eq).frequency_coefficients])
+
+
+def _slopes(eq: Equilibrium, degree: int) -> dict[tuple[int, ...], Expr]:
+    """The derivatives of U at the point by how often each of k1, k2, k3 is differentiated, on the family."""
+    potential = eq.system.potential
+    axial = potential is not None and potential.axial
+    found: dict[tuple[int, ...], Expr] = {}
+    for order in range(1, degree + 1):
+        for orders in ((a, b, order - a - b) for a in range(order + 1) for b in range(order + 1 - a)):
+            if not axial or orders[2] == order:
+                axes = "" if axial else "".join(axis * n for axis, n in zip("123", orders))
+                found[orders] = eq.insert(eq.at_point(symbol(jet_name(order, axes))))
+    return found

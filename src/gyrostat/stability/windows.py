@@ -1,0 +1,99 @@
+"""What decides where gyroscopic forces hold a maximum of the amended potential: Arnold's theorem."""
+from collections.abc import Callable
+from math import gcd
+
+from flint import fmpq
+from sympy import Expr
+
+from ..algebra.eigenvalues import eigenvalues_of
+from ..algebra.exact import evaluate, sign_of_constant
+from ..algebra.precision import own_precision
+from .birkhoff import Modes, linear_motion, modes, normalised, twist
+from .decision import Finding, settled
+from .local_motion import LocalMotion, fraction
+from .resonances import (
+    PRECISIONS,
+    decimals,
+    fourth_order_resonance,
+    real,
+    second_order_resonance,
+    sign_of,
+    third_order_resonance,
+)
+
+NOTION = "Lyapunov (Arnold-Moser)"
+LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Finding]] = {
+    (1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3): fourth_order_resonance}
+
+
+def resonance_margin(p: Expr, q: Expr, first: int, second: int) -> Expr:
+    """(m n)² p² − (m² + n²)² q, which is 0 where the frequencies are as m to n [1/T⁴]."""
+    return (first * second) ** 2 * p**2 - (first**2 + second**2) ** 2 * q
+
+
+def resonances_up_to(order: int) -> list[tuple[int, int]]:
+    """Pairs m ≤ n without a common factor, m + n at most the order."""
+    return [(m, n) for total in range(2, order + 1) for m in range(1, total // 2 + 1)
+            for n in (total - m,) if gcd(m, n) == 1]
+
+
+def decide_window(motion: LocalMotion) -> Finding:
+    """Where the eigenvalues are imaginary, none 0, and the second variation is of both signs.
+
+    Resonances to order 4 are excluded exactly; then D4 ≠ 0 proves stability, and where D4 = 0 and there is
+    none to order 6, D6 ≠ 0.
+
+    References
+    ----------
+    Arnold, Sov. Math. Dokl. 2 (1961) 247-249; Moser, Mem. Am. Math. Soc. 81 (1968); Meyer, Hall & Offin,
+    Introduction to Hamiltonian Dynamical Systems and the N-Body Problem, chapter 13.
+    """
+    for pair in resonances_up_to(4):
+        sign = _resonant(motion, pair)
+        if sign is None:
+            return settled(None, f"whether the frequencies are as {pair[0]} to {pair[1]} is not proved")
+        if sign:
+            return LOWEST[pair](motion)
+    for precision in PRECISIONS:
+        with own_precision(precision):
+            parts, found = motion.in_balls(4, precision)
+            D4 = real(twist(normalised(parts, found)[4], found))
+            if sign_of(D4):
+                return settled(True, f"D4 = {decimals(D4)}, no resonance to order 4, the frequencies "
+                               f"are {signed(found)} (Arnold)", NOTION)
+        if motion.rational and not _twist(motion):
+            break
+    return _sixth_order(motion)
+
+
+def signed(found: Modes) -> str:
+    """The frequencies, each with the sign of its energy."""
+    return ", ".join(decimals(value.imag).replace("-", "−") for value in found.values)
+
+
+def _sixth_order(motion: LocalMotion) -> Finding:
+    """D4 is 0, or nearly: D6 ≠ 0 proves stability whichever of the two does."""
+    for pair in resonances_up_to(6)[len(resonances_up_to(4)):]:
+        if (sign := _resonant(motion, pair)) is not False:
+            what = "is not excluded" if sign is None else "holds"
+            return settled(None, f"D4 = 0, and the resonance {pair[0]}:{pair[1]} {what}")
+    for precision in PRECISIONS:
+        with own_precision(precision):
+            parts, found = motion.in_balls(6, precision)
+            if sign_of(D6 := real(twist(normalised(parts, found)[6], found))):
+                return settled(True, f"D4 = 0, D6 = {decimals(D6)}, no resonance to order 6, the "
+                               f"frequencies are {signed(found)} (Arnold)", NOTION)
+    return settled(None, "D4 and D6 are not proved to differ from 0: terms of higher degree decide")
+
+
+def _twist(motion: LocalMotion) -> fmpq:
+    """D4 at rational numbers, a rational number."""
+    p, q = fraction(motion.p), fraction(motion.q)
+    parts = motion.energy(4, fraction)
+    found = modes(linear_motion(parts[2]), p, eigenvalues_of(p, q))
+    return twist(normalised(parts, found)[4], found).rational()
+
+
+def _resonant(motion: LocalMotion, pair: tuple[int, int]) -> bool | None:
+    sign = sign_of_constant(evaluate(resonance_margin(motion.p, motion.q, *pair), {}))
+    return None if sign is None else sign == 0
