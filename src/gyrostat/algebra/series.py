@@ -23,6 +23,7 @@ class Series:
 
     Examples
     --------
+    >>> from flint import fmpq
     >>> x = variable(0, 2, fmpq(1, 2))
     >>> (x * x).parts
     [{0: 1/4}, {1: 1}, {2: 1}]

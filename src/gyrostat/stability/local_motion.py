@@ -1,6 +1,7 @@
 """The motion near an equilibrium of a body in a field, at exact numbers: two degrees of freedom."""
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from math import factorial
 from typing import Any
 
@@ -84,35 +85,37 @@ def fraction(x: Expr) -> fmpq:
 
 
 def local_motion(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -> LocalMotion | list[str]:
-    """At an equilibrium of a body in a field, k ≠ 0; or the derivatives of U to a degree that are missing."""
+    """At an equilibrium of a body in a field, k ≠ 0; or the names of what is missing.
+
+    Where U is unspecified, of its derivatives up to a degree too.
+    """
     potential = eq.system.potential
     assert potential is not None
     known = Point({**numbers, **{name: evaluate(eq.insert(value), numbers) for name, value in eq.relations
                                  if not jet(name.name)}})
-    inverse, rotor, point, coefficients = _data(eq)
-    tensor = [evaluate(x, known) for x in inverse]
-    pi, k = ([evaluate(x, known) for x in point[n:n + 3]] for n in (0, 3))
-    l = [evaluate(x, known) for x in rotor]
+    slopes = {} if potential.given else _slopes(eq, degree)
+    data = _data(eq)
+    names = {s for e in (*chain(*data), *slopes.values()) for s in e.free_symbols} | set(potential.parameters)
+    if missing := sorted(s.name for s in names - known.keys()):
+        return missing
+    inverse, l, pi, k, (p, q) = ([evaluate(x, known) for x in part] for part in data)
     if potential.given:
-        parameters = {s: known[s] for s in potential.parameters}
-        U = potential.expression.xreplace(parameters)
+        U = potential.expression.xreplace({s: known[s] for s in potential.parameters})
     else:
-        slopes = {orders: evaluate(slope, known) for orders, slope in _slopes(eq, degree).items()}
-        if missing := sorted({s.name for slope in slopes.values() for s in slope.free_symbols}):
-            return missing
-        U = Add(*(slope * Mul(*((x - x0) ** n / factorial(n) for x, x0, n in zip(DIRECTIONS, k, orders)))
+        U = Add(*(evaluate(slope, known) * Mul(*((x - x0) ** n / factorial(n)
+                                                 for x, x0, n in zip(DIRECTIONS, k, orders)))
                   for orders, slope in slopes.items()))
-    p, q = (evaluate(c, known) for c in coefficients)
-    return LocalMotion(tuple(tuple(tensor[3 * i:3 * i + 3]) for i in range(3)), tuple(l), tuple(k),
+    return LocalMotion(tuple(tuple(inverse[3 * i:3 * i + 3]) for i in range(3)), tuple(l), tuple(k),
                        tuple(x + y for x, y in zip(pi, l)), U, p, q)
 
 
 @once
-def _data(eq: Equilibrium) -> tuple[list[Expr], list[Expr], list[Expr], list[Expr]]:
-    """The inverse of the tensor, the rotor, the point, p and q, on the family."""
+def _data(eq: Equilibrium) -> tuple[list[Expr], ...]:
+    """The inverse of the tensor, the rotor, π, k, and p and q, on the family."""
     body = eq.system.body
-    return ([eq.insert(x) for x in body.inverse], [eq.insert(x) for x in body.gyrostatic_momentum],
-            [eq.insert(x) for x in eq.point], [eq.insert(c) for c in linearize(eq).frequency_coefficients])
+    return tuple([eq.insert(x) for x in part] for part in (
+        body.inverse, body.gyrostatic_momentum, eq.point[:3], eq.point[3:],
+        linearize(eq).frequency_coefficients))
 
 
 def _slopes(eq: Equilibrium, degree: int) -> dict[tuple[int, ...], Expr]:

@@ -6,30 +6,24 @@ from typing import Any
 from sympy import Expr
 
 from ..algebra.exact import Point
-from ..errors import require
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
-from ..mechanics.standard import Seen, seen, seen_at
-from ..notation import Stored, symbol
-from ..shown import Shown
-from .boundary import Boundary, boundary_of
-from .conditions import Criterion, independent, sources
-from .criteria import formal_criterion, spectral_criterion
-from .decision import Between, Decider, Decision, Verdict, settled
+from ..mechanics.standard import seen_at
+from ..notation import symbol
+from .conditions import sources
+from .decision import Decider, Decision, Verdict, settled
+from .derived import Derived
 from .drift import Drift
 from .elementary import Elementary
-from .energy_casimir import SecondVariation, second_variation
-from .linearization import Linearization, linearize
+from .normal_form import NormalForm, normal_form
 from .notes import scene_note
-from .secular import Secular, secular_of
-from .sphere import sphere_of
 from .truth import holds
-from .values import exact_values, names_accepted, names_needed
+from .values import exact_values
 
 
 @dataclass(frozen=True, repr=False)
-class Report(Shown, Stored):
+class Report(Derived):
     """The stability analysis of one equilibrium; each part is derived when it is first asked for.
 
     Parameters
@@ -43,87 +37,6 @@ class Report(Shown, Stored):
     >>> report.required
     ('I1', 'l', 'm0', 'pi3_0')
     """
-
-    equilibrium: Equilibrium
-
-    def __post_init__(self) -> None:
-        require(self.equilibrium, Equilibrium, "the equilibrium")
-
-    @cached_property
-    def linearization(self) -> Linearization:
-        """The field on the tangent space of the coadjoint orbit."""
-        return linearize(self.equilibrium)
-
-    @cached_property
-    def second_variation(self) -> SecondVariation:
-        """With the Casimirs and the integrals of the scene."""
-        return second_variation(self.equilibrium)
-
-    @cached_property
-    def necessary(self) -> Criterion:
-        """Spectral criterion, reduced; modulo the flows of the sufficient one: a growing mode leaves them."""
-        if self.recognised:
-            return replace(_kept(self.recognised.equilibrium).necessary, modulo=self.recognised.modulo)
-        return replace(independent(spectral_criterion(self.linearization), self.equilibrium),
-                       modulo=self.second_variation.modulo)
-
-    @cached_property
-    def sufficient(self) -> Criterion:
-        """Formal criterion with the Casimirs and the integrals, reduced to independent conditions."""
-        if self.recognised:
-            return replace(_kept(self.recognised.equilibrium).sufficient, modulo=self.recognised.modulo)
-        return independent(formal_criterion(self.second_variation), self.equilibrium)
-
-    @cached_property
-    def casimirs_only(self) -> Criterion:
-        """Formal criterion with the Casimirs alone, for comparison."""
-        if not self.equilibrium.system.integrals:
-            return self.sufficient
-        return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)),
-                           self.equilibrium)
-
-    @cached_property
-    def damped(self) -> Criterion:
-        """Secular criterion, of positive sign and, unlike casimirs_only, modulo the integrals' flows."""
-        return self.secular.criterion
-
-    @cached_property
-    def secular(self) -> Secular:
-        """What internal damping makes of it."""
-        return secular_of(self.equilibrium)
-
-    @cached_property
-    def boundary(self) -> Boundary | None:
-        """What decides where necessary holds and sufficient does not, for a body of revolution.
-
-        None for other scenes; about another axis than the third, of the equilibrium in the standard scene.
-        """
-        return boundary_of(self.recognised.equilibrium if self.recognised else self.equilibrium)
-
-    @property
-    def between(self) -> Between | None:
-        """What decides between the two criteria: the boundary, of a free body the momentum sphere."""
-        return self.boundary or sphere_of(self.equilibrium)
-
-    @cached_property
-    def recognised(self) -> Seen | None:
-        """The equilibrium in the axes of a body of revolution that is not entered in them, else None."""
-        return seen(self.equilibrium)
-
-    @cached_property
-    def drift(self) -> Drift:
-        """What moves near a tilted equilibrium along its orbit under the spin."""
-        return Drift(self.recognised.equilibrium if self.recognised else self.equilibrium)
-
-    @cached_property
-    def required(self) -> tuple[str, ...]:
-        """Names that a verdict needs."""
-        return names_needed(self.equilibrium, (self.necessary, self.sufficient))
-
-    @cached_property
-    def parameters(self) -> tuple[str, ...]:
-        """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
-        return names_accepted(self.equilibrium, self.required)
 
     def verdict(self, values: Mapping[str, Any], damped: bool = False) -> Decision:
         """The verdict at a point, exact, equality included.
@@ -171,6 +84,45 @@ class Report(Shown, Stored):
         return Decision(Verdict.of(stable), notion, modulo, why, tuple(margins.items()),
                         scene_note(self.equilibrium.system, numbers), growing,
                         sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
+
+    def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
+        """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
+
+        Parameters
+        ----------
+        values : mapping of name to number
+            as in verdict; where U is unspecified, its derivatives up to the degree
+        degree : int
+            4, or 6
+
+        Returns
+        -------
+        NormalForm
+            the signed frequencies, the coefficients of the actions, D4 and D6, the resonances; exact at
+            rational numbers
+
+        Raises
+        ------
+        ValuesError
+            as in verdict
+        ScopeError
+            a free body; an unstable or degenerate equilibrium, or equal frequencies; a resonance of lower
+            degree
+
+        References
+        ----------
+        Birkhoff, Dynamical Systems (1927), chapter III; Arnold, Sov. Math. Dokl. 2 (1961) 247-249, for D4.
+
+        Examples
+        --------
+        >>> import gyrostat as gs
+        >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+        >>> form = report.normal_form({"I1": 1, "I3": 1, "l": 0, "m0": 2, "pi3_0": 3})
+        >>> form.twists, form.resonances
+        ((-17/2,), ())
+        """
+        numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
+        return normal_form(self.equilibrium, numbers, degree)
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
         """The decision on the point itself, where verdict speaks of it modulo a flow.
@@ -244,5 +196,5 @@ class Report(Shown, Stored):
 
 @once
 def _kept(eq: Equilibrium) -> Report:
-    """The report of an equilibrium in the standard axes, derived once."""
+    """The report of an equilibrium in the standard axes, made once."""
     return Report(eq)
