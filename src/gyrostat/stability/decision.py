@@ -61,6 +61,8 @@ class Decision(Shown, Stored):
         under internal damping, the number of growing modes; None where it is not asked for, or not proved
     names : tuple of str
         where there are no integrals, what each margin is of: p, q, p² − 4q, t, s or a minor; "" if none
+    pointwise : bool
+        decided by a normal form: at other numbers where the margins have these signs it may be another
 
     Examples
     --------
@@ -79,19 +81,21 @@ class Decision(Shown, Stored):
     note: str = ""
     growing: int | None = None
     names: tuple[str, ...] = ()
+    pointwise: bool = False
 
 
 class Finding(NamedTuple):
-    """Whether an equilibrium is stable, None if that is not proved; the notion, "" then; and why."""
+    """Whether an equilibrium is stable, None if that is not proved; the notion, "" then; why; and where."""
 
     stable: bool | None
     notion: str
     why: str
+    pointwise: bool = False
 
 
-def settled(stable: bool | None, why: str, notion: str = "Lyapunov") -> Finding:
+def settled(stable: bool | None, why: str, notion: str = "Lyapunov", pointwise: bool = False) -> Finding:
     """What is proved, of a notion."""
-    return Finding(stable, "" if stable is None else notion, why)
+    return Finding(stable, "" if stable is None else notion, why, pointwise)
 
 
 class Decider(Protocol):

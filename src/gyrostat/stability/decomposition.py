@@ -40,7 +40,7 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     for n, (a, b) in enumerate(zip(bounds, bounds[1:])):
         if n:
             cells.append((a, a, stable_at(report, x, a, numbers)))
-        cells.append((a, b, stable_at(report, x, between(a, b), numbers)))
+        cells.append((a, b, stable_at(report, x, between(a, b), numbers, everywhere=True)))
     return cells
 
 
@@ -57,8 +57,12 @@ def _degenerate(report: Report, numbers: Point) -> bool:
     return bool(is_identically_zero(determinant))
 
 
-def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:
-    """Whether the equilibrium exists at a value and is stable there; None where neither is proved."""
+def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point, everywhere: bool = False
+              ) -> bool | None:
+    """Whether the equilibrium exists at a value and is stable there; None where neither is proved.
+
+    Everywhere: between the cuts on both sides too, of which a normal form at the value says nothing.
+    """
     at = Point({**numbers, x: value})
     values = [evaluate(e, at) for e in report.equilibrium.existence()]
     if any(not ball(value, 64).is_finite() or proved_sign(value) != 1 for value in values):
@@ -66,7 +70,9 @@ def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | 
     decision = report.verdict({s.name: number for s, number in at.items()})
     if any(sign_of_constant(margin) is None for _, margin in decision.margins):
         raise ScopeError(f"at {x} = {value} nothing is proved: {decision.reason}")
-    return None if decision.verdict is Verdict.UNDECIDED else decision.verdict is Verdict.STABLE
+    if decision.verdict is Verdict.UNDECIDED or everywhere and decision.pointwise:
+        return None
+    return decision.verdict is Verdict.STABLE
 
 
 def joined(cells: Sequence[Cell], wanted: bool | None = True) -> tuple[Interval, ...]:

@@ -34,7 +34,7 @@ class Elementary:
 
     equilibrium: Equilibrium
     linearization: Linearization
-    free: Callable[[Equilibrium], tuple[bool | None, str]]
+    free: Callable[[Equilibrium], Finding]
 
     @cached_property
     def _determinant(self) -> tuple[Expr, tuple[str, ...]]:
@@ -68,4 +68,4 @@ class Elementary:
         if isinstance(motion, list):
             return settled(None, "the amended potential has a maximum, held by gyroscopic forces; give "
                               f"{', '.join(motion)} to decide")
-        return decide_window(motion)
+        return decide_window(motion)._replace(pointwise=True)

@@ -73,8 +73,8 @@ def normal_form(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) ->
         form = _exact(motion, degree, frequencies) if motion.rational else _enclosed(motion, degree)
     except ZeroDivisionError:
         low = " and ".join(f"{m}:{n}" for m, n in resonant) or "that is not excluded"
-        raise ScopeError(f"{eq.label}: the frequencies are in resonance {low}, and there is no normal form of "
-                         f"degree {degree} in the actions alone") from None
+        raise ScopeError(f"{eq.label}: the frequencies are in resonance {low}, and there is no normal form "
+                         f"of degree {degree} in the actions alone") from None
     return NormalForm(frequencies, *form, resonant)
 
 

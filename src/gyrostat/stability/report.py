@@ -12,7 +12,7 @@ from ..mechanics.once import once
 from ..mechanics.standard import seen_at
 from ..notation import symbol
 from .conditions import sources
-from .decision import Decider, Decision, Verdict, settled
+from .decision import Decider, Decision, Finding, Verdict, settled
 from .derived import Derived
 from .drift import Drift
 from .elementary import Elementary
@@ -75,15 +75,16 @@ class Report(Derived):
         numbers = exact_values(self.equilibrium, values, (secular or self).required, self.parameters)
         margins: dict[Expr, Expr] = {}
         modulo = (self.damped if damped else self.sufficient).modulo
-        stable, notion, why, growing = None, "", numbers.doubt, None
+        found, growing = settled(None, numbers.doubt), None
         if secular and not numbers.doubt:
             stable, why, growing, modulo = secular.decide(numbers, margins)
-            notion = "" if stable is None else "secular"
+            found = settled(stable, why, "secular")
         elif not numbers.doubt:
-            stable, notion, why, modulo = self._decided(numbers, margins)
-        return Decision(Verdict.of(stable), notion, modulo, why, tuple(margins.items()),
+            found, modulo = self._decided(numbers, margins)
+        return Decision(Verdict.of(found.stable), found.notion, modulo, found.why, tuple(margins.items()),
                         scene_note(self.equilibrium.system, numbers), growing,
-                        sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
+                        sources(self.equilibrium, margins, (self.sufficient, self.necessary)),
+                        found.pointwise)
 
     def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
         """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
@@ -165,33 +166,31 @@ class Report(Derived):
         return Decision(Verdict.of(stable), "" if stable is None else "Lyapunov", (), why,
                         tuple(margins.items()), decision.note)
 
-    def _decided(self, numbers: Point, margins: dict[Expr, Expr]
-                 ) -> tuple[bool | None, str, str, tuple[Expr, ...]]:
-        """Whether it is stable, the notion, why, and the integrals whose flow is divided out."""
+    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[Finding, tuple[Expr, ...]]:
+        """What is proved, and the integrals whose flow is divided out."""
         modulo = self.sufficient.modulo
         sufficient = holds(self.sufficient, numbers, margins)
         if sufficient:
-            return True, "Lyapunov", "the second variation is definite on the symplectic slice", modulo
+            return settled(True, "the second variation is definite on the symplectic slice"), modulo
         necessary = holds(self.necessary, numbers, margins)
         if necessary is False:
-            return False, "spectral", "an eigenvalue has a positive real part", modulo
+            return settled(False, "an eigenvalue has a positive real part", "spectral"), modulo
         if known := seen_at(self.equilibrium, numbers):
             standard = _kept(known.equilibrium)
             if missing := ", ".join(name for name in standard.required if symbol(name) not in numbers):
-                return None, "", known.worded(f"give {missing} to decide"), known.modulo
-            stable, notion, why, _ = standard._decided(numbers, margins)
-            return stable, notion, known.worded(why), known.modulo
+                return settled(None, known.worded(f"give {missing} to decide")), known.modulo
+            found, _ = standard._decided(numbers, margins)
+            return found._replace(why=known.worded(found.why)), known.modulo
         if None in (sufficient, necessary):
-            return None, "", "a margin has no proved sign", modulo
+            return settled(None, "a margin has no proved sign"), modulo
         decider: Decider | None = self.between
-        stable, notion, why = (settled(*decider.decide(numbers, margins)) if decider
-                               else self._elementary.decide(numbers))
-        return stable, notion, self.recognised.worded(why) if self.recognised else why, modulo
+        found = settled(*decider.decide(numbers, margins)) if decider else self._elementary.decide(numbers)
+        return found._replace(why=self.recognised.worded(found.why)) if self.recognised else found, modulo
 
     @cached_property
     def _elementary(self) -> Elementary:
         return Elementary(self.equilibrium, self.linearization,
-                          lambda momentum: Report(momentum)._decided(Point({}), {})[::2])
+                          lambda momentum: Report(momentum)._decided(Point({}), {})[0])
 
 
 @once

@@ -14,6 +14,7 @@ from ..mechanics.body import Gyrostat
 from ..mechanics.claimed import equilibrium
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.system import assemble
+from .decision import Finding
 
 A, B = Dummy("a", real=True), Dummy("b", real=True)
 
@@ -45,7 +46,7 @@ class TorqueFree:
     momentum: tuple[Expr, ...]
     direction: tuple[Expr, ...]
 
-    def decide(self, free: Callable[[Equilibrium], tuple[bool | None, str]]) -> tuple[bool | None, str]:
+    def decide(self, free: Callable[[Equilibrium], Finding]) -> tuple[bool | None, str]:
         """Whether it is stable, None if that is not elementary or not proved; and why.
 
         Free decides on so(3)*.
@@ -64,8 +65,8 @@ class TorqueFree:
                 "no torque acts and k is not along M = l: a gyrostat that turns slowly about M carries k "
                 "away",
             )
-        stable, why = free(equilibrium(assemble(self.body), self.momentum))
-        return stable, f"no torque acts, k is along M, and M is that of a free gyrostat: {why}"
+        found = free(equilibrium(assemble(self.body), self.momentum))
+        return found.stable, f"no torque acts, k is along M, and M is that of a free gyrostat: {found.why}"
 
 
 def torque_free(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> TorqueFree | None:
