@@ -166,7 +166,7 @@ def test_a_pitchfork_of_a_turning_body_is_stable_where_the_amended_potential_has
     fourth = m0 * z2 + b + (n2 - n1 * r + n0 * r**2) / (2 * I3)
     assert m0 * Fraction(-1, 2) + (n1 - n0 * r) / (2 * I3) == 0
     if fourth:
-        assert decision.verdict.name == ("STABLE" if fourth > 0 else "UNDECIDED"), (decision, fourth)
+        assert decision.verdict.name == ("STABLE" if fourth > 0 else "UNSTABLE"), (decision, fourth)
 
 
 def escapes(U_slope, inertia, small, time):

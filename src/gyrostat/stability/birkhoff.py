@@ -60,6 +60,13 @@ def linear_motion(quadratic: Part) -> Rows:
     return [S[1], [-x for x in S[0]], S[3], [-x for x in S[2]]]
 
 
+def characteristic(A: Rows) -> tuple[Any, Any]:
+    """p and q of det(λ − A) = λ⁴ + p λ² + q."""
+    square = multiplied(A, A)
+    p = sum(square[n][n] for n in range(4)) / -2
+    return p, (p**2 - sum(multiplied(square, square)[n][n] for n in range(4)) / 2) / 2
+
+
 def modes(A: Rows, p: Any, values: tuple[Any, Any]) -> Modes:
     """By the columns of the adjugate of λ − A, A³ + λ A² + (λ² + p) A + λ (λ² + p).
 

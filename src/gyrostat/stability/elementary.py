@@ -68,4 +68,4 @@ class Elementary:
         if isinstance(motion, list):
             return settled(None, "the amended potential has a maximum, held by gyroscopic forces; give "
                               f"{', '.join(motion)} to decide")
-        return decide_window(motion)._replace(pointwise=True)
+        return decide_window(motion)

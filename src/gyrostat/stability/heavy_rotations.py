@@ -25,9 +25,11 @@ from .asked import C1, exact_point
 from .decision import Decision, Verdict
 from .heavy_levels import rates_on_level
 from .heavy_polynomials import DIRECTION, degree_in_k, directions_at_rate, rates_by_elimination
+from .local_motion import LocalMotion
 from .report import Report
 from .secular import KEPT, LOST, modes
 from .sphere import circle_in_words
+from .windows import decide_window
 
 OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 PRECISION = 128                                            # bits that decide, and put the rotations in order
@@ -36,8 +38,6 @@ SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a
                   "positive real part", ())
 LEAVES = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a maximum, and the gyroscopic "
                   "forces do not hold it: an eigenvalue has a positive real part", ())
-HELD = Decision(Verdict.UNDECIDED, "", (), "the amended potential has a maximum, and the gyroscopic forces "
-                "hold it to first order: the energy decides nothing there", ())
 
 
 class Data(NamedTuple):
@@ -117,8 +117,18 @@ class HeavyRotation(Shown, Stored):
         if determinant == 1 and trace == -1 and (p == -1 or discriminant == -1):
             return LEAVES
         if determinant == 1 and trace == -1 and p == discriminant == 1:
-            return HELD
+            found = decide_window(self._motion)
+            return Decision(Verdict.of(found.stable), found.notion, (), found.why, (), pointwise=True)
         return Report(self.equilibrium).verdict({})
+
+    @property
+    def _motion(self) -> LocalMotion:
+        inertia, U = self.scene.body.inverse.tolist(), self.scene.potential
+        assert U is not None
+        rotor = self._data.rotor
+        momentum = tuple(evaluate(x + l, {}) for x, l in zip(self.point, rotor))
+        return LocalMotion(tuple(map(tuple, inertia)), tuple(rotor), self.k, momentum, U.expression,
+                           lambda: (evaluate(self.form.p, {}), evaluate(self.form.q, {})))
 
     @cached_property
     def damped(self) -> Decision:

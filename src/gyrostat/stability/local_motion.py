@@ -5,22 +5,24 @@ from itertools import chain
 from math import factorial
 from typing import Any
 
-from flint import acb, fmpq
+from flint import acb, arb, fmpq
 from sympy import Add, Expr, Mul, Rational, Symbol
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, evaluate
+from ..algebra.precision import own_precision
 from ..algebra.series import Part, Series, composed
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.potential import DIRECTIONS
 from ..notation import jet, jet_name, symbol
-from .birkhoff import Modes, linear_motion, modes
+from .birkhoff import Modes, characteristic, linear_motion, modes
 from .linearization import linearize
 from .orbit_chart import energy_on_orbit
 
 Number = Callable[[Expr], Any]
+PRECISION = 128                                            # bits of p and q that exclude a resonance
 
 
 @dataclass(frozen=True)
@@ -35,8 +37,8 @@ class LocalMotion:
         l and M = π + l [M L²/T], and the direction
     potential : Expr
         U in k1, k2, k3; where only its derivatives are given, the polynomial of them
-    p, q : Expr
-        of λ⁴ + p λ² + q [1/T², 1/T⁴]
+    coefficients : callable
+        gives p and q of λ⁴ + p λ² + q [1/T², 1/T⁴], asked where balls do not decide
     """
 
     inverse: tuple[tuple[Expr, ...], ...]
@@ -44,8 +46,17 @@ class LocalMotion:
     k: tuple[Expr, ...]
     momentum: tuple[Expr, ...]
     potential: Expr
-    p: Expr
-    q: Expr
+    coefficients: Callable[[], tuple[Expr, Expr]]
+
+    @cached_property
+    def p(self) -> Expr:
+        """Of λ⁴ + p λ² + q."""
+        return self.coefficients()[0]
+
+    @cached_property
+    def q(self) -> Expr:
+        """Of λ⁴ + p λ² + q."""
+        return self.coefficients()[1]
 
     @cached_property
     def rational(self) -> bool:
@@ -54,6 +65,12 @@ class LocalMotion:
         return (all(isinstance(x, Rational) for x in numbers)
                 and all(isinstance(x, Rational | Symbol) for x in self.potential.atoms())
                 and bool(self.potential.is_rational_function(*DIRECTIONS)))
+
+    @cached_property
+    def enclosed(self) -> tuple[arb, arb]:
+        """p and q in balls."""
+        with own_precision(PRECISION):
+            return characteristic(linear_motion(self.energy(2, lambda x: ball(x, PRECISION))[2]))
 
     def energy(self, degree: int, number: Number) -> list[Part]:
         """h on the orbit in canonical coordinates, homogeneous parts up to a degree, in a ring of numbers."""
@@ -72,11 +89,11 @@ class LocalMotion:
         Inside own_precision.
         """
         parts = self.energy(degree, lambda x: ball(x, precision))
-        p, q = ball(self.p, precision), ball(self.q, precision)
+        A = linear_motion(parts[2])
+        p, q = characteristic(A)
         root = (p**2 - 4 * q).sqrt()
         squares = (p + root) / 2, 2 * q / (p + root)
-        found = modes(linear_motion(parts[2]), p, (acb(0, squares[0].sqrt()), acb(0, squares[1].sqrt())))
-        return parts, found.oriented()
+        return parts, modes(A, p, (acb(0, squares[0].sqrt()), acb(0, squares[1].sqrt()))).oriented()
 
 
 def fraction(x: Expr) -> fmpq:
@@ -106,7 +123,7 @@ def local_motion(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -
                                                  for x, x0, n in zip(DIRECTIONS, k, orders)))
                   for orders, slope in slopes.items()))
     return LocalMotion(tuple(tuple(inverse[3 * i:3 * i + 3]) for i in range(3)), tuple(l), tuple(k),
-                       tuple(x + y for x, y in zip(pi, l)), U, p, q)
+                       tuple(x + y for x, y in zip(pi, l)), U, lambda: (p, q))
 
 
 @once

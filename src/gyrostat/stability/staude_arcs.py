@@ -13,7 +13,7 @@ from ..mechanics.system import System
 from ..notation import Stored, symbol
 from ..shown import Shown
 from .amended_form import amended_form
-from .decision import Decision
+from .decision import Decision, Verdict
 from .heavy_rotations import HeavyRotation
 
 TAU, RHO = symbol("tau"), symbol("rho")
@@ -32,6 +32,9 @@ class End(NamedTuple):
 
     k: tuple[Expr, ...]
     omega: Expr
+
+HELD = Decision(Verdict.UNDECIDED, "", (), "the amended potential has a maximum, held by gyroscopic forces: "
+                "normal forms decide its points", ())
 
 
 @dataclass(frozen=True, repr=False)
@@ -132,6 +135,7 @@ class StaudeArc(Shown, Stored):
         pieces: list[Piece] = []
         for low, high in pairwise([self.low, *in_order(list(found)), self.high]):
             decision = self.rotation(between(low, high)).decision
+            decision = HELD if decision.pointwise else decision
             if pieces and pieces[-1].decision == decision:
                 low = pieces.pop().low
             pieces.append(Piece(low, high, decision))

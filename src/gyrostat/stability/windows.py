@@ -1,9 +1,9 @@
 """What decides where gyroscopic forces hold a maximum of the amended potential: Arnold's theorem."""
 from collections.abc import Callable
 from math import gcd
+from typing import Any
 
 from flint import fmpq
-from sympy import Expr
 
 from ..algebra.eigenvalues import eigenvalues_of
 from ..algebra.exact import evaluate, sign_of_constant
@@ -26,7 +26,7 @@ LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Finding]] = {
     (1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3): fourth_order_resonance}
 
 
-def resonance_margin(p: Expr, q: Expr, first: int, second: int) -> Expr:
+def resonance_margin(p: Any, q: Any, first: int, second: int) -> Any:
     """(m n)² p² − (m² + n²)² q, which is 0 where the frequencies are as m to n [1/T⁴]."""
     return (first * second) ** 2 * p**2 - (first**2 + second**2) ** 2 * q
 
@@ -38,6 +38,13 @@ def resonances_up_to(order: int) -> list[tuple[int, int]]:
 
 
 def decide_window(motion: LocalMotion) -> Finding:
+    """What normal forms decide where gyroscopic forces hold a maximum of the amended potential."""
+    found = _decided(motion)
+    return found._replace(why=f"the amended potential has a maximum, held by gyroscopic forces; {found.why}",
+                          pointwise=True)
+
+
+def _decided(motion: LocalMotion) -> Finding:
     """Where the eigenvalues are imaginary, none 0, and the second variation is of both signs.
 
     Resonances to order 4 are excluded exactly; then D4 ≠ 0 proves stability, and where D4 = 0 and there is
@@ -49,10 +56,10 @@ def decide_window(motion: LocalMotion) -> Finding:
     Introduction to Hamiltonian Dynamical Systems and the N-Body Problem, chapter 13.
     """
     for pair in resonances_up_to(4):
-        sign = _resonant(motion, pair)
-        if sign is None:
+        holds = _resonant(motion, pair)
+        if holds is None:
             return settled(None, f"whether the frequencies are as {pair[0]} to {pair[1]} is not proved")
-        if sign:
+        if holds:
             return LOWEST[pair](motion)
     for precision in PRECISIONS:
         with own_precision(precision):
@@ -95,5 +102,8 @@ def _twist(motion: LocalMotion) -> fmpq:
 
 
 def _resonant(motion: LocalMotion, pair: tuple[int, int]) -> bool | None:
+    with own_precision(PRECISIONS[0]):
+        if sign_of(resonance_margin(*motion.enclosed, *pair)):
+            return False
     sign = sign_of_constant(evaluate(resonance_margin(motion.p, motion.q, *pair), {}))
     return None if sign is None else sign == 0
