@@ -15,6 +15,7 @@ from ..printing.data import damped_data, decision_data, number_data
 from ..stability.branch import Branch
 from ..stability.branches import branches_at, pole_at
 from ..stability.heavy_rotations import HeavyRotation
+from ..stability.normal_form import NormalForm
 from ..stability.permanent_rotations import PermanentRotation
 from ..stability.relative_equilibria import relative_equilibria
 from ..stability.report import Decision, Report
@@ -78,6 +79,14 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
                 _heavy(found) if isinstance(found, HeavyRotation) else _recognised(here, found)
                 for found in relative_equilibria(scene, numbers)]
     return _of_labels(asked, numbers)
+
+
+def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr], degree: int) -> NormalForm:
+    """Of the equilibrium that is named, or of the point."""
+    wanted = named(asked, label and [label])
+    if not wanted:
+        raise ValuesError(f"--normal-form {degree} is of one equilibrium: name it by --equilibrium or --point")
+    return report_at(asked, wanted[0], numbers).normal_form(numbers, degree)
 
 
 def _of_labels(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:

@@ -8,9 +8,10 @@ from ..printing.blocks import Block, Display, Heading, Sentence, Word, sentence
 from ..printing.data import double, json_text
 from ..printing.decision import damped_block, decision_blocks
 from ..printing.ends import number as rounded
+from ..printing.normal_form import form_blocks, form_data
 from ..printing.text import text
 from ..stability.report import Decision
-from .answers import Answer, answers_at, answers_data
+from .answers import Answer, answers_at, answers_data, normal_form_of
 from .asked import asked_of
 from .batch import run as each
 from .equilibria import Missing
@@ -31,6 +32,10 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.batch is not None:
         return each(given, out)
     numbers = numbers_of(given.values)
+    if given.normal_form:
+        form = normal_form_of(asked_of(given, numbers), given.equilibrium, numbers, given.normal_form)
+        out(json_text(form_data(form)) if given.format == "json" else text(form_blocks(form), out.width))
+        return 0
     answers = answers_at(asked_of(given, numbers), given.equilibrium, numbers)
     if given.format == "json":
         out(json_text(answers_data(answers)))

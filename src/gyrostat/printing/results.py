@@ -2,6 +2,7 @@
 
 Sets of a parameter, branches, bifurcations, the reduced motion.
 """
+from collections.abc import Callable
 from functools import singledispatch
 from typing import Any
 
@@ -20,6 +21,7 @@ from ..stability.heavy_rotations import HeavyRotation
 from ..stability.kinds import KINDS
 from ..stability.linearization import rational_root
 from ..stability.meetings import BifurcationPoint
+from ..stability.normal_form import NormalForm
 from ..stability.permanent_rotations import PermanentRotation
 from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
 from ..stability.staude import StaudeCone
@@ -29,6 +31,7 @@ from .boundary import ladder, rung_display
 from .conditions import existence
 from .drift import drift_displays
 from .ends import number, tidy
+from .normal_form import form_blocks
 from .rotations import amended_potential, critical_point, free_rotation, heavy_rotation
 from .staude import arc_blocks, cone_blocks, gyrostat_arc_blocks
 
@@ -182,41 +185,6 @@ def _branch(branch: Branch) -> list[Block]:
 
 
 @result_blocks.register
-def _permanent_rotation(rotation: PermanentRotation) -> list[Block]:
-    return free_rotation(rotation)
-
-
-@result_blocks.register
-def _heavy_rotation(rotation: HeavyRotation) -> list[Block]:
-    return heavy_rotation(rotation)
-
-
-@result_blocks.register
-def _amended_potential(amended: AmendedPotential) -> list[Block]:
-    return amended_potential(amended)
-
-
-@result_blocks.register
-def _critical_point(point: CriticalPoint) -> list[Block]:
-    return critical_point(point)
-
-
-@result_blocks.register
-def _staude_cone(cone: StaudeCone) -> list[Block]:
-    return cone_blocks(cone)
-
-
-@result_blocks.register
-def _staude_arc(arc: StaudeArc) -> list[Block]:
-    return arc_blocks(arc)
-
-
-@result_blocks.register
-def _gyrostat_arc(arc: GyrostatArc) -> list[Block]:
-    return gyrostat_arc_blocks(arc)
-
-
-@result_blocks.register
 def _bifurcation(b: Bifurcation) -> list[Block]:
     return [sentence(f"{b.kind} ({KINDS[b.kind]}):"),
             *(Display(readable(e), S.Zero, b.at) for e in b.equations)]
@@ -235,14 +203,15 @@ def _boundary(boundary: Boundary) -> list[Block]:
 
 
 @result_blocks.register
-def _drift(drift: Drift) -> list[Block]:
-    return drift_displays(drift)
-
-
-@result_blocks.register
 def _reduction(motion: Reduction) -> list[Block]:
     return [Display(Word("I₁² k̇₃²", "⟨I1⟩^2 ⟨k3_dot⟩^2"), motion.square())]
 
 
-RESULTS = (AmendedPotential, CriticalPoint, Solution, Branch, PermanentRotation, HeavyRotation, Bifurcation,
-           BifurcationPoint, Boundary, Drift, Reduction, StaudeArc, GyrostatArc, StaudeCone)
+_OF_TYPE: dict[type, Callable[[Any], list[Block]]] = {
+    PermanentRotation: free_rotation, HeavyRotation: heavy_rotation, AmendedPotential: amended_potential,
+    CriticalPoint: critical_point, NormalForm: form_blocks, StaudeCone: cone_blocks, StaudeArc: arc_blocks,
+    GyrostatArc: gyrostat_arc_blocks, Drift: drift_displays}
+for _type, _blocks in _OF_TYPE.items():
+    result_blocks.register(_type, _blocks)
+
+RESULTS = (*_OF_TYPE, Solution, Branch, Bifurcation, BifurcationPoint, Boundary, Reduction)

@@ -84,7 +84,7 @@ class LocalMotion:
         return energy_on_orbit(inverse, rotor, k, momentum, potential, upright, degree)
 
     def in_balls(self, degree: int, precision: int) -> tuple[list[Part], Modes]:
-        """The energy and the modes, each with a positive norm: h = Σ ω_j I_j + …, ω_j of either sign.
+        """The energy and the modes, each with a positive norm: h = Σ ω_j J_j + …, ω_j of either sign.
 
         Inside own_precision.
         """

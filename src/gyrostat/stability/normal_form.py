@@ -25,16 +25,16 @@ Form = tuple[tuple[tuple[int, int, Expr], ...], tuple[Expr, ...]]
 
 @dataclass(frozen=True, repr=False)
 class NormalForm(Shown, Stored):
-    """h = ω1 I1 + ω2 I2 + Σ c I1^m I2^n + … near an equilibrium, I1 and I2 ≥ 0 actions on the orbit.
+    """h = ω1 J1 + ω2 J2 + Σ c J1^m J2^n + … near an equilibrium, J1 and J2 ≥ 0 actions on the orbit.
 
     Parameters
     ----------
     frequencies : tuple of Expr, shape (2,)
         ω1, ω2 [1/T], each with the sign of the energy of its oscillation
     coefficients : tuple of (int, int, Expr)
-        m, n and c, of degree 2, then 3 in I1 and I2; exact at rational numbers, else to 20 digits
+        m, n and c, of degree 2, then 3 in J1 and J2; exact at rational numbers, else to 20 digits
     twists : tuple of Expr
-        D4, then D6: the terms of degree 2 and 3 at I1 = ω2, I2 = −ω1; D4 is rational where all numbers are
+        D4, then D6: the terms of degree 2 and 3 at J1 = ω2, J2 = −ω1; D4 is rational where all numbers are
     resonances : tuple of (int, int)
         m and n with m abs(ω1) = n abs(ω2) or n abs(ω1) = m abs(ω2), up to the degree
 
@@ -126,7 +126,7 @@ def _exact(motion: LocalMotion, degree: int, frequencies: Frequencies) -> Form:
 
 
 def _actions(h: Sequence[Part], found: Modes) -> Iterator[tuple[int, int, Any]]:
-    """m, n and c of i^(m + n) c I1^m I2^n, z_j w_j = i I_j/N_j."""
+    """m, n and c of i^(m + n) c J1^m J2^n, z_j w_j = i J_j/N_j."""
     first, second = (-1 * bracket for _, _, bracket in found.brackets)
     for half in range(2, len(h) // 2 + 1):
         for m in range(half, -1, -1):
