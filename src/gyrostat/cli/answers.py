@@ -85,7 +85,8 @@ def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr],
     """Of the equilibrium that is named, or of the point."""
     wanted = named(asked, label and [label])
     if not wanted:
-        raise ValuesError(f"--normal-form {degree} is of one equilibrium: name it by --equilibrium or --point")
+        raise ValuesError(f"--normal-form {degree} is of one equilibrium: name it by --equilibrium or "
+                          "--point")
     return report_at(asked, wanted[0], numbers).normal_form(numbers, degree)
 
 
