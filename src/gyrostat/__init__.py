@@ -57,6 +57,7 @@ if TYPE_CHECKING:
     from .stability.heavy_rotations import HeavyRotation
     from .stability.linearization import Linearization, linearize
     from .stability.meetings import BifurcationPoint, bifurcation_points
+    from .stability.normal_form import NormalForm
     from .stability.permanent_rotations import PermanentRotation
     from .stability.relative_equilibria import relative_equilibria
     from .stability.report import Decision, Report, Verdict
@@ -78,13 +79,13 @@ __all__ = [
     "energy_sink_criterion", "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential",
     "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyRotation", "ideal_fluid", "inclined",
     "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics",
-    "multipliers", "newtonian_field", "NOTATION", "orbit_tangent", "own_precision", "permanent_rotation",
-    "PermanentRotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
-    "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation", "SecondVariation",
-    "secular_criterion", "secular_variation", "Solution", "solve_condition", "SolvedCondition",
-    "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt", "staude_cone",
-    "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat", "symplectic_slice", "System",
-    "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
+    "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent", "own_precision",
+    "permanent_rotation", "PermanentRotation", "plotting", "Potential", "principal_rotation", "published",
+    "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation",
+    "SecondVariation", "secular_criterion", "secular_variation", "Solution", "solve_condition",
+    "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt",
+    "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
+    "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -113,7 +114,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.energy_sink": "energy_sink_criterion",
     "stability.linearization": "Linearization linearize",
     "stability.meetings": "BifurcationPoint bifurcation_points",
-    "stability.permanent_rotations": "PermanentRotation",
+    "stability.normal_form": "NormalForm", "stability.permanent_rotations": "PermanentRotation",
     "stability.relative_equilibria": "relative_equilibria", "stability.report": "Decision Report Verdict",
     "stability.sets": "Case Interval Solution SolvedCondition", "stability.solve": "solve_condition",
     "stability.spectra": "Spectrum spectrum", "stability.stabilizing": "stabilizing_set",
