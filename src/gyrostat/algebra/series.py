@@ -65,7 +65,12 @@ class Series:
 
 def variable(place: int, degree: int, start: Any) -> Series:
     """start + y, y one of the variables."""
-    return Series([{0: start}, {1 << 4 * place: type(start)(1)}, *({} for _ in range(degree - 1))])
+    return powers(place, [start, type(start)(1), *[0] * (degree - 1)])
+
+
+def powers(place: int, coefficients: Sequence[Any]) -> Series:
+    """Σ coefficients[n] yⁿ, y one of the variables."""
+    return Series([{} if is_zero(c) and n else {n << 4 * place: c} for n, c in enumerate(coefficients)])
 
 
 def added(a: Part, b: Part) -> Part:

@@ -5,7 +5,7 @@ from itertools import chain
 from math import factorial
 from typing import Any
 
-from flint import acb, arb, fmpq
+from flint import acb, fmpq
 from sympy import Add, Expr, Mul, Rational, Symbol
 
 from ..algebra.balls import ball
@@ -22,7 +22,7 @@ from .linearization import linearize
 from .orbit_chart import energy_on_orbit
 
 Number = Callable[[Expr], Any]
-PRECISION = 128                                            # bits of p and q that exclude a resonance
+PRECISION = 128                                            # bits that decide nearly always
 
 
 @dataclass(frozen=True)
@@ -66,12 +66,6 @@ class LocalMotion:
                 and all(isinstance(x, Rational | Symbol) for x in self.potential.atoms())
                 and bool(self.potential.is_rational_function(*DIRECTIONS)))
 
-    @cached_property
-    def enclosed(self) -> tuple[arb, arb]:
-        """p and q in balls."""
-        with own_precision(PRECISION):
-            return characteristic(linear_motion(self.energy(2, lambda x: ball(x, PRECISION))[2]))
-
     def energy(self, degree: int, number: Number) -> list[Part]:
         """h on the orbit in canonical coordinates, homogeneous parts up to a degree, in a ring of numbers."""
         upright = min(range(3), key=lambda n: abs(float(ball(self.k[n], 64).mid())))
@@ -82,6 +76,12 @@ class LocalMotion:
         inverse = [[number(x) for x in row] for row in self.inverse]
         rotor, k, momentum = ([number(x) for x in vector] for vector in (self.rotor, self.k, self.momentum))
         return energy_on_orbit(inverse, rotor, k, momentum, potential, upright, degree)
+
+    @cached_property
+    def first(self) -> tuple[list[Part], Modes]:
+        """To degree 4 in balls of 128 bits."""
+        with own_precision(PRECISION):
+            return self.in_balls(4, PRECISION)
 
     def in_balls(self, degree: int, precision: int) -> tuple[list[Part], Modes]:
         """The energy and the modes, each with a positive norm: h = Σ ω_j J_j + …, ω_j of either sign.

@@ -3,7 +3,7 @@ from collections.abc import Callable, Sequence
 from math import factorial
 from typing import Any
 
-from ..algebra.series import Part, Series, is_zero, variable
+from ..algebra.series import Part, Series, is_zero, powers, variable
 from .amended_form import Rows, dot
 
 A, D, Z, B = range(4)                                  # the canonical coordinates, {a, d} = {z, b} = 1
@@ -56,12 +56,12 @@ def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momen
     wide, narrow = _roots(k[2], square, degree)
     d, z = variable(D, degree, momentum[2]), variable(Z, degree, k[2])
     b = variable(B, degree, (momentum[1] * k[0] - momentum[0] * k[1]) / square)
-    s, e = z.of(wide), (d * z).scaled(-one).shifted(dot(momentum, k)) * z.of(narrow).scaled(one / square)
+    s = powers(Z, wide)
+    e = (d * z).scaled(-one).shifted(dot(momentum, k)) * powers(Z, [x / square for x in narrow])
     sine, cosine = ([one * (n % 2 == odd) * (-1) ** (n // 2) / factorial(n) for n in range(degree + 1)]
                     for odd in (1, 0))
-    angle = variable(A, degree, 0 * one)
-    across = angle.of([k[0] * y + k[1] * x for x, y in zip(sine, cosine)])
-    along = angle.of([k[1] * y - k[0] * x for x, y in zip(sine, cosine)])
+    across = powers(A, [k[0] * y + k[1] * x for x, y in zip(sine, cosine)])
+    along = powers(A, [k[1] * y - k[0] * x for x, y in zip(sine, cosine)])
     moving = s * b
     total = e * across - moving * along, e * along + moving * across, d
     turning = [m.shifted(-l) for m, l in zip(total, rotor)]

@@ -1,5 +1,6 @@
 """What decides where gyroscopic forces hold a maximum of the amended potential: Arnold's theorem."""
 from collections.abc import Callable
+from contextlib import suppress
 from math import gcd
 from typing import Any
 
@@ -10,7 +11,7 @@ from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.precision import own_precision
 from .birkhoff import Modes, linear_motion, modes, normalised, twist
 from .decision import Finding, settled
-from .local_motion import LocalMotion, fraction
+from .local_motion import PRECISION, LocalMotion, fraction
 from .resonances import (
     PRECISIONS,
     decimals,
@@ -62,8 +63,8 @@ def _decided(motion: LocalMotion) -> Finding:
         if holds:
             return LOWEST[pair](motion)
     for precision in PRECISIONS:
-        with own_precision(precision):
-            parts, found = motion.in_balls(4, precision)
+        with own_precision(precision), suppress(ZeroDivisionError):
+            parts, found = motion.first if precision == PRECISION else motion.in_balls(4, precision)
             D4 = real(twist(normalised(parts, found)[4], found))
             if sign_of(D4):
                 return settled(True, f"D4 = {decimals(D4)}, no resonance to order 4, the frequencies "
@@ -85,7 +86,7 @@ def _sixth_order(motion: LocalMotion) -> Finding:
             what = "is not excluded" if sign is None else "holds"
             return settled(None, f"D4 = 0, and the resonance {pair[0]}:{pair[1]} {what}")
     for precision in PRECISIONS:
-        with own_precision(precision):
+        with own_precision(precision), suppress(ZeroDivisionError):
             parts, found = motion.in_balls(6, precision)
             if sign_of(D6 := real(twist(normalised(parts, found)[6], found))):
                 return settled(True, f"D4 = 0, D6 = {decimals(D6)}, no resonance to order 6, the "
@@ -102,8 +103,10 @@ def _twist(motion: LocalMotion) -> fmpq:
 
 
 def _resonant(motion: LocalMotion, pair: tuple[int, int]) -> bool | None:
-    with own_precision(PRECISIONS[0]):
-        if sign_of(resonance_margin(*motion.enclosed, *pair)):
-            return False
+    if not motion.rational:
+        with own_precision(PRECISION), suppress(ZeroDivisionError):
+            first, second = (-real(value**2) for value in motion.first[1].values)
+            if sign_of(resonance_margin(first + second, first * second, *pair)):
+                return False
     sign = sign_of_constant(evaluate(resonance_margin(motion.p, motion.q, *pair), {}))
     return None if sign is None else sign == 0
