@@ -19,6 +19,11 @@ def drawn(rng, quadratic):
     return inertia, [number() / 5 for _ in range(3)], [number() / 3 for _ in range(3)], Q, number()
 
 
+def by_criteria(decision):
+    """What spectrum and signature can say; what normal forms say beyond them has tests of its own."""
+    return "UNDECIDED" if decision.pointwise else decision.verdict.name
+
+
 def scene_of(inertia, rotor, c, Q):
     slopes = [x + sum(y * k for y, k in zip(row, DIRECTION)) / 2 for x, row in zip(c, Matrix(Q).tolist())]
     U = sum(x * k for x, k in zip(slopes, DIRECTION))

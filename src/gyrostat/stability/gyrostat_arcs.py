@@ -19,6 +19,7 @@ from ..shown import Shown
 from .heavy_rotations import OMEGA, HeavyRotation
 from .rate_curves import RateCurve, rate_curves
 from .staude_arcs import End, Piece
+from .windows import along_stretch
 
 
 @dataclass(frozen=True, repr=False)
@@ -145,7 +146,7 @@ class GyrostatArc(Shown, Stored):
         for span in self.strand.spans:
             inside = [x for x in self.curve.critical if _lies(x, span)]
             for low, high in pairwise([span.low, *inside, span.high]):
-                decision = self.curve.at(span.place, between(low, high)).decision
+                decision = along_stretch(self.curve.at(span.place, between(low, high)).decision)
                 if pieces and pieces[-1].decision == decision:
                     low = pieces.pop().low
                 pieces.append(Piece(low, high, decision))

@@ -6,9 +6,10 @@ from sympy import Expr
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..errors import ScopeError
 from ..kept import cached_property
-from ..mechanics.standard import placed, seen, seen_at
+from ..mechanics.standard import placed
 from .closed_form import DETERMINANT, DISCRIMINANT, ClosedForm, P, Q, T, closed_form
 from .conditions import Criterion
+from .decision import Finding, settled
 from .energy_casimir import SecondVariation
 from .linearization import Linearization
 from .report import Report
@@ -72,22 +73,17 @@ class RotationReport(Report):
         """What internal damping makes of it."""
         return DampedRotation(self.equilibrium)
 
-    def _decided(self, numbers: Point, margins: dict[Expr, Expr]
-                 ) -> tuple[bool | None, str, str, tuple[Expr, ...]]:
+    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[Finding, tuple[Expr, ...]]:
         form = self.closed.at(numbers)
         margins |= {T: form.trace, DETERMINANT: form.determinant}
         if _signs([form.trace, form.determinant]) == [1, 1]:
-            return True, "Lyapunov", "the second variation is definite on the symplectic slice", ()
+            return settled(True, "the second variation is definite on the symplectic slice"), ()
         necessary = {P: form.p, Q: form.q, DISCRIMINANT: form.p**2 - 4 * form.q}
         margins |= necessary
-        signs = _signs(necessary.values())
-        if -1 in signs:
-            return False, "spectral", "an eigenvalue has a positive real part", ()
-        eq = self.equilibrium
-        if signs == [1, 1, 1] and not (seen(eq) or seen_at(eq, numbers)):
-            return None, "", "the point lies between the two criteria", ()
-        stable, notion, why, modulo = Report(placed(eq, numbers))._decided(numbers, {})
-        return stable, notion, f"at these numbers {why}", modulo
+        if -1 in _signs(necessary.values()):
+            return settled(False, "an eigenvalue has a positive real part", "spectral"), ()
+        found, modulo = Report(placed(self.equilibrium, numbers))._decided(numbers, {})
+        return found._replace(why=f"at these numbers {found.why}"), modulo
 
 
 class DampedRotation(Secular):

@@ -13,8 +13,9 @@ from ..mechanics.system import System
 from ..notation import Stored, symbol
 from ..shown import Shown
 from .amended_form import amended_form
-from .decision import Decision, Verdict
+from .decision import Decision
 from .heavy_rotations import HeavyRotation
+from .windows import along_stretch
 
 TAU, RHO = symbol("tau"), symbol("rho")
 
@@ -32,9 +33,6 @@ class End(NamedTuple):
 
     k: tuple[Expr, ...]
     omega: Expr
-
-HELD = Decision(Verdict.UNDECIDED, "", (), "the amended potential has a maximum, held by gyroscopic forces: "
-                "normal forms decide its points", ())
 
 
 @dataclass(frozen=True, repr=False)
@@ -134,8 +132,7 @@ class StaudeArc(Shown, Stored):
         found = {root for margin in margins for root in real_roots(margin, x, *within) or ()}
         pieces: list[Piece] = []
         for low, high in pairwise([self.low, *in_order(list(found)), self.high]):
-            decision = self.rotation(between(low, high)).decision
-            decision = HELD if decision.pointwise else decision
+            decision = along_stretch(self.rotation(between(low, high)).decision)
             if pieces and pieces[-1].decision == decision:
                 low = pieces.pop().low
             pieces.append(Piece(low, high, decision))

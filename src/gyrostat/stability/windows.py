@@ -10,7 +10,7 @@ from ..algebra.eigenvalues import eigenvalues_of
 from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.precision import own_precision
 from .birkhoff import Modes, linear_motion, modes, normalised, twist
-from .decision import Finding, settled
+from .decision import Decision, Finding, Verdict, settled
 from .local_motion import PRECISION, LocalMotion, fraction
 from .resonances import (
     PRECISIONS,
@@ -23,8 +23,15 @@ from .resonances import (
 )
 
 NOTION = "Lyapunov (Arnold-Moser)"
+HELD = Decision(Verdict.UNDECIDED, "", (), "the amended potential has a maximum, held by gyroscopic forces: "
+                "normal forms decide its points", ())
 LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Finding]] = {
     (1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3): fourth_order_resonance}
+
+
+def along_stretch(decision: Decision) -> Decision:
+    """What a decision at one point of a stretch says of all, where the margins keep their signs."""
+    return HELD if decision.pointwise else decision
 
 
 def resonance_margin(p: Any, q: Any, first: int, second: int) -> Any:
