@@ -16,7 +16,7 @@ KNOWN = Registry().with_resources((f"{name}.json", Resource.from_contents(schema
 HEAVY = ("--potential", "m0*k3")
 TOP = (*HEAVY, "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0")
 WELLS = ("--potential", "k3**4 - k3**2/2")
-MAPS = {"margins", "relations", "values", "definitions"}   # their keys are names, not those of the document
+MAPS = {"margins", "relations", "values", "definitions"}  # their keys are names, not those of the document
 OPTIONAL = {"definitions", "drift", "decision", "itself", "k3", "omega", "sigma", "pi1", "pi2", "pi3",
             "Delta", "frequency", "growth_rate"}
 

@@ -206,8 +206,7 @@ def test_free_bodies(capsys):
     ("decide", [*FIELD, *POINT, *sets(SETS), "--set", "b=1"], "E has no parameter b"),
     ("decide", [*FIELD, *POINT], "E needs I1"),
     ("chart", [*FIELD, "--x", "l=0:1:2", "--y", "a=0:1:2", "--output", "chart.png"],
-     "--equilibrium is missing, a chart is of one: name E1, E2, E3 or permanent-rotation, or a point, "
-     "--point"),
+     "--equilibrium is missing, a chart is of one: name E1, E2, E3 or permanent-rotation, or a point"),
     ("motion", ["--potential", "U(k3)", "--state", "0,0,1,0,0,1", "--until", "1"], "unspecified U moves"),
     ("motion", ["--potential", "k3", "--until", "1"], "--state is missing")])
 def test_bad_input(capsys, verb, arguments, why):

@@ -58,8 +58,10 @@ def test_equilibria_have_the_words_of_the_field(text, label):
 
 def test_the_words_are_those_of_the_families():
     """A word that several have names none of them."""
-    assert list(named(in_a_field())) == ["E1", "E2", "E3", "upright", "hanging", "inclined"]
-    assert in_words(in_a_field()) == "E1 or upright, E2 or hanging, E3 or inclined"
+    assert list(named(in_a_field())) == ["E1", "E2", "E3", "permanent-rotation", "upright", "hanging",
+                                         "inclined"]
+    assert in_words(in_a_field()) == (
+        "E1 or upright, E2 or hanging, E3 or inclined, permanent-rotation")
     free = [family for family in FAMILIES.values() if family.free]
     assert called("Axis 2", free) is FAMILIES["rotation about axis 2"]
     assert called("principal rotation", free) is None

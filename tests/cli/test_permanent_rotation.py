@@ -17,6 +17,7 @@ def test_the_conditions_and_the_names_they_are_written_in(capsys):
         assert f"{line}\n" in out
     assert "∇U = ω² I k + ω l + σ k" in out
     _, out, _ = run(capsys, *FAMILY, "--format", "latex", verb="conditions")
+    assert r"k_1^{2} + k_2^{2} + k_3^{2} = 1" in out and r"$\omega$: rate about the vertical" in out
     assert r"t > 0 \;\land\; s > 0" in out and r"K_{12} = \frac{v_{1} v_{2}}{J}" in out
     _, out, _ = run(capsys, *FAMILY, "--format", "json", verb="conditions")
     (family,) = json.loads(out)["equilibria"]

@@ -33,7 +33,7 @@ E3_AT_REST = Family("E3 at rest", "at rest at a tilt", "tilted, without rotation
 PRINCIPAL = tuple(Family(f"rotation about axis {n}", "principal rotation", "",
                          partial(_made, "principal", "principal_rotation", axis=n), free=True,
                          asked_for=f"axis {n}", source="Hughes 1986, chapter 6") for n in (1, 2, 3))
-PERMANENT = Family("permanent rotation", "permanent rotation",
+PERMANENT = Family("permanent rotation", "permanent-rotation",
                    "turning about the vertical, k fixed in the body",
                    partial(_made, "permanent_rotation", "permanent_rotation"), "direction",
                    asked_for="permanent-rotation", source="Staude 1894")

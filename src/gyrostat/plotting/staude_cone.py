@@ -80,7 +80,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     moving = [arc for arc in arcs if moves(arc)]
     curves = [(piece.decision.verdict, directions(arc, piece, STEP)) for arc in moving
               for piece in arc.pieces]
-    opposite = [-curve for _, curve in curves] if not any(scene.body.gyrostatic_momentum) else []
+    opposite = [] if isinstance(arcs[0], GyrostatArc) else [-curve for _, curve in curves]
     for curve in opposite:
         curve_on(ax, curve, eye, **OPPOSITE)
     handles = []

@@ -9,7 +9,7 @@ from .boundary import ladder, rung_display, undecided
 from .conditions import existence
 from .latex import display, formula, tex
 from .names import PLAIN, Names, Paper
-from .rotation_family import definition_blocks
+from .rotation_family import definition_blocks, family_blocks
 from .symbols import Row, occurring, symbol_rows
 
 _COLUMNS = 0.13, 0.2, 0.56                             # of a line: equilibrium, what, formula
@@ -27,7 +27,7 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
     Below it what its symbols are, and what comes after.
     """
     given, names = list(reports), Names(paper.symbols)
-    below = [block for report in given for block in definition_blocks(report)] + list(after)
+    own = [b for r in given for b in (*family_blocks(r.equilibrium), *definition_blocks(r))]
     rows = []
     for report in given:
         rows += [
@@ -36,7 +36,7 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
         ] + [r"\hline"]
     columns = "".join(rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" for width in _COLUMNS)
     between = any("between the two" in row for row in rows)
-    shown = [part for report in given for part in _parts(report)] + ([_BETWEEN] if between else [])
+    shown = [part for report in given for part in _parts(report)] + own + ([_BETWEEN] if between else [])
     symbols = symbol_rows(given[0].equilibrium.system, occurring(shown))
     table = "\n".join((
         r"\begin{table}[htbp]\footnotesize",               # so that a page holds it
@@ -45,7 +45,7 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
         *([tex(_BETWEEN, names)] if between else ()),
         *([rf"\par\smallskip\noindent In Table~\ref{{{paper.label}:conditions}}, "
            + _said(symbols.rows, names)] if symbols.rows else ()), ""))
-    table += "".join(block_latex(block, names, NARROW) + "\n" for block in below)
+    table += "".join(block_latex(block, names, NARROW) + "\n" for block in (*own, *after))
     names.check(whole=True)
     if paper.fragment:
         return "% needs amsmath and array\n" + table

@@ -95,8 +95,8 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     if invariants := _on_sphere(variation):
         signs = signs_over(variation.equilibrium, invariants)
         return _definite(variation, "formal", _minors([(2, invariants[1])]), signs, (1,))
-    if across := _across(variation):
-        return _definite(variation, "formal", across, _signs(variation, across), (1,))
+    if found := across(variation):
+        return _definite(variation, "formal", found, _signs(variation, found), (1,))
     # one multiplier is eliminated, any value of the others may be chosen
     others = dict.fromkeys(variation.free[1:], S.Zero)
     minors = _minors([(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)])
@@ -131,7 +131,7 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     >>> print(gs.independent(gs.secular_criterion(gs.secular_variation(spin)), spin))
     I₃ > I₁ and I₃ > I₂
     """
-    minors = _across(variation) or _minors([(2, e) for e in _on_sphere(variation)] or variation.block_minors)
+    minors = across(variation) or _minors([(2, e) for e in _on_sphere(variation)] or variation.block_minors)
     return _definite(variation, "secular", minors, _signs(variation, minors), (1,))
 
 
@@ -141,21 +141,7 @@ def positive(eq: Equilibrium) -> tuple[Expr, ...]:
     return (eq.at_point(k.dot(eq.system.body.tensor * k)),) if k else ()
 
 
-def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:
-    """Off the principal axes of a free body: trace and determinant on the plane across M, in any basis.
-
-    A = I⁻¹ − ν: tr A M² − M·A M, and Δ = M·adj(A) M. In the coordinates of a basis they have poles.
-    """
-    eq = variation.equilibrium
-    M = [p + l for p, l in zip(eq.point, eq.system.body.gyrostatic_momentum)]
-    if eq.system.potential or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
-        return ()
-    A = augmented_hessian(eq, eq.system.space.casimirs)
-    M = Matrix(M)
-    return (lowest_terms(A.trace() * M.dot(M) - M.dot(A * M)), lowest_terms(M.dot(A.adjugate() * M)))
-
-
-def _across(variation: SecondVariation) -> list[Minor]:
+def across(variation: SecondVariation) -> list[Minor]:
     """Of a body in a field without integrals: trace and determinant of D²U_c on the plane across k.
 
     In any basis. The second variation has D²U_c beside a positive form of the velocities. Where k is along an
@@ -172,6 +158,20 @@ def _across(variation: SecondVariation) -> list[Minor]:
     hessian = [row[3:] for row in rows_at_point(eq, system.energy_hessian)[3:]]
     form = amended_form(body.tensor.tolist(), body.gyrostatic_momentum, gradient, hessian, k, omega)
     return [("t", 1, lowest_terms(form.trace)), ("s", 2, lowest_terms(form.determinant))]
+
+
+def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:
+    """Off the principal axes of a free body: trace and determinant on the plane across M, in any basis.
+
+    A = I⁻¹ − ν: tr A M² − M·A M, and Δ = M·adj(A) M. In the coordinates of a basis they have poles.
+    """
+    eq = variation.equilibrium
+    M = [p + l for p, l in zip(eq.point, eq.system.body.gyrostatic_momentum)]
+    if eq.system.potential or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
+        return ()
+    A = augmented_hessian(eq, eq.system.space.casimirs)
+    M = Matrix(M)
+    return (lowest_terms(A.trace() * M.dot(M) - M.dot(A * M)), lowest_terms(M.dot(A.adjugate() * M)))
 
 
 def _minors(of_order: Iterable[tuple[int, Expr]]) -> list[Minor]:

@@ -117,4 +117,4 @@ class DampedRotation(Secular):
 
 
 def _signs(values: Iterable[Expr]) -> list[int | None]:
-    return [sign_of_constant(evaluate(x, {})) for x in values]
+    return [sign_of_constant(x if x.is_Rational else evaluate(x, {})) for x in values]

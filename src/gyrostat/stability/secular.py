@@ -21,7 +21,7 @@ from ..mechanics.once import once
 from ..mechanics.standard import seen, seen_at
 from ..notation import symbol
 from .conditions import Condition, Criterion, independent
-from .criteria import positive, secular_criterion
+from .criteria import across, positive, secular_criterion
 from .energy_casimir import SecondVariation, secular_variation
 from .minima import least_at
 from .truth import holds, sign_at
@@ -143,10 +143,12 @@ class Secular:
     @cached_property
     def _minors(self) -> Counter[tuple[Condition, ...]]:
         """The leading minors of each block, from the first that may be negative on, and how often it occurs;
-        where none vanishes, their changes of sign are the negative squares (Jacobi).
+        where none vanishes, their changes of sign are the negative squares (Jacobi). Across k trace and
+        determinant, whose changes are too.
         """
         eq = self.equilibrium
-        minors = [(n, eq.insert(minor)) for n, minor in self.variation.block_minors]
+        found = [(n, minor) for _, n, minor in across(self.variation)] or self.variation.block_minors
+        minors = [(n, eq.insert(minor)) for n, minor in found]
         signs = Signs.over([minor for _, minor in minors], (*eq.existence(), *map(eq.insert, positive(eq))))
         blocks: list[list[Condition]] = []
         for n, minor in minors:
@@ -158,8 +160,10 @@ class Secular:
 
     @cached_property
     def _coefficients(self) -> tuple[Expr, ...]:
-        """Of the characteristic polynomial of the second variation, with the signs of λ → −λ."""
+        """Of the characteristic polynomial of the second variation, or of its part across k, for −λ."""
         eq, matrix = self.equilibrium, self.variation.matrix
+        if found := across(self.variation):
+            return tuple(eq.insert(x) for _, _, x in found)
         return _coefficients([[eq.insert(entry) for entry in row] for row in matrix.tolist()])
 
     @cached_property

@@ -148,7 +148,7 @@ def _may_be_real(constant: Expr) -> bool:
     return bool(constant.is_finite is not False and constant.is_real is not False and constant is not S.NaN)
 
 
-def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
+def _on_family(eq: Equilibrium, numbers: Point) -> str:
     """Of |k| = 1 where k1, k2, k3 are given, of relations where no name was eliminated, and of that of a name
     that is given: what is not proved.
     """
@@ -167,8 +167,11 @@ def _on_family(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
     return doubt
 
 
-def _unit_vector(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
+def _unit_vector(eq: Equilibrium, numbers: Point) -> str:
     """Whether k is one: what is not proved of it."""
+    rational = numbers.rational_at(eq.point[3:])
+    if rational is not None and sum(x * x for x in rational) == 1:
+        return ""
     k = [numbers[s] for s in eq.point[3:]]
     excess = Add(*(x**2 for x in k), -1)
     sign = sign_of_constant(excess)
