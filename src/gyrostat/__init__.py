@@ -54,7 +54,7 @@ if TYPE_CHECKING:
     from .stability.energy_sink import energy_sink_criterion
     from .stability.followed_rotations import RotationContinuation
     from .stability.gyrostat_arcs import GyrostatArc
-    from .stability.heavy_rotations import HeavyRotation
+    from .stability.heavy_rotation import HeavyRotation
     from .stability.linearization import Linearization, linearize
     from .stability.meetings import BifurcationPoint, bifurcation_points
     from .stability.normal_form import NormalForm
@@ -109,6 +109,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.continuation": "Continuation continuation",
     "stability.followed_rotations": "RotationContinuation",
     "stability.gyrostat_arcs": "GyrostatArc", "stability.heavy_rotations": "HeavyRotation",
+    "stability.heavy_rotation": "HeavyRotation",
     "stability.energy_casimir": "SecondVariation augmented_hessian multipliers "
                                 "second_variation secular_variation",
     "stability.energy_sink": "energy_sink_criterion",

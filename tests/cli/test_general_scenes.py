@@ -129,6 +129,7 @@ def test_every_permanent_rotation(capsys):
     _, out, _ = run(capsys, *given, "--set", "omega=2", verb="decide")
     assert out.count("permanent rotation\n") == 4 and out.count("the amended potential has a ") == 4
     assert out.index("Lyapunov stable") < out.index("saddle") and "2 growing modes" in out
+    assert out.count("frequency₁ = ") == 3 and out.count("frequency₂ = ") == out.count("growth_rate = ") == 2
     _, out, _ = run(capsys, *given, "--set", "omega=2", "--format", "json", verb="decide")
     for each in json.loads(out)["equilibria"]:
         k = [each[name]["decimal"] for name in ("k1", "k2", "k3")]
@@ -149,8 +150,8 @@ def test_on_a_level(capsys):
     assert "CRootOf" not in out and max(map(len, out.splitlines())) <= 100
     names = "k₁", "k₂", "k₃", "ω"
     shown = [line.split(" = ")[1].replace("−", "-").rstrip("…") for line in out.splitlines() if " = " in line]
-    assert len(shown) == 2 * len(names) and all(f"    {name} = " in out for name in names)
-    for k1, k2, k3, omega in (map(float, shown[n:n + 4]) for n in (0, 4)):
+    assert len(shown) == 11 and all(f"    {name} = " in out for name in names)
+    for k1, k2, k3, omega in (map(float, shown[n:n + 4]) for n in (0, 5)):
         assert abs(omega * (k1**2 + 2 * k2**2 + 3 * k3**2) + k1 / 2 + k3 / 3 - 2) < 1e-9
 
 

@@ -2,6 +2,7 @@
 
 In doubles; U = c·k + k·Qk/2. Nothing is shared with the library.
 """
+import mpmath
 import numpy as np
 
 
@@ -157,3 +158,21 @@ def index(slope, k):
     (g,), (hessian,) = slope(np.array([k]))
     across = np.linalg.svd(k[None])[2][1:]
     return np.sign(np.linalg.det(across @ (hessian - g @ k * np.eye(3)) @ across.T))
+
+
+def eigenvalues(inertia, rotor, gradient, hessian, omega, k):
+    """Of the six Euler-Poisson equations, linearised, at 50 digits; from fractions."""
+    with mpmath.workdps(50):
+        def matrix(rows):
+            return mpmath.matrix([[mpmath.mpf(x.numerator) / x.denominator for x in row] for row in rows])
+
+        def turn(v):
+            return mpmath.matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+        tensor, curved = matrix(inertia), matrix(hessian)
+        l, g, along = (matrix([[x] for x in v]) for v in (rotor, gradient, k))
+        rate = along * (mpmath.mpf(omega.numerator) / omega.denominator)
+        M, inverse = tensor * rate + l, tensor**-1
+        whole = mpmath.zeros(6)
+        whole[:3, :3], whole[:3, 3:] = turn(M) * inverse - turn(rate), turn(along) * curved - turn(g)
+        whole[3:, :3], whole[3:, 3:] = turn(along) * inverse, -turn(rate)
+        return list(mpmath.eig(whole, left=False, right=False))

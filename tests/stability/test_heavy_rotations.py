@@ -3,6 +3,7 @@ import random
 from fractions import Fraction
 
 import heavy
+import mpmath
 import numpy as np
 import pytest
 from heavy_scenes import DIRECTION, by_criteria, drawn, floats, k1, k2, k3, scene_of
@@ -69,6 +70,34 @@ def test_closed_forms_are_those_of_the_matrices():
         found = amended_form(rows, rotor, gradient, Q, k, omega)
         assert all(m > 0 for m in minors) == (found.trace > 0 and found.determinant > 0)
         assert (minors[3] > 0) == (found.determinant > 0)
+
+
+def digits(x):
+    with mpmath.workdps(50):
+        return mpmath.mpf(str(x.evalf(50)))
+
+
+def test_frequencies_and_growth_rates():
+    """Against the eigenvalues of the six equations at 50 digits, two of which are 0."""
+    rng, kinds = random.Random("frequencies"), set()
+    for _ in range(12):
+        inertia, rotor, _, Q, omega = drawn(rng, True)
+        k, sigma = (Fraction(2, 3), Fraction(1, 3), Fraction(-2, 3)), Fraction(rng.randint(-60, 20))
+        slopes = [sum(x * y for x, y in zip(row, k)) for row in Q]
+        c = [omega**2 * m * x + omega * l + sigma * x - y for m, l, x, y in zip(inertia, rotor, k, slopes)]
+        found = gs.relative_equilibria(scene_of(inertia, rotor, c, Q), dict(zip(("k1", "k2", "k3"), k)))
+        (rotation,) = [r for r in found if r.omega == omega]
+        whole = heavy.eigenvalues(np.diag(inertia), rotor, [x + y for x, y in zip(c, slopes)], Q,
+                                  omega, k)
+        moving = [x for x in whole if abs(x) > 1e-9]
+        wanted = sorted(x.imag for x in moving if x.imag > 0 and abs(x.real) < 1e-30)
+        assert len(moving) == 4 and len(wanted) == len(rotation.frequencies)
+        assert all(abs(digits(x) - y) < 1e-30 for x, y in zip(rotation.frequencies, wanted))
+        growth = max(x.real for x in moving)
+        assert (rotation.growth_rate is None) == (growth < 1e-30)
+        assert growth < 1e-30 or abs(digits(rotation.growth_rate) - growth) < 1e-30
+        kinds.add((len(wanted), growth > 1e-30))
+    assert kinds == {(2, False), (1, True), (0, True)}
 
 
 @pytest.mark.parametrize("inertia, k, rotor, slopes, p, q", [

@@ -11,10 +11,10 @@ from ..mechanics.families import E3, FAMILIES, POLES
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
-from ..printing.data import damped_data, decision_data, number_data
+from ..printing.data import damped_data, decision_data, number_data, rate_data
 from ..stability.branch import Branch
 from ..stability.branches import branches_at, pole_at
-from ..stability.heavy_rotations import HeavyRotation
+from ..stability.heavy_rotation import HeavyRotation
 from ..stability.normal_form import NormalForm
 from ..stability.permanent_rotations import PermanentRotation
 from ..stability.relative_equilibria import relative_equilibria
@@ -194,13 +194,18 @@ def _heavy(found: HeavyRotation) -> Answer:
     """One of a body in a field that is not of revolution."""
     label = f"permanent rotations on {found.locus}" if found.locus else "permanent rotation"
     place = {str(x): k for x, k in zip(found.scene.space.coordinates[3:], found.k)}
-    return Answer(label, symbol("k3"), found.decision, found.damped, None, place | {"omega": found.omega})
+    rates = {f"frequency_{n}": x for n, x in enumerate(found.frequencies, 1)}
+    if found.growth_rate is not None:
+        rates["growth_rate"] = found.growth_rate
+    place["omega"] = found.omega
+    return Answer(label, symbol("k3"), found.decision, found.damped, None, place, rates)
 
 
 def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
     """The answers as data for JSON."""
     return {"equilibria": [a.data() if isinstance(a, Missing) else
-        {"label": a.label} | {name: number_data(x) for name, x in (a.place | a.rates).items()}
+        {"label": a.label} | {name: number_data(x) for name, x in a.place.items()}
+                           | {name: rate_data(x) for name, x in a.rates.items()}
                            | {"decision": decision_data(a.decision),
                               "damped_decision": a.damped and damped_data(a.damped)}
         | ({"itself": decision_data(a.itself)} if a.itself else {}) for a in answers]}

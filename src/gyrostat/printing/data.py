@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
-from sympy import Expr
+from sympy import Expr, Float
 
 from ..algebra.balls import ball
 from ..mechanics.system import System
@@ -112,6 +112,11 @@ def _text(margin: Expr) -> str:
 def number_data(number: Expr | None) -> dict[str, Any] | None:
     """A number exactly and as a decimal, None for none."""
     return None if number is None else {"exact": str(number), "decimal": double(number)}
+
+
+def rate_data(number: Expr) -> dict[str, Any]:
+    """The same of a number that may be known to some digits only."""
+    return {"exact": None if number.has(Float) else str(number), "decimal": double(number)}
 
 
 def double(number: Expr) -> float | None:

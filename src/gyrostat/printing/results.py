@@ -17,7 +17,7 @@ from ..stability.boundary import Boundary
 from ..stability.branch import Branch
 from ..stability.drift import Drift
 from ..stability.gyrostat_arcs import GyrostatArc
-from ..stability.heavy_rotations import HeavyRotation
+from ..stability.heavy_rotation import HeavyRotation
 from ..stability.kinds import KINDS
 from ..stability.linearization import rational_root
 from ..stability.meetings import BifurcationPoint

@@ -4,7 +4,7 @@ from sympy import Add, Expr
 from ..algebra.readable import readable
 from ..notation import symbol
 from ..stability.amended_potential import AmendedPotential, CriticalPoint
-from ..stability.heavy_rotations import HeavyRotation
+from ..stability.heavy_rotation import HeavyRotation
 from ..stability.permanent_rotations import PermanentRotation
 from .blocks import Block, Display, Word, equations, listed, sentence
 from .ends import number

@@ -14,7 +14,9 @@ from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import Stored
 from ..shown import Shown
 from .asked import C1, exact_point
-from .heavy_rotations import DIRECTION, HeavyRotation, heavy_rotations
+from .heavy_polynomials import DIRECTION
+from .heavy_rotation import HeavyRotation
+from .heavy_rotations import heavy_rotations
 
 
 @dataclass(frozen=True, repr=False)

@@ -16,7 +16,8 @@ from ..kept import cached_property
 from ..mechanics.system import System
 from ..notation import Stored
 from ..shown import Shown
-from .heavy_rotations import OMEGA, HeavyRotation
+from .heavy_rotation import HeavyRotation
+from .heavy_rotations import OMEGA
 from .rate_curves import RateCurve, rate_curves
 from .staude_arcs import End, Piece
 from .windows import along_stretch

@@ -15,7 +15,9 @@ from ..kept import cached_property
 from ..mechanics.system import System
 from ..notation import Stored
 from .amended_form import dot
-from .heavy_rotations import DIRECTION, OMEGA, SIGMA, HeavyRotation, heavy_rotations
+from .heavy_polynomials import DIRECTION
+from .heavy_rotation import HeavyRotation
+from .heavy_rotations import OMEGA, SIGMA, heavy_rotations
 
 PRECISION = 192                                        # bits of roots that become doubles
 Known = dict[Expr, dict[Expr, bool]]

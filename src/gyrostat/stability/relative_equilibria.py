@@ -8,7 +8,8 @@ from ..mechanics.system import System
 from .asked import asked_about
 from .branch import Branch
 from .branches import branches_at
-from .heavy_rotations import HeavyRotation, heavy_rotations
+from .heavy_rotation import HeavyRotation
+from .heavy_rotations import heavy_rotations
 from .permanent_rotations import PermanentRotation, rotations_at
 
 

@@ -15,7 +15,7 @@ from ..shown import Shown
 from .amended_form import dot
 from .asked import exact_point
 from .gyrostat_arcs import GyrostatArc, gyrostat_arcs
-from .heavy_rotations import DIRECTION
+from .heavy_polynomials import DIRECTION
 from .staude_arcs import StaudeArc, staude_arcs
 
 

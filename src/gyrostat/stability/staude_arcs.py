@@ -14,7 +14,7 @@ from ..notation import Stored, symbol
 from ..shown import Shown
 from .amended_form import amended_form
 from .decision import Decision
-from .heavy_rotations import HeavyRotation
+from .heavy_rotation import HeavyRotation
 from .windows import along_stretch
 
 TAU, RHO = symbol("tau"), symbol("rho")

@@ -1,0 +1,207 @@
+"""One permanent rotation of any body in a field, and what is decided of it."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from flint import arb
+from sympy import Expr, Float, Matrix, Rational, S, sqrt
+
+from ..algebra.balls import ball
+from ..algebra.exact import evaluate, proved_sign
+from ..algebra.matrices import cross
+from ..algebra.precision import own_precision
+from ..kept import cached_property
+from ..mechanics.claimed import equilibrium
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.system import System
+from ..notation import Stored
+from ..shown import Shown
+from .amended_form import AmendedForm, amended_form
+from .decision import Decision, Verdict
+from .heavy_polynomials import DIRECTION
+from .local_motion import LocalMotion
+from .report import Report
+from .secular import KEPT, LOST, modes
+from .sphere import circle_in_words
+from .windows import decide_window
+
+PRECISION = 128                                            # bits that decide
+DIGITS = 80                                                # of frequencies, half of which may cancel
+LEAST = Decision(Verdict.STABLE, "Lyapunov", (), "the amended potential has a minimum", ())
+SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a saddle: an eigenvalue has a "
+                  "positive real part", ())
+LEAVES = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a maximum, and the gyroscopic "
+                  "forces do not hold it: an eigenvalue has a positive real part", ())
+
+
+class Data(NamedTuple):
+    """Of a scene at numbers, in a direction: of the body, and of U."""
+
+    inertia: list[list[Expr]]
+    rotor: list[Expr]
+    gradient: list[Expr]
+    hessian: list[list[Expr]]
+
+
+@dataclass(frozen=True, repr=False)
+class HeavyRotation(Shown, Stored):
+    """A permanent rotation of a body in a field: ω = omega k, k fixed in the body and in space.
+
+    Parameters
+    ----------
+    scene : System
+        at its numbers
+    k : tuple of Expr, shape (3,)
+        exact
+    omega : Expr
+        [1/T]
+    circle : tuple of Expr, shape (3,), or None
+        along the axis about which k may be turned, (0, 0, 0) for any: a continuum of equilibria
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
+    >>> found = gs.relative_equilibria(scene, {"omega": 2})
+    >>> [(f"{float(r.k[0]):.4f}", r.decision.verdict.name) for r in found][:2]
+    [('-0.1444', 'STABLE'), ('-0.1965', 'UNSTABLE')]
+    >>> [f"{float(x):.4f}" for x in (*found[0].frequencies, found[1].growth_rate)]
+    ['1.6331', '1.9588', '0.7830']
+    """
+
+    scene: System
+    k: tuple[Expr, ...]
+    omega: Expr
+    circle: tuple[Expr, ...] | None = None
+
+    @cached_property
+    def point(self) -> tuple[Expr, ...]:
+        """π = omega Ik and k, in the coordinates of the scene."""
+        along = self.scene.body.tensor * Matrix(self.k)
+        return (*(evaluate(self.omega * x, {}) for x in along), *self.k)
+
+    @property
+    def locus(self) -> str:
+        """What it belongs to: "" for a point, else a circle or the sphere of equilibria, in words."""
+        if self.circle is None:
+            return ""
+        return circle_in_words(self.circle) if any(self.circle) else "the whole sphere"
+
+    @cached_property
+    def equilibrium(self) -> Equilibrium:
+        """The same as a claimed point, for a report."""
+        return equilibrium(self.scene, self.point, label="permanent rotation")
+
+    @cached_property
+    def form(self) -> AmendedForm:
+        """Trace and determinant of the second variation across k, p and q of λ⁴ + p λ² + q; exact."""
+        return amended_form(*self._data, self.k, self.omega)
+
+    @cached_property
+    def _data(self) -> Data:
+        return data_at(self.scene, self.k)
+
+    @cached_property
+    def decision(self) -> Decision:
+        """The verdict on the point itself."""
+        trace, determinant, p, discriminant = self.signs
+        if determinant == -1:
+            return SADDLE
+        if determinant == 1 and trace == 1:
+            return LEAST
+        if determinant == 1 and trace == -1 and (p == -1 or discriminant == -1):
+            return LEAVES
+        if determinant == 1 and trace == -1 and p == discriminant == 1:
+            found = decide_window(self._motion)
+            return Decision(Verdict.of(found.stable), found.notion, (), found.why, (), pointwise=True)
+        return Report(self.equilibrium).verdict({})
+
+    @property
+    def _motion(self) -> LocalMotion:
+        inertia, U = self.scene.body.inverse.tolist(), self.scene.potential
+        assert U is not None
+        rotor = self._data.rotor
+        momentum = tuple(evaluate(x + l, {}) for x, l in zip(self.point, rotor))
+        return LocalMotion(tuple(map(tuple, inertia)), tuple(rotor), self.k, momentum, U.expression,
+                           lambda: (evaluate(self.form.p, {}), evaluate(self.form.q, {})))
+
+    @cached_property
+    def damped(self) -> Decision:
+        """The verdict under internal damping."""
+        trace, determinant, *_ = self.signs
+        if not (determinant and trace) or not self._reached:
+            return Report(self.equilibrium).verdict({}, damped=True)
+        growing = 1 if determinant == -1 else 0 if trace == 1 else 2
+        reason = f"{LOST}, {modes(growing)}" if growing else KEPT
+        return Decision(Verdict.of(not growing), "secular", (), reason, (), growing=growing)
+
+    @property
+    def frequencies(self) -> tuple[Expr, ...]:
+        """Of the small motions on the coadjoint orbit, in increasing order [1/T]; exact at rational k, omega,
+        else to 30 digits.
+        """
+        _, determinant, p, discriminant = self.signs
+        if discriminant == -1:
+            return ()
+        half, root = self._halves
+        slow = (sqrt(half - root),) * (determinant == p == 1)
+        return slow + (sqrt(half + root),) * (determinant == -1 or p == 1)
+
+    @property
+    def growth_rate(self) -> Expr | None:
+        """The largest real part of an eigenvalue [1/T]; None where there is none that is positive."""
+        _, determinant, p, discriminant = self.signs
+        half, root = self._halves
+        if discriminant == -1:
+            return sqrt((sqrt(half**2 + root**2) - half) / 2)
+        return sqrt(root - half) if -1 in (determinant, p) else None
+
+    @property
+    def _halves(self) -> tuple[Expr, Expr]:
+        """p/2 and √abs(p²/4 − q): of −λ² half the sum, and half the distance."""
+        form = self.form if all(isinstance(x, Rational) for x in (*self.k, self.omega)) else AmendedForm(
+            *(Float(x.mid().str(DIGITS, radius=False), DIGITS) for x in self._enclosed(4 * PRECISION)))
+        return form.p / 2, sqrt(abs(form.p**2 / 4 - form.q)) if self.signs[3] else S.Zero
+
+    def _enclosed(self, precision: int) -> AmendedForm:
+        """The form in balls."""
+        with own_precision(precision):
+            k = [ball(x, precision) for x in self.k]
+            inertia, rotor, gradient, curved = self._data
+            rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
+            vectors = [[ball(e, precision) for e in vector] for vector in (rotor, gradient)]
+            return amended_form(rows[0], vectors[0], vectors[1], rows[1], k, ball(self.omega, precision))
+
+    @cached_property
+    def signs(self) -> tuple[int | None, ...]:
+        """Of trace, determinant, p and p² − 4q."""
+        with own_precision(PRECISION):
+            trace, determinant, p, q = self._enclosed(PRECISION)
+            found = [_sign(x) for x in (trace, determinant, p, p**2 - 4 * q)]
+        if None not in found:
+            return tuple(found)
+        exact = self.form.trace, self.form.determinant, self.form.p, self.form.p**2 - 4 * self.form.q
+        return tuple(proved_sign(evaluate(x, {})) if sign is None else sign for sign, x in zip(found, exact))
+
+    @property
+    def _reached(self) -> bool:
+        """Whether internal damping reaches every motion: M × k or ∇U × k does not vanish."""
+        _, rotor, gradient, _ = self._data
+        M = [x + l for x, l in zip(self.point, rotor)]
+        return any(proved_sign(evaluate(x, {})) for x in (*cross(M, self.k), *cross(gradient, self.k)))
+
+
+def data_at(scene: System, k: Sequence[Expr]) -> Data:
+    """The same of a scene."""
+    U = scene.potential
+    assert U is not None
+    at = dict(zip(DIRECTION, k))
+    slopes = U.gradient()
+    rows = slopes, *(U.following(d) if d else (S.Zero,) * 3 for d in slopes)
+    first, *second = ([evaluate(U.value(d), at) if d else S.Zero for d in row] for row in rows)
+    return Data(scene.body.tensor.tolist(), list(scene.body.gyrostatic_momentum), first, second)
+
+
+def _sign(x: arb) -> int | None:
+    return 1 if x > 0 else -1 if x < 0 else None
