@@ -108,7 +108,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.criteria": "formal_criterion secular_criterion spectral_criterion",
     "stability.continuation": "Continuation continuation",
     "stability.followed_rotations": "RotationContinuation",
-    "stability.gyrostat_arcs": "GyrostatArc", "stability.heavy_rotations": "HeavyRotation",
+    "stability.gyrostat_arcs": "GyrostatArc",
     "stability.heavy_rotation": "HeavyRotation",
     "stability.energy_casimir": "SecondVariation augmented_hessian multipliers "
                                 "second_variation secular_variation",

@@ -69,6 +69,11 @@ def staude(heavy):
     return plotting.draw_staude_cone(scene, {}, space())
 
 
+def staude_plane(heavy):
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "1/2")), gs.general_potential(lambda k1, k2, k3: k3))
+    return plotting.draw_staude_plane(scene, {}, ("-3", 3), flat())
+
+
 def diagram(heavy):
     return plotting.draw_energy_momentum(heavy, BODY | {"p_psi": 1}, ax=flat())
 
@@ -108,6 +113,7 @@ def contents(figure):
                  spun_up, marks=pytest.mark.slow),
     (["rotor-set", *sets("I1=1 I2=2 I3=3 l2=0"), "--momentum", "1"], rotors),
     (["staude-cone", "--potential", "k1+k2+k3", *sets("I1=1 I2=2 I3=3 l=0")], staude),
+    (["staude-plane", "--potential", "k3", *sets("I1=1 I2=2 I3=3 l=1/2"), "--x", "omega=-3:3"], staude_plane),
     pytest.param(["energy-momentum", *HEAVY, *sets("p_psi=1")], diagram, marks=pytest.mark.slow),
     (["eigenvalues", *HOPF, "--x", "omega3_0=2.2:0:40"], hopf),
     (["cones", *sets("I1=2 I3=1"), "--transverse", "1", "--axial", "2"], rolling)],
@@ -171,6 +177,8 @@ def test_files(capsys, tmp_path):
      "--potential is missing, and staude-cone is of a field"),
     (["staude-cone", "--potential", "k1^2+k2", *sets("I1=1 I2=2 I3=3 l=0"), "--output", "x.png"],
      "U = k1**2 + k2 is not c·k: the arcs are found in a uniform field"),
+    (["staude-plane", "--potential", "k3", *sets("I1=1 I2=2 I3=3 l=1"), "--x", "l=0:1", "--output", "x.png"],
+     "--x is l, and the picture is one over omega: write --x omega=-2:2"),
     (["staude-cone", "--potential", "k3", *sets("I1=2 I2=2 I3=3 l=1"), "--output", "x.png"],
      "the body is one of revolution in its field"),
     (["staude-cone", "--potential", "k1+k2", *sets("I1=1 I2=2 l=0"), "--output", "x.png"], "needs I3"),

@@ -32,6 +32,8 @@ REFUSED = {
     "draw_rotor_set": lambda: gs.plotting.draw_rotor_set(gs.assemble(gs.Gyrostat(TENSOR)), {"l3": 0, "M": 1}),
     "draw_staude_cone": lambda: gs.plotting.draw_staude_cone(gs.assemble(
         gs.Gyrostat(TENSOR, (0, 0, 0)), HEAVY.potential)),
+    "draw_staude_plane": lambda: gs.plotting.draw_staude_plane(gs.assemble(
+        gs.Gyrostat(TENSOR, (0, 0, 1)), HEAVY.potential)),
     "animate_top": lambda: gs.plotting.animate_top(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
     "view_motion": lambda: gs.plotting.view_motion(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
 }

@@ -67,6 +67,11 @@ KINDS = {
         "Draws the admissible arcs of Staude's cone on the sphere of directions, with a rotor those of a "
         "curve: about which axes a body of three moments in U = c·k turns permanently, with the verdicts and "
         "where they change."),
+    "staude-plane": (
+        "the permanent rotations of a heavy body against their rate",
+        "Draws the permanent rotations of a body of three moments in U = c·k, with a rotor or without, in "
+        "the plane of the rate omega and of sigma in ∇U = omega² Ik + omega l + sigma k, with their "
+        "verdicts: which there are at each rate, and where two of them become one."),
     "energy-momentum": (
         "critical values of the energy and C1 at a fixed axial momentum",
         "Draws the energy-momentum diagram: the critical values of the energy and C1 at a fixed "

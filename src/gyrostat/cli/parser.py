@@ -148,7 +148,7 @@ def _motion(verb: argparse.ArgumentParser) -> None:
 def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     """The pictures and what each needs."""
     kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
-    sphere, nutation, well, branches, rotors, staude, diagram, eigenvalues, cones = (
+    sphere, nutation, well, branches, rotors, staude, plane, diagram, eigenvalues, cones = (
         kinds.add_parser(name, help=line, description=sentences, formatter_class=Formatter)
         for name, (line, sentences) in KINDS.items())
     scene_file(sphere)
@@ -167,8 +167,10 @@ def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     scene_file(rotors)
     _numbers(rotors, "I1, I2, I3 and one of l1, l2, l3; the others are the axes")
     rotors.add_argument("--momentum", metavar="M", required=True, help="|M|")
-    _scene(staude, "I1, I2, I3, l or l1, l2, l3, and the names in U",
-           "of degree 1 in k1, k2, k3; it is required")
+    for kind in staude, plane:
+        _scene(kind, "I1, I2, I3, l or l1, l2, l3, and the names in U",
+               "of degree 1 in k1, k2, k3; it is required")
+    plane.add_argument("--x", metavar="omega=LOW:HIGH", help="the rates; left out: all where something is")
     _scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")
     _scene(eigenvalues, "all names in the spectrum but the axis")
     _equilibrium(eigenvalues, "left out: of a free body axis 3")

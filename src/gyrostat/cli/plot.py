@@ -59,6 +59,16 @@ def _staude_cone(given: argparse.Namespace, numbers: Numbers, figure: Any) -> st
     return _unusual(scene, numbers)
 
 
+def _staude_plane(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    rates = None
+    if given.x is not None:
+        name, *rates, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
+        if name != "omega":
+            raise ValuesError(f"--x is {name}, and the picture is one over omega: write --x omega=-2:2")
+    plotting.draw_staude_plane(scene := _in_a_field(given, numbers), numbers, rates, figure.subplots())
+    return _unusual(scene, numbers)
+
+
 def _nutation(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     times = times_of(given, POINTS)
     plotting.draw_nutation(moving := motion_of(given), times, figure.add_subplot(**SPACE))
@@ -131,4 +141,5 @@ def _free(name: str, numbers: Numbers) -> None:
 DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], str]] = {
     "momentum-sphere": _momentum_sphere, "nutation": _nutation, "effective-potential": _effective_potential,
     "bifurcations": _bifurcations, "rotor-set": _rotor_set, "staude-cone": _staude_cone,
+    "staude-plane": _staude_plane,
     "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues, "cones": _cones}

@@ -43,12 +43,11 @@ def directions(arc: Arc, piece: Piece, step: float) -> Array:
     """k along a piece, its ends with it, none further from the next than a step; shape (n, 3)."""
     first, last = (floats(end.k) if at == own else along(arc, np.array([float(at)])).k[0]
                    for end, at, own in zip(arc.ends, (piece.low, piece.high), (arc.low, arc.high)))
-    inside = _halved(lambda t: along(arc, _placed(arc, piece, t)).k, first, last, step)
-    return np.vstack([first, inside, last])
+    return halved(lambda t: along(arc, placed(arc, piece, t)).k, first, last, step)
 
 
-def _halved(place: Callable[[Array], Array], first: Array, last: Array, step: float) -> Array:
-    """Places at values between 0 and 1, halved where two are further apart than a step."""
+def halved(place: Callable[[Array], Array], first: Array, last: Array, step: float) -> Array:
+    """Places at values from 0 to 1, halved where two are further apart than a step."""
     t = np.linspace(0, 1, FIRST)
     found = np.vstack([first, place(t[1:-1]), last])
     for _ in range(ROUNDS):
@@ -57,10 +56,10 @@ def _halved(place: Callable[[Array], Array], first: Array, last: Array, step: fl
             break
         middle = (t[wide] + t[wide + 1]) / 2
         found, t = np.insert(found, wide + 1, place(middle), axis=0), np.insert(t, wide + 1, middle)
-    return found[1:-1]
+    return found
 
 
-def _placed(arc: Arc, piece: Piece, t: Array) -> Array:
+def placed(arc: Arc, piece: Piece, t: Array) -> Array:
     """Values of the parameter between the ends of a piece, for t between 0 and 1."""
     low, high, size = float(piece.low), float(piece.high), _size(arc)
     if piece.low == -oo and piece.high == oo:

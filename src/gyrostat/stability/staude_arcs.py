@@ -112,9 +112,19 @@ class StaudeArc(Shown, Stored):
         return End(tuple(x / sqrt(_squared(along)) for x in along), S.Zero if far else oo)
 
     @cached_property
+    def folds(self) -> tuple[Expr, ...]:
+        """Where two rotations of one omega become one, exact: omega is greatest or least on the arc."""
+        return tuple(real_roots(_squared(self.n).diff(self.parameter), self.parameter, *self._within) or ())
+
+    @cached_property
     def boundaries(self) -> tuple[Expr, ...]:
         """Where the verdict changes, exact: the amended potential or the spectrum does."""
         return tuple(piece.low for piece in self.pieces[1:])
+
+    @property
+    def _within(self) -> tuple[Expr | None, ...]:
+        """low and high, None where it goes to ±∞."""
+        return tuple(None if end in (oo, -oo) else end for end in (self.low, self.high))
 
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:
@@ -128,8 +138,7 @@ class StaudeArc(Shown, Stored):
         gradient = [evaluate((m + self.tau / scale) * y, {}) for m, y in zip(body.moments, self.n)]
         form = amended_form(moments, (S.Zero,) * 3, gradient, zeros(3).tolist(), self.n, S.One)
         margins = form.determinant, form.p, form.p**2 - 4 * form.q
-        within = [None if end in (oo, -oo) else end for end in (self.low, self.high)]
-        found = {root for margin in margins for root in real_roots(margin, x, *within) or ()}
+        found = {root for margin in margins for root in real_roots(margin, x, *self._within) or ()}
         pieces: list[Piece] = []
         for low, high in pairwise([self.low, *in_order(list(found)), self.high]):
             decision = along_stretch(self.rotation(between(low, high)).decision)

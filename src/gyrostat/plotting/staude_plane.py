@@ -1,0 +1,177 @@
+"""Permanent rotations in the plane of omega and sigma: the real curve abs(k) = 1, with verdicts."""
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from sympy import Expr, oo
+
+from ..algebra.exact import proved_sign
+from ..algebra.floats import Array
+from ..algebra.numbers import exact_number
+from ..errors import ValuesError
+from ..mechanics.system import System
+from ..stability.gyrostat_arcs import GyrostatArc
+from ..stability.report import Verdict
+from ..stability.staude import staude_cone
+from ..stability.staude_arcs import End, Piece
+from .along_arcs import Arc, along, floats, halved, placed
+from .headings import heading, number, of_scene
+from .looks import GREY, axes_of, axis, legend, line, named, with_dimension
+from .staude_cone import CHANGE, FOLD, REST
+
+STEP, BEYOND, MARGIN = 0.02, 1.2, 1.25                 # of the window; where a curve may be cut; around marks
+SAMPLES, LEAST = 201, 1e-9                             # of a parabola; beside an end
+AXES = {"color": GREY, "linewidth": 0.7, "zorder": 1}
+
+
+def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
+                      omega: Sequence[Any] | None = None, ax: Any = None, **kwargs: Any) -> Any:
+    """Draw the permanent rotations of a heavy body against their rate, in the plane of omega and sigma.
+
+    With ∇U = omega² Ik + omega l + sigma k and U = c·k they are the real curve Σ (c_i − omega l_i)²/(sigma +
+    omega² I_i)² = 1, in the look of their verdicts: a line across it at one omega meets every rotation of
+    that rate. Upwards is sigma + omega² I of the middle moment I, so that the branches are apart. Circles:
+    folds, two become one; diamonds: changes of the verdict; crosses: ±c, at rest; grey: sigma = −omega² I_i,
+    k along axis i, where they go as omega → ±∞.
+
+    Parameters
+    ----------
+    scene : System
+        in principal axes, with U = c·k; with a rotor, of rational numbers
+    values : mapping of name to number, or None
+        for every name of the scene
+    omega : (low, high) or None
+        the range of rates; None: all that is marked
+    ax : matplotlib Axes
+        new ones where they are left out
+    **kwargs : Any
+        of the curve: of Axes.plot
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    ScopeError
+        U is not c·k, the axes are not principal, every direction, or every one of a circle, is that of a
+        permanent rotation; with a rotor, a number is not rational
+    ValuesError
+        a name is missing or unknown, a number is not admissible, or the range is empty
+    MissingExtraError
+        pip install "gyrostat[plot]"
+
+    References
+    ----------
+    Derived.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> from matplotlib.figure import Figure
+    >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
+    >>> ax = gs.plotting.draw_staude_plane(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U),
+    ...                                    ax=Figure().subplots())
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['stable', 'unstable', 'undecided', 'fold', 'change', 'at rest']
+    """
+    arcs = staude_cone(scene).arcs(values or {})
+    plane = _Plane(arcs[0].scene)
+    folds = [place for arc in arcs for place in plane.folds(arc)]
+    changes = [place for arc in arcs for x in arc.boundaries for place in plane.at(arc, x)]
+    rest = [np.array([0.0, side * np.linalg.norm(plane.c)]) for side in (1, -1)]
+    low, high = _range(omega) if omega else plane.rates([*folds, *changes])
+    bottom, top = plane.heights(max(-low, high))
+    window = np.array([max(-low, high), max(-bottom, top)])
+    ax, handles = axes_of(ax), []
+    rates = np.linspace(low, high, SAMPLES)
+    for moment in plane.moments:
+        ax.plot(rates, (plane.middle - moment) * rates**2, **AXES)
+    for verdict in Verdict:
+        style = {**line(verdict), **kwargs}
+        own = [curve for arc in arcs for piece in arc.pieces if piece.decision.verdict is verdict
+               for curve in plane.curves(arc, piece, window)]
+        for curve in own:
+            ax.plot(*curve.T, **style)
+        handles += [named(style, verdict.name.lower())] if own else []
+    for points, look, name in ((folds, FOLD, "fold"), (changes, CHANGE, "change"), (rest, REST, "at rest")):
+        if points:
+            ax.plot(*np.array(points).T, **look, zorder=4)
+            handles.append(named(look, name))
+    upwards = rf"$\sigma + {number(plane.exact, str(plane.exact))}\,\omega^2$"
+    ax.set(xlim=(low, high), ylim=(bottom, top), xlabel=axis("omega"),
+           ylabel=with_dimension(upwards, (1, 2, 0)))
+    legend(ax, handles, title=heading(ax, *of_scene(scene, values or {})))
+    return ax
+
+
+class _Plane:
+    """A body in doubles, and its rotations in the plane of omega and sigma + omega² I."""
+
+    def __init__(self, scene: System):
+        U, body = scene.potential, scene.body
+        assert U is not None
+        self.moments = np.array([float(x) for x in body.moments])
+        self.exact = sorted(body.moments, key=float)[1]
+        self.middle = float(self.exact)
+        self.rotor = np.array([float(x) for x in body.gyrostatic_momentum])
+        self.c = np.array([float(U.value(x)) if x else 0.0 for x in U.gradient()])
+
+    def of_end(self, end: End) -> Array:
+        """The place of an end of finite rate."""
+        k, omega = floats(end.k), float(end.omega)
+        apart = omega**2 * (self.middle - self.moments)
+        return np.array([omega, k @ (self.c - omega * self.rotor + apart * k)])
+
+    def along(self, arc: Arc, parameters: Array) -> Array:
+        """Places along an arc, without a rotor those of positive omega; shape (n, 2)."""
+        _, omega, sigma = along(arc, parameters)
+        return np.stack([omega, sigma + self.middle * omega**2], axis=1)
+
+    def at(self, arc: Arc, x: Expr) -> list[Array]:
+        """The places at a value of the parameter."""
+        return _at_both_rates(arc, self.along(arc, np.array([float(x)]))[0])
+
+    def folds(self, arc: Arc) -> list[Array]:
+        """Where two rotations of one rate become one."""
+        if isinstance(arc, GyrostatArc):
+            return [self.of_end(end) for end in arc.ends if end.omega not in (oo, -oo)]
+        return [place for x in arc.folds for place in self.at(arc, x)]
+
+    def rates(self, places: Sequence[Array]) -> tuple[float, float]:
+        """A range with some places in it, or with what is usual for the body."""
+        usual = np.sqrt(np.linalg.norm(self.c) / self.moments.sum())
+        most = MARGIN * max([abs(float(place[0])) for place in places] or [2 * usual])
+        return -most, most
+
+    def heights(self, omega: float) -> tuple[float, float]:
+        """Bounds of sigma + omega² I at all rates up to one."""
+        still = float(np.linalg.norm(self.c) + omega * np.linalg.norm(self.rotor))
+        apart = omega**2 * (self.middle - self.moments)
+        return float(apart.min()) - still, float(apart.max()) + still
+
+    def curves(self, arc: Arc, piece: Piece, window: Array) -> list[Array]:
+        """A piece of an arc, cut outside the window."""
+        def inside(places: Array) -> Array:
+            return np.clip(places / window, -BEYOND, BEYOND)
+
+        def on_arc(t: Array) -> Array:
+            return inside(self.along(arc, placed(arc, piece, t)))
+
+        first, last = (
+            inside(self.of_end(end)) if at == own and end.omega not in (oo, -oo) else on_arc(np.array([t]))[0]
+            for end, at, own, t in zip(arc.ends, (piece.low, piece.high), (arc.low, arc.high),
+                                       (LEAST, 1 - LEAST)))
+        return _at_both_rates(arc, window * halved(on_arc, first, last, STEP))
+
+
+def _at_both_rates(arc: Arc, places: Array) -> list[Array]:
+    """Without a rotor −omega is a rate, too."""
+    return [places] if isinstance(arc, GyrostatArc) else [places, places * (-1, 1)]
+
+
+def _range(omega: Sequence[Any]) -> tuple[float, float]:
+    low, high = (exact_number(x, "omega") for x in omega)
+    if proved_sign(high - low) != 1:
+        raise ValuesError(f"omega goes from {low} to {high}: give the lower one first")
+    return float(low), float(high)
