@@ -99,6 +99,13 @@ def test_legend_heading_and_marks():
     assert [text.get_text() for text in axis.get_legend().get_texts()][-1] == "every rate"
 
 
+def test_a_rotor_that_is_set_to_0():
+    scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l"))),
+                        gs.general_potential(lambda k1, k2, k3: k3))
+    ax = draw_staude_cone(scene, {"I1": 1, "I2": 2, "I3": 3, "l": 0}, Figure().add_subplot(projection="3d"))
+    assert "no rotation" in [text.get_text() for text in ax.get_legend().get_texts()]
+
+
 def test_flat_axes_are_refused():
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(lambda *k: sum(k)))
     with pytest.raises(ArgumentError, match="the picture is a view of space"):

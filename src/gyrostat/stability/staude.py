@@ -81,7 +81,7 @@ class StaudeCone(Shown, Stored):
         """Every admissible arc.
 
         Without a rotor in the order of tau, and on each both omega and −omega are rates. With one, over
-        omega: from each end, at which two rotations become one, to another, or to omega → ±∞.
+        omega, as they end: from where two rotations become one to the next such rate, or to omega → ±∞.
 
         Parameters
         ----------
