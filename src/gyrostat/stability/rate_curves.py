@@ -18,8 +18,10 @@ from .amended_form import dot
 from .heavy_polynomials import DIRECTION
 from .heavy_rotation import HeavyRotation
 from .heavy_rotations import OMEGA, SIGMA, heavy_rotations
+from .staude_arcs import TAU
 
 PRECISION = 192                                        # bits of roots that become doubles
+SLOWER = {SIGMA: OMEGA**2 * TAU}
 Known = dict[Expr, dict[Expr, bool]]
 
 
@@ -103,10 +105,15 @@ class RateCurve(Stored):
 
     @cached_property
     def critical(self) -> list[Expr]:
-        """Every omega at which k·adj(K)k or p² − 4q vanishes on the curve, among others."""
-        form, curve = HeavyRotation(self.scene, self.k, OMEGA).form, self.plane
+        """Every omega at which k·adj(K)k or p² − 4q vanishes on the curve, among others, and 0.
+
+        With tau = sigma/omega², of which the polynomials are of lower degree in omega.
+        """
+        form = HeavyRotation(self.scene, tuple(x.xreplace(SLOWER) for x in self.k), OMEGA).form
+        unknown = TAU if self.unknown == SIGMA else self.unknown
+        curve = PlaneCurve(self.equation.xreplace(SLOWER), unknown, OMEGA, ends=())
         name = str(curve.whole.context().names()[curve.place[0]])
-        found: dict[Expr, None] = {}
+        found: dict[Expr, None] = {S.Zero: None}
         for margin in (form.determinant, form.p**2 - 4 * form.q):
             top = cancel(*curve.ring.fraction(margin))[0]
             part = curve.whole / curve.whole.gcd(top)
