@@ -73,10 +73,10 @@ def test_special_gyrostats(kind):
 @pytest.mark.slow
 def test_many(full):
     rng, found = random.Random("many arcs"), 0
-    for _ in range(sampled(200, full, 30)):
+    for _ in range(sampled(120, full, 12)):
         case = drawn(rng)
         found += check(rng, arcs_of(*case), *case)
-    assert found > 200
+    assert found > 100
 
 
 def test_ends_are_folds_and_axes():
@@ -147,7 +147,7 @@ def test_what_is_refused():
     for inertia, c, rotor, why in (
             ((2, 2, 3), (0, 0, 1), (0, 0, 1), r"l = \(0, 0, 1\): the body is one of revolution"),
             ((2, 2, 3), (1, 1, 0), (2, 2, Fraction(1, 10)), "at omega = 1/2 permanent rotations are about"),
-            ((1, 2, 3), (0, 0, 0), (0, 0, 1), "or free")):
+            ((1, 2, 3), (0, 0, 0), (0, 0, 1), "the body is free; assemble it without a potential")):
         with pytest.raises(ScopeError, match=why):
             arcs_of(inertia, c, rotor)
     root = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), gs.general_potential(sqrt(2) * k1 + k2 + k3))

@@ -166,7 +166,9 @@ def test_what_is_refused():
     curved = gs.staude_cone(gs.assemble(body, gs.general_potential(k1**2 + k2)))
     with pytest.raises(ScopeError, match=r"is not c·k: the arcs are found in a uniform field"):
         curved.arcs({})
-    for inertia, c in (((2, 2, 3), (0, 0, 1)), ((1, 1, 1), (1, 2, 3)), ((1, 2, 3), (0, 0, 0))):
+    with pytest.raises(ScopeError, match="the body is free"):
+        cone_of((1, 2, 3), (0, 0, 0)).arcs({})
+    for inertia, c in (((2, 2, 3), (0, 0, 1)), ((1, 1, 1), (1, 2, 3))):
         with pytest.raises(ScopeError, match="about every direction"):
             cone_of(inertia, c).arcs({})
     scene = gs.assemble(body, gs.general_potential(gs.symbol("m0") * k1 + k2))

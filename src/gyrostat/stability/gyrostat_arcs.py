@@ -88,13 +88,8 @@ class GyrostatArc(Shown, Stored):
         """
         if not isinstance(at := exact_number(at, "omega"), Rational):
             raise ValuesError(f"omega = {at}: give a rational rate, at which the rotation is found exactly")
-        for span in self.strand.spans:
-            if at == span.high != self.high:
-                return self._among_others(span, at)
-            if _lies(at, span):
-                return self.curve.at(span.place, at)
-        raise ValuesError(f"omega = {at}, and the arc goes from {self.low} to {self.high}: give a rate "
-                          "between")
+        span = self._span(at)
+        return self._among_others(span, at) if at == span.high else self.curve.at(span.place, at)
 
     def near(self, omega: Fraction) -> tuple[tuple[float, ...], float]:
         """k, and sigma of ∇U = omega² Ik + omega l + sigma k, in doubles.
@@ -109,13 +104,19 @@ class GyrostatArc(Shown, Stored):
         tuple
         """
         at = Rational(omega.numerator, omega.denominator)
+        span = self._span(at)
+        if at != span.high:
+            return self.curve.near(span.place, omega)
+        rotation = self._among_others(span, at)
+        return tuple(map(float, rotation.k)), float(self.curve.sigma(rotation))
+
+    def _span(self, at: Rational) -> Span:
+        """In which a rate lies, or at whose end, inside the arc."""
         for span in self.strand.spans:
-            if at == span.high != self.high:
-                rotation = self._among_others(span, at)
-                return tuple(map(float, rotation.k)), float(self.curve.sigma(rotation))
-            if _lies(at, span):
-                break
-        return self.curve.near(span.place, omega)
+            if _lies(at, span) or at == span.high != self.high:
+                return span
+        raise ValuesError(f"omega = {at}, and the arc goes from {self.low.evalf(6)} to {self.high.evalf(6)}: "
+                          "give a rate between")
 
     def _among_others(self, span: Span, at: Expr) -> HeavyRotation:
         """Where roots meet: two rotations of one sigma have k_i of two signs, each that of its branch."""

@@ -108,11 +108,14 @@ class StaudeCone(Shown, Stored):
             raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
         here = at_numbers(self.scene, numbers)
         c = _linear(here)
-        if StaudeCone(here).turned and any(c):
+        if not any(c):
+            raise ScopeError("U does not depend on k: the body is free; assemble it without a potential, and "
+                             "relative_equilibria finds its permanent rotations")
+        if StaudeCone(here).turned:
             return list(gyrostat_arcs(here, c))
         if is_identically_zero(StaudeCone(here).polynomial):
             raise ScopeError(f"inertia = {here.body.moments}, c = {c}: the body is one of revolution in its "
-                             "field, or free, and permanent rotations are about every direction: ask "
+                             "field, and permanent rotations are about every direction: ask "
                              "relative_equilibria")
         return list(staude_arcs(here, c))
 
