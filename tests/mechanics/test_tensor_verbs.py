@@ -41,6 +41,8 @@ ANSWERED = {
     "principal_axes": lambda: gs.mechanics.principal_axes(FREE.body),
     "torque_equations": lambda: gs.mechanics.torque_equations(FREE.body),
     "amended_potential": lambda: gs.amended_potential(HEAVY).expression,
+    "draw_amended_potential": lambda: gs.plotting.draw_amended_potential(gs.assemble(
+        FREE.body, gs.general_potential(lambda a, b, c: a + 2 * b + c)), {"C1": 1}),
     "upright": lambda: gs.upright(HEAVY, spin="omega3_0"), "hanging": lambda: gs.hanging(HEAVY),
     "principal_rotation": lambda: gs.principal_rotation(FREE, 3),
     "permanent_rotation": lambda: gs.analyze(gs.permanent_rotation(gs.assemble(

@@ -72,6 +72,11 @@ KINDS = {
         "Draws the permanent rotations of a body of three moments in U = c·k, with a rotor or without, in "
         "the plane of the rate omega and of sigma in ∇U = omega² Ik + omega l + sigma k, with their "
         "verdicts: which there are at each rate, and where two of them become one."),
+    "amended-potential": (
+        "U + (C1 − l·k)²/(2 k·Ik) of any body in a field, with its critical points",
+        "Draws the amended potential of a body in a field on the sphere of directions, on a level of C1: "
+        "level curves, those through saddles, and its critical points, the permanent rotations, with "
+        "their verdicts."),
     "energy-momentum": (
         "critical values of the energy and C1 at a fixed axial momentum",
         "Draws the energy-momentum diagram: the critical values of the energy and C1 at a fixed "

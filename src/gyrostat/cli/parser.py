@@ -4,16 +4,14 @@ import math
 import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
-from difflib import get_close_matches
 from functools import cache
 
-from ..mechanics.families import called, in_words, known_families, named
 from ..version import __version__
 from .carried import carried_out
 from .completion import SHELLS, PrintCompletion
 from .help import KINDS, PROGRAM, VERBS, Formatter, examples
 from .output import standard_streams, told
-from .scene_options import claimed_point, scene_file
+from .scene_options import a_scene, an_equilibrium, claimed_point, numbers, scene_file
 from .watch import signals
 
 LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
@@ -36,7 +34,7 @@ def parser() -> argparse.ArgumentParser:
                           (conditions, "put in the place of the name"),
                           (decide, "names of the moments, l, U and the motion"),
                           (chart, "all names but the axes")):
-        _scene(verb, meaning)
+        a_scene(verb, meaning)
         claimed_point(verb)
     _motion(motion)
     kinds = _kinds(plot)
@@ -48,8 +46,8 @@ def parser() -> argparse.ArgumentParser:
         conditions.add_argument(option, metavar="C", help=f"of a weak damper in the {body} of a --scene with "
                                 "one rotor, a number or a name: the energy-sink condition is added")
     for verb in (report, conditions):
-        _equilibrium(verb, "may be repeated; left out: all that are known", "append")
-    _equilibrium(decide, "left out: every relative equilibrium that the numbers allow")
+        an_equilibrium(verb, "may be repeated; left out: all that are known", "append")
+    an_equilibrium(decide, "left out: every relative equilibrium that the numbers allow")
     decide.add_argument("--momentum", metavar="M", help="of a free body: every permanent rotation with this "
                         "|M|; the same as --set M")
     decide.add_argument("--normal-form", type=int, choices=(4, 6), help="of the equilibrium that is "
@@ -60,7 +58,7 @@ def parser() -> argparse.ArgumentParser:
     decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start",
                         help="the line of the batch to begin with, to go on "
                         "after an interruption; left out: 1")
-    _equilibrium(chart, "left out: of a free body axis 3")
+    an_equilibrium(chart, "left out: of a free body axis 3")
     for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"),
                          ("--y", "the vertical axis")):
         chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
@@ -95,42 +93,9 @@ def parser() -> argparse.ArgumentParser:
     return top
 
 
-def _equilibrium(verb: argparse.ArgumentParser, left_out: str, action: str = "store") -> None:
-    """The equilibria, by their labels or by the words of the field."""
-    families = known_families()
-    verb.add_argument("--equilibrium", action=action, type=_label, choices=tuple(named(families)),
-                      metavar="NAME", help=f"{in_words(families)}; {left_out}")
-
-
-def _label(text: str) -> str:
-    """What the equilibrium of a name is asked for."""
-    families = known_families()
-    if (family := called(text, families)) is None:
-        near = get_close_matches(text.lower(), list(named(families)), 1)
-        raise argparse.ArgumentTypeError(f"{text} is no equilibrium: "
-                                         f"{f'did you mean {near[0]}? ' if near else ''}"
-                                         f"give {in_words(families)}")
-    return family.asked_for
-
-
-def _scene(verb: argparse.ArgumentParser, meaning: str,
-           potential: str = "none for a free body; left out: U unspecified") -> None:
-    """A field and numbers."""
-    verb.add_argument("--potential", metavar="EXPR",
-                      help="U in k3, or k1, k2, k3, and parameters: names, numbers, + - * / ^, "
-                      f"parentheses, sqrt, exp, log, sin, …; {potential}")
-    scene_file(verb)
-    _numbers(verb, meaning)
-
-
-def _numbers(verb: argparse.ArgumentParser, meaning: str) -> None:
-    verb.add_argument("--set", action="extend", nargs="+", default=[], metavar="NAME=VALUE", dest="values",
-                      help=f"numbers, exact: I1=1.6 l=1/2 k3='sqrt(3)/2'; {meaning}")
-
-
 def _motion(verb: argparse.ArgumentParser) -> None:
     """A body, its state and times."""
-    _scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U",
+    a_scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U",
            "with k1 or k2 in it, U(k1, k2, k3); none for a free body")
     verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3",
                       help="at the time 0, exact; of a free body PI1,PI2,PI3; "
@@ -148,37 +113,39 @@ def _motion(verb: argparse.ArgumentParser) -> None:
 def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
     """The pictures and what each needs."""
     kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
-    sphere, nutation, well, branches, rotors, staude, plane, diagram, eigenvalues, cones = (
+    sphere, nutation, well, branches, rotors, staude, plane, amended, diagram, eigenvalues, cones = (
         kinds.add_parser(name, help=line, description=sentences, formatter_class=Formatter)
         for name, (line, sentences) in KINDS.items())
     scene_file(sphere)
-    _numbers(sphere, "I1, I2, I3; l or l1, l2, l3")
+    numbers(sphere, "I1, I2, I3; l or l1, l2, l3")
     sphere.add_argument("--momentum", metavar="M", required=True, help="the radius, |M|")
     sphere.add_argument("--energy", metavar="H", action="append",
                         help="of a polhode; may be repeated; left out: some of each kind")
     _motion(nutation)
     nutation.set_defaults(precision=None)
-    _scene(well, "I1, I3, l, the names in U, p_phi and p_psi", "it is required")
+    a_scene(well, "I1, I3, l, the names in U, p_phi and p_psi", "it is required")
     well.add_argument("--energy", metavar="H", help="with the motion at this energy")
-    _scene(branches, "I1, I3, l, omega and the names in U, or I1, I2, I3, l1, l2, l3 and M, without that of "
+    a_scene(branches, "I1, I3, l, omega and the names in U, or I1, I2, I3, l1, l2, l3 and M, without that of "
            "the axis", "none for a free gyrostat; it is required")
     branches.add_argument("--x", metavar="NAME=LOW:HIGH", required=True,
                           help="the parameter, omega or another name, and its range")
     scene_file(rotors)
-    _numbers(rotors, "I1, I2, I3 and one of l1, l2, l3; the others are the axes")
+    numbers(rotors, "I1, I2, I3 and one of l1, l2, l3; the others are the axes")
     rotors.add_argument("--momentum", metavar="M", required=True, help="|M|")
     for kind in staude, plane:
-        _scene(kind, "I1, I2, I3, l or l1, l2, l3, and the names in U",
+        a_scene(kind, "I1, I2, I3, l or l1, l2, l3, and the names in U",
                "of degree 1 in k1, k2, k3; it is required")
     plane.add_argument("--x", metavar="omega=LOW:HIGH", help="the rates; left out: all where something is")
-    _scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")
-    _scene(eigenvalues, "all names in the spectrum but the axis")
-    _equilibrium(eigenvalues, "left out: of a free body axis 3")
+    a_scene(amended, "I1, I2, I3, l or l1, l2, l3, the names in U, and C1",
+           "of degree 1 or 2 in k1, k2, k3; it is required")
+    a_scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")
+    a_scene(eigenvalues, "all names in the spectrum but the axis")
+    an_equilibrium(eigenvalues, "left out: of a free body axis 3")
     claimed_point(eigenvalues)
     eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
                              help="the parameter, its range, either way, and how many values; "
                              "left out: 200")
-    _numbers(cones, "I1 and I3")
+    numbers(cones, "I1 and I3")
     cones.add_argument("--transverse", metavar="W", required=True,
                        help="the angular velocity across the axis")
     cones.add_argument("--axial", metavar="W3", required=True, help="the angular velocity along the axis")

@@ -69,6 +69,12 @@ def _staude_plane(given: argparse.Namespace, numbers: Numbers, figure: Any) -> s
     return _unusual(scene, numbers)
 
 
+def _amended_potential(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    scene = _in_a_field(given, numbers)
+    plotting.draw_amended_potential(scene, numbers, figure.add_subplot(**SPACE))
+    return _unusual(scene, numbers)
+
+
 def _nutation(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     times = times_of(given, POINTS)
     plotting.draw_nutation(moving := motion_of(given), times, figure.add_subplot(**SPACE))
@@ -142,4 +148,5 @@ DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], str]] = {
     "momentum-sphere": _momentum_sphere, "nutation": _nutation, "effective-potential": _effective_potential,
     "bifurcations": _bifurcations, "rotor-set": _rotor_set, "staude-cone": _staude_cone,
     "staude-plane": _staude_plane,
+    "amended-potential": _amended_potential,
     "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues, "cones": _cones}

@@ -1,5 +1,8 @@
-"""The options that name a scene, and an equilibrium of it by a point."""
+"""The options that name a scene, its numbers, and equilibria of it, by their names or by a point."""
 import argparse
+from difflib import get_close_matches
+
+from ..mechanics.families import called, in_words, known_families, named
 
 THREE = "three numbers or expressions, with , between them"
 
@@ -29,3 +32,37 @@ def claimed_point(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--direction", metavar="K1,K2,K3",
                       help=f"of a permanent rotation, {THREE}, a unit vector; or stereographic: by two "
                       "coordinates u1, u2; left out: any, with the names k1, k2, k3")
+
+
+def an_equilibrium(verb: argparse.ArgumentParser, left_out: str, action: str = "store") -> None:
+    """The equilibria, by their labels or by the words of the field."""
+    families = known_families()
+    verb.add_argument("--equilibrium", action=action, type=_label, choices=tuple(named(families)),
+                      metavar="NAME", help=f"{in_words(families)}; {left_out}")
+
+
+def _label(text: str) -> str:
+    """What the equilibrium of a name is asked for."""
+    families = known_families()
+    if (family := called(text, families)) is None:
+        near = get_close_matches(text.lower(), list(named(families)), 1)
+        raise argparse.ArgumentTypeError(f"{text} is no equilibrium: "
+                                         f"{f'did you mean {near[0]}? ' if near else ''}"
+                                         f"give {in_words(families)}")
+    return family.asked_for
+
+
+def a_scene(verb: argparse.ArgumentParser, meaning: str,
+           potential: str = "none for a free body; left out: U unspecified") -> None:
+    """A field and numbers."""
+    verb.add_argument("--potential", metavar="EXPR",
+                      help="U in k3, or k1, k2, k3, and parameters: names, numbers, + - * / ^, "
+                      f"parentheses, sqrt, exp, log, sin, …; {potential}")
+    scene_file(verb)
+    numbers(verb, meaning)
+
+
+def numbers(verb: argparse.ArgumentParser, meaning: str) -> None:
+    """Numbers of names."""
+    verb.add_argument("--set", action="extend", nargs="+", default=[], metavar="NAME=VALUE", dest="values",
+                      help=f"numbers, exact: I1=1.6 l=1/2 k3='sqrt(3)/2'; {meaning}")

@@ -3,9 +3,10 @@
 Stable, unstable and undecided look the same in all of them (`looks`), and above each is what it is of
 (`headings`); `paper.mplstyle` is a style for print. Each has its file: `momentum_sphere` (its curves:
 `energy_levels`), `nutation` and `cones` on a `globe`, `effective_potential`, `bifurcations`,
-`rotor_set`, `staude_cone` and `staude_plane` (`along_arcs`), `energy_momentum`, `eigenvalues`, `charts`;
+`rotor_set`, `staude_cone` and `staude_plane` (`along_arcs`), `amended_potential`, `energy_momentum`, `eigenvalues`, `charts`;
 motions of `solids` as an `animation` or `interactive`; exact `numbers` become floats in one place.
 """
+from .amended_potential import draw_amended_potential
 from .animation import animate_top, save_animation
 from .bifurcations import draw_bifurcation_diagram
 from .charts import caption, draw_chart
@@ -20,7 +21,7 @@ from .rotor_set import draw_rotor_set
 from .staude_cone import draw_staude_cone
 from .staude_plane import draw_staude_plane
 
-__all__ = ["animate_top", "caption", "draw_bifurcation_diagram", "draw_chart", "draw_cones",
-           "draw_effective_potential", "draw_eigenvalues", "draw_energy_momentum", "draw_momentum_sphere",
-           "draw_nutation", "draw_rotor_set", "draw_staude_cone", "draw_staude_plane", "save_animation",
-           "view_motion"]
+__all__ = ["animate_top", "caption", "draw_amended_potential", "draw_bifurcation_diagram", "draw_chart",
+           "draw_cones", "draw_effective_potential", "draw_eigenvalues", "draw_energy_momentum",
+           "draw_momentum_sphere", "draw_nutation", "draw_rotor_set", "draw_staude_cone", "draw_staude_plane",
+           "save_animation", "view_motion"]

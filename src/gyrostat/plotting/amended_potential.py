@@ -1,0 +1,223 @@
+"""The amended potential on the sphere of directions: level curves, and its critical points with verdicts."""
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from sympy import Expr
+
+from ..algebra.balls import ball
+from ..algebra.floats import Array, in_floats
+from ..errors import optional
+from ..mechanics.potential import DIRECTIONS
+from ..mechanics.system import System
+from ..stability.amended_potential import CriticalPoint, amended_potential
+from ..stability.report import Verdict
+from .globe import across, circle, curve_on, dots_on, stage
+from .headings import heading, of_scene
+from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
+from .numbers import numbers_of
+
+CURVES, CELLS = 14, 96                                     # levels; cells along an edge of the cube
+# along a separatrix; its start, off the saddle; its longest length; for a difference; of levels, for the same
+STEP, START, LONGEST, NEAR, SAME = 0.01, 1e-3, 60.0, 1e-5, 1e-9
+ROUNDS, CLOSE = 30, 1e-15                                  # of Newton's method; of the values, when it ends
+PRECISION = 128                                            # bits of a critical point
+SHAPES = {"minimum": "v", "saddle": "D", "maximum": "^", "degenerate": "o"}
+
+
+def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = None, ax: Any = None,
+                           **kwargs: Any) -> Any:
+    """Draw U + (C1 − l·k)²/(2 k·Ik) on the sphere abs(k) = 1, seen as ax.view_init says.
+
+    Along a level curve the amended potential is constant; those through saddles are heavy. Marked are its
+    critical points, the permanent rotations on that level of C1: triangles down at minima, up at maxima,
+    diamonds at saddles; filled: stable; open: unstable; half filled: undecided. What is behind is faded.
+
+    Parameters
+    ----------
+    scene : System
+        any body in a field, not of revolution in it
+    values : mapping of name to number, or None
+        rational, for every name of the scene, and C1
+    ax : axes of mplot3d
+        new ones where they are left out
+    **kwargs : Any
+        of the level curves: of Axes3D.plot
+
+    Returns
+    -------
+    axes of mplot3d
+
+    Raises
+    ------
+    ScopeError
+        there is no field, the body is one of revolution in it, or not all rotations are found
+    ValuesError
+        C1 or another name is missing or unknown, or a number is not admissible
+    ArgumentError
+        the axes are flat
+    MissingExtraError
+        pip install "gyrostat[plot]"
+
+    References
+    ----------
+    Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> from matplotlib.figure import Figure
+    >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
+    >>> ax = gs.plotting.draw_amended_potential(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U), {"C1": 5},
+    ...                                         Figure().add_subplot(projection="3d"))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()][:3]
+    ['level curve', 'through a saddle', 'minimum, stable']
+    """
+    amended = amended_potential(scene)
+    points = amended.critical_points(values or {})
+    potential = _Field.of(amended.expression, numbers_of(scene, values or {}, ("C1",)))
+    ax = axes_of(ax, three=True)
+    eye = stage(ax, 1.0, [label(f"k{n}") for n in (1, 2, 3)])
+    style = {"color": BLUE, "linewidth": 0.7, **kwargs}
+    for curve in _level_curves(potential):
+        curve_on(ax, curve, eye, **style)
+    handles = [named(style, "level curve")]
+    heavy = {"color": DARK, "linewidth": 1.8}
+    saddles = [point for point in points if point.kind == "saddle" and not point.rotation.locus]
+    for curve in _separatrices(potential, np.array([_place(point) for point in saddles])):
+        curve_on(ax, curve, eye, **heavy)
+    handles += [named(heavy, "through a saddle")] if saddles else []
+    legend(ax, [*handles, *_marked(ax, points, eye)], title=heading(ax, *of_scene(scene, values or {})))
+    return ax
+
+
+def _marked(ax: Any, points: Sequence[CriticalPoint], eye: Array) -> list[Any]:
+    """The critical points by kind and verdict, circles as lines; what stands in the legend for them."""
+    handles = []
+    for point in points:
+        if point.rotation.circle is not None:
+            k, axis = _place(point), np.array([float(x) for x in point.rotation.circle])
+            axis = axis / np.linalg.norm(axis)
+            style = line(point.rotation.decision.verdict)
+            radius, height = float(np.linalg.norm(np.cross(k, axis))), float(k @ axis)
+            curve_on(ax, circle(axis, radius, height), eye, **style)
+            handles.append(named(style, f"circle, {point.rotation.decision.verdict.name.lower()}"))
+    for kind, shape in SHAPES.items():
+        for verdict in Verdict:
+            places = [_place(point) for point in points if point.kind == kind
+                      and point.rotation.circle is None and point.rotation.decision.verdict is verdict]
+            if places:
+                style = {**marker(verdict), "marker": shape}
+                dots_on(ax, np.array(places), eye, **style)
+                handles.append(named(style, f"{kind}, {verdict.name.lower()}"))
+    return handles
+
+
+def _place(point: CriticalPoint) -> Array:
+    return np.array([float(ball(x, PRECISION).mid()) for x in point.rotation.k])
+
+
+@dataclass(frozen=True)
+class _Field:
+    """U_c at numbers and its gradient, in floats."""
+
+    expression: Expr
+    slopes: tuple[Expr, ...]
+
+    @classmethod
+    def of(cls, expression: Expr, numbers: Mapping[Any, Expr]) -> "_Field":
+        placed = expression.xreplace(dict(numbers))
+        return cls(placed, tuple(placed.diff(k) for k in DIRECTIONS))
+
+    def value(self, k: Array) -> Array:
+        return self._at(self.expression, k)
+
+    def slope(self, k: Array) -> Array:
+        """Along the sphere."""
+        full = np.stack([self._at(x, k) for x in self.slopes], axis=-1)
+        return full - (full * k).sum(axis=-1, keepdims=True) * k
+
+    def _at(self, expression: Expr, k: Array) -> Array:
+        found = in_floats(expression, np, {x: k[..., n] for n, x in enumerate(DIRECTIONS)})
+        return np.broadcast_to(found, k.shape[:-1])
+
+    def onto(self, k: Array, level: Array) -> Array:
+        """Points next to their levels moved along the gradient; where it vanishes they stay."""
+        for _ in range(ROUNDS):
+            excess = (level - self.value(k))[..., None]
+            if np.abs(excess).max() <= CLOSE * np.abs(level).max():
+                break
+            slope = self.slope(k)
+            square = (slope**2).sum(axis=-1, keepdims=True)
+            step = np.divide(excess * slope, square, out=np.zeros_like(k), where=square > 0)
+            k = _unit(k + step / np.maximum(1, np.linalg.norm(step, axis=-1, keepdims=True) / STEP))
+        return k
+
+
+def _level_curves(potential: _Field) -> list[Array]:
+    """Curves of levels that divide the sphere into equal areas, in pieces, each on a face of a cube."""
+    tangent = np.tan(np.linspace(-np.pi / 4, np.pi / 4, CELLS + 1))
+    x, y = np.meshgrid(tangent, tangent)
+    faces = []
+    for axis in (*np.eye(3), *-np.eye(3)):
+        first, second = across(axis)
+        k = axis + x[..., None] * first + y[..., None] * second
+        faces.append((axis, first, second, _unit(k)))
+    heights = [potential.value(k) for *_, k in faces]
+    levels = np.quantile(heights, (np.arange(CURVES) + 0.5) / CURVES)
+    found = []
+    for (axis, first, second, _), height in zip(faces, heights):
+        lines = optional("contourpy", "plot").contour_generator(x, y, height)
+        for level in levels:
+            for flat in lines.lines(level):
+                k = axis + flat[:, :1] * first + flat[:, 1:] * second
+                found.append(potential.onto(_unit(k), level))
+    return found
+
+
+def _separatrices(potential: _Field, saddles: Array) -> list[Array]:
+    """The level curves through saddles, each from one saddle to one of the same level."""
+    if not len(saddles):
+        return []
+    first = np.repeat(saddles, 2, axis=0)
+    ways = np.concatenate([_ways_out(potential, saddle) for saddle in saddles])
+    heights = potential.value(saddles)
+    levels = np.repeat(heights, 2)
+    ends = np.abs(heights - levels[:, None]) < SAME * np.abs(heights).max()
+    k = potential.onto(_unit(first + START * ways), levels)
+    curves = [[saddle, start] for saddle, start in zip(first, k)]
+    open_ends = np.arange(len(k))
+    for n in range(int(LONGEST / STEP)):
+        half = _unit(k + STEP / 2 * _ahead(potential, k))
+        k = potential.onto(_unit(k + STEP * _ahead(potential, half)), levels[open_ends])
+        off = np.linalg.norm(k[:, None] - saddles, axis=2)
+        off[~ends[open_ends]] = np.inf
+        here = (off.min(axis=1) < STEP) & (n > 2)
+        for curve, at, ended, nearest in zip(open_ends, k, here, off.argmin(axis=1)):
+            curves[curve].append(saddles[nearest] if ended else at)
+        k, open_ends = k[~here], open_ends[~here]
+        if not len(k):
+            break
+    return [np.array(curve) for curve in curves]
+
+
+def _ahead(potential: _Field, k: Array) -> Array:
+    """Unit vectors along the level curves."""
+    return _unit(np.cross(k, potential.slope(k)))
+
+
+def _unit(vectors: Array) -> Array:
+    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0)
+
+
+def _ways_out(potential: _Field, saddle: Array) -> Array:
+    """The two directions in which k' = k × ∇U_c leaves a saddle."""
+    first, second = across(saddle)
+    plane = np.array([first, second])
+    bend = np.array([potential.slope(_unit(saddle + NEAR * e)) - potential.slope(_unit(saddle - NEAR * e))
+                     for e in plane]) @ plane.T
+    rates, ways = np.linalg.eig(np.array([[0, -1], [1, 0]]) @ (bend + bend.T))
+    out = ways[:, np.argmax(rates.real)].real @ plane
+    return np.array([out, -out])
