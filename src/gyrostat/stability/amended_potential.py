@@ -8,13 +8,13 @@ from sympy import Expr, Matrix
 from ..algebra.exact import evaluate
 from ..errors import ScopeError, ValuesError, require
 from ..kept import cached_property
+from ..mechanics.potential import DIRECTIONS
 from ..mechanics.recognition import recognise
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import Stored
 from ..shown import Shown
 from .asked import C1, exact_point
-from .heavy_polynomials import DIRECTION
 from .heavy_rotation import HeavyRotation
 from .heavy_rotations import heavy_rotations
 
@@ -53,7 +53,7 @@ class CriticalPoint(Shown, Stored):
         """U_c there, exact [M L²/T²]: U + omega² k·Ik/2."""
         scene, k = self.rotation.scene, Matrix(self.rotation.k)
         assert scene.potential is not None
-        U = evaluate(scene.potential.expression, dict(zip(DIRECTION, k)))
+        U = evaluate(scene.potential.expression, dict(zip(DIRECTIONS, k)))
         return evaluate(U + self.rotation.omega**2 * k.dot(scene.body.tensor * k) / 2, {})
 
 
@@ -79,7 +79,7 @@ class AmendedPotential(Shown, Stored):
     @cached_property
     def expression(self) -> Expr:
         """In k1, k2, k3 and C1 [M L²/T²]."""
-        U, body, k = self.scene.potential, self.scene.body, Matrix(DIRECTION)
+        U, body, k = self.scene.potential, self.scene.body, Matrix(DIRECTIONS)
         assert U is not None
         twist = C1 - k.dot(Matrix(body.gyrostatic_momentum))
         return U.expression + twist**2 / (2 * k.dot(body.tensor * k).expand())
