@@ -63,6 +63,8 @@ MUTANTS = [
     ("literature", "sleeping-prolate", {"at": {}}),
     ("literature", "Kharlamov-curve", {"printed": "m0*(m0*B**2 + A*D)"}),
     ("literature", "A2-stable", {"printed": "unstable"}),
+    # the point is printed in the coordinates
+    ("literature", "permanent-rotation", {"printed": ["w*I1*k1", "w*I2*k1", "w*I3*k3", "k1", "k2", "k3"]}),
     ("literature", "A2-s", {"printed": "1.70209339777"}),
     ("literature", "planar-stable", {"printed": "N > 0"}),
     ("literature", "A3", {"printed": "S > 0"}),

@@ -104,7 +104,7 @@ def rest_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     """A printed point, at which a rate does not vanish."""
     model = Model(r.scene, values)
     at = dict(zip(model.coordinates, r.independently(r.statement.printed, values)))
-    name, rate = model.coordinates[doubt.place[0]], model.field.subs(at)[doubt.place[0]]
+    name, rate = model.coordinates[doubt.place[0]], model.field.subs(at)[doubt.place[0]].subs(dict(values))
     if sign_of_constant(rate - doubt.sides[0].subs(dict(values))) != 0:
         raise PublishedError(f"Newton and Euler's equations give the rate {rate}, the library "
                              f"{doubt.sides[0].subs(dict(values))}")
