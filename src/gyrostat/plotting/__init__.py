@@ -2,9 +2,9 @@
 
 Stable, unstable and undecided look the same in all of them (`looks`), and above each is what it is of
 (`headings`); `paper.mplstyle` is a style for print. Each has its file: `momentum_sphere` (its curves:
-`energy_levels`), `nutation` and `cones` on a `globe`, `effective_potential`, `bifurcations`,
-`rotor_set`, `staude_cone` and `staude_plane` (`along_arcs`), `amended_potential`, `energy_momentum`,
-`eigenvalues`, `charts`; motions of `solids` as an `animation` or `interactive`; exact `numbers` become floats in one place.
+`energy_levels`), `nutation` and `cones` on a `globe`, `effective_potential`, `bifurcations`, `rotor_set`,
+`staude_cone` and `staude_plane` (`along_arcs`), `amended_potential`, `energy_momentum`, `eigenvalues`,
+`charts`; motions of `solids` as an `animation` or `interactive`; exact `numbers` become floats in one place.
 """
 from .amended_potential import draw_amended_potential
 from .animation import animate_top, save_animation
