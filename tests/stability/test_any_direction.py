@@ -9,7 +9,7 @@ from heavy_scenes import by_criteria, k1, k2, k3
 from oracles.heavy import growth, squares
 from rotation_families import LINEAR, NAMES, QUADRATIC, asked, claimed, drawn, family, parts
 from slow import sampled
-from sympy import Rational, S, sqrt
+from sympy import Matrix, Rational, S, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
@@ -96,6 +96,27 @@ def test_a_rotation_of_staude(families):
 def decision_point(*numbers):
     from gyrostat.algebra.exact import Point
     return Point({gs.symbol(name): S(x) for name, x in zip(NAMES, numbers)})
+
+
+def test_a_tensor_and_a_claimed_family():
+    """A body turned out of its principal axes, and one at rest in a family that is claimed."""
+    turn = Matrix([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
+    inertia, k = turn * Matrix.diag(3, 5, 4) * turn.T, Matrix([2, 3, 6]) / 7
+    rotor = Matrix([1, Rational(1, 2), -1])
+    report = family(LINEAR, inertia=inertia.tolist(), gyrostatic_momentum=tuple(rotor))
+    for omega, sigma in ((2, -3), (-1, -9), (3, -20), (0, -1)):
+        place = dict(zip(NAMES[6:], (*k, omega, sigma)))
+        c = omega**2 * inertia * k + omega * rotor + sigma * k
+        U = sum(x * y for x, y in zip(c, (k1, k2, k3)))
+        eq = gs.equilibrium(gs.assemble(report.equilibrium.system.body, gs.general_potential(U)),
+                            (*(omega * inertia * k), *k))
+        decision = report.verdict(place)
+        assert decision.verdict is gs.analyze(eq).verdict({}).verdict
+        found = {str(margin): value for margin, value in decision.margins}
+        assert all(found.get(x, value) == value for x, value in zip("pq", gs.linearize(eq).coefficients))
+    relations = [(f"c{n}", gs.symbol("sigma") * x) for n, x in enumerate((k1, k2, k3), 1)]
+    rest = gs.analyze(gs.equilibrium(report.equilibrium.system, (0, 0, 0, k1, k2, k3), relations=relations))
+    assert rest.verdict({"k1": k[0], "k2": k[1], "k3": k[2], "sigma": -1}).margins == decision.margins
 
 
 def test_along_an_axis_it_is_the_upright_rotation():
