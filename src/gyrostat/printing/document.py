@@ -30,7 +30,7 @@ from .blocks import (
 from .boundary import boundary_blocks
 from .conditions import criterion_blocks, existence
 from .drift import drift_blocks
-from .rotation_family import definition_blocks, family_blocks
+from .rotations import definition_blocks, family_blocks
 from .symbols import occurring, symbol_rows
 
 IMAGINARY = Word("±i", r"\pm i")

@@ -29,10 +29,10 @@ from ..stability.staude_arcs import StaudeArc
 from .blocks import Block, Display, Word, equations, joined, sentence
 from .boundary import ladder, rung_display
 from .conditions import existence
+from .critical_points import amended_potential, critical_point, free_rotation, heavy_rotation
 from .drift import drift_displays
 from .ends import number, tidy
 from .normal_form import form_blocks
-from .rotations import amended_potential, critical_point, free_rotation, heavy_rotation
 from .staude import arc_blocks, cone_blocks, gyrostat_arc_blocks
 
 # operations under a root, more of which are given a name

@@ -1,47 +1,41 @@
-"""Permanent rotations, and the amended potential of which they are critical points, as sentences."""
-from sympy import Add, Expr
+"""What is said of a family of permanent rotations: of its names, and of those in which its conditions are."""
+from sympy import S
 
-from ..algebra.readable import readable
+from ..mechanics.directions import in_any_direction
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.permanent_rotation import OMEGA, SIGMA
 from ..notation import symbol
-from ..stability.amended_potential import AmendedPotential, CriticalPoint
-from ..stability.heavy_rotation import HeavyRotation
-from ..stability.permanent_rotations import PermanentRotation
-from .blocks import Block, Display, Word, equations, listed, sentence
-from .ends import number
+from ..stability.report import Report
+from ..stability.rotation_report import RotationReport
+from .blocks import Block, Display, Word, sentence
 
-AMENDED, DIRECTION, MOMENTUM = Word("U_c", "U_{c}"), Word("k", "⟨vector_k⟩"), Word("M", "⟨vector_M⟩")
-
-
-def free_rotation(rotation: PermanentRotation) -> list[Block]:
-    """Of a free body: where it is, and its verdict."""
-    place = listed(map(number, rotation.momentum))
-    return [sentence("permanent rotation at ", MOMENTUM, " = (", *place, f"){_ended(rotation)}")]
+EQUATION = Word("∇U = ω² I k + ω l + σ k",
+                r"\nabla ⟨U⟩ = ⟨omega⟩^2 I ⟨vector_k⟩ + ⟨omega⟩ ⟨vector_l⟩ + ⟨sigma⟩ ⟨vector_k⟩")
+AMENDED = Word("U + (C₁ − l·k)²/(2 k·Ik)",
+               r"⟨U⟩ + (⟨C1⟩ - ⟨vector_l⟩\cdot ⟨vector_k⟩)^2/(2\, ⟨vector_k⟩\cdot I ⟨vector_k⟩)")
+POLYNOMIAL = Word("λ⁴ + p λ² + q", r"⟨lamda⟩^4 + ⟨p⟩\,⟨lamda⟩^2 + ⟨q⟩")
 
 
-def heavy_rotation(rotation: HeavyRotation) -> list[Block]:
-    """Of a body in a field: the direction and the rate, and its verdict."""
-    return [sentence("permanent rotation at ", *_place(rotation), _ended(rotation))]
+def family_blocks(eq: Equilibrium) -> list[Block]:
+    """What its rate and its multiplier are, and that k is a unit vector."""
+    if not {OMEGA, SIGMA} <= set[object]().union(*(value.free_symbols for _, value in eq.relations)):
+        return []
+    k, unit = Word("k", "⟨vector_k⟩"), Word("|k| = 1", "|⟨vector_k⟩| = 1")
+    blocks: list[Block] = [sentence("The body turns about ", k, " at the rate ", OMEGA, ", ", EQUATION, "; ",
+                                    SIGMA, " is the multiplier of ", unit, ".")]
+    if in_any_direction(eq):
+        blocks.append(Display(sum((x**2 for x in eq.point[3:]), S.Zero), S.One, label="unit"))
+    return blocks
 
 
-def critical_point(point: CriticalPoint) -> list[Block]:
-    """Which one it is, the value there, and the rotation."""
-    kind = "degenerate point" if point.kind == "degenerate" else point.kind
-    return [sentence(f"{kind} of ", AMENDED, " = ", number(point.value), " at ", *_place(point.rotation),
-                     _ended(point.rotation))]
-
-
-def amended_potential(amended: AmendedPotential) -> list[Block]:
-    """U_c = …, its two parts each as it reads best."""
-    U = amended.scene.potential
-    assert U is not None
-    return [Display(AMENDED, Add(readable(U.expression), readable(amended.expression - U.expression)))]
-
-
-def _place(rotation: HeavyRotation) -> tuple[Word | Expr | str, ...]:
-    rate = equations([(symbol("omega"), number(rotation.omega))])
-    return (DIRECTION, " = (", *listed(map(number, rotation.k)), "), ", *rate)
-
-
-def _ended(rotation: HeavyRotation | PermanentRotation) -> str:
-    circle = f", and on {rotation.locus}" if rotation.locus else ""
-    return f"{circle}: {rotation.decision.verdict.name.lower()}"
+def definition_blocks(report: Report) -> list[Block]:
+    """The names in which the conditions in any direction are written; nothing of another report."""
+    if not isinstance(report, RotationReport):
+        return []
+    k, trace, determinant = Word("k", "⟨vector_k⟩"), symbol("t"), symbol("s")
+    return [sentence("Here K is the second variation of the amended potential ", AMENDED, ", ", trace,
+                     " and ", determinant, " its trace and determinant on the plane across ", k, "; A is the "
+                     "inertia and ", symbol("G"), " the gyroscopic term of the motion near it, of "
+                     "characteristic polynomial ", POLYNOMIAL, " (Simo, Lewis & Marsden 1991):"),
+            *(Display(name, value, report.equilibrium.at, label="definition")
+              for name, value in report.closed.definitions)]

@@ -9,7 +9,7 @@ from .boundary import ladder, rung_display, undecided
 from .conditions import existence
 from .latex import display, formula, tex
 from .names import PLAIN, Names, Paper
-from .rotation_family import definition_blocks, family_blocks
+from .rotations import definition_blocks, family_blocks
 from .symbols import Row, occurring, symbol_rows
 
 _COLUMNS = 0.13, 0.2, 0.56                             # of a line: equilibrium, what, formula

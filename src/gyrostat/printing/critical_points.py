@@ -1,0 +1,47 @@
+"""Permanent rotations, and the amended potential of which they are critical points, as sentences."""
+from sympy import Add, Expr
+
+from ..algebra.readable import readable
+from ..notation import symbol
+from ..stability.amended_potential import AmendedPotential, CriticalPoint
+from ..stability.heavy_rotation import HeavyRotation
+from ..stability.permanent_rotations import PermanentRotation
+from .blocks import Block, Display, Word, equations, listed, sentence
+from .ends import number
+
+AMENDED, DIRECTION, MOMENTUM = Word("U_c", "U_{c}"), Word("k", "⟨vector_k⟩"), Word("M", "⟨vector_M⟩")
+
+
+def free_rotation(rotation: PermanentRotation) -> list[Block]:
+    """Of a free body: where it is, and its verdict."""
+    place = listed(map(number, rotation.momentum))
+    return [sentence("permanent rotation at ", MOMENTUM, " = (", *place, f"){_ended(rotation)}")]
+
+
+def heavy_rotation(rotation: HeavyRotation) -> list[Block]:
+    """Of a body in a field: the direction and the rate, and its verdict."""
+    return [sentence("permanent rotation at ", *_place(rotation), _ended(rotation))]
+
+
+def critical_point(point: CriticalPoint) -> list[Block]:
+    """Which one it is, the value there, and the rotation."""
+    kind = "degenerate point" if point.kind == "degenerate" else point.kind
+    return [sentence(f"{kind} of ", AMENDED, " = ", number(point.value), " at ", *_place(point.rotation),
+                     _ended(point.rotation))]
+
+
+def amended_potential(amended: AmendedPotential) -> list[Block]:
+    """U_c = …, its two parts each as it reads best."""
+    U = amended.scene.potential
+    assert U is not None
+    return [Display(AMENDED, Add(readable(U.expression), readable(amended.expression - U.expression)))]
+
+
+def _place(rotation: HeavyRotation) -> tuple[Word | Expr | str, ...]:
+    rate = equations([(symbol("omega"), number(rotation.omega))])
+    return (DIRECTION, " = (", *listed(map(number, rotation.k)), "), ", *rate)
+
+
+def _ended(rotation: HeavyRotation | PermanentRotation) -> str:
+    circle = f", and on {rotation.locus}" if rotation.locus else ""
+    return f"{circle}: {rotation.decision.verdict.name.lower()}"
