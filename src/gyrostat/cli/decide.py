@@ -12,6 +12,7 @@ from ..printing.normal_form import form_blocks, form_data
 from ..printing.text import text
 from ..stability.report import Decision
 from .answers import Answer, answers_at, answers_data, normal_form_of
+from .arcs import arcs_at, arcs_blocks, arcs_data
 from .asked import asked_of
 from .batch import run as each
 from .equilibria import Missing
@@ -32,11 +33,15 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.batch is not None:
         return each(given, out)
     numbers = numbers_of(given.values)
+    asked = asked_of(given, numbers)
     if given.normal_form:
-        form = normal_form_of(asked_of(given, numbers), given.equilibrium, numbers, given.normal_form)
+        form = normal_form_of(asked, given.equilibrium, numbers, given.normal_form)
         out(json_text(form_data(form)) if given.format == "json" else text(form_blocks(form), out.width))
         return 0
-    answers = answers_at(asked_of(given, numbers), given.equilibrium, numbers)
+    if arcs := arcs_at(asked, given.equilibrium, numbers):
+        out(json_text(arcs_data(arcs)) if given.format == "json" else text(arcs_blocks(arcs), out.width))
+        return 0
+    answers = answers_at(asked, given.equilibrium, numbers)
     if given.format == "json":
         out(json_text(answers_data(answers)))
     else:

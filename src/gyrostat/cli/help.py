@@ -25,7 +25,8 @@ VERBS = {
         "verdicts at numbers, of one body or of many",
         "Decides at numbers whether equilibria are stable, each verdict with its notion of "
         "stability and its reason. Without --equilibrium it finds every relative equilibrium that "
-        "the numbers allow; with --batch it answers a file of bodies, line by line."),
+        "the numbers allow, of a body in U = c·k without numbers of its motion every arc of permanent "
+        "rotations; with --batch it answers a file of bodies, line by line."),
     "chart": (
         "verdicts over a grid of parameters, as a picture or as data",
         "Decides at every point of a grid of parameters, and writes a picture of two axes, or data "

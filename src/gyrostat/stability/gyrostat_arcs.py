@@ -7,7 +7,7 @@ from typing import Any
 
 from sympy import Expr, Rational, Symbol, oo
 
-from ..algebra.exact import proved_sign
+from ..algebra.exact import plain, proved_sign
 from ..algebra.numbers import exact_number
 from ..algebra.roots import between
 from ..algebra.strands import Span, Strand, strands
@@ -134,7 +134,8 @@ class GyrostatArc(Shown, Stored):
                 self._end(last.high, self.strand.last, last.place))
 
     def _end(self, at: Expr, root: Expr | None, place: int) -> End:
-        return End(self.curve.far(place, at) if root is None else self.curve.directed(at, root), at)
+        k = self.curve.far(place, at) if root is None else self.curve.directed(at, root)
+        return End(tuple(map(plain, k)), at)
 
     @cached_property
     def boundaries(self) -> tuple[Expr, ...]:

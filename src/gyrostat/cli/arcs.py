@@ -1,0 +1,45 @@
+"""What decide answers where the numbers are those of a body in a field, and none of its motion: the arcs."""
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sympy import Expr
+
+from ..mechanics.reduction import reducible
+from ..mechanics.system import names_of_scene
+from ..printing.blocks import Block, Heading
+from ..printing.data import decision_data, number_data
+from ..printing.results import result_blocks
+from ..stability.gyrostat_arcs import GyrostatArc
+from ..stability.staude import staude_cone
+from ..stability.staude_arcs import StaudeArc
+from .asked import Asked, scene_of
+
+Arcs = Sequence[StaudeArc] | Sequence[GyrostatArc]
+
+
+def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Arcs:
+    """Every arc of permanent rotations; none where something else is asked, or U is not c·k."""
+    scene = scene_of(asked)
+    U = scene.potential
+    if label is not None or U is None or not U.given or reducible(scene) or (
+            numbers.keys() != {s.name for s in names_of_scene(scene)}):
+        return []
+    if any(x.free_symbols & set(scene.space.coordinates) for x in map(U.value, filter(None, U.gradient()))):
+        return []
+    return staude_cone(scene).arcs(numbers)
+
+
+def arcs_blocks(arcs: Arcs) -> list[Block]:
+    """Ends, direction, rate and verdicts of each."""
+    return [block for n, arc in enumerate(arcs, 1)
+            for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))]
+
+
+def arcs_data(arcs: Arcs) -> dict[str, Any]:
+    """The arcs as data for JSON; of an infinite number the decimal is none."""
+    return {"arcs": [{
+        "parameter": str(arc.parameter), "low": number_data(arc.low), "high": number_data(arc.high),
+        "k": [str(x) for x in (arc.curve.k if isinstance(arc, GyrostatArc) else arc.n)],
+        "ends": [{"k": [number_data(x) for x in end.k], "omega": number_data(end.omega)} for end in arc.ends],
+        "pieces": [{"low": number_data(piece.low), "high": number_data(piece.high),
+                    "decision": decision_data(piece.decision)} for piece in arc.pieces]} for arc in arcs]}

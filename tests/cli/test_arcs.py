@@ -1,0 +1,41 @@
+"""gyrostat decide of a body in a field without numbers of its motion: every arc of permanent rotations."""
+import json
+
+import pytest
+from commands import decide
+
+import gyrostat as gs
+
+AXIS = ["--potential", "k3", "--set", "I1=1", "I2=2", "I3=3", "l=1/2"]
+
+
+def test_arcs_as_text(capsys):
+    status, out, err = decide(capsys, *AXIS)
+    assert (status, err) == (0, "") and out.count("permanent rotations, arc") == 10
+    assert "to k = (0, 0, 1), where ω =" in out and "every ω: stable" in out
+
+
+@pytest.mark.parametrize("rotor", ["l=1/2", "l=0"])
+def test_arcs_as_data(capsys, rotor):
+    """Those of the library, exact and as decimals."""
+    status, out, _ = decide(capsys, *AXIS[:-1], rotor, "--format", "json")
+    found = json.loads(out)["arcs"]
+    body = gs.Gyrostat((1, 2, 3), (0, 0, rotor[2:]))
+    arcs = gs.staude_cone(gs.assemble(body, gs.general_potential(lambda k1, k2, k3: k3))).arcs({})
+    assert status == 0 and len(found) == len(arcs)
+    for data, arc in zip(found, arcs):
+        assert data["parameter"] == str(arc.parameter)
+        assert [data[end]["exact"] for end in ("low", "high")] == [str(arc.low), str(arc.high)]
+        assert [end["omega"]["exact"] for end in data["ends"]] == [str(end.omega) for end in arc.ends]
+        assert [[x["decimal"] for x in end["k"]] for end in data["ends"]] == [
+            [float(x) for x in end.k] for end in arc.ends]
+        assert [piece["decision"]["verdict"] for piece in data["pieces"]] == [
+            piece.decision.verdict.name for piece in arc.pieces]
+    assert found[0]["low"]["decimal"] is None                          # JSON has no infinity
+
+
+def test_other_fields_and_other_questions_are_answered_as_before(capsys):
+    _, out, _ = decide(capsys, *AXIS, "omega=2")
+    assert "arc 1" not in out and out.count("ω = 2") == 6
+    status, _, err = decide(capsys, "--potential", "k1^2 + k2 + k3", *AXIS[2:])
+    assert status == 2 and "gyrostat decide finds those of a rate omega" in err
