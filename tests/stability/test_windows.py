@@ -1,0 +1,59 @@
+"""D4 and D6 of rotations that gyroscopic forces hold, against another chart and another algorithm."""
+import random
+from itertools import islice
+
+import pytest
+from flint import fmpq
+from normal_form import bracket, directions, energy, field_of, momenta, rational, twists
+from slow import sampled
+from sympy import Rational
+from window_scenes import windows
+
+import gyrostat as gs
+
+KINDS = {"uniform, at rest in the body": (False, True, False), "uniform, with a rotor": (False,),
+         "uniform, a tensor": (False, False), "quadratic": (True,), "quadratic, a tensor": (True, False)}
+
+
+def test_the_chart_of_the_oracle_keeps_the_brackets():
+    """{M_i, M_j} = −M_k, {M_i, k_j} = −k_k to the degree of the expansion, M·k = C1, and abs(k) = 1."""
+    level = fmpq(3, 7)
+    M, k = momenta(level), directions(8)
+    lowest = [sum((x * y for x, y in zip(M, k)), 0) - level, sum((x * x for x in k), 0) - 1]
+    for i, j, n in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        assert bracket(M[i], M[j]) == -M[n]
+        lowest += [bracket(M[i], k[j]) + k[n], bracket(M[j], k[i]) - k[n], bracket(k[i], k[j])]
+    assert min(sum(e) for f in lowest for e in f.to_dict()) >= 8
+
+
+def check(rotation, degree):
+    """The energy has no slope, p and q are the same, D4 and D6 too; Arnold's theorem decides."""
+    parts = energy(*rotation.parts, degree)
+    assert parts[1] == 0
+    report = gs.analyze(rotation.equilibrium())
+    _, p, q = field_of(parts[2])
+    assert list(map(rational, report.linearization.frequency_coefficients)) == [p, q]
+    D4, *rest = twists(parts)
+    form = report.normal_form({}, degree)
+    assert rational(form.twists[0]) == D4
+    for D6 in rest:
+        p, q = report.linearization.frequency_coefficients
+        ratio = form.twists[1] ** 2 / (q * (p**2 - 4 * q) * Rational(int(D6.p), int(D6.q)) ** 2)
+        assert abs(ratio.evalf(40) - 1) < 1e-30
+    decision = report.verdict({})
+    assert decision.verdict is gs.Verdict.STABLE and decision.notion == "Lyapunov (Arnold-Moser)"
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_window(kind):
+    """Of every kind, one of them to degree 6 too."""
+    check(next(windows(random.Random(kind), *KINDS[kind])), 6 if kind == "quadratic, a tensor" else 4)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+def test_many_windows(kind, full):
+    """120 of every kind, 600 in all; every tenth to degree 6."""
+    drawn = windows(random.Random(f"{kind} 2"), *KINDS[kind])
+    for n, rotation in enumerate(islice(drawn, sampled(120, full, 10))):
+        check(rotation, 4 + 2 * (n % 10 == 9))
