@@ -40,7 +40,8 @@ class Rotation:
 
     def equilibrium(self):
         def U(*x):
-            return sum(Rational(c.numerator, c.denominator) * x[0]**a * x[1]**b * x[2]**d for (a, b, d), c in self.field.items())
+            return sum(Rational(c.numerator, c.denominator) * x[0]**a * x[1]**b * x[2]**d
+                       for (a, b, d), c in self.field.items())
         scene = gs.assemble(gs.Gyrostat(self.tensor, tuple(self.rotor)), gs.general_potential(U))
         pi = [m - l for m, l in zip(self.momentum, self.rotor)]
         return gs.equilibrium(scene, (*pi, *self.k))
@@ -83,8 +84,8 @@ def number(rng, size=12, denominator=6):
 
 
 def tensor_of(rng, principal):
-    """Three moments, or a full tensor that turns with a rational rotation."""
-    moments = [F(rng.randint(4, 30), 10) for _ in range(3)]
+    """Three different moments, or a full tensor that turns with a rational rotation."""
+    moments = [F(n, 10) for n in rng.sample(range(4, 31), 3)]
     diagonal = [[moments[i] * (i == j) for j in range(3)] for i in range(3)]
     if principal:
         return diagonal
@@ -98,8 +99,7 @@ def frame(k):
     size = dot(n, n)
     if size == 0:
         return [UNIT[0], [-x for x in UNIT[1]], list(k)]
-    half = [[2 * n[i] * n[j] / size - UNIT[i][j] for j in range(3)] for i in range(3)]
-    return half
+    return [[2 * n[i] * n[j] / size - UNIT[i][j] for j in range(3)] for i in range(3)]
 
 
 def field_about(k, *forms):
@@ -137,7 +137,8 @@ def amended(tensor, l, k, omega, sigma):
     Ik = applied(tensor, k)
     J = dot(k, Ik)
     v = [2 * omega * a + b for a, b in zip(Ik, l)]
-    return [[-sigma * UNIT[i][j] - omega**2 * tensor[i][j] + v[i] * v[j] / J for j in range(3)] for i in range(3)]
+    return [[v[i] * v[j] / J - omega**2 * tensor[i][j] - sigma * UNIT[i][j] for j in range(3)]
+            for i in range(3)]
 
 
 def gyroscopic(tensor, l, k, omega):
@@ -160,5 +161,7 @@ def windows(rng, *kind):
     """Drawn rotations in windows that no resonance of order 2 to 4 meets, without end."""
     while True:
         rotation, p, q, trace = drawn(rng, *kind)
-        if p > 0 and q > 0 and trace < 0 and p * p > 4 * q and 4 * p * p != 25 * q and 9 * p * p != 100 * q:
+        if not rotation.field or min(p, q, p * p - 4 * q, -trace) <= 0:
+            continue
+        if 4 * p * p != 25 * q and 9 * p * p != 100 * q:
             yield rotation

@@ -1,8 +1,9 @@
 """Birkhoff's normal form of a body in a polynomial field, over Q and without eigenvectors.
 
 The orbit is T*S² in the stereographic chart about the equilibrium, with the magnetic term c·(area) made
-canonical. Deprit's triangle; {h2, W} = … is a linear system over Q among the monomials of one degree, and what
-stays is a polynomial in the two quadratic integrals of the linear motion. Nothing is shared with the library.
+canonical. Deprit's triangle; {h2, W} = … is a linear system over Q among the monomials of one degree, and
+what stays is a polynomial in the two quadratic integrals of the linear motion. Nothing is shared with the
+library.
 """
 from itertools import combinations_with_replacement
 from math import comb, factorial
@@ -48,16 +49,21 @@ def energy(inverse, rotor, k, momentum, field, degree):
     rotor, momentum = ([sum(a * b for a, b in zip(row, v)) for row in turn] for v in (rotor, momentum))
     rate = [m - l for m, l in zip(momenta(momentum[2]), rotor)]
     h = sum(rate[i] * rate[j] * (inverse[i][j] / 2) for i in range(3) for j in range(3))
+    h += potential(turn, field, degree)
+    h = h.compose(X, P - momentum[1], Y, R + momentum[0], ctx=RING)
+    return [part(h, n) for n in range(degree + 1)]
+
+
+def potential(turn, field, degree):
+    """U in the chart."""
     at_pole = directions(degree)
     place = [sum((at_pole[j] * turn[j][i] for j in range(3)), 0 * ONE) for i in range(3)]
     powers = [[ONE] for _ in range(3)]
     for n in range(3):
         for _ in range(max(sum(orders) for orders in field)):
             powers[n].append(below(powers[n][-1] * place[n], degree))
-    for (a, b, c), number in field.items():
-        h += below(below(powers[0][a] * powers[1][b], degree) * powers[2][c], degree) * rational(number)
-    h = h.compose(X, P - momentum[1], Y, R + momentum[0], ctx=RING)
-    return [part(h, n) for n in range(degree + 1)]
+    return sum((below(below(powers[0][a] * powers[1][b], degree) * powers[2][c], degree) * rational(number)
+                for (a, b, c), number in field.items()), 0 * ONE)
 
 
 def rational(x):
@@ -154,7 +160,8 @@ def twists(parts):
     F = second_integral(A)
 
     def integrals(degree):
-        return [parts[2] ** (degree // 2 - n) * F**n for n in range(degree // 2 + 1)] if degree % 2 == 0 else []
+        half = degree // 2
+        return [parts[2] ** (half - n) * F**n for n in range(half + 1)] if degree % 2 == 0 else []
 
     found = triangle(parts, integrals)
     size = q * (p * p - 4 * q)                            # F² at the actions (ω2, −ω1)
@@ -168,8 +175,9 @@ def resonant(parts):
         columns = [bracket(parts[2], RING.from_dict({e: fmpq(1)})).to_dict() for e in basis]
         solved, rank = fmpq_mat([[c.get(e, fmpq(0)) for c in columns] for e in basis]).rref()
         pivots = [next(n for n in range(len(basis)) if solved[row, n] != 0) for row in range(rank)]
-        return [RING.from_dict({basis[n]: fmpq(1), **{basis[m]: -solved[row, n] for row, m in enumerate(pivots)}})
-                for n in range(len(basis)) if n not in pivots]
+        free = [n for n in range(len(basis)) if n not in pivots]
+        return [RING.from_dict({basis[n]: fmpq(1)} | {basis[m]: -solved[i, n] for i, m in enumerate(pivots)})
+                for n in free]
 
     forms = {degree: kept(degree) for degree in range(3, len(parts))}
     found = triangle(parts, forms.get)
@@ -177,20 +185,59 @@ def resonant(parts):
             for degree, numbers in found.items()}
 
 
-def on_the_torus(parts, polynomial, angles=24):
-    """Least and greatest value at the actions (abs(ω2), abs(ω1)), where h2 = 0; in doubles."""
-    A = np.array(field_of(parts[2])[0].tolist(), dtype=object)
-    A = np.array([[int(x.p) / int(x.q) for x in row] for row in A])
+def valley(tensor, rotor, k, level, field):
+    """Where the second variation of U + (level − l·k)²/(2 k·Ik) vanishes along a line: its other eigenvalue
+    and the coefficients of degree 3 and 4 along the valley.
+    """
+    turn = to_the_pole([rational(x) for x in k])
+    tensor = times(turn, times([[rational(x) for x in row] for row in tensor], turn))
+    rotor = [sum(a * rational(b) for a, b in zip(row, rotor)) for row in turn]
+    at_pole = directions(4)
+    along = sum((a * b for a, b in zip(at_pole, rotor)), 0 * ONE)
+    J = below(sum(at_pole[i] * at_pole[j] * tensor[i][j] for i in range(3) for j in range(3)), 4)
+    start = tensor[2][2]
+    share = sum((ONE - J * (1 / start)) ** n for n in range(5)) * (1 / start)
+    value = below((along - rational(level)) ** 2 * below(share, 4) / 2, 4) + potential(turn, field, 4)
+    second = part(value, 2)
+    form = [[second.derivative(i).derivative(j).to_dict().get((0,) * 4, fmpq(0)) for j in (0, 2)]
+            for i in (0, 2)]
+    row = form[0] if any(form[0]) else form[1]
+    u, s = (-row[1], row[0]), row
+    value = below(value, 4).compose(X * u[0] + Y * s[0], P, X * u[1] + Y * s[1], R, ctx=RING).to_dict()
+    e, a3, mixed, a4 = (value.get((n, 0, m, 0), fmpq(0)) for n, m in ((0, 2), (3, 0), (2, 1), (4, 0)))
+    return e, a3, a4 - mixed**2 / (4 * e)
+
+
+def linear_modes(parts):
+    """The slower and the faster frequency, and its vector in doubles of action 1."""
+    A = np.array([[decimal(x) for x in row] for row in field_of(parts[2])[0].tolist()])
     values, vectors = np.linalg.eig(A)
     J = np.array([[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1], [0, 0, -1, 0]])
-    order = sorted((n for n in range(4) if values[n].imag > 0), key=lambda n: values[n].imag)
-    slow, fast = (values[n].imag for n in order)
-    one, two = (vectors[:, n] * np.sqrt(action / abs(vectors[:, n].conj() @ J @ vectors[:, n]))
-                for n, action in zip(order, (fast, slow)))
+    found = [(values[n].imag, vectors[:, n] / np.sqrt(abs(vectors[:, n].conj() @ J @ vectors[:, n])))
+             for n in range(4) if values[n].imag > 0]
+    return sorted(found, key=lambda mode: mode[0])
+
+
+def sign_of_the_faster(parts):
+    """Whether the energy of the faster oscillation is positive."""
+    y = 2 * linear_modes(parts)[1][1].real
+    return bool(at(parts[2], y) > 0)
+
+
+def on_the_torus(parts, polynomial, angles=24):
+    """Mean and amplitude at the actions (abs(ω2), abs(ω1)), where h2 = 0: a constant and one harmonic."""
+    (slow, one), (fast, two) = linear_modes(parts)
     phi = 2 * np.pi * np.arange(angles) / angles
-    y = [2 * (one[n] * np.exp(1j * phi) + two[n]).real for n in range(4)]
-    total = sum(int(c.p) / int(c.q) * y[0]**e[0] * y[1]**e[1] * y[2]**e[2] * y[3]**e[3]
-                for e, c in polynomial.to_dict().items())
-    # a constant and one harmonic
-    mean, swing = total.mean(), abs(np.fft.rfft(total)[1:]).max() * 2 / angles
-    return mean, swing
+    y = [2 * (one[n] * np.sqrt(fast) * np.exp(1j * phi) + two[n] * np.sqrt(slow)).real for n in range(4)]
+    total = at(polynomial, y)
+    return total.mean(), abs(np.fft.rfft(total)[1:]).max() * 2 / angles
+
+
+def at(polynomial, y):
+    """The value in doubles."""
+    return sum(decimal(c) * np.prod([y[n] ** int(e[n]) for n in range(4)], axis=0)
+               for e, c in polynomial.to_dict().items())
+
+
+def decimal(x):
+    return int(x.p) / int(x.q)

@@ -1,0 +1,140 @@
+"""Verdicts at resonances, where an eigenvalue is 0 and where D4 = 0, met on purpose at rational points."""
+import random
+from fractions import Fraction as F
+
+import pytest
+from exceptional_rotations import (
+    along_the_valley,
+    degenerate,
+    in_a_window,
+    in_resonance,
+    terms,
+    with_form,
+    without_the_cubic_term,
+    without_twist,
+)
+from normal_form import decimal, energy, field_of, on_the_torus, removed, resonant, sign_of_the_faster, twists
+from slow import sampled
+
+import gyrostat as gs
+
+STABLE, UNSTABLE, UNDECIDED = gs.Verdict.STABLE, gs.Verdict.UNSTABLE, gs.Verdict.UNDECIDED
+LEVEL = "Lyapunov (Arnold-Moser) on its level of C1"
+
+
+def decided(rotation):
+    return gs.analyze(rotation.equilibrium()).verdict({})
+
+
+def one_to_two(rng):
+    """Unstable unless the cubic terms can be removed."""
+    given, K = in_resonance(rng, 1, 2)
+    rotation = with_form(*given, K, *terms(rng))
+    parts = energy(*rotation.parts, 3)
+    assert removed(parts[2], parts[3], []) is None
+    decision = decided(rotation)
+    assert decision.verdict is UNSTABLE and decision.notion == "Lyapunov"
+    assert "b of z1 z2² is not 0 (Markeev)" in decision.reason
+
+
+def one_to_two_without_b(rng):
+    """Stable, the cubic terms being chosen so; no symmetry makes b = 0."""
+    given, K = in_resonance(rng, 1, 2)
+    rotation = with_form(*given, K, *without_the_cubic_term(rng, given, K))
+    parts = energy(*rotation.parts, 4)
+    assert removed(parts[2], parts[3], []) is not None and len(parts[3].to_dict()) > 5
+    D4 = on_the_torus(parts, resonant(parts)[4])[0]
+    decision = decided(rotation)
+    assert decision.verdict is STABLE and decision.notion == LEVEL
+    said = float(decision.reason.split("b = 0, D4 = ")[1].split()[0])
+    assert said == pytest.approx(D4, rel=1e-4)
+
+
+def one_to_three(rng):
+    """By D4 and R on the torus where h2 vanishes, in doubles."""
+    given, K = in_resonance(rng, 1, 3)
+    rotation = with_form(*given, K, *terms(rng))
+    parts = energy(*rotation.parts, 4)
+    D4, R = on_the_torus(parts, resonant(parts)[4])
+    decision = decided(rotation)
+    stable = abs(D4) > R
+    assert decision.verdict is (STABLE if stable else UNSTABLE)
+    assert decision.notion == (LEVEL if stable else "Lyapunov")
+    words = decision.reason.split("|D4| = ")[1].split()
+    assert [float(words[0]), float(words[-1])] == pytest.approx([abs(D4), R], rel=1e-4)
+
+
+def one_to_one(rng):
+    """The sign of D4 (ω1 + ω2) close by, where the frequencies differ."""
+    given, K = in_resonance(rng, 1, 1)
+    above = terms(rng)
+    decision = decided(with_form(*given, K, *above))
+    signs = []
+    for step in (F(1, 10**9), -F(1, 10**9)):
+        near = [[K[0][0] * (1 + step), K[0][1]], K[1]]
+        parts = energy(*with_form(*given, near, *above).parts, 4)
+        _, p, q = field_of(parts[2])
+        if p * p > 4 * q:
+            signs.append((twists(parts)[0] > 0) is sign_of_the_faster(parts))
+    assert len(signs) == 1 and decision.verdict is (STABLE if signs[0] else UNSTABLE)
+    assert decision.notion == (LEVEL if signs[0] else "Lyapunov") and "(Sokolskii)" in decision.reason
+
+
+def eigenvalue_0(rng):
+    """By the leading term of the amended potential along its valley."""
+    degree = rng.choice([3, 4])
+    given, K, above = degenerate(rng, degree)
+    rotation = with_form(*given, K, *above)
+    e, a3, a4 = along_the_valley(rotation)
+    assert (a3 == 0) is (degree == 4) and e and a4
+    decision = decided(rotation)
+    stable = degree == 4 and a4 * e > 0
+    assert decision.verdict is (STABLE if stable else UNSTABLE)
+    if stable:
+        assert ("Sokolskii" if e < 0 else "Lagrange-Dirichlet") in decision.reason
+        assert decision.notion == ("Lyapunov on its level of C1" if e < 0 else "Lyapunov")
+
+
+def no_twist(rng):
+    """D4 = 0 exactly; D6 decides."""
+    given, K = in_a_window(rng)
+    rotation = with_form(*given, K, *without_twist(rng, given, K))
+    parts = energy(*rotation.parts, 6)
+    D4, D6 = twists(parts)
+    _, p, q = field_of(parts[2])
+    decision = decided(rotation)
+    assert D4 == 0 and decision.verdict is STABLE and decision.notion == "Lyapunov (Arnold-Moser)"
+    said = float(decision.reason.split("D4 = 0, D6 = ")[1].split(",")[0])
+    assert abs(said) == pytest.approx(abs(decimal(D6)) * decimal(q * (p * p - 4 * q))**0.5, rel=1e-4)
+
+
+COUNTS = {one_to_two: 100, one_to_two_without_b: 30, one_to_three: 100, one_to_one: 100, eigenvalue_0: 100,
+          no_twist: 30}
+
+
+@pytest.mark.parametrize("check", COUNTS, ids=lambda check: check.__name__)
+def test_two_of_a_kind(check):
+    """Of every kind."""
+    rng = random.Random(check.__name__)
+    check(rng)
+    check(rng)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("check", COUNTS, ids=lambda check: check.__name__)
+def test_many_of_a_kind(check, full):
+    """460 in all."""
+    rng = random.Random(f"{check.__name__} 2")
+    for _ in range(sampled(COUNTS[check], full, 10)):
+        check(rng)
+
+
+@pytest.mark.parametrize("pair", [(1, 4), (2, 3), (1, 5)], ids=str)
+def test_a_resonance_of_the_fifth_or_sixth_order(pair):
+    """Nothing to D4; where D4 = 0 it is not decided."""
+    rng = random.Random(1)
+    given, K = in_resonance(rng, *pair)
+    assert "no resonance to order 4" in decided(with_form(*given, K, *terms(rng))).reason
+    decision = decided(with_form(*given, K, *without_twist(rng, given, K)))
+    assert decision.verdict is UNDECIDED
+    assert decision.reason.endswith(f"D4 = 0, and the resonance {pair[0]}:{pair[1]} holds")
