@@ -243,6 +243,10 @@ where = "(1)"
 quantity = "dt(k3)"
 printed = "pi2*k1/I2 - pi1*k2/I1"
 kind = "identity"
-scene = "general"
+scene = "field"
+[scene.field]
+potential = "k1*k2 + k3"
+state = ["1/10", 0, 5, "3/5", 0, 0.8]
+values = { I1 = 1, I2 = 2, I3 = 3 }
 """)
     assert [finding.status for finding in check([str(path)])] == ["confirmed"]
