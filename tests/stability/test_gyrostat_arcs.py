@@ -145,8 +145,8 @@ def test_where_branches_cross(arcs):
 def test_as_text():
     arc = next(arc for arc in arcs_of(*SPECIAL["on one axis"]) if arc.curve.unknown == k2)
     said = " ".join(str(arc).split())
-    assert said.startswith("Arc from k = (0, −1, 0), where ω → −∞, to k = (0, 0, 1), where ω = −5/4 − √105/4 and "
-                           "rotations meet, along it |k| = 1: k₁ = 0 k₃ = ")
+    assert said.startswith("Arc from k = (0, −1, 0), where ω → −∞, to k = (0, 0, 1), where ω = −5/4 − √105/4 "
+                           "and rotations meet, along it |k| = 1: k₁ = 0 k₃ = ")
     assert r"\omega\to-\infty" in gs.to_latex(arc)
 
 

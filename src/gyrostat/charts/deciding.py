@@ -2,7 +2,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import reduce
-from itertools import chain
+from itertools import chain, repeat
 
 import numpy as np
 from sympy import Expr
@@ -18,6 +18,7 @@ from ..stability.truth import Relation, truth
 from .answers import answered, every, some
 from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
 from .grids import Grid, Slices, cut, last, places
+from .held import held
 from .signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational
 
 
@@ -117,15 +118,17 @@ class Decided:
     def _between(self, grid: Grid) -> Array | list[int]:
         """Verdicts at points that the criteria leave open.
 
-        By the ladder of the boundary, or one by one where there is none.
+        By the ladder of the boundary; where there is none, together where gyroscopic forces hold them, the
+        others one by one.
         """
         boundary = self.report.boundary
         if boundary is not None and not self.damped:
             return _climbed(boundary, grid, self.alone)
         names = [s.name for s in grid.values]
-        return [CODE_OF[self.report.verdict(dict(zip(names, map(dyadic_rational, numbers))),
-                                            self.damped).verdict]
-                for numbers in grid.numbers(grid.values)]
+        stable = repeat(False) if self.damped else held(self.report, grid)
+        return [STABLE if known else CODE_OF[
+                    self.report.verdict(dict(zip(names, map(dyadic_rational, numbers))), self.damped).verdict]
+                for numbers, known in zip(grid.numbers(grid.values), stable)]
 
     def _exceptional(self, block: Slices) -> Array:
         """Where the second variation may be degenerate, or the damping not reach every motion."""

@@ -111,7 +111,7 @@ def local_motion(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -
     known = Point({**numbers, **{name: evaluate(eq.insert(value), numbers) for name, value in eq.relations
                                  if not jet(name.name)}})
     slopes = {} if potential.given else _slopes(eq, degree)
-    data = _data(eq)
+    data = data_of(eq)
     names = {s for e in (*chain(*data), *slopes.values()) for s in e.free_symbols} | set(potential.parameters)
     if missing := sorted(s.name for s in names - known.keys()):
         return missing
@@ -127,7 +127,7 @@ def local_motion(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -
 
 
 @once
-def _data(eq: Equilibrium) -> tuple[list[Expr], ...]:
+def data_of(eq: Equilibrium) -> tuple[list[Expr], ...]:
     """The inverse of the tensor, the rotor, π, k, and p and q, on the family."""
     body = eq.system.body
     return tuple([eq.insert(x) for x in part] for part in (

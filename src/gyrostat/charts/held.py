@@ -1,0 +1,127 @@
+"""Points that gyroscopic forces hold, decided together: D4 in arrays of balls."""
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from sympy import Add, Expr, Mul, Pow, Rational, Symbol
+
+from ..algebra.balls import ball
+from ..algebra.floats import Array
+from ..algebra.series import Series, composed
+from ..mechanics.potential import DIRECTIONS
+from ..notation import jet
+from ..stability.birkhoff import Modes, characteristic, linear_motion, modes, normalised, twist
+from ..stability.local_motion import data_of
+from ..stability.orbit_chart import energy_on_orbit
+from ..stability.report import Report
+from ..stability.windows import resonance_margin, resonances_up_to
+from .ball_arrays import SUM, TINY, BallArray
+from .grids import Grid
+
+Number = Callable[[Expr], BallArray]
+
+
+def held(report: Report, grid: Grid) -> Array:
+    """Where D4 is proved not to be 0, no resonance to order 4 holds, and no eigenvalue is real or 0: stable.
+
+    Where it is not proved so in doubles, nothing is said.
+
+    Parameters
+    ----------
+    report : Report
+        of a body in a field
+    grid : Grid
+        of one axis
+
+    Returns
+    -------
+    array of bool, shape of the grid
+    """
+    eq = report.equilibrium
+    potential, nothing = eq.system.potential, np.zeros(max(grid.shape), bool)
+    if potential is None or not potential.given or not potential.expression.is_rational_function(*DIRECTIONS):
+        return nothing
+    names = {s: _leaf(grid, s) for s in grid.values}
+    try:
+        for name, value in eq.relations:
+            if not jet(name.name):
+                names[name] = _evaluated(eq.insert(value), names)
+        inverse, rotor, pi, k, _ = ([_evaluated(x, names) for x in part] for part in data_of(eq))
+        _evaluated(potential.expression, names | dict.fromkeys(DIRECTIONS, BallArray(1.0)))
+    except (NotImplementedError, KeyError):
+        return nothing
+    shape = nothing.shape
+    spread = [BallArray(np.broadcast_to(x.middle, shape), np.broadcast_to(x.radius, shape))
+              for x in (*inverse, *rotor, *pi, *k)]
+    smallest = np.argmin([abs(x.middle) for x in spread[-3:]], axis=0)
+    for upright in range(3):
+        at = np.flatnonzero(smallest == upright)
+        if at.size:
+            here = {s: _cut(x, at, shape) for s, x in names.items()}
+            numbers = [_cut(x, at, shape) for x in spread]
+            nothing[at] = _decided(numbers, potential.expression, here, upright)
+    return nothing
+
+
+def _decided(numbers: list[BallArray], U: Expr, names: dict[Symbol, BallArray], upright: int) -> Array:
+    """At points that have the same axis farthest from k."""
+    inverse = [numbers[3 * i:3 * i + 3] for i in range(3)]
+    rotor, pi, k = (numbers[n:n + 3] for n in (9, 12, 15))
+    momentum = [x + y for x, y in zip(pi, rotor)]
+
+    def field(places: Any) -> Series:
+        return composed(U, dict(zip(DIRECTIONS, places)), lambda x: _evaluated(x, names))
+
+    with np.errstate(all="ignore"):
+        parts = energy_on_orbit(inverse, rotor, k, momentum, field, upright, 4)
+        A = linear_motion(parts[2])
+        p, q = characteristic(A)
+        discriminant = p**2 - 4 * q
+        proved = p.positive() & q.positive() & discriminant.positive()
+        for pair in resonances_up_to(4):
+            proved = proved & resonance_margin(p, q, *pair).excludes_zero()
+        if not proved.any():
+            return np.asarray(proved)
+        root = discriminant.sqrt()
+        square = (p + root) * 0.5
+        values = square.sqrt().turned(), (q / square).sqrt().turned()
+        try:
+            found: Modes = modes(A, p, values)
+        except ZeroDivisionError:
+            return np.zeros_like(proved)
+        D4 = twist(normalised(parts, found)[4], found).real
+        return np.asarray(proved & D4.excludes_zero())
+
+
+def _leaf(grid: Grid, name: Symbol) -> BallArray:
+    """The numbers of a name, doubles or near doubles."""
+    values = np.asarray(grid.values[name], float).ravel()
+    return BallArray(values, SUM * abs(values) + TINY if name in grid.exact else None)
+
+
+def _cut(x: BallArray, at: Array, shape: tuple[int, ...]) -> BallArray:
+    """Of some points."""
+    if x.middle.size == 1 and shape != (1,):
+        return x
+    return BallArray(x.middle[at], x.radius[at])
+
+
+def _evaluated(expression: Expr, names: dict[Symbol, BallArray]) -> BallArray:
+    """A fraction of polynomials in names, with constants of any kind."""
+    if isinstance(expression, Symbol):
+        return names[expression]
+    if not expression.free_symbols:
+        enclosed = ball(expression, 128)
+        near = float(enclosed.mid())
+        exact = isinstance(expression, Rational) and Rational(near) == expression
+        return BallArray(near, None if exact else np.asarray(abs(near) * SUM + TINY))
+    if isinstance(expression, Pow) and expression.exp.is_Integer:
+        base = _evaluated(expression.base, names)
+        return base**int(expression.exp) if expression.exp > 0 else 1 / base**-int(expression.exp)
+    if not isinstance(expression, Add | Mul):
+        raise NotImplementedError
+    found = _evaluated(expression.args[0], names)
+    for part in expression.args[1:]:
+        other = _evaluated(part, names)
+        found = found + other if isinstance(expression, Add) else found * other
+    return found
