@@ -52,6 +52,7 @@ if TYPE_CHECKING:
         secular_variation,
     )
     from .stability.energy_sink import energy_sink_criterion
+    from .stability.followed_heavy import HeavyContinuation
     from .stability.followed_rotations import RotationContinuation
     from .stability.gyrostat_arcs import GyrostatArc
     from .stability.heavy_rotation import HeavyRotation
@@ -77,14 +78,14 @@ __all__ = [
     "axial_potential", "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch",
     "Case", "charts", "Condition", "Continuation", "continuation", "Criterion", "CriticalPoint", "Decision",
     "energy_sink_criterion", "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential",
-    "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyRotation", "ideal_fluid", "inclined",
-    "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics",
-    "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent", "own_precision",
-    "permanent_rotation", "PermanentRotation", "plotting", "Potential", "principal_rotation", "published",
-    "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation",
-    "SecondVariation", "secular_criterion", "secular_variation", "Solution", "solve_condition",
-    "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt",
-    "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
+    "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyContinuation", "HeavyRotation",
+    "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization",
+    "linearize", "mechanics", "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent",
+    "own_precision", "permanent_rotation", "PermanentRotation", "plotting", "Potential", "principal_rotation",
+    "published", "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor",
+    "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
+    "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
+    "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
     "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
 ]
 
@@ -107,6 +108,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.conditions": "Condition Criterion independent",
     "stability.criteria": "formal_criterion secular_criterion spectral_criterion",
     "stability.continuation": "Continuation continuation",
+    "stability.followed_heavy": "HeavyContinuation",
     "stability.followed_rotations": "RotationContinuation",
     "stability.gyrostat_arcs": "GyrostatArc",
     "stability.heavy_rotation": "HeavyRotation",

@@ -1,6 +1,12 @@
 """The field of a root of an irreducible polynomial over ℚ."""
-from flint import fmpq_mat, fmpq_poly
+from flint import fmpq_mat, fmpq_mpoly, fmpq_poly
 from sympy import Add, Expr, Mul, Rational
+
+
+def in_one(polynomial: fmpq_mpoly, index: int) -> fmpq_poly:
+    """As a polynomial in one generator, with 0 for the others."""
+    coefficients = {e[index]: c for e, c in polynomial.to_dict().items() if sum(e) == e[index]}
+    return fmpq_poly([coefficients.get(n, 0) for n in range(max(coefficients, default=-1) + 1)])
 
 
 def divided(tops: list[fmpq_poly], under: fmpq_poly, modulus: fmpq_poly) -> list[fmpq_poly]:
@@ -26,3 +32,28 @@ def divided(tops: list[fmpq_poly], under: fmpq_poly, modulus: fmpq_poly) -> list
 def at_root(polynomial: fmpq_poly, root: Expr) -> Expr:
     """The value at a root."""
     return Add(*(Mul(Rational(int(c.p), int(c.q)), root**n) for n, c in enumerate(polynomial.coeffs()) if c))
+
+
+def common_divisor(f: list[fmpq_poly], g: list[fmpq_poly], modulus: fmpq_poly) -> list[fmpq_poly]:
+    """The greatest one of two polynomials over the field, monic; coefficients from the constant term.
+
+    Examples
+    --------
+    >>> x, one = fmpq_poly([0, 1]), fmpq_poly([1])
+    >>> common_divisor([-2 * one, 0 * one, one], [x, one], fmpq_poly([-2, 0, 1]))
+    [x, 1]
+    """
+    while g := _monic(g, modulus):
+        rest = [c % modulus for c in f]
+        while len(rest) >= len(g):
+            lead, shift = rest[-1], len(rest) - len(g)
+            rest = [(c - lead * g[n - shift]) % modulus if n >= shift else c for n, c in enumerate(rest[:-1])]
+        f, g = g, rest
+    return f
+
+
+def _monic(f: list[fmpq_poly], modulus: fmpq_poly) -> list[fmpq_poly]:
+    f = [c % modulus for c in f]
+    while f and not f[-1]:
+        f.pop()
+    return [*divided(f[:-1], f[-1], modulus), fmpq_poly([1])] if len(f) > 1 else [fmpq_poly([1])] * len(f)

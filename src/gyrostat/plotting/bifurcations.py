@@ -2,7 +2,7 @@
 
 Of a body of revolution in a field their tilts, of a free gyrostat M along an axis, or ν.
 """
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,7 @@ from ..mechanics.families import E1, E2, E3
 from ..mechanics.system import System
 from ..notation import symbol
 from ..stability.continuation import Continuation, continuation
+from ..stability.followed_heavy import HeavyContinuation
 from ..stability.followed_rotations import RotationContinuation
 from ..stability.kinds import precessions_leave, tilt_leaves
 from ..stability.meetings import BifurcationPoint
@@ -24,7 +25,7 @@ from .looks import DARK, axes_of, axis, label, legend, line, marker, named, with
 CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p"}
 MEETINGS = {tilt_leaves(E1): "^", tilt_leaves(E2): "v", "fold at fixed rate": "D",
             "pitchfork at fixed rate": "P", "crossing at fixed rate": "X", INFINITE: "x"}
-ROTATIONS = {"fold": "D", "pitchfork": "P", "umbilic": "X", "circle leaves an axis": "o",
+ROTATIONS = {"fold": "D", "pitchfork": "P", "umbilic": "X", "crossing": "x", "circle leaves an axis": "o",
              "circle at this value alone": "s", "sphere at this value alone": "*"}
 MOMENTUM, RATE = (1, 1, 0), (0, 1, 0)                      # dimensions
 CLEARANCE = 0.11                                           # of the names, in k3
@@ -41,6 +42,8 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     without one, at this rotor and rate: branches of E3 fold, or come to E1 or E2. An E3 without others beside
     it is a circle as in the other pictures.
 
+    Of any other body in a field the permanent rotations at omega, k3 of them.
+
     Of a free gyrostat the permanent rotations on a momentum sphere: against a component of the rotor M along
     its axis, against anything else ν, ω = ν M. A mark stands where rotations meet; lines that cross without
     one do so in the picture alone.
@@ -48,7 +51,7 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     Parameters
     ----------
     scene : System
-        body of revolution in a U rational in k3, or any body without a field
+        body of revolution in a U rational in k3, or any body without a field or in a U of degree 1 or 2
     name : str
         what is free: "omega", or another one of these names
     ends : pair of numbers
@@ -87,6 +90,8 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     ax = axes_of(ax)
     if isinstance(found, RotationContinuation):
         return _draw_rotations(found, scene, name, values, ax, kwargs)
+    if isinstance(found, HeavyContinuation):
+        return _draw_heavy(found, scene, name, values, ax, kwargs)
     for piece in found.pieces:
         alone = len(piece.parameter) == 1
         ax.plot(piece.parameter, piece.k3, **{**(marker if alone else line)(piece.verdict), "clip_on": False,
@@ -123,15 +128,7 @@ def _draw_rotations(found: RotationContinuation, scene: System, name: str,
     for piece in found.pieces:
         height = piece.nu if entry is None else piece.momentum[:, entry]
         ax.plot(piece.parameter, height, **{**line(piece.verdict), "clip_on": False, **kwargs})
-    handles = [named({**line(verdict), **kwargs}, verdict.name.lower()) for verdict in Verdict
-               if verdict in {piece.verdict for piece in found.pieces}]
-    for kind, shape in ROTATIONS.items():
-        if marks := [mark for mark in found.marks if mark.kind == kind]:
-            style = {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none",
-                     "markerfacecolor": "white"}
-            ax.plot([float(mark.value) for mark in marks], [_height(mark, entry) for mark in marks], zorder=4,
-                    clip_on=False, **style)
-            handles.append(named(style, kind))
+    handles = [*_lines_of(found, kwargs), *_meetings_of(found, ax, lambda mark: _height(mark, entry))]
     ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
     ax.set(xlim=(min(ends), max(ends)))
     ax.set_xlabel(with_dimension("$|M|$", MOMENTUM) if name == LENGTH.name else axis(name))
@@ -139,6 +136,43 @@ def _draw_rotations(found: RotationContinuation, scene: System, name: str,
     said = of_scene(scene, values) if name == LENGTH.name else of_sphere(scene, values, values[LENGTH.name])
     legend(ax, handles, 3, heading(ax, *said))
     return ax
+
+
+def _draw_heavy(found: HeavyContinuation, scene: System, name: str, values: Mapping[str, Any], ax: Any,
+                kwargs: Mapping[str, Any]) -> Any:
+    """Of a body in a field that is not of revolution."""
+    for piece in found.pieces:
+        ax.plot(piece.parameter, piece.k[:, 2], **{**line(piece.verdict), "clip_on": False, **kwargs})
+    handles = [*_lines_of(found, kwargs), *_meetings_of(found, ax, _k3)]
+    ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
+    ax.set(xlim=(min(ends), max(ends)), ylim=(-1.1, 1.1), xlabel=axis(name), ylabel=label("k3"))
+    legend(ax, handles, 3, heading(ax, *of_scene(scene, values)))
+    return ax
+
+
+def _k3(mark: BifurcationPoint) -> float:
+    assert mark.k3 is not None
+    return float(mark.k3)
+
+
+def _lines_of(found: RotationContinuation | HeavyContinuation, kwargs: Mapping[str, Any]) -> list[Any]:
+    """What stands in the legend for the verdicts."""
+    return [named({**line(verdict), **kwargs}, verdict.name.lower()) for verdict in Verdict
+            if verdict in {piece.verdict for piece in found.pieces}]
+
+
+def _meetings_of(found: RotationContinuation | HeavyContinuation, ax: Any,
+                 height: Callable[[BifurcationPoint], float]) -> list[Any]:
+    """The marks, and what stands in the legend for them."""
+    handles = []
+    for kind, shape in ROTATIONS.items():
+        if marks := [mark for mark in found.marks if mark.kind == kind]:
+            style = {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none",
+                     "markerfacecolor": "white"}
+            ax.plot([float(mark.value) for mark in marks], [height(mark) for mark in marks], zorder=4,
+                    clip_on=False, **style)
+            handles.append(named(style, kind))
+    return handles
 
 
 def _height(mark: BifurcationPoint, entry: int | None) -> float:

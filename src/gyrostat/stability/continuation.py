@@ -15,10 +15,12 @@ from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import between, stations
 from ..errors import ScopeError, ValuesError, require
 from ..mechanics.families import E3, POLES
+from ..mechanics.reduction import reducible
 from ..mechanics.system import System
 from .branches import branches_at
 from .critical import critical_of
 from .followed import Followed
+from .followed_heavy import HeavyContinuation, followed_heavy
 from .followed_rotations import RotationContinuation, followed_rotations
 from .pieces import Mark, Piece, Span
 
@@ -48,7 +50,7 @@ class Continuation:
 
 
 def continuation(scene: System, name: str, ends: tuple[Any, Any],
-                 values: Mapping[str, Any]) -> Continuation | RotationContinuation:
+                 values: Mapping[str, Any]) -> Continuation | RotationContinuation | HeavyContinuation:
     """The branches of E1, E2 and E3, or of permanent rotations, over a range of one parameter, complete.
 
     Between two stations, which are exact, the tilts are simple roots in a fixed order, none ends, and no
@@ -59,7 +61,7 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     Parameters
     ----------
     scene : System
-        a body of revolution in a U rational in k3, or any body without a field
+        a body of revolution in a U rational in k3, or any body without a field, or in a U of degree 1 or 2
     name : str
         of the parameter
     ends : pair of numbers
@@ -69,12 +71,12 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
 
     Returns
     -------
-    Continuation, or RotationContinuation
+    Continuation; of a free body RotationContinuation, of any other HeavyContinuation
 
     Raises
     ------
     ScopeError
-        the body is not of revolution, U is unspecified, not rational in k3, of too high a degree, or
+        U is unspecified, of too high a degree, of a body of revolution not rational in k3, or
         everything is E3
     ValuesError
         numbers are missing, unknown or not admissible, or the range is empty
@@ -100,6 +102,8 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
                           "first")
     if scene.potential is None:
         return followed_rotations(scene, name, low, high, values)
+    if not reducible(scene) and scene.potential.given:
+        return followed_heavy(scene, name, low, high, values)
     critical = critical_of(scene, name, low, high, values)
     found = stations(critical.curve, critical.points,
                      (*critical.lines, *critical.poles[1], *critical.poles[-1]))

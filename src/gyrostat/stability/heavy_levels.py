@@ -8,7 +8,7 @@ from sympy import Expr, Matrix, Rational, S, Symbol, eye, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import evaluate, proved_sign
-from ..algebra.number_fields import at_root, divided
+from ..algebra.number_fields import at_root, divided, in_one
 from ..algebra.pencils import points_on_sphere
 from ..algebra.polynomials import Ring, by_degree
 from ..algebra.precision import own_precision
@@ -222,9 +222,7 @@ def _enclosed(matrix: Matrix, at: dict[Symbol, arb]) -> arb_mat:
 
 def _in_omega(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_poly:
     """With 0 for what is not omega."""
-    place = ring.generators.index(OMEGA)
-    coefficients = {e[place]: c for e, c in polynomial.to_dict().items() if sum(e) == e[place]}
-    return fmpq_poly([coefficients.get(n, 0) for n in range(max(coefficients, default=-1) + 1)])
+    return in_one(polynomial, ring.generators.index(OMEGA))
 
 
 def _placed(ring: Ring, polynomial: fmpq_mpoly, s: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:

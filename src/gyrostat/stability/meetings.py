@@ -44,6 +44,8 @@ class BifurcationPoint(Shown, Stored):
         of a free gyrostat: ω = ν M
     momentum : tuple of Expr, shape (3,), or None
         of a free gyrostat: M
+    k : tuple of Expr, shape (3,), or None
+        of a body in a field that is not of revolution
 
     Examples
     --------
@@ -60,6 +62,7 @@ class BifurcationPoint(Shown, Stored):
     k3: Expr | None
     nu: Expr | None = None
     momentum: tuple[Expr, ...] | None = None
+    k: tuple[Expr, ...] | None = None
 
 
 def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[BifurcationPoint]:
