@@ -84,7 +84,7 @@ def test_nothing_of_the_curve_is_missing(drawn):
 def test_marks_and_legend(drawn):
     ax, inertia, c, rotor = drawn
     names = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert names == ["stable", "unstable", "undecided", "fold", "change", "at rest"]
+    assert names == ["stable", "unstable", "undecided", "change", "fold", "at rest"]
     assert not [line for line in ax.lines if line.get_linewidth() == OPPOSITE["linewidth"]
                 and line.get_color() == OPPOSITE["color"]]
     rest = marked(ax, REST)

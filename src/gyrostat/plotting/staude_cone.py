@@ -18,7 +18,7 @@ STEP = 0.02                                            # radians between points
 OPPOSITE = {"color": GREY, "linewidth": 0.8}
 CHANGE = {"marker": "D", "linestyle": "none", "markersize": 4.5, "color": DARK}
 REST = {"marker": "X", "linestyle": "none", "markersize": 6.5, "color": DARK, "markeredgecolor": "white"}
-FOLD = {"marker": "o", "linestyle": "none", "markersize": 4.5, "color": DARK, "markerfacecolor": "white"}
+FOLD = {"marker": "o", "linestyle": "none", "markersize": 3.5, "color": DARK, "markerfacecolor": "white"}
 ANY = {"marker": "s", "linestyle": "none", "markersize": 5.5, "color": GREY}
 
 
@@ -97,7 +97,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     rest += [floats(arc.rotation(S.Zero).k) for arc in moving if isinstance(arc, GyrostatArc)
              and arc.low < 0 < arc.high]
     still = [floats(arc.ends[0].k) for arc in arcs if not moves(arc)]
-    for points, style, name in ((folds, FOLD, "fold"), (changes, CHANGE, "change"),
+    for points, style, name in ((changes, CHANGE, "change"), (folds, FOLD, "fold"),
                                 (rest, REST, "at rest"), (still, ANY, "every rate")):
         if points:
             dots_on(ax, np.array(points), eye, **style)

@@ -73,7 +73,7 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     >>> ax = gs.plotting.draw_staude_plane(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U),
     ...                                    ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['stable', 'unstable', 'undecided', 'fold', 'change', 'at rest']
+    ['stable', 'unstable', 'undecided', 'change', 'fold', 'at rest']
     """
     arcs = staude_cone(scene).arcs(values or {})
     plane = _Plane(arcs[0].scene)
@@ -94,7 +94,7 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
         for curve in own:
             ax.plot(*curve.T, **style)
         handles += [named(style, verdict.name.lower())] if own else []
-    for points, look, name in ((folds, FOLD, "fold"), (changes, CHANGE, "change"), (rest, REST, "at rest")):
+    for points, look, name in ((changes, CHANGE, "change"), (folds, FOLD, "fold"), (rest, REST, "at rest")):
         if points:
             ax.plot(*np.array(points).T, **look, zorder=4)
             handles.append(named(look, name))
