@@ -75,6 +75,15 @@ def test_special_gyrostats(kind):
     assert check(random.Random(kind), arcs_of(*SPECIAL[kind]), *SPECIAL[kind]) >= 6
 
 
+def test_a_fold_at_a_great_rate():
+    """At 19.54, sigma = −475.29, of roots from −1286 to −448."""
+    c = [6, Fraction(11, 5), Fraction(1, 3)]
+    body = (3, Fraction(7, 5), Fraction(6, 5)), c, [-Fraction(8, 7) * x for x in c]
+    found = arcs_of(*body)
+    assert [f"{float(arc.low):.4f}" for arc in found].count("19.5450") == 2
+    assert check(random.Random("fold"), found, *body, rates=2) >= 4
+
+
 @pytest.mark.slow
 def test_many(full):
     rng, count = random.Random("many arcs"), sampled(120, full, 12)

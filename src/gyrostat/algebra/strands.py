@@ -15,7 +15,7 @@ from .polynomials import Ring, by_degree
 from .precision import own_precision
 from .roots import between, in_order, roots_of_factor
 
-FINEST = 2**13                                         # bits
+FINEST, LEAST = 2**13, 1000                            # bits; of the width of a root
 
 
 class Span(NamedTuple):
@@ -115,7 +115,7 @@ def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> l
             if len(left) == count:
                 for x0 in left:
                     parts = _divided(_divided(parts, near[x0]), near[x0])
-                others = _isolated(parts)
+                others = _isolated(parts, 2.0 ** -min(precision // 4, LEAST))
                 if others is not None and not any(x.overlaps(near[x0]) for x in others for x0 in left):
                     return [(x0, sum(bool(x < near[x0]) for x in others)) for x0 in left]
         precision *= 2
@@ -130,10 +130,10 @@ def _divided(parts: Sequence[arb], root: arb) -> list[arb]:
     return quotient[::-1]
 
 
-def _isolated(parts: Sequence[arb]) -> list[arb] | None:
-    """The real roots of a polynomial with balls for coefficients, None where roots are not isolated."""
+def _isolated(parts: Sequence[arb], width: float) -> list[arb] | None:
+    """The real roots of a polynomial with balls for coefficients, None where they are not so narrow."""
     try:
-        return [root.real for root in arb_poly(parts).complex_roots() if root.imag.contains(0)]
+        return [root.real for root in arb_poly(parts).complex_roots(tol=width) if root.imag.contains(0)]
     except ValueError:
         return None
 
