@@ -49,6 +49,11 @@ def test_two_pairs_meet_at_one_value():
         "-sqrt(2)", "-sqrt(2)", "sqrt(2)", "sqrt(2)"]
 
 
+def test_complex_roots_that_meet():
+    assert len(strands((x**2 + 1) ** 2 + (x - 1) * t, x, t, {})) > 0
+    assert strands((x**2 + 1) ** 2 + t**2, x, t, {}) == []
+
+
 def test_what_is_not_told_apart():
     """Branches that touch, or cross unknown."""
     for F in ((x - t**2) * (x + t**2), x**2 - t**2, x**3 - t * x):
