@@ -57,7 +57,6 @@ EQUIVALENT = (
     (r"literature:(A1-(Energy-Casimir|uniform|damped)|planar-stable|L8|L8-damped|L12|L12-still|major-axis|"
      r"Volterra-off-plane-\w+): .*[<>]=",
      "at equality the form is semidefinite: nothing is known there, and it is not confirmed"),
-    (r"literature:A3: T >= 0", "T is not 0 where S > 0: a symmetric form of rank two, definite"),
     (r"literature:L6-despun: .*>=", "true wherever l > 0"),
     (r"literature:sleeping-damped-critical: .*>=", "at equality the energy is least, by its fourth order"),
 )
