@@ -48,13 +48,13 @@ EQUIVALENT = (
     (r"N2025:(omega-x1|symmetric-second-order): \w+ = -", "the name enters squared"),
     (r"N2025:(omega-constant|amplitude): ", "Ω3 is constant, and cos² + sin² = 1, whatever ω"),
     (r"EA:angle-constant: ", "ω3 and ω1² + ω2² are constant, and with them every function of them"),
-    (r"(EA:rotation-rate|literature:(S1-E[12]|S8-\w+|F1|Kharlamov-(curve|on-curve|field))): \w+ = -\(",
-     "the name enters squared"),
+    (r"(EA:rotation-rate|literature:(S1-E[12]|S8-\w+|F1|Kharlamov-(curve|on-curve|field)|routh-p)): "
+     r"\w+ = -\(", "the name enters squared"),
     (r"literature:F2(-sphere)?: \w+ = -\(", "another sign of a root: F2 has all four, σ = sign(ac)"),
     (r"literature:F2: [xy] = sqrt\(1/I(\d) - 1/I\1\)",
      "μ = 0 and the motion is a rotation about an axis, a solution too"),
     (r"literature:F3-solution: [uvrs] = -\(", "two components or the time change sign: a solution too"),
-    (r"literature:(A1-(Energy-Casimir|uniform|damped)|planar-stable|L8|L8-damped|L12|L12-still|major-axis|"
+    (r"literature:(A1-(Energy-Casimir|uniform|damped)|L8|L8-damped|L12|L12-still|major-axis|"
      r"Volterra-off-plane-\w+): .*[<>]=",
      "at equality the form is semidefinite: nothing is known there, and it is not confirmed"),
     (r"literature:L6-despun: .*>=", "true wherever l > 0"),

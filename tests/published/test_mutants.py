@@ -66,7 +66,6 @@ MUTANTS = [
     # the point is printed in the coordinates
     ("literature", "permanent-rotation", {"printed": ["w*I1*k1", "w*I2*k1", "w*I3*k3", "k1", "k2", "k3"]}),
     ("literature", "A2-s", {"printed": "1.70209339777"}),
-    ("literature", "planar-stable", {"printed": "N > 0"}),
     ("EA", "three-rotations", {"printed": ["-sin(theta)*cos(psi)", "sin(theta)*cos(psi)", "cos(theta)"]}),
     ("VV2003", "influence", {"at": {"l": "I1*dU - pi3_0"}}),
 ]
