@@ -68,8 +68,8 @@ class Element:
         return self * (1 / other)
 
     def __rtruediv__(self, other: Any) -> "Element":
-        f, square = self.ring.modulus, self.ring.square
-        common, inverse, _ = ((self.a * self.a - square * (self.b * self.b)) % f).xgcd(f)
+        f = self.ring.modulus
+        common, inverse, _ = self._norm().xgcd(f)
         if common != 1:
             raise ZeroDivisionError("a divisor of zero has no inverse")
         return Element(self.ring, self.a * inverse % f, -self.b * inverse % f) * other
@@ -78,6 +78,14 @@ class Element:
         return isinstance(other, int) and self.a == other and not self.b
 
     __hash__ = None                                        # type: ignore[assignment]
+
+    def invertible(self) -> bool:
+        """Whether it is 0 at none of the roots; where the polynomial has factors, it may be 0 at some."""
+        return bool(self._norm().gcd(self.ring.modulus) == 1)
+
+    def _norm(self) -> fmpq_poly:
+        """Its product with a − b m."""
+        return (self.a * self.a - self.ring.square * (self.b * self.b)) % self.ring.modulus
 
     def conjugate(self) -> "Element":
         """With −λ1 and −λ2 in the place of λ1 and λ2, as for imaginary eigenvalues."""

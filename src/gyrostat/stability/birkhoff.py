@@ -9,6 +9,7 @@ from typing import Any
 
 from flint import acb, fmpq
 
+from ..algebra.eigenvalues import Element
 from ..algebra.series import Part, added, is_zero, substituted
 from ..kept import cached_property
 
@@ -68,7 +69,7 @@ def characteristic(A: Rows) -> tuple[Any, Any]:
 
 
 def modes(A: Rows, p: Any, values: tuple[Any, Any]) -> Modes:
-    """By the columns of the adjugate of λ − A, A³ + λ A² + (λ² + p) A + λ (λ² + p).
+    """In the image of the adjugate of λ − A, A³ + λ A² + (λ² + p) A + λ (λ² + p).
 
     ZeroDivisionError where none is proved to be an eigenvector.
     """
@@ -83,9 +84,13 @@ def _pair(first: Mode, second: Mode) -> Modes:
 
 def _mode(A: Rows, square: Rows, cube: Rows, p: Any, value: Any) -> Mode:
     rest = value * value + p
-    for column in range(4):
-        v = [cube[i][column] + square[i][column] * value + A[i][column] * rest for i in range(4)]
-        v[column] += value * rest
+    # a vector is orthogonal to (1, t, t², t³) for three t at most, and there are two pairs of eigenvalues
+    for t in range(7):
+        v = [0 * value] * 4
+        for column, factor in enumerate([t**n for n in range(4) if t or not n]):
+            for i in range(4):
+                v[i] += (cube[i][column] + square[i][column] * value + A[i][column] * rest) * factor
+            v[column] += value * rest * factor
         if not_zero(norm := symplectic(conjugate(v), v)):
             return value, v, norm
     raise ZeroDivisionError("no eigenvector is proved not to be 0")
@@ -174,7 +179,9 @@ def multiplied(a: Rows, b: Rows) -> Rows:
 
 
 def not_zero(x: Any) -> bool:
-    """Whether a number is proved not to be 0; of an array of them, most."""
+    """Whether a number is proved not to be 0, at any of the eigenvalues it may stand for; of an array, most."""
+    if isinstance(x, Element):
+        return x.invertible()
     if hasattr(x, "excludes_zero"):
         return bool(2 * x.excludes_zero().sum() > x.middle.size)
     return not (x.contains(0) if isinstance(x, acb) else is_zero(x))
