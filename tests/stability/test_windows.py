@@ -1,5 +1,6 @@
 """D4 and D6 of rotations that gyroscopic forces hold, against another chart and another algorithm."""
 import random
+from dataclasses import replace
 from itertools import islice
 
 import pytest
@@ -7,7 +8,7 @@ from flint import fmpq
 from normal_form import bracket, directions, energy, field_of, momenta, rational, twists
 from slow import sampled
 from sympy import Rational
-from window_scenes import windows
+from window_scenes import Rotation, windows
 
 import gyrostat as gs
 
@@ -57,3 +58,33 @@ def test_many_windows(kind, full):
     drawn = windows(random.Random(f"{kind} 2"), *KINDS[kind])
     for n, rotation in enumerate(islice(drawn, sampled(120, full, 10))):
         check(rotation, 4 + 2 * (n % 10 == 9))
+
+
+def relabelled(rotation):
+    """The axes in another cyclic order."""
+    order = (2, 0, 1)
+    tensor = [[rotation.tensor[i][j] for j in order] for i in order]
+    field = {tuple(e[n] for n in order): c for e, c in rotation.field.items()}
+    rotor, k = ([vector[n] for n in order] for vector in (rotation.rotor, rotation.k))
+    return Rotation(tensor, rotor, k, rotation.omega, field)
+
+
+def backwards(rotation):
+    """The sense of time, the rotor too."""
+    return replace(rotation, omega=-rotation.omega, rotor=[-x for x in rotation.rotor])
+
+
+def scaled(rotation):
+    """Twice as fast, a body three times as great: U is twelve times as great."""
+    tensor = [[3 * x for x in row] for row in rotation.tensor]
+    field = {e: 12 * c for e, c in rotation.field.items()}
+    return Rotation(tensor, [6 * x for x in rotation.rotor], rotation.k, 2 * rotation.omega, field)
+
+
+@pytest.mark.parametrize("change, factor", [(relabelled, 1), (backwards, 1), (scaled, Rational(4, 3))])
+def test_what_changes_D4(change, factor):
+    """Not the names of the axes, not the sense of time; its unit is frequency⁴ by energy."""
+    rotation = next(windows(random.Random(3), *KINDS["uniform, a tensor"]))
+    before, after = (gs.analyze(r.equilibrium()).normal_form({}).twists[0]
+                     for r in (rotation, change(rotation)))
+    assert after == factor * before
