@@ -179,7 +179,7 @@ def multiplied(a: Rows, b: Rows) -> Rows:
 
 
 def not_zero(x: Any) -> bool:
-    """Whether a number is proved not to be 0, at any of the eigenvalues it may stand for; of an array, most."""
+    """Whether a number is proved not to be 0, for all eigenvalues it may stand for; of an array, most."""
     if isinstance(x, Element):
         return x.invertible()
     if hasattr(x, "excludes_zero"):
