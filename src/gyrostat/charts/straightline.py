@@ -2,6 +2,7 @@
 
 Additions and products in an order that leaves least to do for each point.
 """
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -152,11 +153,22 @@ class _Writer:
     def fold(self, terms: list[tuple[int, bool]], join: Callable[..., tuple[int, bool]]) -> tuple[int, bool]:
         """Two terms are joined at a time, those that vary along the fewest axes together first."""
         while len(terms) > 1:
-            i, j = min(combinations(range(len(terms)), 2),
+            i, j = min(combinations(self._candidates(terms), 2),
                        key=lambda pair: self._together(*(terms[n][0] for n in pair)))
             joined = join(terms[i], terms[j])
             terms = [joined if n == i else term for n, term in enumerate(terms) if n != j]
         return terms[0]
+
+    def _candidates(self, terms: list[tuple[int, bool]]) -> list[int]:
+        """The first two terms of those that vary along the same axes: any pair is like one of these."""
+        count = Counter[Axes]()
+        places: list[int] = []
+        for n, (term, _) in enumerate(terms):
+            along = self.steps[term].axes
+            count[along] += 1
+            if count[along] <= 2:
+                places.append(n)
+        return places
 
     def _together(self, a: int, b: int) -> tuple[int, int]:
         one, other = self.steps[a].axes, self.steps[b].axes
