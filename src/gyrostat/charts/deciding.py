@@ -17,6 +17,7 @@ from ..stability.secular import secular_of
 from ..stability.truth import Relation, truth
 from .answers import answered, every, some
 from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
+from .constants import with_constants
 from .grids import Grid, Slices, cut, last, places
 from .held import held
 from .signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational
@@ -56,7 +57,8 @@ class Decided:
 
     def _signs(self, expression: Expr) -> ArraySigns:
         if expression not in self.known:
-            self.known[expression] = ArraySigns(expression, self.grid, self.backend, [])
+            self.known[expression] = ArraySigns(with_constants(expression, self.grid), self.grid,
+                                                self.backend, [])
         return self.known[expression]
 
     def fill(self, tiles: Iterable[Sequence[Slices]], result: Array) -> tuple[int, ...] | None:
