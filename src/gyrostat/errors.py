@@ -69,7 +69,7 @@ class PotentialError(GyrostatError, ValueError):
 
 
 class StructureError(GyrostatError, ValueError):
-    """A tensor is not a Poisson tensor, or a function is not one of its Casimirs."""
+    """A tensor is not a Poisson tensor, or a function is not one of its Casimirs, or not an integral."""
 
 
 class ScopeError(GyrostatError, NotImplementedError):

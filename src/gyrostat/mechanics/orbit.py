@@ -70,10 +70,10 @@ def regular_differentials(eq: Equilibrium) -> tuple[list[Expr], ...]:
 
 @once
 def critical_integrals(eq: Equilibrium) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
-    """The integrals whose differentials depend on those of the Casimirs there, and the others."""
+    """The linear integrals whose differentials depend on those of the Casimirs there, and the others."""
     rows = list(regular_differentials(eq))
     critical, moving = [], []
-    for integral in eq.system.integrals:
+    for integral in eq.system.linear_integrals:
         row = differentials(eq, (integral,))
         if _rank(eq, rows + row) > len(rows):
             moving.append(integral)
@@ -81,6 +81,12 @@ def critical_integrals(eq: Equilibrium) -> tuple[tuple[Expr, ...], tuple[Expr, .
         else:
             critical.append(integral)
     return tuple(critical), tuple(moving)
+
+
+def is_critical(eq: Equilibrium, function: Expr) -> bool:
+    """Whether the differential of a function depends on those of the Casimirs there."""
+    rows = list(regular_differentials(eq))
+    return _rank(eq, rows + differentials(eq, (function,))) == len(rows)
 
 
 def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:

@@ -63,7 +63,7 @@ def _plain(scene: System) -> bool:
 
     Or U is constant and π is fixed, whatever the axis.
     """
-    return reducible(scene) or len(scene.integrals) == 3
+    return reducible(scene) or len(scene.linear_integrals) == 3
 
 
 def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
@@ -76,7 +76,7 @@ def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
         if all(not (a - b).free_symbols and sign_of_constant(a - b) for a, b in combinations(moments, 2)):
             return None                                    # proved different: no body of revolution
     here = placed(eq, numbers)
-    if len(here.system.integrals) == 3 or not (found := recognise(here.system)):
+    if len(here.system.linear_integrals) == 3 or not (found := recognise(here.system)):
         return None
     turned = _turned(found, here, here.point)
     return Seen(found, turned, "at these numbers ") if turned else None

@@ -6,15 +6,16 @@ from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag
 
-from ..algebra.exact import evaluate
-from ..algebra.matrices import null_space
+from ..algebra.exact import evaluate, sign
 from ..algebra.polynomials import Ring, derivatives
-from ..errors import ScopeError, StructureError, require
+from ..errors import require
 from ..kept import cached_property
-from ..notation import Stored, jet, symbol
+from ..notation import Stored, jet
 from ..shown import Shown
 from .body import Gyrostat
+from .integrals import check_independent, everywhere, in_coordinates, linear_integrals, texts_or_expressions
 from .liepoisson import LiePoisson, lie_poisson
+from .of_body import in_names_of, potential_of_body
 from .potential import Potential
 
 
@@ -31,13 +32,13 @@ class System(Shown, Stored):
     hamiltonian : Expr
         h = ½ Σ πᵢ²/Iᵢ + U [M L²/T²]
     integrals : tuple of Expr
-        functions F with {F, h} = 0 that are no Casimirs, linear in π
+        functions F with {F, h} = 0 that are no Casimirs: those linear in π, then those given
     potential : Potential or None
 
     Raises
     ------
     StructureError
-        an integral does not commute with the Hamiltonian
+        an integral does not commute with the Hamiltonian, on |k| = 1, or on its level C1 = 0
 
     Examples
     --------
@@ -54,10 +55,38 @@ class System(Shown, Stored):
     potential: Potential | None = None
 
     def __post_init__(self) -> None:
-        for integral in self.integrals:
-            if rate := self.space.bracket(integral, self.hamiltonian):
-                raise StructureError(f"{integral} is not an integral: its bracket with the Hamiltonian is "
-                                     f"{rate}, not 0")
+        self.level_only                                   # what is none is refused
+
+    @cached_property
+    def level_only(self) -> tuple[Expr, ...]:
+        """The integrals that are conserved where C1 = M·k = 0 only."""
+        return tuple(F for F in self.integrals if not everywhere(F, self.space, self.hamiltonian))
+
+    @cached_property
+    def linear_integrals(self) -> tuple[Expr, ...]:
+        """Those linear in π, of which the flow is a symmetry; every one of them is found."""
+        return tuple(F for F in self.integrals if not any(self.space.hessian(F)))
+
+    @property
+    def given_integrals(self) -> tuple[Expr, ...]:
+        """Those that were given."""
+        return self.integrals[len(self.linear_integrals):]
+
+    def integrals_at(self, state: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Those that are conserved on the level of the Casimirs of a state.
+
+        Parameters
+        ----------
+        state : sequence of Expr, shape (n,)
+            exact numbers
+
+        Returns
+        -------
+        tuple of Expr
+        """
+        if self.level_only and sign(self.space.casimirs[0], dict(zip(self.space.coordinates, state))) != 0:
+            return tuple(F for F in self.integrals if F not in self.level_only)
+        return self.integrals
 
     def vector_field(self) -> ImmutableMatrix:
         """ẋ = B ∇h, one component for each coordinate.
@@ -111,7 +140,8 @@ class System(Shown, Stored):
         return _jet_jacobian(self.jet_field, self.space.coordinates, tuple(following))
 
 
-def assemble(body: Gyrostat, potential: Potential | None = None) -> System:
+def assemble(body: Gyrostat, potential: Potential | None = None,
+             integrals: Sequence[Expr | str] = ()) -> System:
     """The scene of a body: on so(3)* without a potential, on e(3)* with one.
 
     The moments and the gyrostatic momentum of the body are inserted into a potential that names them.
@@ -120,85 +150,66 @@ def assemble(body: Gyrostat, potential: Potential | None = None) -> System:
     ----------
     body : Gyrostat
     potential : Potential or None
+    integrals : sequence of Expr or str
+        functions F of pi1, pi2, pi3 (or M1, M2, M3), k1, k2, k3 and the parameters of the scene with
+        {F, h} = 0, which is proved, on |k| = 1, or where C1 = 0 only; polynomials in π, no Casimirs
 
     Returns
     -------
     System
-        with the integrals linear in π that it has: π3 for a body of revolution in U(k3)
+        with the integrals linear in π that it has, π3 for a body of revolution in U(k3), and those given
 
     Raises
     ------
     ScopeError
         the potential is written for a body of revolution, and this is none
+    StructureError
+        an integral is none, is constant or has other names, or follows from what is known
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()).integrals
     (pi3,)
+    >>> body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
+    >>> gs.assemble(body, gs.general_potential(0), integrals=("M1^2 + M2^2 + M3^2",)).integrals
+    (pi1**2 + pi2**2 + pi3**2,)
     """
     require(body, Gyrostat, "the body")
     if potential is not None:
         require(potential, Potential, "the potential")
-        potential = _of_body(potential, body)
-    return system_of(body, potential)
+        potential = potential_of_body(potential, body)
+    scene = system_of(body, potential)
+    for given in texts_or_expressions(integrals):
+        F = in_coordinates(in_names_of(body, given), scene.space, body.gyrostatic_momentum,
+                           names_of_scene(scene))
+        check_independent(F, scene.space, (scene.hamiltonian, *scene.space.casimirs, *scene.integrals))
+        scene = replace(scene, integrals=(*scene.integrals, F))
+    return scene
 
 
-def system_of(body: Gyrostat, potential: Potential | None) -> System:
+def system_of(body: Gyrostat, potential: Potential | None, given: Sequence[Expr] = ()) -> System:
     """The scene of a body in a potential whose names are those of the scene: nothing is inserted."""
     space = lie_poisson(("k",) if potential else (), body.gyrostatic_momentum)
     hamiltonian = body.kinetic_energy(space.coordinates[:3]) + (potential.expression if potential else 0)
     free = System(body, space, hamiltonian, (), potential)
     rates = free.jet_field.flat()[:3]
-    given = _rates(potential, rates) if potential else rates
-    return replace(free, integrals=_linear_integrals(space.coordinates, tuple(given)))
+    rates = _rates(potential, rates) if potential else rates
+    return replace(free, integrals=(*linear_integrals(space.coordinates, tuple(rates)), *given))
 
 
 def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
     """The scene with numbers, or other expressions, in place of its names."""
     potential = scene.potential
     field = potential and replace(potential, expression=potential.expression.xreplace(dict(known)))
-    return system_of(scene.body.changed(lambda x: evaluate(x, known)), field)
+    given = [F.xreplace(dict(known)) for F in scene.given_integrals]
+    return system_of(scene.body.changed(lambda x: evaluate(x, known)), field,
+                     [F for F in given if any(scene.space.hessian(F))])
 
 
 def names_of_scene(scene: System) -> set[Symbol]:
     """The symbols of the body and of U."""
     return scene.body.symbols.union(scene.potential.parameters if scene.potential else ())
-
-
-def _of_body(potential: Potential, body: Gyrostat) -> Potential:
-    """The potential with this body's moments and gyrostatic momentum inserted."""
-    if potential.revolution and body.moments[0] != body.moments[1]:
-        raise ScopeError(f"U = {potential.expression} is written for I1 = I2, the body has inertia = "
-                         f"{body.moments}: "
-                         "give its own U(k1, k2, k3) with general_potential")
-    own = [symbol(f"I{i}") for i in (1, 2, 3)]
-    # a tensor has none
-    names = dict(zip(own, body.moments)) if potential.expression.free_symbols & {*own} else {}
-    names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
-    names |= {symbol("l"): body.gyrostatic_momentum[2]}
-    inserted = {name: value for name, value in names.items() if name != value
-                and name in potential.expression.free_symbols}
-    return (
-        Potential(potential.variables, potential.expression.xreplace(inserted), potential.revolution)
-        if inserted
-        else potential
-    )
-
-
-@lru_cache(maxsize=64)
-def _linear_integrals(coordinates: tuple[Symbol, ...], rates: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """Every combination c·π, c constant, whose rate c·π̇ vanishes identically."""
-    ring = Ring([*rates, *coordinates])
-    (row,), _ = ring.matrix([list(rates)])
-    equations: dict[tuple[int, ...], list[Any]] = {}
-    for column, rate in enumerate(row):
-        for kind, coefficient in ring.coefficients(rate, set(coordinates)).items():
-            equations.setdefault(kind, [ring.zero] * 3)[column] = coefficient
-    basis = null_space(ring, list(equations.values()),
-                       lambda j, entry: (not entry.is_constant(), len(entry)), 3)
-    return tuple(Add(*(Mul(ring.expression(c), p) for c, p in zip(vector, coordinates)))
-                 for _, vector in basis)
 
 
 def _rates(potential: Potential, rates: Sequence[Expr]) -> list[Expr]:

@@ -123,7 +123,7 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
 
 def sources(eq: Equilibrium, margins: Iterable[Expr], criteria: Iterable[Criterion]) -> tuple[str, ...]:
     """What each margin came from, "" for none; () where there are integrals."""
-    if eq.system.integrals:
+    if eq.system.linear_integrals:
         return ()
     named: dict[Expr, str] = {}
     for c in (c for criterion in criteria for alternative in criterion.alternatives for c in alternative):

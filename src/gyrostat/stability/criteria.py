@@ -149,7 +149,7 @@ def across(variation: SecondVariation) -> list[Minor]:
     """
     eq = variation.equilibrium
     system, body, k = eq.system, eq.system.body, eq.point[3:]
-    if not system.potential or system.integrals or sum(x != 0 for x in k) < 2:
+    if not system.potential or system.linear_integrals or sum(x != 0 for x in k) < 2:
         return []
     if len(blocks(variation.matrix.tolist())) > 1:
         return []

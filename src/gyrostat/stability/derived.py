@@ -60,7 +60,7 @@ class Derived(Shown, Stored):
     @cached_property
     def casimirs_only(self) -> Criterion:
         """Formal criterion with the Casimirs alone, for comparison."""
-        if not self.equilibrium.system.integrals:
+        if not self.equilibrium.system.linear_integrals:
             return self.sufficient
         return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)),
                            self.equilibrium)

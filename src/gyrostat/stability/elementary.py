@@ -10,6 +10,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .amended import Amended
 from .decision import Finding, settled
+from .integrals import decide_by_integrals
 from .linearization import Linearization
 from .local_motion import local_motion
 from .sphere import extremum_at
@@ -22,7 +23,7 @@ DEGREE = 4                                                 # of U, where only it
 
 @dataclass(frozen=True)
 class Elementary:
-    """The free body where no torque acts, else the amended potential to higher degree.
+    """Integrals that are given; the free body where no torque acts, else normal forms and the amended potential.
 
     Parameters
     ----------
@@ -51,7 +52,16 @@ class Elementary:
         if eq.system.potential is None:
             found, why = extremum_at(eq, numbers)
             return settled(None if found is None else found != 0, why)
-        if sign(determinant, numbers) != 0:
+        by_integrals = decide_by_integrals(eq, numbers)
+        if by_integrals.stable:
+            return by_integrals
+        found = self._without_integrals(numbers, sign(determinant, numbers) == 0)
+        return found._replace(why=f"{by_integrals.why}; {found.why}") if by_integrals.why else found
+
+    def _without_integrals(self, numbers: Mapping[Symbol, Expr], degenerate: bool) -> Finding:
+        """What normal forms and the amended potential decide."""
+        eq = self.equilibrium
+        if not degenerate:
             return self._window(numbers)
         if torqueless := torque_free(eq, numbers):
             return settled(*torqueless.decide(self.free))

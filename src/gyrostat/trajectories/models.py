@@ -9,9 +9,8 @@ from sympy import Expr, ImmutableMatrix, Symbol
 from ..algebra.numbers import exact_number
 from ..algebra.quantities import not_mixed
 from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError, require
-from ..mechanics.potential import Potential
 from ..mechanics.reduction import reducible
-from ..mechanics.system import System, assemble
+from ..mechanics.system import System, at_numbers
 from ..stability.values import check_names
 from .digits import bits_of
 from .free.motion import FreeMotion
@@ -127,8 +126,4 @@ def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
 
 @lru_cache(maxsize=64)
 def _inserted(scene: System, given: tuple[tuple[Symbol, Expr], ...]) -> System:
-    numbers = dict(given)
-    field = scene.potential
-    return assemble(scene.body.changed(lambda x: x.xreplace(numbers)),
-                    field and Potential(field.variables, field.expression.xreplace(numbers),
-                                        field.revolution))
+    return at_numbers(scene, dict(given))

@@ -182,7 +182,7 @@ class Motion:
     def invariants(self) -> dict[str, Expr]:
         """Energy, Casimirs and integrals at the time 0, exact."""
         point = dict(zip(self.scene.space.coordinates, self.state))
-        return {name: value.xreplace(point) for name, value in conserved(self.scene).items()}
+        return {name: value.xreplace(point) for name, value in conserved(self.scene, self.state).items()}
 
     @property
     def energy(self) -> float:
@@ -196,7 +196,7 @@ class Motion:
 
     @property
     def integrals(self) -> tuple[float, ...]:
-        """The integrals at the time 0, in the order of scene.integrals."""
+        """The integrals at the time 0, in the order of scene.integrals_at(state)."""
         return tuple(float(value) for name, value in self.invariants.items() if name.startswith("F"))
 
     def drift(self, t: Any) -> dict[str, float]:

@@ -89,6 +89,7 @@ class Integration:
         turning = hat(marker) * scene.energy_gradient[:3, :]
         rates = list(zip((*scene.space.coordinates, *marker), (*scene.vector_field(), *turning)))
         kind = METHODS[self.name]
+        self._kept = scene.hamiltonian, *scene.space.casimirs, *scene.integrals_at(state)
         self._runs: list[Taylor | RungeKutta] = []
         for rounding, accuracy in ((nearest, kind.FINE), (beside, kind.COARSE)):
             start = np.array([rounding(x) for x in state])
@@ -182,7 +183,7 @@ class Integration:
         """
         scene, least = self.scene, np.zeros(len(values))
         arrays = dict(zip(scene.space.coordinates, np.vstack([self._runs[0].start, values]).T))
-        for kept in (scene.hamiltonian, *scene.space.casimirs, *scene.integrals):
+        for kept in self._kept:
             with np.errstate(all="ignore"):
                 value = in_floats(kept, np, arrays)
                 slope = np.sqrt(sum(in_floats(d, np, arrays) ** 2 for d in scene.space.gradient(kept))).max()

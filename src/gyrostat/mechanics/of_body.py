@@ -1,0 +1,29 @@
+"""What is written in I1, I2, I3, l or l1, l2, l3, of a body: its moments and its rotor are inserted."""
+from sympy import Expr
+
+from ..errors import ScopeError
+from ..notation import symbol
+from .body import Gyrostat
+from .potential import Potential
+
+
+def in_names_of(body: Gyrostat, expression: Expr) -> Expr:
+    """The expression with the moments and the gyrostatic momentum of the body in place of their names."""
+    own = [symbol(f"I{i}") for i in (1, 2, 3)]
+    # a tensor has none
+    names = dict(zip(own, body.moments)) if expression.free_symbols & {*own} else {}
+    names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
+    names |= {symbol("l"): body.gyrostatic_momentum[2]}
+    return expression.xreplace({name: value for name, value in names.items() if name != value})
+
+
+def potential_of_body(potential: Potential, body: Gyrostat) -> Potential:
+    """The potential with this body's moments and gyrostatic momentum inserted."""
+    if potential.revolution and body.moments[0] != body.moments[1]:
+        raise ScopeError(f"U = {potential.expression} is written for I1 = I2, the body has inertia = "
+                         f"{body.moments}: "
+                         "give its own U(k1, k2, k3) with general_potential")
+    inserted = in_names_of(body, potential.expression)
+    if inserted == potential.expression:
+        return potential
+    return Potential(potential.variables, inserted, potential.revolution)
