@@ -32,6 +32,8 @@ class Asked:
         the name of the spin of E1 and E2; the name that the relation of E3 expresses
     direction : str or None
         of a permanent rotation: three expressions, or stereographic
+    integrals : tuple of str or None
+        beside those that are found
     """
 
     potential: str | None = None
@@ -41,6 +43,7 @@ class Asked:
     spin: str | None = None
     eliminate: str | None = None
     direction: str | None = None
+    integrals: tuple[str, ...] | None = None
 
     def of_body(self, names: Collection[str]) -> "Asked":
         """With a body, where none is given: that which the names belong to.
@@ -65,6 +68,8 @@ class Asked:
 def asked_of(given: argparse.Namespace, names: Collection[str]) -> Asked:
     """What the options say, with the body that the names belong to."""
     texts = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
+    if texts["integrals"] is not None:
+        texts["integrals"] = tuple(texts["integrals"])
     return Asked(**texts).of_body(names)
 
 
@@ -74,7 +79,7 @@ def scene_of(asked: Asked) -> System:
     rows = [entries(row) for row in str(asked.inertia).split(";")]
     body = {"inertia": rows if len(rows) > 1 else rows[0],
             "gyrostatic_momentum": entries(str(asked.gyrostatic_momentum))}
-    return SceneTable({"potential": asked.potential, **body}).system
+    return SceneTable({"potential": asked.potential, **body, "integrals": list(asked.integrals or ())}).system
 
 
 @lru_cache(maxsize=64)

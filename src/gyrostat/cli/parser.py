@@ -11,7 +11,7 @@ from .carried import carried_out
 from .completion import SHELLS, PrintCompletion
 from .help import KINDS, PROGRAM, VERBS, Formatter, examples
 from .output import standard_streams, told
-from .scene_options import a_scene, an_equilibrium, claimed_point, numbers, scene_file
+from .scene_options import a_scene, an_equilibrium, claimed_point, integral, numbers, scene_file
 from .watch import signals
 
 LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
@@ -37,6 +37,8 @@ def parser() -> argparse.ArgumentParser:
         a_scene(verb, meaning)
         claimed_point(verb)
     _motion(motion)
+    for verb in (report, decide, motion):
+        integral(verb)
     kinds = _kinds(plot)
     conditions.add_argument("--solve-for", metavar="NAME",
                             help="the values of one name, l, pi3_0, omega3_0, omega, m0, …, for which each "

@@ -19,6 +19,14 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
                       help=f"of the rotor, {THREE}; left out: 0,0,l, or l1,l2,l3 where one of them is set")
 
 
+def integral(verb: argparse.ArgumentParser) -> None:
+    """Integrals of the scene that are not found."""
+    verb.add_argument("--integral", metavar="EXPR", action="append", dest="integrals",
+                      help="F in pi1, pi2, pi3, or M1, M2, M3, the momentum with that of the rotor, k1, k2, k3 "
+                      "and the names of the scene; that its bracket with the energy is 0 is proved; may be "
+                      "repeated")
+
+
 def claimed_point(verb: argparse.ArgumentParser) -> None:
     """An equilibrium by its coordinates, and by which names a family is written."""
     verb.add_argument("--point", metavar="PI1,PI2,PI3,K1,K2,K3",

@@ -20,7 +20,7 @@ from .potentials import axial_potential, general_potential
 from .rotors import Rotor, gyrostat_with_rotors
 from .system import System, assemble
 
-LISTS = ("inertia", "gyrostatic_momentum", "point", "state")    # of texts or numbers
+LISTS = ("inertia", "gyrostatic_momentum", "point", "state", "integrals")    # of texts or numbers
 # of each rotor, texts or numbers but for the axis
 ROTOR = ("axis", "axial", "transverse", "rate", "momentum")
 KEYS = {*LISTS, "rotors", "lumped", "potential", "values", "equilibrium", "spin", "eliminate", "angles",
@@ -100,7 +100,7 @@ class SceneTable:
     @cached_property
     def system(self) -> System:
         """The Lie-Poisson system."""
-        return assemble(self.body, self.potential)
+        return assemble(self.body, self.potential, self.table.get("integrals", ()))
 
 
 def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str, dict[str, Any]]:

@@ -62,9 +62,19 @@ def scene_blocks(scene: System) -> list[Block]:
     blocks += [sentence("Equations of motion, ", vector, ":"),
                *(Display(DOT[str(x)], rate, label=f"motion:{x}")
                  for x, rate in zip(space.coordinates, scene.vector_field()))]
-    if scene.integrals:
-        found = Word("{F, h} = 0", r"\{F, ⟨h⟩\} = 0")
-        blocks.append(sentence("Integral found, ", found, ": ", *listed(scene.integrals), "."))
+    return [*blocks, *_integrals(scene)]
+
+
+def _integrals(scene: System) -> list[Block]:
+    """Those that were found, and those that were given with where they are conserved."""
+    commutes, level = Word("{F, h} = 0", r"\{F, ⟨h⟩\} = 0"), Word("C₁ = 0", r"⟨C1⟩ = 0")
+    blocks: list[Block] = []
+    if scene.linear_integrals:
+        blocks.append(sentence("Integral found, ", commutes, ": ", *listed(scene.linear_integrals), "."))
+    for n, F in enumerate(scene.given_integrals, len(scene.linear_integrals) + 1):
+        where = (" where ", level) if F in scene.level_only else ()
+        blocks += [sentence("Integral given, ", commutes, *where, ":"),
+                   Display(Word(f"F{'₀₁₂₃₄₅₆₇₈₉'[n]}", f"F_{n}"), F, label="integral")]
     return blocks
 
 
