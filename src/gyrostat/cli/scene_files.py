@@ -14,7 +14,7 @@ from .options import SPINS, numbers_of, unless_given
 BODY: dict[str, Any] = {"inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "0"],
                         "potential": NONE}
 TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals")   # what an option of that name has too
-SEVERAL_TEXTS = ("integrals",)                           # of which an option may be repeated
+REPEATED = ("integrals",)                              # texts of an option that may be repeated
 NAMING = frozenset({"equilibrium", "point"})           # one goes before the other
 SEVERAL = ("report", "conditions")                     # verbs that take more than one --equilibrium
 
@@ -31,7 +31,7 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
     taken = {name for name, x in options.items() if x is not None}
     if options.get("equilibrium") or options.get("point"):
         taken |= NAMING
-    asked: dict[str, Any] = {name: table[name] if name in SEVERAL_TEXTS else _text(table[name]) for name in TEXTS
+    asked: dict[str, Any] = {name: table[name] if name in REPEATED else _text(table[name]) for name in TEXTS
                              if name in table and name in options.keys() | BODY and name not in taken}
     if "equilibrium" in table and not taken & NAMING:
         asked["equilibrium"] = [table["equilibrium"]] if given.verb in SEVERAL else table["equilibrium"]

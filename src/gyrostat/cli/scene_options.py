@@ -22,9 +22,8 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
 def integral(verb: argparse.ArgumentParser) -> None:
     """Integrals of the scene that are not found."""
     verb.add_argument("--integral", metavar="EXPR", action="append", dest="integrals",
-                      help="F in pi1, pi2, pi3, or M1, M2, M3, the momentum with that of the rotor, k1, k2, k3 "
-                      "and the names of the scene; that its bracket with the energy is 0 is proved; may be "
-                      "repeated")
+                      help="F in pi1, pi2, pi3, or M1, M2, M3, M = π + l, in k1, k2, k3 and the names of the "
+                      "scene; that its bracket with the energy is 0 is proved; may be repeated")
 
 
 def claimed_point(verb: argparse.ArgumentParser) -> None:

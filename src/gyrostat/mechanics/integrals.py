@@ -33,8 +33,8 @@ def in_coordinates(F: Expr, space: LiePoisson, rotor: Sequence[Expr], parameters
     if unknown := sorted(s.name for s in F.free_symbols - known):
         own = ", ".join(sorted(s.name for s in parameters)) or "none"
         raise StructureError(f"the integral {F} names {', '.join(unknown)}, which the scene does not have: "
-                             f"write it in {', '.join(map(str, space.coordinates))}, in M1, M2, M3, and in the "
-                             f"parameters of the scene, {own}")
+                             f"write it in {', '.join(map(str, space.coordinates))}, in M1, M2, M3, and in "
+                             f"the parameters of the scene, {own}")
     if not any(map(lowest_terms, space.gradient(F).flat())):
         raise StructureError(f"the integral {F} is a constant: give a function of the coordinates")
     return F
@@ -59,8 +59,8 @@ def everywhere(F: Expr, space: LiePoisson, hamiltonian: Expr) -> bool:
         return False
     shown = text if len(text := str(lowest_terms(rate))) <= LONG else f"{text[:LONG - 3]}..."
     where = ", and not 0 where M·k = 0 either" if space.coordinates[3:] else ""
-    raise StructureError(f"{F} is not an integral: its bracket with the Hamiltonian is {shown}, not 0{where}; "
-                         "check F, and the numbers of the scene")
+    raise StructureError(f"{F} is not an integral: its bracket with the Hamiltonian is {shown}, not 0{where}"
+                         "; check F, and the numbers of the scene")
 
 
 def _on_zero_level(rate: Expr, space: LiePoisson) -> Expr:

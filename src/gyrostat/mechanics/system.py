@@ -2,7 +2,6 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag
 
@@ -55,7 +54,8 @@ class System(Shown, Stored):
     potential: Potential | None = None
 
     def __post_init__(self) -> None:
-        self.level_only                                   # what is none is refused
+        if self.integrals:                                 # what is none is refused
+            _ = self.level_only
 
     @cached_property
     def level_only(self) -> tuple[Expr, ...]:

@@ -23,7 +23,7 @@ DEGREE = 4                                                 # of U, where only it
 
 @dataclass(frozen=True)
 class Elementary:
-    """Integrals that are given; the free body where no torque acts, else normal forms and the amended potential.
+    """Integrals that are given; the free body where no torque acts, else normal forms and amended potential.
 
     Parameters
     ----------
@@ -55,8 +55,8 @@ class Elementary:
         by_integrals = decide_by_integrals(eq, numbers)
         if by_integrals.stable:
             return by_integrals
-        found = self._without_integrals(numbers, sign(determinant, numbers) == 0)
-        return found._replace(why=f"{by_integrals.why}; {found.why}") if by_integrals.why else found
+        beyond = self._without_integrals(numbers, sign(determinant, numbers) == 0)
+        return beyond._replace(why=f"{by_integrals.why}; {beyond.why}") if by_integrals.why else beyond
 
     def _without_integrals(self, numbers: Mapping[Symbol, Expr], degenerate: bool) -> Finding:
         """What normal forms and the amended potential decide."""

@@ -196,9 +196,9 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     ((2, 2), (pi3,))
     """
     if not integrals:
-        return _restricted(eq, (orbit_tangent(eq), ()), eq.system.space.casimirs)
+        return restricted(eq, (orbit_tangent(eq), ()), eq.system.space.casimirs)
     functions = eq.system.space.casimirs + critical_integrals(eq)[0]
-    return _restricted(eq, slice_and_symmetries(eq), functions)
+    return restricted(eq, slice_and_symmetries(eq), functions)
 
 
 def secular_variation(eq: Equilibrium) -> SecondVariation:
@@ -227,16 +227,11 @@ def secular_variation(eq: Equilibrium) -> SecondVariation:
     >>> variation.matrix.shape, variation.modulo
     ((3, 3), (pi3,))
     """
-    return _restricted(eq, orbit_modulo_symmetries(eq), eq.system.space.casimirs)
+    return restricted(eq, orbit_modulo_symmetries(eq), eq.system.space.casimirs)
 
 
-def pencil_of_integrals(eq: Equilibrium, integrals: tuple[Expr, ...]) -> SecondVariation:
-    """The second variation with integrals that are critical on the orbit, the multiplier of each free."""
-    return _restricted(eq, (orbit_tangent(eq), ()), integrals + eq.system.space.casimirs)
-
-
-def _restricted(eq: Equilibrium, slice_: tuple[ImmutableMatrix, tuple[Expr, ...]],
-                functions: tuple[Expr, ...]) -> SecondVariation:
+def restricted(eq: Equilibrium, slice_: tuple[ImmutableMatrix, tuple[Expr, ...]],
+               functions: tuple[Expr, ...]) -> SecondVariation:
     """Of the Casimirs and integrals given, on a slice and modulo its symmetries."""
     basis, symmetries = slice_
     nu = multipliers(eq, functions)
