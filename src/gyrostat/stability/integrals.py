@@ -50,7 +50,8 @@ def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Find
         tried = "".join(f" + α {names[F]}" for F in used)
         return settled(None, "; ".join([*idle, f"no h{tried} was found that is definite"]))
     taken = [(F, a) for F, a in zip(used, found) if a]
-    terms = "".join(f" {'+' if a > 0 else '−'} {abs(a)} {names[F]}" for F, a in taken)
+    terms = "".join(f" {'+' if a > 0 else '−'} {f'{abs(a)} ' if abs(a) != 1 else ''}{names[F]}"
+                    for F, a in taken)
     notion = LEVEL if any(F in here.system.level_only for F, _ in taken) else "Lyapunov"
     return settled(True, f"the second variation of h{terms} is definite on the orbit, "
                    + ", ".join(f"{names[F]} = {F}" for F, _ in taken), notion, True)
