@@ -36,7 +36,7 @@ def definite_combination(form: ImmutableMatrix,
     --------
     >>> from sympy import diag
     >>> definite_combination(diag(1, -1), [diag(-1, 3)])
-    (1/2,)
+    (4/7,)
     >>> definite_combination(diag(1, -1), [diag(-1, 1)])
     """
     for found in _searched(form, others):

@@ -3,11 +3,12 @@
 A margin becomes a program ordered by the axes of a grid (`straightline`), with a proved bound of its
 `rounding` error; it runs over the blocks of a grid (`entries`, `grids`, `tiles`, `kernels`, `writing`,
 `numeric`; `labels` guards what arrays carry); `constants` are put into long margins first. `signs` and
-`deciding` decide every point, exactly where floats do not (`dyadic`), a list after one look at its columns
-(`screens`), and `arrays` asks them. Over boxes it runs in `intervals` and `enclosures`: `regions`, `proofs`,
-`paving` and `boxes` cover them by bisection; `answers` are three-valued, `codes` stand for verdicts. `contours` follow the curves between verdicts; a
-`chart` is all of it, a `request` as one labelled dataset (`datasets`), larger than memory in `stores`
-(`frame`, `marks`), with a bar of `progress`.
+`deciding` decide every point, exactly where floats do not (`dyadic`), what gyroscopic forces hold together
+(`held`, in `ball_arrays`), a list after one look at its columns (`screens`), and `arrays` asks them. Over
+boxes it runs in `intervals` and `enclosures`: `regions`, `proofs`, `paving` and `boxes` cover them by
+bisection; `answers` are three-valued, `codes` stand for verdicts. `contours` follow the curves between
+verdicts; a `chart` is all of it, a `request` as one labelled dataset (`datasets`), larger than memory in
+`stores` (`frame`, `marks`), with a bar of `progress`.
 """
 from typing import TYPE_CHECKING
 

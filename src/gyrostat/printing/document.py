@@ -74,7 +74,7 @@ def _integrals(scene: System) -> list[Block]:
     for n, F in enumerate(scene.given_integrals, len(scene.linear_integrals) + 1):
         where = (" where ", level) if F in scene.level_only else ()
         blocks += [sentence("Integral given, ", commutes, *where, ":"),
-                   Display(Word(f"F{'₀₁₂₃₄₅₆₇₈₉'[n]}", f"F_{n}"), F, label="integral")]
+                   Display(Word(f"F{'₀₁₂₃₄₅₆₇₈₉'[n]}", f"F_{n}"), F, label=f"integral{n}")]
     return blocks
 
 

@@ -5,19 +5,19 @@ on the symplectic slice (`energy_casimir`); each gives a criterion (`conditions`
 from what (`implication`), and true, false or not proved at numbers (`truth`); of a dual spinner damped in
 both bodies `energy_sink` gives one, of first order. In any direction k both come from a `closed_form`. Where
 both are silent the reduced motion decides (`boundary`, of a free body `sphere`), of any body what is
-`elementary`: `torquefree`, a degenerate potential (`amended`), or, where gyroscopic forces hold a maximum
-(`windows`), the normal form (`birkhoff`) of the energy on the orbit (`orbit_chart`, at numbers a
-`local_motion`), with its `resonances`; `drift` says what holds of the point itself. What is `derived` a
-`report`, which `analysis` makes, asks in this order, at numbers that `values` checks and `notes` comments,
-and gives a `decision`, or a `normal_form`; a `rotation_report` in any direction. Every relative equilibrium
-is found by `relative_equilibria`: in U(k3) by `branches` as it is `asked`, each a `branch`, of a free body by
-`permanent_rotations` (`rotors_in_rpm`), of any other by `heavy_rotations`, each a `heavy_rotation`, on a
-level of C1 by `heavy_levels`, in any polynomial by `heavy_polynomials`, decided by the closed forms of
-`amended_form`; they are critical points of the `amended_potential`, and on arcs: Staude's cone (`staude`,
-`staude_arcs`), with a rotor the curves of `gyrostat_arcs` (`rate_curves`). Where they meet, `bifurcations`
-say in equations and `meetings` in numbers, each of one of the `kinds`; `critical`, `pieces`, `followed` and
-`continuation` follow them along a parameter (of a free body `rotation_loci`, `rotation_meetings`,
-`followed_rotations`, `rotor_planes`); `critical_values` (`precessions`) and `spectra` their levels and
-eigenvalues. `solve` (`cases`, `sets`) and `stabilizing` (`decomposition`, `tilts`) turn a verdict into
-values.
+`elementary`: `integrals` of the user, `torquefree`, a degenerate potential (`amended`), or, where gyroscopic
+forces hold a maximum (`windows`), the normal form (`birkhoff`) of the energy on the orbit (`orbit_chart`, at
+numbers a `local_motion`), with its `resonances`; `drift` says what holds of the point itself. What is
+`derived` a `report`, which `analysis` makes, asks in this order, at numbers that `values` checks and `notes`
+comments, and gives a `decision`, or a `normal_form`; a `rotation_report` in any direction. Every relative
+equilibrium is found by `relative_equilibria`: in U(k3) by `branches` as it is `asked`, each a `branch`, of a
+free body by `permanent_rotations` (`rotors_in_rpm`), of any other by `heavy_rotations`, each a
+`heavy_rotation`, on a level of C1 by `heavy_levels`, in any polynomial by `heavy_polynomials`, decided by the
+closed forms of `amended_form`; they are critical points of the `amended_potential`, and on arcs: Staude's
+cone (`staude`, `staude_arcs`), with a rotor the curves of `gyrostat_arcs` (`rate_curves`). Where they meet,
+`bifurcations` say in equations and `meetings` in numbers, each of one of the `kinds`; `critical`, `pieces`,
+`followed` and `continuation` follow them along a parameter (of a free body `rotation_loci`,
+`rotation_meetings`, `followed_rotations`, `rotor_planes`); `critical_values` (`precessions`) and `spectra`
+their levels and eigenvalues. `solve` (`cases`, `sets`) and `stabilizing` (`decomposition`, `tilts`) turn a
+verdict into values.
 """
