@@ -37,7 +37,7 @@ class System(Shown, Stored):
     Raises
     ------
     StructureError
-        an integral does not commute with the Hamiltonian, on |k| = 1, or on its level C1 = 0
+        an integral does not commute with the Hamiltonian, on abs(k) = 1, or on its level C1 = 0
 
     Examples
     --------
@@ -152,7 +152,7 @@ def assemble(body: Gyrostat, potential: Potential | None = None,
     potential : Potential or None
     integrals : sequence of Expr or str
         functions F of pi1, pi2, pi3 (or M1, M2, M3), k1, k2, k3 and the parameters of the scene with
-        {F, h} = 0, which is proved, on |k| = 1, or where C1 = 0 only; polynomials in π, no Casimirs
+        {F, h} = 0, which is proved, on abs(k) = 1, or where C1 = 0 only; polynomials in π, no Casimirs
 
     Returns
     -------
