@@ -8,10 +8,11 @@ from typing import Any
 from sympy import Expr
 
 from ..algebra.grammar import parse
+from ..errors import PublishedError
 from ..kept import cached_property
 from ..mechanics.claimed import equilibrium
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import E3
+from ..mechanics.families import E3, PERMANENT
 from ..mechanics.scene_tables import SceneTable
 from ..notation import jet, symbol
 
@@ -33,6 +34,10 @@ class Scene(SceneTable):
         """Of the family that the table asks for, or its point."""
         if self.claimed:
             return equilibrium(self.system, self.claimed)
+        if self.family is PERMANENT:
+            raise PublishedError('equilibrium = "permanent rotation": a formula is about one direction; '
+                                 'write the point, ["w*I1*3/5", "0", "w*I3*4/5", "3/5", "0", '
+                                 '"4/5"], and in U the slope that it has there')
         spin, eliminated = self.table.get("spin", "pi3_0"), self.table.get("eliminate")
         return None if self.family is None else self.family.of(self.system, spin, eliminated)
 
