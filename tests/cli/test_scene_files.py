@@ -246,7 +246,6 @@ kind = "identity"
 scene = "field"
 [scene.field]
 potential = "k1*k2 + k3"
-state = ["1/10", 0, 5, "3/5", 0, 0.8]
-values = { I1 = 1, I2 = 2, I3 = 3 }
+values = { I1 = 1 }
 """)
     assert [finding.status for finding in check([str(path)])] == ["confirmed"]

@@ -17,7 +17,7 @@ closed forms of `amended_form`; they are critical points of the `amended_potenti
 cone (`staude`, `staude_arcs`), with a rotor the curves of `gyrostat_arcs` (`rate_curves`). Where they meet,
 `bifurcations` say in equations and `meetings` in numbers, each of one of the `kinds`; `critical`, `pieces`,
 `followed` and `continuation` follow them along a parameter (of a free body `rotation_loci`,
-`rotation_meetings`, `followed_rotations`, `rotor_planes`); `critical_values` (`precessions`) and `spectra`
-their levels and eigenvalues. `solve` (`cases`, `sets`) and `stabilizing` (`decomposition`, `tilts`) turn a
-verdict into values.
+`rotation_meetings`, `followed_rotations`, `rotor_planes`; of a heavy one `followed_heavy`); `critical_values`
+(`precessions`) and `spectra` their levels and eigenvalues. `solve` (`cases`, `sets`) and `stabilizing`
+(`decomposition`, `tilts`) turn a verdict into values.
 """
