@@ -34,9 +34,8 @@ def test_the_conditions_and_the_names_they_are_written_in(capsys):
 def test_one_rotation_in_three_ways(capsys, direction, place):
     """A maximum that gyroscopic forces hold, and damping destroys."""
     status, out, _ = run(capsys, *FAMILY, *direction, "--set", *NUMBERS, *place, verb="decide")
-    assert status == 0 and "undecided" in out
-    assert "Reason: the point lies between the two criteria." in out
-    assert "Unstable under internal damping: 2 growing modes." in out
+    assert status == 0 and "Reason (Lyapunov (Arnold-Moser)): " in out and "D4 = " in out
+    assert "Stable, and destroyed by internal damping: 2 growing modes." in " ".join(out.split())
     assert ("    p = 479/540\n" in out) == (not direction)
 
 

@@ -246,6 +246,5 @@ kind = "identity"
 scene = "field"
 [scene.field]
 potential = "k1*k2 + k3"
-values = { I1 = 1 }
 """)
     assert [finding.status for finding in check([str(path)])] == ["confirmed"]

@@ -137,7 +137,7 @@ def test_legend_and_heading():
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U)
     ax = draw_amended_potential(scene, {"C1": 5}, Figure().add_subplot(projection="3d"), color="red")
     assert [text.get_text() for text in ax.get_legend().get_texts()] == [
-        "level curve", "through a saddle", "minimum, stable", "saddle, unstable", "maximum, undecided"]
+        "level curve", "through a saddle", "minimum, stable", "saddle, unstable", "maximum, stable"]
     assert ax.get_title().replace("\n", " ") == (
         "$U = k_1 + k_2 + k_3$: $l = 1$, $I_1 = 1$, $I_2 = 2$, $I_3 = 3$, $C_{1} = 5$")
     assert any(shown.get_color() == "red" for shown in ax.lines)

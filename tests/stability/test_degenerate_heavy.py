@@ -66,10 +66,10 @@ def decided(kind, data, k, rotation, place):
             assert name == "UNSTABLE", (kind, data, place)
         if abs(determinant) > zero:
             assert name == "UNDECIDED", (kind, data, place)
-        elif name == "STABLE":
-            assert trace >= 0 and all(x > 0 for x in rises(*numbers)), (kind, data, place)
-        elif name == "UNSTABLE" and p > 0:
-            assert not any(numbers[1]) and numbers[4] == 0 and min(rises(*numbers)) < 0, (kind, data, place)
+        elif name == "STABLE" and trace >= 0:
+            assert all(x > 0 for x in rises(*numbers)), (kind, data, place)
+        elif name == "UNSTABLE" and p > 0 and not any(numbers[1]) and numbers[4] == 0:
+            assert min(rises(*numbers)) < 0, (kind, data, place)
         return Counter(boundary=1)
 
 

@@ -120,7 +120,7 @@ class Report(Derived):
         >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
         >>> form = report.normal_form({"I1": 1, "I3": 1, "l": 0, "m0": 2, "pi3_0": 3})
         >>> form.twists, form.resonances
-        ((-17/2,), ())
+        ((12,), ((1, 2),))
         """
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
         return normal_form(self.equilibrium, numbers, degree)
