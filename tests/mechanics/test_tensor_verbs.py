@@ -19,13 +19,11 @@ REFUSED = {
     "reduce": lambda: gs.reduce(HEAVY), "inclined": lambda: gs.inclined(HEAVY),
     "static_tilt": lambda: gs.static_tilt(HEAVY), "bifurcations": lambda: gs.bifurcations(HEAVY),
     "bifurcation_points": lambda: gs.bifurcation_points(HEAVY, "omega", {}),
-    "continuation": lambda: gs.continuation(HEAVY, "omega", (0, 1), {}),
     "angular_momentum": lambda: gs.mechanics.angular_momentum(HEAVY.body),
     "lagrangian": lambda: gs.mechanics.lagrangian(HEAVY.body, HEAVY.potential),
     "momenta": lambda: gs.mechanics.momenta(HEAVY.body),
     "effective_potential": lambda: gs.mechanics.effective_potential(HEAVY.body, HEAVY.potential),
     "momentum_limits": lambda: gs.mechanics.momentum_limits(gs.Gyrostat(TENSOR, (0, 0, 0)), 1),
-    "draw_bifurcation_diagram": lambda: gs.plotting.draw_bifurcation_diagram(HEAVY, "omega", (0, 1), {}),
     "draw_effective_potential": lambda: gs.plotting.draw_effective_potential(HEAVY, LEVEL),
     "draw_energy_momentum": lambda: gs.plotting.draw_energy_momentum(HEAVY, {"p_psi": 1}),
     "draw_momentum_sphere": lambda: gs.plotting.draw_momentum_sphere(FREE, 2),
@@ -38,6 +36,8 @@ REFUSED = {
     "view_motion": lambda: gs.plotting.view_motion(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
 }
 ANSWERED = {
+    "continuation": lambda: gs.continuation(HEAVY, "omega", (0, 1), {}),
+    "draw_bifurcation_diagram": lambda: gs.plotting.draw_bifurcation_diagram(HEAVY, "omega", (0, 1), {}),
     "principal_axes": lambda: gs.mechanics.principal_axes(FREE.body),
     "torque_equations": lambda: gs.mechanics.torque_equations(FREE.body),
     "amended_potential": lambda: gs.amended_potential(HEAVY).expression,
@@ -76,7 +76,9 @@ def test_it_is_refused_with_what_to_do(name):
 
 
 @pytest.mark.few(5)
-@pytest.mark.parametrize("name", ANSWERED)
+@pytest.mark.parametrize("name", [
+    pytest.param(name, marks=[pytest.mark.slow] * (name in ("continuation", "draw_bifurcation_diagram")))
+    for name in ANSWERED])
 def test_it_answers(name, monkeypatch):
     """What it says is compared with principal axes elsewhere."""
     matplotlib.use("Agg")

@@ -92,7 +92,7 @@ FORMULA = ('[[formula]]\nkey = "a"\nwhere = "(1)"\nquantity = "p"\nprinted = "{}
      "orbitally stable"),
     (GOOD.replace('"E1"', '"E4"') + FORMULA.format("p"), "equilibrium = 'E4'"),
     (GOOD + '[expected]\nmisprint = ["b"]\n', "no such key"),
-    (GOOD.replace('"E1"', '"permanent rotation"') + FORMULA.format("p"), "about one direction"),
+    (GOOD.replace('"E1"', '"permanent-rotation"') + FORMULA.format("p"), "about one direction"),
     (GOOD.replace('"m0*k3"', '"m0*"') + FORMULA.format("p"), "a: cannot read 'm0\\*'")])
 def test_bad_files(tmp_path, text, why):
     """A clear error with file and key."""

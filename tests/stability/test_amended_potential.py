@@ -9,6 +9,7 @@ from gyrostat.errors import ScopeError, ValuesError
 k = [gs.symbol(f"k{n}") for n in (1, 2, 3)]
 
 
+@pytest.mark.slow
 def test_its_critical_points_are_the_rotations():
     """By differences along the sphere."""
     body = gs.Gyrostat((1, 2, 4), ("1/2", "1/5", "1/3"))

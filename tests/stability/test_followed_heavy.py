@@ -22,6 +22,7 @@ def counted(l3):
                                 np.zeros((3, 3)), 1.0, starts=300))
 
 
+@pytest.mark.slow
 def test_folds_and_a_pitchfork_in_a_plane_of_symmetry():
     """At a fold two appear or vanish, at a pitchfork off the plane; a piece for each, with its verdict."""
     found = gs.continuation(PLANE, "l3", (-4, 4), {"omega": 1})
@@ -70,6 +71,7 @@ def test_along_omega(full):
     assert sum(folds(rng) for _ in range(count)) >= count / 2
 
 
+@pytest.mark.slow
 def test_the_picture():
     ax = gs.plotting.draw_bifurcation_diagram(PLANE, "l3", ("5/2", 3), {"omega": 1},
                                               Figure().subplots())

@@ -29,7 +29,7 @@ class BallArray:
     Examples
     --------
     >>> third = 1 / BallArray(np.array([3.0]))
-    >>> bool(third.radius[0] < 1e-15), (3 * third - 1).excludes_zero().tolist()
+    >>> bool(third.radius[0] < 1e-14), (3 * third - 1).excludes_zero().tolist()
     (True, [False])
     """
 
