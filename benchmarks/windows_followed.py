@@ -38,7 +38,7 @@ import gyrostat as gs  # noqa: E402
 
 ORDERS = [e for e in product(range(5), repeat=3) if 0 < sum(e) <= 4]
 POINTS = 3                                                 # of a period
-SMALL, STARTS = (1e-4, 1e-5), 24
+SMALL, STARTS = (1e-5, 1e-6), 24
 
 
 def integrator():
