@@ -5,7 +5,7 @@ from itertools import islice
 
 import pytest
 from flint import fmpq
-from normal_form import bracket, directions, energy, field_of, momenta, rational, twists
+from normal_form import bracket, decimal, directions, energy, field_of, momenta, rational, twists
 from slow import sampled
 from sympy import Rational
 from window_scenes import Rotation, windows
@@ -43,6 +43,7 @@ def check(rotation, degree):
         assert abs(ratio.evalf(40) - 1) < 1e-30
     decision = report.verdict({})
     assert decision.verdict is gs.Verdict.STABLE and decision.notion == "Lyapunov (Arnold-Moser)"
+    assert float(decision.reason.split("D4 = ")[1].split(",")[0]) == pytest.approx(decimal(D4), rel=1e-5)
 
 
 @pytest.mark.parametrize("kind", KINDS)
