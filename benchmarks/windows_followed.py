@@ -9,8 +9,8 @@ The rotations are those of the tests, at rational points. The Euler-Poisson equa
 heyoka's Taylor method to 10⁻¹⁶; the start is off by ε, on the level of C1 where a resonance is followed. A
 deviation is that of the worst coordinate. STABLE in a window: deviation/ε is the same for two ε. STABLE at a
 resonance: small, and no greater in the second half of the time than in the first, but for a quarter; at 1:1
-and at q = 0 it goes as a root of ε. UNSTABLE: some of
-the starts come to twenty times the deviation of their first periods.
+and at q = 0 it goes as a root of ε. UNSTABLE: some start comes to twenty times the deviation of its first
+period.
 """
 import argparse
 import random
@@ -39,7 +39,7 @@ import gyrostat as gs  # noqa: E402
 
 ORDERS = [e for e in product(range(5), repeat=3) if 0 < sum(e) <= 4]
 POINTS = 3                                                 # of a period
-SMALL, TINY, STARTS = (1e-5, 1e-6), 1e-8, 24
+SMALL, TINY, STARTS = (1e-5, 1e-6), 1e-8, 8
 
 
 def integrator():
@@ -111,15 +111,16 @@ def bounded(taylor, rotation, seed, periods):
 
 
 def leaves(taylor, rotation, seed, periods):
-    """Whether some start leaves."""
-    rng, best = np.random.default_rng(seed), 0
-    for size in (1e-2, 1e-3):
+    """Whether some start leaves: the shortest motions and the greatest ε first."""
+    best = 0
+    for length, size in product((100, 1000, periods), (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)):
+        rng = np.random.default_rng(seed)
         for _ in range(STARTS):
-            found = deviations(taylor, rotation, rng, size, min(periods, int(10 / size)), True)
-            best = max(best, np.nanmax(found) / found[:10 * POINTS].max())
-            if best > 20 or not np.isfinite(found).all():
-                return True, f"{best:.3g} times the first periods at ε = {size:g}"
-    return False, f"{best:.3g} times the first periods"
+            found = deviations(taylor, rotation, rng, size, length, True)
+            best = max(best, np.nanmax(found) / found[:POINTS].max())
+            if best > 20:
+                return True, f"{best:.3g} times the first period at ε = {size:g}"
+    return False, f"{best:.3g} times the first period"
 
 
 def resonance(m, n):
