@@ -11,6 +11,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..notation import NOTATION, dimension_of, jet, typeset, units
 from ..printing.latex import tex
 from ..printing.names import Names
+from ..stability.conditions import sources
 from ..version import __version__
 from .codes import FLAGS
 from .request import Request
@@ -51,7 +52,9 @@ def variable_attributes(name: str, request: Request) -> dict[str, Any]:
     eq = request.report.equilibrium
     if name.startswith("margin_"):
         margin = request.all_margins[int(name.removeprefix("margin_"))]
-        return {"long_name": str(margin), "latex": tex(readable(margin), Names(), eq.at)}
+        (source,) = sources(eq, [margin], (request.report.sufficient, request.report.necessary)) or ("",)
+        return {"long_name": str(margin), "latex": tex(readable(margin), Names(), eq.at)} | (
+            {"condition": source} if source else {})
     damped = name == "damped"
     criterion = request.report.damped if damped else request.report.sufficient
     modulo = ", ".join(map(str, criterion.modulo))
