@@ -30,6 +30,7 @@ CHANGED = [                 # what is put instead of what is written, and words 
      ("Twice 500", "I3 = 0.8", "1, 100 periods")),
     ("how-do-we-get", {'rate="540 rpm"': 'rate="450 rpm"', '"100 kg m^2"': '"90 kg m^2"'},
      ("wheel at 450 rpm", "at 183.00 rpm (pitchfork)", "period 28.10 s")),
+    ("which-rotations", {'(0, "1/2", 1), 2': '(0, "1/3", 1), 3'}, ("$\\omega = 3$",)),
     ("what-does-the", {'"l": "1/2"': '"l": "1/4"'}, ("$l = 1/4$",)),
 ]
 
