@@ -31,6 +31,7 @@ def test_the_conditions_and_the_names_they_are_written_in(capsys):
 @pytest.mark.parametrize(("direction", "place"), [
     ([], ["k1=1/3", "k2=2/3", "k3=-2/3"]), (["--direction", "1/3,2/3,-2/3"], []),
     (["--direction", "stereographic"], ["u1=1", "u2=2"])])
+@pytest.mark.few(1)
 def test_one_rotation_in_three_ways(capsys, direction, place):
     """A maximum that gyroscopic forces hold, and damping destroys."""
     status, out, _ = run(capsys, *FAMILY, *direction, "--set", *NUMBERS, *place, verb="decide")

@@ -69,6 +69,7 @@ def bend(value, k):
     return np.array(slope), np.linalg.eigvalsh(np.array(form))
 
 
+@pytest.mark.few(1)
 def test_every_vertex_is_on_its_level(drawn):
     ax, value = drawn
     heights = []
@@ -85,6 +86,7 @@ def test_every_vertex_is_on_its_level(drawn):
     assert np.abs(np.array(parts) - (np.arange(CURVES) + 0.5) / CURVES).max() < 0.03
 
 
+@pytest.mark.few(1)
 def test_no_curve_is_missing(drawn):
     """Where the amended potential passes a level on circles of latitude, its curve is near."""
     ax, value = drawn
@@ -100,6 +102,7 @@ def test_no_curve_is_missing(drawn):
                 assert np.linalg.norm(own - k[n], axis=1).min() < 0.03
 
 
+@pytest.mark.few(1)
 def test_marks_are_the_critical_points(drawn):
     """No slope, and the signs of the second differences; minima − saddles + maxima = 2."""
     ax, value = drawn
@@ -116,6 +119,7 @@ def test_marks_are_the_critical_points(drawn):
     assert count["minimum"] - count["saddle"] + count["maximum"] == 2
 
 
+@pytest.mark.few(1)
 def test_curves_through_saddles(drawn):
     """From saddle to saddle, on its level; as many as there are ways out."""
     ax, value = drawn

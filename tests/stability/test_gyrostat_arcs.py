@@ -107,6 +107,7 @@ def test_ends_are_folds_and_axes(arcs):
         assert np.abs(np.cross(omega**2 * I @ k + omega * l - g, k)).max() < 1e-9
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", ["on one axis", "two moments", "three moments", "in a plane"])
 def test_what_the_arcs_go_to(kind):
     for arc in arcs_of(*SPECIAL[kind]):

@@ -73,6 +73,7 @@ def test_all_are_on_the_arcs_and_rightly_decided():
     assert sum(check(rng, *drawn(rng)) for _ in range(6)) > 20
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("inertia", "c"), SPECIAL)
 def test_special_bodies(inertia, c):
     """c on an axis, in a principal plane, two equal moments."""
