@@ -18,7 +18,7 @@ TOP = (*HEAVY, "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0")
 WELLS = ("--potential", "k3**4 - k3**2/2")
 MAPS = {"margins", "relations", "values", "definitions"}  # their keys are names, not those of the document
 OPTIONAL = {"definitions", "drift", "decision", "itself", "k3", "omega", "sigma", "pi1", "pi2", "pi3",
-            "Delta", "frequency", "growth_rate"}
+            "Delta", "frequency", "frequency_1", "frequency_2", "growth_rate"}
 
 DOCUMENTS = [
     ("report", "report", ()),

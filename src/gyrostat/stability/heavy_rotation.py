@@ -138,8 +138,9 @@ class HeavyRotation(Shown, Stored):
 
     @property
     def frequencies(self) -> tuple[Expr, ...]:
-        """Of the small motions on the coadjoint orbit, in increasing order [1/T]; exact at rational k, omega,
-        else to 30 digits.
+        """Of the small motions on the coadjoint orbit, in increasing order [1/T].
+
+        Exact at rational k and omega, else to 30 digits.
         """
         _, determinant, p, discriminant = self.signs
         if discriminant == -1:
