@@ -24,6 +24,7 @@ def margins():
             for c in criterion.alternatives[0]]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("numbers", [{"omega": "1/3", "sigma": "-1/10"}, {"omega": 0.3, "sigma": -0.1},
                                      {"omega": 1e-9, "sigma": "7/3"}, {"omega": sqrt(2), "sigma": 3}])
 def test_the_sign_is_the_same(margins, numbers):

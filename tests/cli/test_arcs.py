@@ -15,6 +15,7 @@ def test_arcs_as_text(capsys):
     assert "to k = (0, 0, 1), where ω =" in out and "every ω: stable" in out
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("rotor", ["l=1/2", "l=0"])
 def test_arcs_as_data(capsys, rotor):
     """Those of the library, exact and as decimals."""

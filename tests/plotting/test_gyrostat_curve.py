@@ -64,6 +64,7 @@ def test_every_vertex_is_a_rotation_of_that_verdict(drawn):
     assert checked > 60
 
 
+@pytest.mark.slow
 def test_nothing_of_the_curve_is_missing(drawn):
     """Where the polynomial changes its sign on circles of latitude, a line is near."""
     ax, inertia, c, rotor = drawn

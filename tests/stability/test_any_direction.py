@@ -132,6 +132,7 @@ def test_along_an_axis_it_is_the_upright_rotation():
             c.margin.xreplace(placed).expand() for c in other.alternatives[0]}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", ["linear", "unspecified"])
 def test_the_definitions_in_json_are_the_conditions(families, kind):
     """Evaluated in turn in fractions, as they are written."""
@@ -162,6 +163,7 @@ def test_directions_that_are_no_unit_vectors(families):
     assert families["linear"].verdict(root).verdict.name == "STABLE"
 
 
+@pytest.mark.few(6)
 @pytest.mark.parametrize("moments", [(1, 2, 3), (3, 2, 1), (2, 3, 1), (1, 3, 2), (2, 2, 1), (1, 1, 2)])
 @pytest.mark.parametrize(("weight", "rotor"), [(0, 0), (1, 0), (-5, 0), (0, 1), (0, -2)])
 def test_along_an_axis_it_is_asked_at_numbers(families, moments, weight, rotor):

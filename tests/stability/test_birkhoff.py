@@ -42,6 +42,7 @@ def in_balls(mu, degree):
     return p, q, normalised(parts, found), found
 
 
+@pytest.mark.few(8)
 @pytest.mark.parametrize("n", range(1, 41))
 def test_the_triangular_point_in_closed_form(n):
     """2 D4 = (36 − 541 s + 644 s²)/(8 (1 − 4 s)(4 − 25 s)), s = ω1² ω2² (Deprit and Deprit-Bartholomé)."""

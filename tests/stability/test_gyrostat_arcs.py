@@ -75,6 +75,7 @@ def test_special_gyrostats(kind):
     assert check(random.Random(kind), arcs_of(*SPECIAL[kind]), *SPECIAL[kind]) >= 6
 
 
+@pytest.mark.slow
 def test_a_fold_at_a_great_rate():
     """At 19.54, sigma = −475.29, of roots from −1286 to −448."""
     c = [6, Fraction(11, 5), Fraction(1, 3)]

@@ -37,6 +37,7 @@ def check(rng, quadratic):
     return len(found)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("quadratic", [False, True])
 def test_all_are_found_and_rightly_decided(quadratic):
     rng = random.Random(f"heavy {quadratic}")
@@ -50,6 +51,7 @@ def test_many(full):
     assert sum(check(rng, n % 2) for n in range(count)) > 2 * count
 
 
+@pytest.mark.slow
 def test_closed_forms_are_those_of_the_matrices():
     """p, q of the linearised field, the determinant of K on a basis of the plane across k; exactly."""
     rng = random.Random("closed forms")

@@ -95,6 +95,7 @@ def sretensky(t, w=None):
     return scene, (4 * w * u, 0, w * v, u, 0, v), (h, F)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("t", [Rational(3, 4), Rational(6, 5)])
 def test_on_its_level_only(t):
     """What is conserved where M·k = 0 proves stability there, and the notion says so."""

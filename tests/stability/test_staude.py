@@ -122,6 +122,7 @@ def test_with_a_rotor():
             assert abs(float(cone.rate.subs(place)) - omega) < 1e-5
 
 
+@pytest.mark.slow
 def test_boundaries_between_minimum_and_saddle_are_extrema_of_c1():
     """C1² = (n·In)²/|n|³ is stationary along the arc just there."""
     for inertia, c in (((1, 2, 3), (1, 1, 1)), ((3, 5, 4), (-1, 2, 2))):
