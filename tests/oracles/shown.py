@@ -5,6 +5,7 @@ From the output alone. No gyrostat here.
 from fractions import Fraction
 
 import damped
+import held
 import mpmath as mp
 import oracle
 import refuted
@@ -188,7 +189,7 @@ def _fails(statement, scene, v, own):
 def _stability(scene, v):
     """1 proved stable, -1 proved unstable, 0 neither."""
     if "k1" in scene.get("potential", ""):
-        return _in_field(scene, v, rotating.stability)
+        return _in_field(scene, v, rotating.stability) or held.stability(scene, v)
     if "point" in scene:                                   # of a free body
         return damped.stability(scene, v)
     return refuted.stability(scene_of(scene), v)[0]

@@ -12,6 +12,7 @@ from .search import suspects
 from .statements import Doubt, Outcome
 
 AT_EQUALITY = "sufficient as printed; necessary only with equality allowed"
+NOT_NECESSARY = "sufficient as printed, and not necessary: gyroscopic forces hold other rotations"
 
 
 def condition(r: Reading) -> Outcome | Doubt:
@@ -42,7 +43,12 @@ def condition(r: Reading) -> Outcome | Doubt:
         and _stable_at_equality(r, derived)
     ):
         return Outcome(True, printed, derived)
-    return Doubt(suspects(r, printed, derived, alike), printed, AT_EQUALITY if same else derived)
+    points = suspects(r, printed, derived, alike)
+    if not same:
+        return Doubt(points, printed, derived)
+    necessary = r.claim.derived("necessary for stability")
+    closed = agree(claim, printed, necessary, r.claim.domain(claim), strictness=False)
+    return Doubt(points, printed, AT_EQUALITY if closed else NOT_NECESSARY)
 
 
 def _stable_at_equality(r: Reading, derived: Criterion) -> bool:

@@ -138,8 +138,18 @@ class Claim:
             return "unstable"
         sign = self._on_boundary() if not sufficient and () in necessary else None
         if sign is None:
-            return "undecided"
+            return self._at_numbers()
         return stable if sign > 0 else "unstable"
+
+    def _at_numbers(self) -> str:
+        """What normal forms and the like decide, where `at` gives a number for every name."""
+        numbers = {s.name: value for s, value in self.at.items() if value.is_number}
+        if not numbers.keys() >= set(self.report.required):
+            return "undecided"
+        decision = self.report.verdict({name: value for name, value in numbers.items()
+                                        if name in self.report.parameters})
+        notion = f", {decision.notion}" if "level" in decision.notion else ""
+        return decision.verdict.name.lower() + notion
 
     def _on_boundary(self) -> int | None:
         """The sign of the first coefficient that is not 0, where it is the same on the whole domain.

@@ -40,13 +40,17 @@ def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) ->
         if claim in ("existence", "necessary and sufficient for stability")
         else claim.startswith("sufficient")
     )
-    symbols, later = free_symbols(printed) | free_symbols(derived), list[Values]()
+    truths = [derived]
+    if claim == "necessary and sufficient for stability":  # between the two, either side may be true
+        truths.append(r.claim.derived("necessary for stability"))
+    symbols, later = {s for c in (printed, *truths) for s in free_symbols(c)}, list[Values]()
     drawn: Iterable[Values] = (
         () if alike else _anywhere(r, symbols) if claim == "existence" else r.points(symbols)
     )
     enough = (values for n, values in enumerate(drawn) if n < DRAWN or len(later) < LEFT_OUT)
-    for values in map(partial(_settled, r), _in_turn(enough, _between(r, printed, derived))):
-        if (said := holds(printed, values)) == holds(derived, values):
+    for values in map(partial(_settled, r), _in_turn(enough, _between(r, printed, *truths))):
+        said = holds(printed, values)
+        if all(said == holds(c, values) for c in truths):
             continue
         if wanted in (None, said):
             yield values
@@ -94,11 +98,11 @@ def _anywhere(r: Reading, symbols: set[Symbol]) -> Iterator[Values]:
         yield values
 
 
-def _between(r: Reading, printed: Criterion, derived: Criterion) -> Iterator[Values]:
-    """On lines along one name, a point in each cell that the boundaries of both conditions cut, however thin,
+def _between(r: Reading, *criteria: Criterion) -> Iterator[Values]:
+    """On lines along one name, a point in each cell that the boundaries of the conditions cut, however thin,
     and at rational ends.
     """
-    margins = [c.margin for criterion in (printed, derived) for a in criterion.alternatives for c in a]
+    margins = [c.margin for criterion in criteria for a in criterion.alternatives for c in a]
     for values in islice(r.points(margins), LINES):
         for s in sorted({x for m in margins for x in m.free_symbols} - {*K, *r.at}, key=str):
             others = {x: v for x, v in values.items() if x != s}

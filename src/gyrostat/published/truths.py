@@ -7,6 +7,7 @@ from .criteria import DAMPED
 from .independent import Model, Values
 from .independent_damping import is_least
 from .independent_separatrix import separatrix_residual
+from .independent_windows import stability
 from .readings import Reading
 from .statements import Doubt, Seen
 
@@ -68,7 +69,7 @@ def _truth(r: Reading, claim: str, model: Model, values: Values) -> tuple[bool |
                        + ("least there" if least else "not least there: damping takes it away"))
     if claim.endswith("on the boundary") and not model.is_on_boundary():
         return None, ""
-    sign, why = model.stability()
+    sign, why = stability(model)
     return None if not sign else (sign == 1) == ("instability" not in claim), why
 
 
@@ -101,7 +102,7 @@ def verdict_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     if model is None:
         return None
     if r.statement.quantity == "stability":
-        sign, why = model.stability()
+        sign, why = stability(model)
         if not sign or (sign == 1) == (r.statement.printed != "unstable"):
             return None
         return Seen(r.statement.printed, "stable" if sign == 1 else "unstable", why, True)
