@@ -11,7 +11,7 @@ from ..printing.latex import formula, tex
 from ..printing.names import PLAIN, Names, Paper
 from ..stability.conditions import Criterion
 from .checks import Finding, source_of
-from .listing import NOT_SHARP, as_text, number, place, rows
+from .listing import NOT_SHARP, SCENE, as_text, number, place, rows
 from .typesetting import formula_of
 
 
@@ -83,7 +83,7 @@ def _erratum(f: Finding, names: Names) -> str:
     example = ""
     if c := f.outcome.counterexample or f.outcome.not_sharp:
         values = ", ".join(f"${names.of(n) if n.isidentifier() else n} = {formula(v, names)}$"
-                           for n, v in c.values)
+                           for n, v in c.values) or SCENE
         example = f"{NOT_SHARP} " if f.outcome.not_sharp else ""
         example += (
             f"{values}: printed {_value(c.printed)}, derived {_value(c.derived)}; {_tex(c.confirmation)}"

@@ -5,6 +5,7 @@ from typing import Any
 
 from sympy import Expr, ImmutableMatrix, Integer, Matrix, MatrixBase, Pow, Symbol
 
+from ..algebra.exact import sign_of_constant
 from ..errors import PublishedError
 from ..mechanics.attitude import reduced
 from ..notation import symbol
@@ -19,12 +20,17 @@ def identity(r: Reading) -> Outcome | Doubt:
     s = r.statement
     printed, derived = r.finish(read(s.printed, r.own)), r.finish(read(s.quantity, r.own))
     entries, places = _entries(printed, derived)
-    wrong = [(place, p, d) for place, (p, d) in zip(places, entries) if not is_zero(p - d)]
+    wrong = [(place, p, d) for place, (p, d) in zip(places, entries) if not _equal(p, d)]
     if not wrong:
         return Outcome(True, printed, derived)
     difference = tuple((place, reduced(p - d)) for place, p, d in wrong)
     place, p, d = wrong[0]
     return Doubt(_where_they_differ(r, p, d), printed, derived, difference, (p, d), place)
+
+
+def _equal(p: Expr, d: Expr) -> bool:
+    """Identically; of numbers, whose roots may be nested, by their difference."""
+    return is_zero(p - d) or not (p - d).free_symbols and sign_of_constant(p - d) == 0
 
 
 def _where_they_differ(r: Reading, p: Expr, d: Expr,

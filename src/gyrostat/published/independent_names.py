@@ -12,6 +12,7 @@ from ..notation import jet, symbol
 from .independent import DIGITS, PI, K, Model, Values
 from .independent_kinematics import turning
 from .independent_rotations import amended_names, cone_names
+from .independent_windows import normal_form_names
 from .kinematics import Later
 from .names import FUNCTIONS, Names
 from .scenes import Scene
@@ -69,7 +70,7 @@ def _moving(model: Model, scene: Scene) -> dict[str, Any]:
             named |= {f"nu{n + 1}": Later(lambda n=n: model.multipliers[n])  # type: ignore[misc]
                       for n in (0, 1)}
         if len(x) == 6:
-            named |= amended_names(model)
+            named |= {**amended_names(model), **normal_form_names(model)}
         return named | ({"p": Later(lambda: model.polynomial.coeff(lamda, 2))} if len(x) == 6 else {})
 
     def along(direction: Matrix) -> Callable[[Any], Any]:

@@ -62,8 +62,7 @@ class Formula(Parser):
         function = self.names.get(token)
         if token in FUNCTIONS or function is None or isinstance(function, (Expr, MatrixBase, Part)):
             if token not in FUNCTIONS:
-                offered = [n for n, v in self.names.items() if callable(v)
-                           and not isinstance(v, (Expr, MatrixBase, Part))]
+                offered = [n for n in self.names if self.is_function(n)]
                 self.fail(f"{token} is not a function of this scene",
                           self.guess(token, sorted({*offered, *FUNCTIONS})))
             (inner, *others) = self.arguments()
@@ -78,6 +77,14 @@ class Formula(Parser):
         value = function(*(part.value for part in arguments))
         nesting = max(part.nesting for part in arguments) + (token in ("sn", "cn", "dn"))
         return self.bounded(value, _cost(value), nesting, None)
+
+    def is_function(self, name: str) -> bool:
+        """Whether a name of the scene stands for a function; what cannot be derived does not."""
+        try:
+            value = self.names[name]
+        except GyrostatError:
+            return False
+        return callable(value) and not isinstance(value, (Expr, MatrixBase, Part))
 
     def arguments(self) -> list[Part]:
         """What stands between the parentheses of a function."""

@@ -15,6 +15,7 @@ from .checks import Finding, source_of
 from .statements import Counterexample
 
 NOT_SHARP = "no point was found at which it fails, but it is not the whole condition:"
+SCENE = "the numbers of the scene"
 _MARK = {"confirmed": "✓", "misprint": "✗", "unchecked": "–"}
 
 
@@ -107,7 +108,7 @@ def _details(f: Finding, width: int) -> list[str]:
         pairs += [("differ by", difference)] if (difference := _differences(f)) else []
         if c := f.outcome.counterexample or f.outcome.not_sharp:
             pairs += [("not sharp", NOT_SHARP)] if f.outcome.not_sharp else []
-            pairs.append(("at", ", ".join(f"{name} = {value}" for name, value in c.values)))
+            pairs.append(("at", ", ".join(f"{name} = {value}" for name, value in c.values) or SCENE))
             pairs.append(("there",
                           f"printed {number(c.printed)}, derived {number(c.derived)}; {c.confirmation}"))
     else:

@@ -7,7 +7,7 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Symbol, eye
 
 from ..algebra.polynomials import Ring
-from ..errors import ExpressionError
+from ..errors import ExpressionError, PublishedError
 from ..mechanics.attitude import reduced
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.freebody import polhode_period
@@ -18,6 +18,7 @@ from .jacobi import cn, dn, sn
 from .kinematics import Later, turning
 from .rotations import amended_names, cone_names
 from .scenes import Scene
+from .windows import normal_form_names
 
 
 class Names(Mapping[str, Any]):
@@ -47,8 +48,16 @@ class Names(Mapping[str, Any]):
 
 def names(scene: Scene, at: Mapping[Symbol, Expr]) -> Names:
     """What each name of a scene stands for, with the values of `at` inserted."""
-    return Names({**FUNCTIONS, **_symbols(scene),
-                  **(turning(scene) if "angles" in scene.table else _phase_space(scene))}, at)
+    own = _symbols(scene)
+    derived = turning(scene) if "angles" in scene.table else _phase_space(scene, at)
+    hidden = {name: Later(lambda name=name: _refused(name)) for name, value in own.items()  # type: ignore[misc]
+              if name in derived and derived[name] != value}
+    return Names({**FUNCTIONS, **own, **derived, **hidden}, at)
+
+
+def _refused(name: str) -> None:
+    raise PublishedError(f"the scene has a parameter {name}, which is also the name of what is derived of "
+                         "it: give the parameter another name")
 
 
 def is_zero(expression: Expr) -> bool:
@@ -79,7 +88,7 @@ def _symbols(scene: Scene) -> dict[str, Any]:
             | {"t"}}
 
 
-def _phase_space(scene: Scene) -> dict[str, Any]:
+def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:
     """Names on so(3)* or e(3)*, all at the equilibrium where there is one."""
     system, body, potential = scene.system, scene.body, scene.potential
     coordinates, U = system.space.coordinates, symbol("U")
@@ -118,7 +127,7 @@ def _phase_space(scene: Scene) -> dict[str, Any]:
     if scene.equilibrium is not None:
         place = dict(zip(coordinates, scene.point))
         return {name: value.xreplace(place)
-                for name, value in found.items()} | _at_equilibrium(scene.equilibrium, place)
+                for name, value in found.items()} | _at_equilibrium(scene.equilibrium, place, at)
     if potential:
         found |= cone_names(system)
     delta = ImmutableMatrix([symbol(f"delta_{x}") for x in coordinates])
@@ -130,7 +139,8 @@ def _phase_space(scene: Scene) -> dict[str, Any]:
         "gradient_k": lambda f: ImmutableMatrix(gradient(f)[3:])}
 
 
-def _at_equilibrium(eq: Equilibrium, place: Mapping[Symbol, Expr]) -> dict[str, Any]:
+def _at_equilibrium(eq: Equilibrium, place: Mapping[Symbol, Expr], at: Mapping[Symbol, Expr]
+                    ) -> dict[str, Any]:
     found: dict[str, Any] = {s.name: s for e in (*eq.point, *eq.existence())
                              for s in e.free_symbols} | {"lamda": symbol("lamda")}
     found |= {"jacobian": Later(lambda: eq.system.jet_jacobian.xreplace(place)),
@@ -141,5 +151,6 @@ def _at_equilibrium(eq: Equilibrium, place: Mapping[Symbol, Expr]) -> dict[str, 
     if eq.system.potential:
         nu = {f"nu{n + 1}": Later(lambda n=n: multipliers(eq, eq.system.space.casimirs)[n])  # type: ignore[misc]
               for n in (0, 1)}
-        found |= {"p": Later(lambda: linearize(eq).coefficients[0]), **nu, **amended_names(eq)}
+        found |= {"p": Later(lambda: linearize(eq).coefficients[0]), **nu, **amended_names(eq),
+                  **normal_form_names(eq, at)}
     return found
