@@ -6,13 +6,26 @@ import ast
 import operator
 from fractions import Fraction
 
+import mpmath as mp
 import refuted
 from flint import fmpq, fmpq_mpoly_ctx
-from normal_form import energy, field_of, on_the_torus, removed, resonant, twists
+from normal_form import (
+    at,
+    energy,
+    field_of,
+    linear_modes,
+    on_the_torus,
+    removed,
+    resonant,
+    second_integral,
+    triangle,
+    twists,
+)
 
 DIRECTIONS = fmpq_mpoly_ctx.get(("k1", "k2", "k3"), "lex")
 
 BINARY = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv}
+QUANTITIES = ("frequency_1", "frequency_2", "birkhoff_20", "birkhoff_11", "birkhoff_02", "D4")
 
 
 def polynomial(node, names):
@@ -27,6 +40,11 @@ def polynomial(node, names):
     if isinstance(node.op, ast.Pow):
         return left ** node.right.value
     return BINARY[type(node.op)](left, polynomial(node.right, names))
+
+
+def exact(x):
+    """The fraction that a number of 40 digits is."""
+    return Fraction(int(mp.floor(x * mp.mpf(10) ** 36 + mp.mpf(1) / 2)), 10**36).limit_denominator(10**16)
 
 
 def motion(scene, v, degree):
@@ -44,6 +62,22 @@ def motion(scene, v, degree):
     inverse = [[Fraction(int(i == j)) / inertia[i] for j in range(3)] for i in range(3)]
     momentum = [Fraction(a) + b for a, b in zip(x[:3], rotor)]
     return energy(inverse, rotor, list(map(Fraction, x[3:])), momentum, U.to_dict(), degree)
+
+
+def quantities(scene, v):
+    """By name: signed frequencies, the coefficients of degree 2 in the actions, D4."""
+    parts = motion(scene, {name: exact(x) for name, x in v.items()}, 4)
+    A, *invariants = field_of(parts[2])
+    F = second_integral(A)                                # −ω1³ J1 − ω2³ J2, where h2 = ω1 J1 + ω2 J2
+    found = triangle(parts, lambda n: [parts[2] ** 2, parts[2] * F, F * F] if n == 4 else [])
+    p, q, a, b, c = (mp.mpf(int(x.p)) / int(x.q) for x in (*invariants, *found[4]))
+    root = mp.sqrt(p * p - 4 * q)
+    slow, fast = (1 if at(parts[2], 2 * mode.real) > 0 else -1 for _, mode in linear_modes(parts))
+    x, y = fast * mp.sqrt((p + root) / 2), slow * mp.sqrt((p - root) / 2)
+    return dict(zip(QUANTITIES, (
+        x, y, a * x**2 - b * x**4 + c * x**6,
+        2 * a * x * y - b * x * y * (x**2 + y**2) + 2 * c * (x * y) ** 3,
+        a * y**2 - b * y**4 + c * y**6, c * q * root**2)))
 
 
 def stability(scene, v):

@@ -4,6 +4,7 @@ Motions as functions, derivatives by differences. Imports nothing of gyrostat.
 """
 import ast
 
+import held
 import mpmath as mp
 import rotating
 from differences import cross, dot, rate
@@ -54,10 +55,8 @@ class Texts:
             return PLAIN[name](*values)
         if name in ("sn", "cn", "dn"):
             return mp.ellipfun(name, u=values[0], m=values[1])
-        if name == "polhode_period":
-            return period(*values)
-        if name in ("cross", "dot"):
-            return {"cross": cross, "dot": dot}[name](*values)
+        if name in ("cross", "dot", "polhode_period"):
+            return {"cross": cross, "dot": dot, "polhode_period": period}[name](*values)
         if name == "entry":
             return values[0][int(values[1]) - 1, int(values[2]) - 1]
         if name in ("transpose", "inverse"):
@@ -93,6 +92,7 @@ class Motion(Texts):
 
     def __init__(self, table, numbers, let=()):
         super().__init__(numbers, let)
+        self.table = table
         # any, where no formula has them
         plain = Texts({"I1": mp.mpf(1), "I2": mp.mpf(1), "I3": mp.mpf(1), **numbers})
         self.inertia = [plain.value(t, None) for t in table.get("inertia", ["I1", "I2", "I3"])]
@@ -161,6 +161,8 @@ class Motion(Texts):
             return self.slope(k, 2, int(name[1]) if name[1] != "U" else 1)
         if name in ("dU_1", "dU_2", "dU_3"):
             return self.slope(k, int(name[-1]) - 1)
+        if name in held.QUANTITIES:
+            return held.quantities(self.table, self.numbers)[name]
         T = dot(pi, omega) / 2
         simple = {"vector_pi": lambda: pi, "vector_k": lambda: k, "vector_l": lambda: self.rotor,
                   "vector_M": lambda: M,

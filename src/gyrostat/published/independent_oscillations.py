@@ -7,7 +7,7 @@ bracket or a normal form of the energy.
 from collections.abc import Sequence
 from typing import Any
 
-from flint import acb, acb_mat, fmpq
+from flint import acb, acb_mat, arb, fmpq
 from sympy import Expr, Poly
 
 from ..kept import cached_property
@@ -208,12 +208,14 @@ def resonant(ratio: int) -> list[Monomial]:
 
 
 def ball(x: Expr) -> Any:
-    """A rational number."""
-    return acb(fmpq(int(x.p), int(x.q)))
+    """A rational number, another to 80 digits."""
+    if x.is_Rational:
+        return acb(fmpq(int(x.p), int(x.q)))
+    return acb(arb(f"{x.evalf(90)} +/- {abs(x.evalf(90)) / 10**80}"))
 
 
 def matrix(rows: Sequence[Sequence[Expr]]) -> Any:
-    """Of rational numbers."""
+    """Of numbers."""
     return acb_mat([[ball(x) for x in row] for row in rows])
 
 

@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Expr, Float, Poly, PolynomialError
+from sympy import Expr, Float, Poly
 
+from ..algebra.exact import sign_of_constant
 from ..algebra.precision import own_precision
 from ..errors import PublishedError
 from ..kept import cached_property
@@ -42,7 +43,7 @@ def _number(x: Any) -> Expr:
 
 @dataclass(frozen=True)
 class Oscillations:
-    """Of a model at rational numbers in a polynomial field, where p, q, p² − 4q > 0."""
+    """Of a model at numbers in a polynomial field, where p, q, p² − 4q > 0."""
 
     model: Model
 
@@ -52,18 +53,19 @@ class Oscillations:
         polynomial = Poly(self.model.polynomial, symbol("lamda"))
         return polynomial.coeff_monomial(symbol("lamda") ** 2), polynomial.coeff_monomial(1)
 
-    @property
-    def found(self) -> bool:
-        """Whether the model is one of these."""
-        if len(self.model.coordinates) != 6 or not all(x.is_Rational for x in (
-                *self.model.point, *self.model.inertia, *self.model.rotor)):
-            return False
-        try:
-            rational = all(c.is_Rational for c in Poly(self.model.U, *K).coeffs())
-        except PolynomialError:
+    @cached_property
+    def oscillates(self) -> bool:
+        """Whether it has two frequencies, in a polynomial field."""
+        if len(self.model.coordinates) != 6 or not self.model.U.is_polynomial(*K):
             return False
         p, q = self.coefficients
-        return bool(rational and min(p, q, p**2 - 4 * q) > 0)
+        return all(x.is_number and sign_of_constant(x) == 1 for x in (p, q, p**2 - 4 * q))
+
+    @property
+    def rational(self) -> bool:
+        """Whether all numbers are."""
+        return all(x.is_Rational for x in (*self.model.point, *self.model.inertia, *self.model.rotor,
+                                           *Poly(self.model.U, *K).coeffs()))
 
     def is_resonant(self, m: int, n: int) -> bool:
         """Whether m Ω1 = n Ω2."""
@@ -72,7 +74,7 @@ class Oscillations:
 
     def stability(self) -> tuple[int, str]:
         """1 proved stable, −1 unstable, 0 neither; and why."""
-        if not self.found:
+        if not self.oscillates or not self.rational:
             return 0, ""
         for ratio in (2, 3):
             if self.is_resonant(1, ratio):
@@ -122,7 +124,7 @@ class Oscillations:
             return one.real, motion.signs[0] * motion.signs[1] * mixed.real, two.real
 
     def _motion(self, order: int) -> Motion:
-        if not self.found:
-            raise PublishedError("Newton and Euler's equations give a normal form at rational numbers, of a "
-                                 "polynomial U, where p, q, p² − 4q > 0")
+        if not self.oscillates:
+            raise PublishedError("a normal form by Newton and Euler's equations is one of a polynomial U, "
+                                 "where p, q, p² − 4q > 0")
         return Motion(self.model, self.coefficients, order)
