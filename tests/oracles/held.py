@@ -64,6 +64,11 @@ def motion(scene, v, degree):
     return energy(inverse, rotor, list(map(Fraction, x[3:])), momentum, U.to_dict(), degree)
 
 
+def spectrum(scene, v):
+    """p and q of λ⁴ + p λ² + q."""
+    return [Fraction(int(x.p), int(x.q)) for x in field_of(motion(scene, v, 2)[2])[1:]]
+
+
 def quantities(scene, v):
     """By name: signed frequencies, the coefficients of degree 2 in the actions, D4."""
     parts = motion(scene, {name: exact(x) for name, x in v.items()}, 4)

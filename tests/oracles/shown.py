@@ -117,7 +117,9 @@ class Own(dict):
 
 
 def _spectrum(scene, v):
-    """p and q of λ⁴ + p λ² + q, of a body of revolution."""
+    """p and q of λ⁴ + p λ² + q."""
+    if "k1" in scene["potential"]:
+        return held.spectrum(scene, v)
     label, coefficients = scene_of(scene)
     names = refuted.stability((label, coefficients), v)[1]
     if label == "E3":
