@@ -60,6 +60,15 @@ def test_energy_casimir_is_not_necessary(tmp_path, claim):
     assert report.verdict(values).notion == "Lyapunov (Arnold-Moser)"
 
 
+def test_a_maximum_is_not_unstable(tmp_path):
+    """Both squares of the amended potential negative do not suffice for instability."""
+    printed = A1.replace(" > 0", " < 0")
+    found = finding(tmp_path, UPRIGHT, "sufficient for instability", printed, "condition")
+    example = found.outcome.counterexample
+    assert (example.printed, example.derived) == ("holds", "stable")
+    assert read_again(found) is True
+
+
 def test_a_condition_is_necessary_without_windows(tmp_path):
     """Of a body of revolution only equality is missing, and that is what is said."""
     scene = 'inertia = ["I1", "I1", "I3"]\npotential = "m0*k3"\nequilibrium = "E1"\n'
@@ -85,10 +94,24 @@ def test_normal_form_as_a_quantity(tmp_path, quantity, printed, kind, expected):
     assert (found.outcome.counterexample is None) == (expected == "confirmed")
 
 
+@pytest.mark.few(1)
+@pytest.mark.parametrize(("scene", "at"), [
+    ('inertia = ["2", "2", "1"]\npotential = "k3 + k3**2/2 + k3**4/5"\nequilibrium = "E1"\n', 'pi3_0 = "9"'),
+    (UPRIGHT, 'I1 = "5", I2 = "4", I3 = "3", l = "1/2", m0 = "1", m1 = "0", omega3_0 = "sqrt(5)"')])
+@pytest.mark.parametrize("name", ["D4", "D6", "frequency_2", "birkhoff_02"])
+def test_what_is_wrong_is_shown_from_the_motions(tmp_path, scene, at, name):
+    """A body of revolution, and irrational numbers: the two routes agree, or the check would stop."""
+    found = finding(tmp_path, scene, name, "7", "number", f"at = {{ {at} }}\n")
+    assert found.status == "misprint" and "Newton and Euler" in found.outcome.counterexample.confirmation
+
+
 def test_names_without_numbers(tmp_path):
     """D4 is a number: at gives one for each name, and the sentence names them."""
     with pytest.raises(ValueError, match="E1 needs I1 .*: give a number for each"):
         finding(tmp_path, UPRIGHT, "D4", "0")
+    unspecified = 'potential = "U(k3)"\ninertia = ["2", "2", "1"]\nequilibrium = "E1"\n'
+    with pytest.raises(ValueError, match="give the scene a potential in k1, k2, k3"):
+        finding(tmp_path, unspecified, "D4", "0", extra='at = { pi3_0 = "9", dU = "1", d2U = "1" }\n')
     at = 'at = { I1 = "5", I2 = "4", I3 = "3", l = "0", m0 = "1", m1 = "0", omega3_0 = "2" }\n'
     assert finding(tmp_path, UPRIGHT, "D4", "0", extra=at).outcome.counterexample.derived > 0
 

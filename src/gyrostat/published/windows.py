@@ -4,6 +4,7 @@ from typing import Any
 
 from sympy import Expr, Symbol
 
+from ..errors import PublishedError
 from ..mechanics.equilibria import Equilibrium
 from ..stability.analysis import analyze
 from ..stability.normal_form import NormalForm
@@ -15,6 +16,9 @@ def normal_form_names(eq: Equilibrium, at: Mapping[Symbol, Expr]) -> Mapping[str
     values = {s.name: value for s, value in at.items() if value.is_number}
 
     def form(degree: int = 4) -> NormalForm:
+        if eq.system.potential is None or not eq.system.potential.given:
+            raise PublishedError("a normal form needs derivatives of U up to its degree: give the scene a "
+                                 "potential in k1, k2, k3 instead of an unspecified one")
         return analyze(eq).normal_form(values, degree)
 
     quartic = {f"birkhoff_{name}": Later(lambda n=n: form().coefficients[n][2])  # type: ignore[misc]
