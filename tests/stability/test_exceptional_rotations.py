@@ -17,7 +17,7 @@ from exceptional_rotations import (
 )
 from normal_form import decimal, energy, field_of, on_the_torus, removed, resonant, sign_of_the_faster, twists
 from slow import sampled
-from sympy import sqrt
+from sympy import Rational, sqrt
 
 import gyrostat as gs
 
@@ -212,3 +212,16 @@ def test_a_resonance_at_irrational_numbers():
     words = irrational(rotation).reason.split("|D4| = ")[1].split()
     D4, R = on_the_torus(parts, resonant(parts)[4])
     assert [float(words[0]), float(words[-1])] == pytest.approx([2 * abs(D4), 2 * R], rel=1e-4)
+
+
+@pytest.mark.parametrize(("sigma", "verdict", "words"), [
+    ((156957 - 24 * sqrt(45954705)) / 2161, STABLE, "(1:1, Hamiltonian-Hopf), ε𝒜 > 0"),
+    ((-628599 + 15 * sqrt(783844905)) / 75868, UNSTABLE, "resonance 1:2, the coefficient b"),
+    ((-654237 + 40 * sqrt(55548705)) / 124559, UNSTABLE, "resonance 1:3, |D4| = 0.127221 < R = 0.170739"),
+])
+def test_at_a_rational_point_of_an_irrational_field(sigma, verdict, words):
+    inertia, k = (3, 5, 4), [Rational(n, 3) for n in (2, 1, 2)]
+    scene = gs.assemble(gs.Gyrostat(inertia, (0, 0, 0)), gs.general_potential(
+        lambda *x: sum((I + sigma) * a * b for I, a, b in zip(inertia, k, x))))
+    decision = gs.analyze(gs.equilibrium(scene, (*(-I * a for I, a in zip(inertia, k)), *k))).verdict({})
+    assert decision.verdict is verdict and words in decision.reason

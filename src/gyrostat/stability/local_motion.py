@@ -6,7 +6,7 @@ from math import factorial
 from typing import Any
 
 from flint import acb, fmpq
-from sympy import Add, Expr, Mul, Rational, Symbol
+from sympy import Add, Expr, Mul, Pow, Rational, Symbol, preorder_traversal
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, evaluate
@@ -62,9 +62,10 @@ class LocalMotion:
     def rational(self) -> bool:
         """Whether every number is, and U is a fraction of polynomials with rational coefficients."""
         numbers = [*(x for row in self.inverse for x in row), *self.rotor, *self.k, *self.momentum]
+        nodes = list(preorder_traversal(self.potential))
         return (all(isinstance(x, Rational) for x in numbers)
-                and all(isinstance(x, Rational | Symbol) for x in self.potential.atoms())
-                and bool(self.potential.is_rational_function(*DIRECTIONS)))
+                and all(isinstance(x, Rational | Symbol | Add | Mul | Pow) for x in nodes)
+                and all(x.exp.is_Integer for x in nodes if isinstance(x, Pow)))
 
     def energy(self, degree: int, number: Number) -> list[Part]:
         """h on the orbit in canonical coordinates, homogeneous parts up to a degree, in a ring of numbers."""
