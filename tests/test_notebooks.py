@@ -18,7 +18,8 @@ HIDDEN = {"jupyter": {"source_hidden": True}, "tags": ["remove-input"]}  # a sen
 CHANGED = [                 # what is put instead of what is written, and words of the sentences that follow
     ("where", {'"I1": 2, "I3": 1, "l": 0, "m0": 1': '"I1": 3, "I3": 2, "l": "1/3", "m0": "5/2"'},
      ("at $m_1 = 5/4$", "$m_1 = 5/2$ and")),
-    ("why-does-a-s", {'"I1": 1, "I3": "1/2", "m0": 1': '"I1": "3/2", "I3": 2, "m0": "3/2"', "1, 20)": "1, 10)"},
+    ("why-does-a-s",
+     {'"I1": 1, "I3": "1/2", "m0": 1': '"I1": "3/2", "I3": 2, "m0": "3/2"', "1, 20)": "1, 10)"},
      ("$m_0 = 3/2$", "= 3$.", "tilt of 11.4°", "falls to 84.2°", "within 18.7°")),
     ("why-does-a-top", {'"2/3"), -1, -3': '"2/3"), -2, -12'}, ("$D_4 = 691181/1539000", "1.604556")),
     ("what-happens", {'"I1": 2, "I3": 1, "l": 0, "m0": 1': '"I1": 3, "I3": 1, "l": "1/3", "m0": 3'},
