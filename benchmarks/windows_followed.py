@@ -27,10 +27,12 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "tests"), str(HERE.parent / "tests" / "oracles")]
 from exceptional_rotations import (  # noqa: E402
     degenerate,
+    in_a_window,
     in_resonance,
     terms,
     with_form,
     without_the_cubic_term,
+    without_twist,
 )
 from normal_form import energy, field_of  # noqa: E402
 from window_scenes import windows  # noqa: E402
@@ -141,7 +143,23 @@ def eigenvalue_0(rng):
     return with_form(*given, K, *above)
 
 
-KINDS = {"1:1": resonance(1, 1), "1:2": resonance(1, 2), "1:2, b = 0": without_b, "1:3": resonance(1, 3),
+def equal_frequencies(wanted):
+    def made(rng):
+        while True:
+            rotation = resonance(1, 1)(rng)
+            if gs.analyze(rotation.equilibrium()).verdict({}).verdict is wanted:
+                return rotation
+    return made
+
+
+def without_D4(rng):
+    given, K = in_a_window(rng)
+    return with_form(*given, K, *without_twist(rng, given, K))
+
+
+KINDS = {"1:1, stable": equal_frequencies(gs.Verdict.STABLE),
+         "1:1, unstable": equal_frequencies(gs.Verdict.UNSTABLE), "window, D4 = 0": without_D4,
+         "1:2": resonance(1, 2), "1:2, b = 0": without_b, "1:3": resonance(1, 3),
          "q = 0": eigenvalue_0}
 
 
