@@ -9,6 +9,7 @@ from slow import slow
 from sympy import Rational, S, sqrt, sympify
 
 import gyrostat as gs
+from gyrostat.printing.data import decision_data
 
 KOWALEVSKI = "(M1^2 - M2^2 - 4*m*k1)^2 + (2*M1*M2 - 4*m*k2)^2 + 8*l*(M3 - 2*l)*(M1^2 + M2^2) - 32*l*m*M1*k3"
 SQUARE = "M1^2 + M2^2 + M3^2"
@@ -53,9 +54,12 @@ def parts(draw, family):
 
 
 def coefficient(decision):
-    """α of h + α F1, from the reason."""
+    """α of h + α F1: the certificate, which JSON and the reason say too."""
+    ((F, a),) = decision.certificate
     sign, number = re.search(r"of h ([+−]) ([0-9/]*) ?F1 is definite", decision.reason).groups()
-    return Fraction(number or 1) * (-1 if sign == "−" else 1)
+    assert Fraction(number or 1) * (-1 if sign == "−" else 1) == a
+    assert decision_data(decision)["certificate"] == {str(F): str(a)}
+    return Fraction(int(a.p), int(a.q))
 
 
 @pytest.mark.parametrize("family, seeds", [(kowalevski, range(5)), (clebsch, range(8, 13)),

@@ -8,6 +8,7 @@ from sympy import Abs, Expr, Pow, S
 from ..algebra.readable import readable
 from ..stability.conditions import Condition, Criterion
 from ..stability.linearization import square_root
+from ..stability.report import Report
 from .blocks import Block, Display, Word, modulo_flow, sentence
 from .order import inequality
 
@@ -38,6 +39,17 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> l
         blocks.append(sentence("or") if blocks else sentence(title, *modulo, ":"))
         blocks += _alternative(alternative, at, label)
     return blocks + _implied(criterion, at)
+
+
+def integral_blocks(report: Report) -> list[Block]:
+    """What the integrals that are given have to do with the sufficient condition."""
+    if not report.equilibrium.system.given_integrals:
+        return []
+    if report.sufficient == report.casimirs_only:
+        return [sentence("The integrals that are given take part in verdicts at numbers, not in this "
+                         "condition.")]
+    return [sentence("There the second variation of h + α F is definite on the orbit for some α, F an "
+                     "integral of the scene; α is eliminated, a verdict at numbers gives it.")]
 
 
 def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> list[Block]:

@@ -95,6 +95,7 @@ def decision_data(decision: Decision) -> dict[str, Any]:
     return {"verdict": decision.verdict.name, "notion": decision.notion, "modulo": strings(decision.modulo),
             "reason": decision.reason,
             "margins": {_text(margin): str(value) for margin, value in decision.margins},
+            "certificate": {str(F): str(a) for F, a in decision.certificate},
             "note": decision.note}
 
 

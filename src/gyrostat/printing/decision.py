@@ -33,6 +33,10 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
     if any(name in ("t", "s") for _, name, _ in named_margins(decision)):
         blocks.append(sentence("Here t and s are the trace and the determinant of the second variation of "
                                "the amended potential on the plane across k."))
+    if decision.certificate:
+        blocks.append(sentence("Certificate: h", *(part for F, a in decision.certificate
+                                                   for part in (" + (", a, ") (", F, ")")),
+                               " has a definite second variation on the orbit.", at=at))
     if decision.note:
         blocks.append(sentence(f"Note: {decision.note}."))
     return blocks

@@ -28,7 +28,7 @@ from .blocks import (
     sentence,
 )
 from .boundary import boundary_blocks
-from .conditions import criterion_blocks, existence
+from .conditions import criterion_blocks, existence, integral_blocks
 from .drift import drift_blocks
 from .rotations import definition_blocks, family_blocks
 from .symbols import occurring, symbol_rows
@@ -91,6 +91,7 @@ def conditions_blocks(report: Report) -> list[Block]:
     return [Heading(eq.label), *family_blocks(eq), *exists,
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
             *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
+            *integral_blocks(report),
             *boundary_blocks(report),
             *criterion_blocks("Under internal damping", report.damped, eq.at, "damped"),
             *definition_blocks(report)]
@@ -121,7 +122,7 @@ def report_blocks(report: Report) -> list[Block]:
         f"equilibrium is Lyapunov stable (Holm, Marsden, Ratiu & Weinstein 1985){modulo}")]
     blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at, "necessary"),
                *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at,
-                                 "sufficient")]
+                                 "sufficient"), *integral_blocks(report)]
     if report.casimirs_only != report.sufficient:
         blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at,
                                    "casimirs-alone")

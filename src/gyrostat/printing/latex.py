@@ -182,7 +182,10 @@ def _decision(decision: Decision, names: Names) -> str:
     verdict = decision.verdict.name.lower()
     if not decision.notion:
         return rf"\text{{{verdict}}}"
-    return rf"\text{{{verdict} ({decision.notion})}}" + _modulo(decision.modulo, names)
+    proof = "".join(rf" + \left({tex(a, names)}\right) \left({tex(F, names)}\right)"
+                    for F, a in decision.certificate)
+    shown = rf" \quad \text{{by }} {names.of('h')}{proof}" if proof else ""
+    return rf"\text{{{verdict} ({decision.notion})}}" + _modulo(decision.modulo, names) + shown
 
 
 @_formula.register

@@ -63,6 +63,9 @@ class Decision(Shown, Stored):
         where there are no integrals, what each margin is of: p, q, p² − 4q, t, s or a minor; "" if none
     pointwise : bool
         decided by a normal form: at other numbers where the margins have these signs it may be another
+    certificate : tuple of (integral, rational)
+        F and α of Σ α F, where integrals that were given decide: the second variation of h + Σ α F is
+        definite on the orbit
 
     Examples
     --------
@@ -82,15 +85,20 @@ class Decision(Shown, Stored):
     growing: int | None = None
     names: tuple[str, ...] = ()
     pointwise: bool = False
+    certificate: tuple[tuple[Expr, Expr], ...] = ()
 
 
 class Finding(NamedTuple):
-    """Whether an equilibrium is stable, None if that is not proved; the notion, "" then; why; and where."""
+    """Whether an equilibrium is stable, None if that is not proved; the notion, "" then; why; and where.
+
+    With the certificate of integrals.
+    """
 
     stable: bool | None
     notion: str
     why: str
     pointwise: bool = False
+    certificate: tuple[tuple[Expr, Expr], ...] = ()
 
 
 def settled(stable: bool | None, why: str, notion: str = "Lyapunov", pointwise: bool = False) -> Finding:

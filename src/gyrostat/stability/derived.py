@@ -14,6 +14,7 @@ from .criteria import formal_criterion, spectral_criterion
 from .decision import Between
 from .drift import Drift
 from .energy_casimir import SecondVariation, second_variation
+from .integrals import integral_criterion
 from .linearization import Linearization, linearize
 from .secular import Secular, secular_of
 from .sphere import sphere_of
@@ -55,12 +56,16 @@ class Derived(Shown, Stored):
         """Formal criterion with the Casimirs and the integrals, reduced to independent conditions."""
         if self.recognised:
             return replace(kept_of(self.recognised.equilibrium).sufficient, modulo=self.recognised.modulo)
-        return independent(formal_criterion(self.second_variation), self.equilibrium)
+        found = formal_criterion(self.second_variation)
+        if self.equilibrium.system.given_integrals:
+            more = integral_criterion(self.linearization).alternatives
+            found = replace(found, alternatives=(*found.alternatives, *more))
+        return independent(found, self.equilibrium)
 
     @cached_property
     def casimirs_only(self) -> Criterion:
         """Formal criterion with the Casimirs alone, for comparison."""
-        if not self.equilibrium.system.linear_integrals:
+        if not self.equilibrium.system.integrals:
             return self.sufficient
         return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)),
                            self.equilibrium)

@@ -1,6 +1,6 @@
 """One permanent rotation of any body in a field, and what is decided of it."""
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from flint import arb
@@ -112,10 +112,11 @@ class HeavyRotation(Shown, Stored):
             return LEAST
         if determinant == 1 and trace == -1 and (p == -1 or discriminant == -1):
             return LEAVES
-        if determinant == 1 and trace == -1 and p == discriminant == 1:
+        if determinant == 1 and trace == -1 and p == discriminant == 1 and not self.scene.given_integrals:
             found = decide_window(self._motion)
             return Decision(Verdict.of(found.stable), found.notion, (), found.why, (), pointwise=True)
-        return Report(self.equilibrium).verdict({})
+        decision = Report(self.equilibrium).verdict({})
+        return replace(decision, pointwise=decision.pointwise or bool(decision.certificate))
 
     @property
     def _motion(self) -> LocalMotion:

@@ -66,7 +66,7 @@ def _decided(items: Iterable[Item], signs: Signs) -> list[Item] | None:
 
 
 def _divided(items: list[Item], signs: Signs) -> list[Item]:
-    """Strict margins divided by those that are known to be positive with them."""
+    """Strict margins divided by those that are known to be positive with them; each even factor once."""
     result = list(items)
     for i, item in enumerate(result):
         for other in result[:i] + result[i + 1:]:
@@ -76,8 +76,18 @@ def _divided(items: list[Item], signs: Signs) -> list[Item]:
             margin = quotient if not rest else item.margin
             item = replace(item, margin=margin,
                            degenerate=tuple(e for e in item.degenerate if divmod(other.margin, e)[1]))
-        result[i] = item
+        result[i] = _once(item, result[:i]) if item.strict else item
     return result
+
+
+def _once(item: Item, before: Sequence[Item]) -> Item:
+    """Without even factors that are not 0 where its margin, or one before it, is positive."""
+    known = [e for other in before if other.strict for e in other.degenerate]
+    left: list[fmpq_mpoly] = []
+    for e in item.degenerate:
+        if divmod(item.margin, e)[1] and e not in known and e not in left:
+            left.append(e)
+    return replace(item, degenerate=tuple(left))
 
 
 def _without_implied(items: list[Item], signs: Signs) -> list[Item]:

@@ -1,18 +1,88 @@
 """What integrals that are given prove where the second variation with the Casimirs alone is indefinite."""
 from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
 
+from flint import fmpq_mpoly
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
 from ..algebra.definite import definite_combination
 from ..algebra.exact import evaluate
+from ..algebra.margins import Signs
+from ..algebra.matrices import multiply
+from ..algebra.polynomials import Ring
 from ..errors import EquilibriumError
+from ..mechanics.derivation import rows_at_point
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.orbit import critical_integrals, is_critical, orbit_tangent
 from ..mechanics.system import at_numbers, names_of_scene
+from .conditions import Condition, Criterion
+from .criteria import spectral_criterion
 from .decision import Finding, settled
 from .energy_casimir import restricted
+from .linearization import Linearization
 
 LEVEL = "Lyapunov on its level of C1"
+
+
+def integral_criterion(linearization: Linearization) -> Criterion:
+    """Sufficient for stability: for some α the second variation of h + α F is definite on the orbit.
+
+    F an integral given that is critical there. Where p, q and p² − 4q are positive the oscillations are two,
+    and the linearised flow of F, which commutes with that of h, A, is a A + b A³: α exists iff b ≠ 0, so that
+    α is eliminated. Where one of the three vanishes, and of what is conserved where C1 = 0 only, points are
+    decided by Report.verdict.
+
+    Parameters
+    ----------
+    linearization : Linearization
+        of a body in a field
+
+    Returns
+    -------
+    Criterion
+        of the notion "formal", an alternative for each F
+
+    References
+    ----------
+    Derived; Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116, for h + α F.
+    """
+    eq = linearization.equilibrium
+    used = [F for F in eq.system.given_integrals if F not in eq.system.level_only and is_critical(eq, F)]
+    if not used or critical_integrals(eq)[1] or len(linearization.coefficients) < 2:
+        return Criterion("formal", ())
+    p, q, discriminant = (replace(c, strict=True) for c in spectral_criterion(linearization).alternatives[0])
+    found = [_where_none(eq, F) for F in used]
+    return Criterion("formal", tuple((p, q, _with_factors(discriminant, factors)) for factors in found
+                                     if factors is not None))
+
+
+def _with_factors(condition: Condition, factors: tuple[Expr, ...]) -> Condition:
+    return replace(condition, degenerate=(*condition.degenerate, *factors))
+
+
+def _where_none(eq: Equilibrium, F: Expr) -> tuple[Expr, ...] | None:
+    """What vanishes where b = 0: the factors of tr A² tr A³B − tr A⁴ tr AB = 4 b q (p² − 4q).
+
+    None where that is 0 everywhere. A and B are the derivatives of both fields, 0 across the orbit.
+    """
+    space = eq.system.space
+    field = space.tensor * space.gradient(F)
+    rows = [[[eq.insert_field(entry) for entry in row] for row in rows_at_point(eq, matrix)]
+            for matrix in (eq.system.jet_jacobian, field.jacobian(space.coordinates))]
+    signs = Signs.over([entry for matrix in rows for row in matrix for entry in row], eq.existence())
+    ring = signs.ring
+    A, B = (ring.matrix(matrix)[0] for matrix in rows)
+    square = multiply(ring, A, A)
+    AB = multiply(ring, A, B)
+    value = (_trace(ring, square) * _trace(ring, multiply(ring, square, AB))
+             - _trace(ring, multiply(ring, square, square)) * _trace(ring, AB))
+    value = ring.reduce(value)
+    return tuple(map(ring.expression, signs.split(value**2, ring.one)[1])) if value else None
+
+
+def _trace(ring: Ring, matrix: list[Any]) -> fmpq_mpoly:
+    return sum((row[n] for n, row in enumerate(matrix)), ring.zero)
 
 
 def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Finding:
@@ -54,7 +124,8 @@ def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Find
                     for F, a in taken)
     notion = LEVEL if any(F in here.system.level_only for F, _ in taken) else "Lyapunov"
     return settled(True, f"the second variation of h{terms} is definite on the orbit, "
-                   + ", ".join(f"{names[F]} = {F}" for F, _ in taken), notion, True)
+                   + ", ".join(f"{names[F]} = {F}" for F, _ in taken), notion,
+                   True)._replace(certificate=tuple(taken))
 
 
 def _at(eq: Equilibrium, known: Mapping[Symbol, Expr], numbers: Mapping[Symbol, Expr]) -> Equilibrium | None:

@@ -16,6 +16,7 @@ from .decision import Decider, Decision, Finding, Verdict, settled
 from .derived import Derived
 from .drift import Drift
 from .elementary import Elementary
+from .integrals import decide_by_integrals
 from .normal_form import NormalForm, normal_form
 from .notes import scene_note
 from .truth import holds
@@ -84,7 +85,7 @@ class Report(Derived):
         return Decision(Verdict.of(found.stable), found.notion, modulo, found.why, tuple(margins.items()),
                         scene_note(self.equilibrium.system, numbers), growing,
                         sources(self.equilibrium, margins, (self.sufficient, self.necessary)),
-                        found.pointwise)
+                        found.pointwise, found.certificate)
 
     def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
         """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
@@ -171,7 +172,7 @@ class Report(Derived):
         modulo = self.sufficient.modulo
         sufficient = holds(self.sufficient, numbers, margins)
         if sufficient:
-            return settled(True, "the second variation is definite on the symplectic slice"), modulo
+            return self._definite(numbers), modulo
         necessary = holds(self.necessary, numbers, margins)
         if necessary is False:
             return settled(False, "an eigenvalue has a positive real part", "spectral"), modulo
@@ -186,6 +187,14 @@ class Report(Derived):
         decider: Decider | None = self.between
         found = settled(*decider.decide(numbers, margins)) if decider else self._elementary.decide(numbers)
         return found._replace(why=self.recognised.worded(found.why)) if self.recognised else found, modulo
+
+    def _definite(self, numbers: Point) -> Finding:
+        """Where the sufficient criterion holds: with the Casimirs, or with integrals that are given."""
+        found = settled(True, "the second variation is definite on the symplectic slice")
+        if not self.equilibrium.system.given_integrals or holds(self.casimirs_only, numbers, {}):
+            return found
+        certified = decide_by_integrals(self.equilibrium, numbers)
+        return certified._replace(pointwise=False) if certified.stable else found
 
     @cached_property
     def _elementary(self) -> Elementary:

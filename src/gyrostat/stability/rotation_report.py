@@ -56,6 +56,11 @@ class RotationReport(Report):
         return self.closed.criterion("formal")
 
     @property
+    def casimirs_only(self) -> Criterion:
+        """The same: integrals that are given take part at numbers."""
+        return self.sufficient
+
+    @property
     def boundary(self) -> None:
         """None: between the two, the rotation at numbers is asked."""
 
@@ -83,7 +88,8 @@ class RotationReport(Report):
         if -1 in _signs(necessary.values()):
             return settled(False, "an eigenvalue has a positive real part", "spectral"), ()
         found, modulo = Report(placed(self.equilibrium, numbers))._decided(numbers, {})
-        return found._replace(why=f"at these numbers {found.why}"), modulo
+        return found._replace(why=f"at these numbers {found.why}",
+                              pointwise=found.pointwise or bool(found.certificate)), modulo
 
 
 class DampedRotation(Secular):
