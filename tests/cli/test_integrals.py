@@ -28,6 +28,23 @@ def test_what_an_integral_proves(capsys, tmp_path):
     _, data, _ = decide(capsys, "--scene", str(tmp_path / "s.toml"), "--format", "json")
     (found,) = json.loads(data)["equilibria"]
     assert found["decision"]["notion"] == "Lyapunov" and "F1 is definite" in found["decision"]["reason"]
+    assert "Certificate: h + (−1) ((π₁² − π₂² − 20 k₁/13)² + (2 π₁ π₂ − 20 k₂/13)²)" in out
+    assert found["decision"]["certificate"] == {
+        "(-20*k2/13 + 2*pi1*pi2)**2 + (-20*k1/13 + pi1**2 - pi2**2)**2": "-1"}
+
+
+def test_conditions_with_it(capsys):
+    """α is eliminated; what the conditions are then is said, and the values of one name are found."""
+    m = "(5/13*w^2 - 5/12*w*l)"
+    F = (f"(M1^2 - M2^2 - 4*{m}*k1)^2 + (2*M1*M2 - 4*{m}*k2)^2 + 8*l*(M3 - 2*l)*(M1^2 + M2^2)"
+         f" - 32*l*{m}*M1*k3")
+    scene = ["--inertia", "2,2,1", "--gyrostatic-momentum", "0,0,l", "--potential", f"{m}*k1", "--point",
+             "10/13*w,0,12/13*w,5/13,0,12/13", "--integral", F]
+    status, out, err = run(capsys, *scene, verb="conditions")
+    assert (status, err) == (0, "")
+    assert "and 13 l + 12 w ≠ 0" in out and "α is eliminated" in out
+    _, out, _ = run(capsys, *scene, "--set", "w=1", "--solve-for", "l", verb="conditions")
+    assert "−12/13 < l < −25/156 or −25/156 < l < 47/78 or l ≥ 12/13" in out
 
 
 def test_printed_with_the_scene(capsys):

@@ -37,7 +37,7 @@ def parser() -> argparse.ArgumentParser:
         a_scene(verb, meaning)
         claimed_point(verb)
     _motion(motion)
-    for verb in (report, decide, motion):
+    for verb in (report, conditions, decide, chart, motion):
         integral(verb)
     kinds = _kinds(plot)
     conditions.add_argument("--solve-for", metavar="NAME",
