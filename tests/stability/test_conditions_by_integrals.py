@@ -1,4 +1,4 @@
-"""Conditions with an integral that is given, α eliminated: against pencils at numbers, and all that reads them."""
+"""Conditions with an integral that is given, α eliminated: against pencils, and all that reads them."""
 import random
 from fractions import Fraction
 from functools import cache

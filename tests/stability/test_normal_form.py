@@ -89,6 +89,21 @@ def test_a_resonance_of_low_order():
     assert E1.normal_form({"I1": 1, "I3": 1, "l": 0, "m0": 2, "pi3_0": 3}).resonances == ((1, 2),)
 
 
+@pytest.mark.parametrize("values", [(Rational(3, 4), Rational(11, 16), 3),
+                                    (Rational(1, 4), Rational(-195, 4), 1)],
+                         ids=["opposite", "equal"])
+def test_a_resonance_that_a_body_of_revolution_does_not_feel(values):
+    """1:3, frequencies of opposite and of equal signs: exact to degree 6, as next to it."""
+    values = dict(zip(("I3", "m0", "pi3_0"), values)) | {"I1": 1, "l": 0}
+    form = E1.normal_form(values, 6)
+    near = E1.normal_form(values | {"m0": values["m0"] + Rational(1, 10**12)}, 6)
+    assert form.resonances == ((1, 3),) and near.resonances == ()
+    assert (form.frequencies[0] * form.frequencies[1] > 0) == (values["m0"] < 0)
+    for one, other in ((form.frequencies, near.frequencies), (form.twists, near.twists),
+                       ([c for *_, c in form.coefficients], [c for *_, c in near.coefficients])):
+        assert [float(x) for x in one] == pytest.approx([float(x) for x in other], rel=1e-6)
+
+
 def test_on_the_command_line(capsys):
     """Text and JSON say the same numbers."""
     numbers = ("--potential", "m0*k3", "--set", "I1=1", "I3=1/2", "l=0", "m0=2", "pi3_0=3")

@@ -179,3 +179,14 @@ def test_what_is_refused():
     with pytest.raises(ValuesError, match="m1"):
         gs.staude_cone(scene).arcs({"m0": 1, "m1": 2})
     assert len(gs.staude_cone(scene).arcs({"m0": 1})) == 4
+
+
+def test_a_sphere_with_a_rotor_is_refused():
+    """Its polynomial is 0 everywhere; a body of revolution with its rotor along the axis keeps its own."""
+    field = gs.general_potential(lambda k1, k2, k3: k1 + k3)
+    cone = gs.staude_cone(gs.assemble(gs.Gyrostat((2, 2, 2), (1, 0, 2)), field))
+    for asked in (lambda: cone.polynomial, lambda: cone.rate):
+        with pytest.raises(ScopeError, match="all moments are equal: the polynomial of the curve is 0"):
+            asked()
+    assert cone.arcs({})
+    assert gs.staude_cone(gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, 2)), field)).polynomial

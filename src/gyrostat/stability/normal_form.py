@@ -6,7 +6,7 @@ from typing import Any
 from flint import acb
 from sympy import Expr, Float, Rational, S, Symbol, expand, sqrt
 
-from ..algebra.eigenvalues import eigenvalues_of
+from ..algebra.eigenvalues import eigenvalues_of, in_ratio
 from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.precision import own_precision
 from ..algebra.series import Part, is_zero
@@ -70,7 +70,8 @@ def normal_form(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) ->
                      if _sign(resonance_margin(motion.p, motion.q, *pair)) == 0)
     frequencies = _frequencies(motion)
     try:
-        form = _exact(motion, degree, frequencies) if motion.rational else _enclosed(motion, degree)
+        form = (_exact(motion, degree, frequencies, (1, 3) in resonant) if motion.rational
+                else _enclosed(motion, degree))
     except ZeroDivisionError:
         low = " and ".join(f"{m}:{n}" for m, n in resonant) or "that is not excluded"
         raise ScopeError(f"{eq.label}: the frequencies are in resonance {low}, and there is no normal form "
@@ -115,14 +116,21 @@ def _decimal(x: acb) -> Expr:
     return Float(x.real.str(DIGITS, radius=False), DIGITS)
 
 
-def _exact(motion: LocalMotion, degree: int, frequencies: Frequencies) -> Form:
-    """In the roots of p and q, of which D4 has none."""
+def _exact(motion: LocalMotion, degree: int, frequencies: Frequencies, one_to_three: bool) -> Form:
+    """In the roots of p and q, of which D4 has none.
+
+    At 1:3 in the field where λ1 = ±3 λ2: a resonant term that is 0 is seen to be.
+    """
     p, q = fraction(motion.p), fraction(motion.q)
     parts = motion.energy(degree, fraction)
-    found = modes(linear_motion(parts[2]), p, eigenvalues_of(p, q))
+    fast, slow = frequencies
+    same = fast.is_negative is slow.is_negative
+    values = in_ratio(-p / 10, 3 if same else -3) if one_to_three else eigenvalues_of(p, q)
+    found = modes(linear_motion(parts[2]), p, values)
     h = normalised(parts, found)
-    return (tuple((m, n, _with_roots(c, m + n, motion, frequencies)) for m, n, c in _actions(h, found)),
-            tuple(_with_roots(twist(part, found), 0, motion, frequencies) for part in h[4::2]))
+    root, both = slow if one_to_three else fast, -sqrt(motion.q) if same else sqrt(motion.q)
+    return (tuple((m, n, _with_roots(c, m + n, root, both)) for m, n, c in _actions(h, found)),
+            tuple(_with_roots(twist(part, found), 0, root, both) for part in h[4::2]))
 
 
 def _actions(h: Sequence[Part], found: Modes) -> Iterator[tuple[int, int, Any]]:
@@ -134,16 +142,15 @@ def _actions(h: Sequence[Part], found: Modes) -> Iterator[tuple[int, int, Any]]:
             yield m, half - m, c * first**m * second ** (half - m)
 
 
-def _with_roots(x: Any, turns: int, motion: LocalMotion, frequencies: Frequencies) -> Expr:
-    """i^turns x, for λ1 = iω1 and λ1 λ2 = −ω1 ω2; of an odd number of turns x is odd in λ1 and λ2."""
+def _with_roots(x: Any, turns: int, frequency: Expr, both: Expr) -> Expr:
+    """i^turns x, for λ = iω and λ1 λ2 = both; of an odd number of turns x is odd in λ1 and λ2."""
     if is_zero(x):
         return S.Zero
-    odd, square = turns % 2, -(motion.p + sqrt(motion.p**2 - 4 * motion.q)) / 2
-    both = sqrt(motion.q) if frequencies[0].is_negative is not frequencies[1].is_negative else -sqrt(motion.q)
+    odd, square = turns % 2, -frequency**2
     value = S.Zero
     for polynomial, factor in ((x.a, S.One), (x.b, both)):
         for n, c in enumerate(polynomial.coeffs()):
             if c != 0 and n % 2 != odd:
                 raise ArithmeticError("a coefficient of a normal form is not real")
             value += factor * Rational(int(c.p), int(c.q)) * square ** (n // 2)
-    return expand(value * (frequencies[0] if odd else 1) * (-1) ** ((turns + odd) // 2))
+    return expand(value * (frequency if odd else 1) * (-1) ** ((turns + odd) // 2))

@@ -48,12 +48,14 @@ def second_order_resonance(motion: LocalMotion) -> Finding:
         parts = motion.energy(4, number)
         product = _colliding(linear_motion(parts[2]), number(motion.p), value[0], parts)
         if product is None:
-            return settled(None, f"{said}, and the linear motion is semisimple, or nearly: not decided")
+            continue                                       # in balls the next precision may prove one
         if sign := sign_of(product):
             stable, compared = sign > 0, "<>"[sign > 0]
             return settled(stable, f"{said}, ε𝒜 {compared} 0 (Sokolskii)", LEVEL if stable else "Lyapunov")
         if isinstance(product, fmpq):
             return settled(None, f"{said}, and ε𝒜 = 0: terms of higher degree decide")
+    if product is None:
+        return settled(None, f"{said}, and the linear motion is semisimple, or nearly: not decided")
     return settled(None, f"{said}, and {OPEN}")
 
 

@@ -51,6 +51,7 @@ class StaudeCone(Shown, Stored):
         along, rotor, slopes = self._vectors
         if not self.turned:
             return _triple(slopes, along).expand()
+        self._refuse_sphere()
         a, b, d = (_triple(*pair).expand() for pair in ((along, slopes), (along, rotor), (slopes, rotor)))
         return a**2 - b * d
 
@@ -59,9 +60,17 @@ class StaudeCone(Shown, Stored):
         """omega² without a rotor, admissible where it is positive; with one omega [1/T², 1/T]."""
         along, rotor, slopes = self._vectors
         if self.turned:
+            self._refuse_sphere()
             return _triple(along, slopes) / _triple(along, rotor)
         lever = cross(along, DIRECTION)
         return dot(cross(slopes, DIRECTION), lever) / dot(lever, lever)
+
+    def _refuse_sphere(self) -> None:
+        """Of equal moments Ik is along k, and the polynomial is 0 for every k."""
+        if all(is_identically_zero(x.expand()) for x in cross(self._vectors[0], DIRECTION)):
+            raise ScopeError("all moments are equal: the polynomial of the curve is 0 for every k and says "
+                             "nothing; the rotations are where omega l − ∇U is along k, ask for arcs, or "
+                             "relative_equilibria at a rate omega")
 
     @property
     def turned(self) -> bool:
