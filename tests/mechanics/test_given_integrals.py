@@ -45,6 +45,8 @@ REFUSED = [(("M1^2",), StructureError, "its bracket with the Hamiltonian is -l*p
            (("(M1*k1 + M2*k2 + M3*k3)^2",), StructureError, "is a function of the Hamiltonian, the Casimirs"),
            (("pi1^2/4 + pi2^2/4 + pi3^2/2 + m0*k1 + 7",), StructureError, "is a function of the Hamiltonian"),
            ((KOWALEVSKI, KOWALEVSKI), StructureError, "and the integrals that are known"),
+           (("1e400*M1",), StructureError, "000... is not an integral: its bracket"),
+           (("(M1 + M2 + M3 + k1 + k2 + k3)^30",), GyrostatError, "the limits are 1000 terms"),
            ("M1^2", ArgumentError, "the integrals are a str, 'M1^2', not several: write integrals=(F,)"),
            (M0, ArgumentError, "the integrals are a Symbol, m0, not several"),
            (("__import__('os')",), GyrostatError, ""), (("M1^",), GyrostatError, "")]
@@ -54,7 +56,7 @@ REFUSED = [(("M1^2",), StructureError, "its bracket with the Hamiltonian is -l*p
 def test_refused_in_one_sentence(integrals, kind, words):
     with pytest.raises(kind) as refusal:
         gs.assemble(BODY, UNIFORM, integrals=integrals)
-    assert words in str(refusal.value) and "\n" not in str(refusal.value) and len(str(refusal.value)) < 500
+    assert words in str(refusal.value) and "\n" not in str(refusal.value) and len(str(refusal.value)) < 600
 
 
 def test_refused_of_other_scenes():

@@ -13,7 +13,7 @@ from ..errors import ArgumentError, StructureError, article, brief
 from ..notation import symbol
 from .liepoisson import LiePoisson
 
-LONG = 200                                                 # characters of a bracket that is shown
+LONG = 200                                                 # characters of an expression in a message
 
 
 def texts_or_expressions(integrals: Any) -> tuple[Expr, ...]:
@@ -32,11 +32,11 @@ def in_coordinates(F: Expr, space: LiePoisson, rotor: Sequence[Expr], parameters
     known = {*space.coordinates, *parameters}
     if unknown := sorted(s.name for s in F.free_symbols - known):
         own = ", ".join(sorted(s.name for s in parameters)) or "none"
-        raise StructureError(f"the integral {F} names {', '.join(unknown)}, which the scene does not have: "
-                             f"write it in {', '.join(map(str, space.coordinates))}, in M1, M2, M3, and in "
-                             f"the parameters of the scene, {own}")
+        raise StructureError(f"the integral {_short(F)} names {', '.join(unknown)}, which the scene does not "
+                             f"have: write it in {', '.join(map(str, space.coordinates))}, in M1, M2, M3, "
+                             f"and in the parameters of the scene, {own}")
     if not any(map(lowest_terms, space.gradient(F).flat())):
-        raise StructureError(f"the integral {F} is a constant: give a function of the coordinates")
+        raise StructureError(f"the integral {_short(F)} is a constant: give a function of the coordinates")
     return F
 
 
@@ -46,8 +46,9 @@ def check_independent(F: Expr, space: LiePoisson, known: Sequence[Expr]) -> None
     ring = Ring([entry for row in rows for entry in row])
     matrix = [ring.matrix([row])[0][0] for row in rows]
     if len(row_reduce(ring, matrix, lambda _, entry: len(entry), len(rows[0]))) < len(rows):
-        raise StructureError(f"the integral {F} is a function of the Hamiltonian, the Casimirs and the "
-                             "integrals that are known, and proves nothing that they do not: leave it out")
+        raise StructureError(f"the integral {_short(F)} is a function of the Hamiltonian, the Casimirs and "
+                             "the integrals that are known, and proves nothing that they do not: leave it "
+                             "out")
 
 
 def everywhere(F: Expr, space: LiePoisson, hamiltonian: Expr) -> bool:
@@ -57,10 +58,14 @@ def everywhere(F: Expr, space: LiePoisson, hamiltonian: Expr) -> bool:
         return True
     if space.coordinates[3:] and _vanishes(_on_zero_level(rate, space), space):
         return False
-    shown = text if len(text := str(lowest_terms(rate))) <= LONG else f"{text[:LONG - 3]}..."
     where = ", and not 0 where M·k = 0 either" if space.coordinates[3:] else ""
-    raise StructureError(f"{F} is not an integral: its bracket with the Hamiltonian is {shown}, not 0{where}"
-                         "; check F, and the numbers of the scene")
+    raise StructureError(f"{_short(F)} is not an integral: its bracket with the Hamiltonian is "
+                         f"{_short(lowest_terms(rate))}, not 0{where}; check F, and the numbers of the scene")
+
+
+def _short(expression: Expr) -> str:
+    """As a message shows it."""
+    return text if len(text := str(expression)) <= LONG else f"{text[:LONG - 3]}..."
 
 
 def _on_zero_level(rate: Expr, space: LiePoisson) -> Expr:
