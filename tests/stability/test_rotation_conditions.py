@@ -71,3 +71,13 @@ def test_where_the_matrix_splits_its_minors_are_the_conditions():
             (alternative,) = criterion.alternatives
             assert all("minor" in c.source for c in alternative)
             assert -s - 5 * w**2 in [c.margin for c in alternative]
+
+
+def test_that_k_dot_ik_is_positive_is_no_condition():
+    """In the plane of symmetry the second variation splits, and a minor is I1 u² + I3 v²."""
+    u = gs.symbol("u")
+    U = gs.general_potential(lambda k1, k2, k3: gs.symbol("m") * k1 + gs.symbol("n") * k3)
+    scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)), U)
+    direction = (1 - u**2) / (1 + u**2), 0, 2 * u / (1 + u**2)
+    ((one, other),) = gs.analyze(gs.permanent_rotation(scene, direction)).sufficient.alternatives
+    assert all(gs.symbol("sigma") in c.margin.free_symbols for c in (one, other))

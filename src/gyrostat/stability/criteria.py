@@ -100,7 +100,10 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     # one multiplier is eliminated, any value of the others may be chosen
     others = dict.fromkeys(variation.free[1:], S.Zero)
     minors = _minors([(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)])
-    signs = signs_over(variation.equilibrium, [minor for _, _, minor in minors])
+    if sum(x != 0 for x in variation.equilibrium.point[3:]) > 1:
+        signs = _signs(variation, minors)                  # k·Ik is positive, whatever it looks like
+    else:
+        signs = signs_over(variation.equilibrium, [minor for _, _, minor in minors])
     return _definite(variation, "formal", minors, signs, (1, -1))
 
 
