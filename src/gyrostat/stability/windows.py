@@ -6,10 +6,10 @@ from typing import Any
 
 from flint import fmpq
 
-from ..algebra.eigenvalues import eigenvalues_of
 from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.precision import own_precision
-from .birkhoff import Modes, linear_motion, modes, normalised, twist
+from .averages import averages
+from .birkhoff import Modes, normalised, twist
 from .decision import Decision, Finding, Verdict, settled
 from .local_motion import PRECISION, LocalMotion, fraction
 from .resonances import (
@@ -103,10 +103,8 @@ def _sixth_order(motion: LocalMotion) -> Finding:
 
 def _twist(motion: LocalMotion) -> fmpq:
     """D4 at rational numbers, a rational number."""
-    p, q = fraction(motion.p), fraction(motion.q)
-    parts = motion.energy(4, fraction)
-    found = modes(linear_motion(parts[2]), p, eigenvalues_of(p, q))
-    return twist(normalised(parts, found)[4], found).rational()
+    found = averages(motion.energy(4, fraction))
+    return found.top / found.bottom
 
 
 def _resonant(motion: LocalMotion, pair: tuple[int, int]) -> bool | None:
