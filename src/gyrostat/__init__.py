@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from .stability.stabilizing import stabilizing_set
     from .stability.staude import StaudeCone, staude_cone
     from .stability.staude_arcs import StaudeArc
+    from .stability.window_families import Window
 
 # loaded when something is shown
 _Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(shown)
@@ -87,6 +88,7 @@ __all__ = [
     "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
     "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
+    "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -122,4 +124,5 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.sets": "Case Interval Solution SolvedCondition", "stability.solve": "solve_condition",
     "stability.spectra": "Spectrum spectrum", "stability.stabilizing": "stabilizing_set",
     "stability.staude": "staude_cone StaudeCone", "stability.staude_arcs": "StaudeArc",
+    "stability.window_families": "Window",
 })

@@ -10,5 +10,6 @@ its factors (`margins`, `forms`), of pencils of matrices whether one is `definit
 polynomials vanish (`sphere_zeros`, in `number_fields`); plane curves F(x, t) = 0 are taken apart
 (`elimination`, `plane_curves`, `stations`), roots of polynomials that depend on a parameter followed as
 `strands`. Truncated power `series` have coefficients in any ring, as that of the `eigenvalues` of a
-Hamiltonian. Any other `arithmetic`, as that of `floats`, and `double_double` come last.
+Hamiltonian, or of `rational_functions`. Any other `arithmetic`, as that of `floats`, and `double_double` come
+last.
 """

@@ -65,7 +65,7 @@ class Series:
 
 def variable(place: int, degree: int, start: Any) -> Series:
     """start + y, y one of the variables."""
-    return powers(place, [start, type(start)(1), *[0] * (degree - 1)])
+    return powers(place, [start, start**0, *[0] * (degree - 1)])
 
 
 def powers(place: int, coefficients: Sequence[Any]) -> Series:

@@ -19,6 +19,7 @@ from ..stability.normal_form import NormalForm
 from ..stability.permanent_rotations import PermanentRotation
 from ..stability.relative_equilibria import relative_equilibria
 from ..stability.report import Decision, Report
+from ..stability.window_families import Window
 from .asked import Asked, scene_of
 from .equilibria import (
     AT_REST,
@@ -81,13 +82,17 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
     return _of_labels(asked, numbers)
 
 
-def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr], degree: int) -> NormalForm:
-    """Of the equilibrium that is named, or of the point."""
+def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr],
+                   degree: int) -> NormalForm | Window:
+    """Of the equilibrium that is named, or of the point; of degree 4, D4 in names that have no number."""
     wanted = named(asked, label and [label])
     if not wanted:
         raise ValuesError(f"--normal-form {degree} is of one equilibrium: name it by --equilibrium or "
                           "--point")
-    return report_at(asked, wanted[0], numbers).normal_form(numbers, degree)
+    report = report_at(asked, wanted[0], numbers)
+    if degree == 4 and not numbers.keys() >= set(report.required):
+        return report.window(numbers)
+    return report.normal_form(numbers, degree)
 
 
 def _of_labels(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:

@@ -8,9 +8,10 @@ from ..printing.blocks import Block, Display, Heading, Sentence, Word, sentence
 from ..printing.data import double, json_text
 from ..printing.decision import damped_block, decision_blocks
 from ..printing.ends import number as rounded
-from ..printing.normal_form import form_blocks, form_data
+from ..printing.normal_form import form_blocks, form_data, window_blocks, window_data
 from ..printing.text import text
 from ..stability.report import Decision
+from ..stability.window_families import Window
 from .answers import Answer, answers_at, answers_data, normal_form_of
 from .arcs import arcs_at, arcs_blocks, arcs_data
 from .asked import asked_of
@@ -36,7 +37,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
     asked = asked_of(given, numbers)
     if given.normal_form:
         form = normal_form_of(asked, given.equilibrium, numbers, given.normal_form)
-        out(json_text(form_data(form)) if given.format == "json" else text(form_blocks(form), out.width))
+        if isinstance(form, Window):
+            data, blocks = window_data(form), window_blocks(form)
+        else:
+            data, blocks = form_data(form), form_blocks(form)
+        out(json_text(data) if given.format == "json" else text(blocks, out.width))
         return 0
     if arcs := arcs_at(asked, given.equilibrium, numbers):
         out(json_text(arcs_data(arcs)) if given.format == "json" else text(arcs_blocks(arcs), out.width))

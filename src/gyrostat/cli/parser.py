@@ -53,7 +53,8 @@ def parser() -> argparse.ArgumentParser:
     decide.add_argument("--momentum", metavar="M", help="of a free body: every permanent rotation with this "
                         "|M|; the same as --set M")
     decide.add_argument("--normal-form", type=int, choices=(4, 6), help="of the equilibrium that is "
-                        "named, in place of its verdict: Birkhoff's normal form of that degree")
+                        "named, in place of its verdict: Birkhoff's normal form of that degree; of degree "
+                        "4, where --set leaves names open, D4 in them and the conditions beside it")
     decide.add_argument("--batch", metavar="FILE",
                         help="an object of numbers in each line, - for standard input; "
                         "--set gives numbers for all lines")

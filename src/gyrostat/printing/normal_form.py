@@ -1,7 +1,12 @@
-"""A normal form, as sentences and displays, and as data."""
+"""A normal form, and D4 along a family, as sentences and displays, and as data."""
 from typing import Any
 
+from sympy import S
+
+from ..algebra.readable import readable
+from ..notation import symbol
 from ..stability.normal_form import NormalForm
+from ..stability.window_families import Window
 from .blocks import Block, Display, Word, sentence
 from .data import number_data
 from .ends import number
@@ -38,6 +43,30 @@ def form_data(form: NormalForm) -> dict[str, Any]:
             "coefficients": [{"powers": [m, n], "value": number_data(c)} for m, n, c in form.coefficients],
             "twists": {f"D{2 * degree}": number_data(D) for degree, D in enumerate(form.twists, 2)},
             "resonances": [list(pair) for pair in form.resonances]}
+
+
+def window_blocks(window: Window) -> list[Block]:
+    """Where gyroscopic forces hold a maximum, resonances, D4 and what has its sign."""
+    p, q, D4 = symbol("p"), symbol("q"), _named("D", "D", "4")
+    zeros = Word("λ⁴ + p λ² + q", r"\lambda^{4} + p \lambda^{2} + q")
+    positive = Word("p, q, p² − 4q > 0", r"p, q, p^{2} - 4 q > 0")
+    blocks: list[Block] = [
+        sentence("The eigenvalues are the zeros of ", zeros, ", with:"),
+        Display(p, readable(window.p), window.at), Display(q, readable(window.q), window.at),
+        sentence("Where ", positive, " and the second variation is of both signs, gyroscopic forces hold the "
+                 "equilibrium. It is stable there (Arnold) if no resonance 1:2 or 1:3 holds:")]
+    blocks += [Display(readable(margin), S.Zero, window.at, "≠") for _, _, margin in window.resonances]
+    blocks += [sentence("and ", D4, " ≠ 0, where:"), Display(D4, readable(window.D4), window.at)]
+    if window.margin.is_number and not window.zeros:
+        blocks.append(sentence(D4, f" is {'positive' if window.margin > 0 else 'negative'} there."))
+    return blocks
+
+
+def window_data(window: Window) -> dict[str, Any]:
+    """Expressions as texts."""
+    return {"p": str(window.p), "q": str(window.q),
+            "resonances": [{"frequencies": [m, n], "zero_where": str(x)} for m, n, x in window.resonances],
+            "D4": str(window.D4), "margin": str(window.margin), "zero_where": [str(x) for x in window.zeros]}
 
 
 def _named(text: str, latex: str, index: str) -> Word:

@@ -26,13 +26,14 @@ from ..stability.permanent_rotations import PermanentRotation
 from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
 from ..stability.staude import StaudeCone
 from ..stability.staude_arcs import StaudeArc
+from ..stability.window_families import Window
 from .blocks import Block, Display, Word, equations, joined, sentence
 from .boundary import ladder, rung_display
 from .conditions import existence
 from .critical_points import amended_potential, critical_point, free_rotation, heavy_rotation
 from .drift import drift_displays
 from .ends import number, tidy
-from .normal_form import form_blocks
+from .normal_form import form_blocks, window_blocks
 from .staude import arc_blocks, cone_blocks, gyrostat_arc_blocks
 
 # operations under a root, more of which are given a name
@@ -210,7 +211,7 @@ def _reduction(motion: Reduction) -> list[Block]:
 _OF_TYPE: dict[type, Callable[[Any], list[Block]]] = {
     PermanentRotation: free_rotation, HeavyRotation: heavy_rotation, AmendedPotential: amended_potential,
     CriticalPoint: critical_point, NormalForm: form_blocks, StaudeCone: cone_blocks, StaudeArc: arc_blocks,
-    GyrostatArc: gyrostat_arc_blocks, Drift: drift_displays}
+    GyrostatArc: gyrostat_arc_blocks, Drift: drift_displays, Window: window_blocks}
 for _type, _blocks in _OF_TYPE.items():
     result_blocks.register(_type, _blocks)
 

@@ -9,10 +9,11 @@ both are silent the reduced motion decides (`boundary`, of a free body `sphere`)
 forces hold a maximum (`windows`), the normal form (`birkhoff`) of the energy on the orbit (`orbit_chart`, at
 numbers a `local_motion`), with its `resonances`, its D4 exactly by `averages`; `drift` says what holds of the
 point itself. What is `derived` a `report`, which `analysis` makes, asks in this order, at numbers that
-`values` checks and `notes` comments, and gives a `decision`, or a `normal_form`; a `rotation_report` in any
-direction. Every relative equilibrium is found by `relative_equilibria`: in U(k3) by `branches` as it is `asked`, each a `branch`, of a
-free body by `permanent_rotations` (`rotors_in_rpm`), of any other by `heavy_rotations`, each a
-`heavy_rotation`, on a level of C1 by `heavy_levels`, in any polynomial by `heavy_polynomials`, decided by the
+`values` checks and `notes` comments, and gives a `decision`, or a `normal_form`, with names left open D4 in
+them (`window_families`); a `rotation_report` in any direction. Every relative equilibrium is found by
+`relative_equilibria`: in U(k3) by `branches` as it is `asked`, each a `branch`, of a free body by
+`permanent_rotations` (`rotors_in_rpm`), of any other by `heavy_rotations`, each a `heavy_rotation`, on a
+level of C1 by `heavy_levels`, in any polynomial by `heavy_polynomials`, decided by the
 closed forms of `amended_form`; they are critical points of the `amended_potential`, and on arcs: Staude's
 cone (`staude`, `staude_arcs`), with a rotor the curves of `gyrostat_arcs` (`rate_curves`). Where they meet,
 `bifurcations` say in equations and `meetings` in numbers, each of one of the `kinds`; `critical`, `pieces`,

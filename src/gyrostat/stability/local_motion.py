@@ -1,7 +1,6 @@
 """The motion near an equilibrium of a body in a field, at exact numbers: two degrees of freedom."""
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import chain
 from math import factorial
 from typing import Any
 
@@ -58,18 +57,28 @@ class LocalMotion:
         """Of λ⁴ + p λ² + q."""
         return self.coefficients()[1]
 
+    @property
+    def entries(self) -> list[Expr]:
+        """Of the tensor and the vectors."""
+        return [*(x for row in self.inverse for x in row), *self.rotor, *self.k, *self.momentum]
+
+    @property
+    def names(self) -> set[Symbol]:
+        """What has no number."""
+        inside = {s for x in (*self.entries, *self.coefficients()) for s in x.free_symbols}
+        return inside | self.potential.free_symbols - set(DIRECTIONS)
+
     @cached_property
     def rational(self) -> bool:
         """Whether every number is, and U is a fraction of polynomials with rational coefficients."""
-        numbers = [*(x for row in self.inverse for x in row), *self.rotor, *self.k, *self.momentum]
         nodes = list(preorder_traversal(self.potential))
-        return (all(isinstance(x, Rational) for x in numbers)
+        return (all(isinstance(x, Rational) for x in self.entries)
                 and all(isinstance(x, Rational | Symbol | Add | Mul | Pow) for x in nodes)
                 and all(x.exp.is_Integer for x in nodes if isinstance(x, Pow)))
 
     def energy(self, degree: int, number: Number) -> list[Part]:
         """h on the orbit in canonical coordinates, homogeneous parts up to a degree, in a ring of numbers."""
-        upright = min(range(3), key=lambda n: abs(float(ball(self.k[n], 64).mid())))
+        upright = min(range(3), key=lambda n: _along(self.k[n]))
 
         def potential(places: Sequence[Series]) -> Series:
             return composed(self.potential, dict(zip(DIRECTIONS, places)), number)
@@ -97,6 +106,11 @@ class LocalMotion:
         return parts, modes(A, p, (acb(0, squares[0].sqrt()), acb(0, squares[1].sqrt()))).oriented()
 
 
+def _along(x: Expr) -> float:
+    """How far along an axis a component of k is, the most where it has no number."""
+    return 1.0 if x.free_symbols else abs(float(ball(x, 64).mid()))
+
+
 def fraction(x: Expr) -> fmpq:
     """A rational number in the ring of fractions."""
     return fmpq(int(x.p), int(x.q))
@@ -107,18 +121,21 @@ def local_motion(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -
 
     Where U is unspecified, of its derivatives up to a degree too.
     """
+    motion = motion_along(eq, numbers, degree)
+    return sorted(s.name for s in motion.names) or motion
+
+
+def motion_along(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -> LocalMotion:
+    """The same where names may be without a number."""
     potential = eq.system.potential
     assert potential is not None
     known = Point({**numbers, **{name: evaluate(eq.insert(value), numbers) for name, value in eq.relations
                                  if not jet(name.name)}})
     slopes = {} if potential.given else _slopes(eq, degree)
     data = data_of(eq)
-    names = {s for e in (*chain(*data), *slopes.values()) for s in e.free_symbols} | set(potential.parameters)
-    if missing := sorted(s.name for s in names - known.keys()):
-        return missing
     inverse, l, pi, k, (p, q) = ([evaluate(x, known) for x in part] for part in data)
     if potential.given:
-        U = potential.expression.xreplace({s: known[s] for s in potential.parameters})
+        U = potential.expression.xreplace({s: known[s] for s in potential.parameters if s in known})
     else:
         U = Add(*(evaluate(slope, known) * Mul(*((x - x0) ** n / factorial(n)
                                                  for x, x0, n in zip(DIRECTIONS, k, orders)))

@@ -51,7 +51,7 @@ def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momen
     order = [(upright + 1) % 3, (upright + 2) % 3, upright]
     inverse = [[inverse[i][j] for j in order] for i in order]
     rotor, k, momentum = ([vector[i] for i in order] for vector in (rotor, k, momentum))
-    one = type(k[2])(1)
+    one = k[2]**0
     square = one - k[2] ** 2                           # s² at the point
     wide, narrow = _roots(k[2], square, degree)
     d, z = variable(D, degree, momentum[2]), variable(Z, degree, k[2])
@@ -75,7 +75,7 @@ def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momen
 
 def _roots(z: Any, square: Any, degree: int) -> tuple[list[Any], list[Any]]:
     """√((1 − (z + x)²)/(1 − z²)) in powers of x, and its inverse."""
-    one = type(z)(1)
+    one = z**0
     under = [one, -2 * z / square, -one / square, *[0 * one] * degree]
     root, inverse = [one], [one]
     for n in range(1, degree + 1):

@@ -21,6 +21,7 @@ from .normal_form import NormalForm, normal_form
 from .notes import scene_note
 from .truth import holds
 from .values import exact_values
+from .window_families import Window, window_of
 
 
 @dataclass(frozen=True, repr=False)
@@ -125,6 +126,41 @@ class Report(Derived):
         """
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
         return normal_form(self.equilibrium, numbers, degree)
+
+    def window(self, values: Mapping[str, Any] | None = None) -> Window:
+        """D4 as the rational function of the names that have no number, and the conditions beside it.
+
+        Parameters
+        ----------
+        values : mapping of name to number
+            rational, any of the names of a verdict
+
+        Returns
+        -------
+        Window
+
+        Raises
+        ------
+        ValuesError
+            a name is unknown, or a number is not admissible
+        ScopeError
+            a free body; a field, a point or a number that is not rational; too many names
+
+        References
+        ----------
+        Arnold, Sov. Math. Dokl. 2 (1961) 247-249; averages gives the formula.
+
+        Examples
+        --------
+        >>> import gyrostat as gs
+        >>> scene = gs.assemble(gs.Gyrostat((5, 4, 3), (0, 0, 0)), gs.uniform_field())
+        >>> report = gs.analyze(gs.upright(scene))
+        >>> report.window({"m0": 1}).q
+        (pi3_0**2 + 9)*(2*pi3_0**2 + 9)/1620
+        >>> report.window({"m0": 1, "pi3_0": 9}).D4 == report.normal_form({"m0": 1, "pi3_0": 9}).twists[0]
+        True
+        """
+        return window_of(self.equilibrium, exact_values(self.equilibrium, values or {}, (), self.parameters))
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
         """The decision on the point itself, where verdict speaks of it modulo a flow.

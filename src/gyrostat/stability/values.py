@@ -118,6 +118,8 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
     doubt = ""
     for expression in eq.existence():
         value = evaluate(expression, numbers)
+        if value.free_symbols:
+            continue
         if (sign := sign_of_constant(value)) is None and ball(value, 64).is_finite():
             doubt = (f"whether {eq.label} exists there is not proved: {expression} is {shown(value)}, and "
                      "has to be positive")
@@ -154,7 +156,9 @@ def _on_family(eq: Equilibrium, numbers: Point) -> str:
     """
     doubt = _unit_vector(eq, numbers) if in_any_direction(eq) else ""
     for residual in eq.constraints:
-        sign = sign_of_constant(value := evaluate(residual, numbers))
+        if (value := evaluate(residual, numbers)).free_symbols:
+            continue
+        sign = sign_of_constant(value)
         if sign is None and ball(value, 64).is_finite():
             doubt = (f"whether the point is on {eq.label} is not proved: {residual} is {shown(value)}, and "
                      "has to be 0")
