@@ -2,8 +2,9 @@
 
 All other parameters are numbers; the verdict is proved between the cuts and at them.
 """
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from sympy import Expr, Mul, Symbol, oo
 
@@ -12,9 +13,10 @@ from ..algebra.exact import Point, evaluate, is_identically_zero, proved_sign, s
 from ..algebra.polynomials import Ring
 from ..algebra.roots import between, real_roots
 from ..errors import ScopeError
-from .decision import Verdict
+from .decision import Decision, Verdict
 from .report import Report
 from .sets import EXCLUDED, INCLUDED, Interval
+from .window_families import window_of
 
 # an open interval or a point, and whether it is stable there; None: not proved
 Cell = tuple[Expr, Expr, bool | None]
@@ -37,11 +39,49 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     ends = real_roots(Mul(*polynomials), x, low, high) or []
     bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]
     cells: list[Cell] = []
+    inside: list[Expr] | None = None                       # where a window may end or be resonant, or D4 is 0
     for n, (a, b) in enumerate(zip(bounds, bounds[1:])):
         if n:
             cells.append((a, a, stable_at(report, x, a, numbers)))
-        cells.append((a, b, stable_at(report, x, between(a, b), numbers, everywhere=True)))
+        decision = _decision(report, x, between(a, b), numbers)
+        if decision is None or not decision.pointwise:
+            cells.append((a, b, _stable(decision)))
+            continue
+        if inside is None:
+            inside = _in_window(report, x, numbers, low, high)
+        cells += _window(report, x, numbers, [a, *(c for c in inside if _lies(c, a, b)), b]) if inside else [
+            (a, b, None)]
     return cells
+
+
+def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
+               high: Expr | None) -> list[Expr] | None:
+    """Between these values Arnold's condition holds everywhere in a window, or nowhere.
+
+    None where that is not known: D4 is no rational function of x, or 0, or a resonance holds, whatever x is.
+    """
+    try:
+        window = window_of(report.equilibrium, numbers)
+    except ScopeError:
+        return None
+    margins = [window.p, window.q, window.p**2 - 4 * window.q, window.D4]
+    margins += [resonance for _, _, resonance in window.resonances]
+    if any(e.free_symbols - {x} or e == 0 for e in margins):
+        return None
+    polynomials = [f for e in margins if x in e.free_symbols for f in _numerators(e, x)]
+    return real_roots(Mul(*polynomials), x, low, high)
+
+
+def _window(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr]) -> Iterator[Cell]:
+    """Between the bounds, all that is at one point; at them each by itself."""
+    for n, (a, b) in enumerate(pairwise(bounds)):
+        if n:
+            yield a, a, stable_at(report, x, a, numbers)
+        yield a, b, stable_at(report, x, between(a, b), numbers)
+
+
+def _lies(x: Expr, low: Expr, high: Expr) -> bool:
+    return (low == -oo or proved_sign(x - low) == 1) and (high == oo or proved_sign(high - x) == 1)
 
 
 def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
@@ -57,22 +97,28 @@ def _degenerate(report: Report, numbers: Point) -> bool:
     return bool(is_identically_zero(determinant))
 
 
-def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point, everywhere: bool = False
-              ) -> bool | None:
-    """Whether the equilibrium exists at a value and is stable there; None where neither is proved.
+def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:
+    """Whether the equilibrium exists at a value and is stable there; None where neither is proved."""
+    return _stable(_decision(report, x, value, numbers))
 
-    Everywhere: between the cuts on both sides too, of which a normal form at the value says nothing.
-    """
+
+def _stable(decision: Decision | None) -> bool | None:
+    """What a decision says, None of which is that nothing exists."""
+    if decision is None:
+        return False
+    return None if decision.verdict is Verdict.UNDECIDED else decision.verdict is Verdict.STABLE
+
+
+def _decision(report: Report, x: Symbol, value: Expr, numbers: Point) -> Decision | None:
+    """The verdict at a value, None where the equilibrium does not exist."""
     at = Point({**numbers, x: value})
     values = [evaluate(e, at) for e in report.equilibrium.existence()]
     if any(not ball(value, 64).is_finite() or proved_sign(value) != 1 for value in values):
-        return False
+        return None
     decision = report.verdict({s.name: number for s, number in at.items()})
     if any(sign_of_constant(margin) is None for _, margin in decision.margins):
         raise ScopeError(f"at {x} = {value} nothing is proved: {decision.reason}")
-    if decision.verdict is Verdict.UNDECIDED or everywhere and decision.pointwise:
-        return None
-    return decision.verdict is Verdict.STABLE
+    return decision
 
 
 def joined(cells: Sequence[Cell], wanted: bool | None = True) -> tuple[Interval, ...]:

@@ -1,0 +1,94 @@
+"""Sets of one name where gyroscopic forces hold a maximum: stretches whole, resonances and D4 = 0 singly."""
+import random
+
+import pytest
+from sympy import Rational, S, oo
+from window_families import FAMILIES
+from window_scenes import windows
+
+import gyrostat as gs
+from gyrostat.algebra.numbers import exact_number
+from gyrostat.algebra.roots import between, in_order
+
+A = gs.symbol("a")
+
+
+def with_a_cubic(rotation, v):
+    """The rotation in its field and a (v·(x − k))³, which changes D4 alone."""
+    k = [exact_number(x) for x in rotation.k]
+
+    def U(*x):
+        field = sum(exact_number(c) * x[0]**i * x[1]**j * x[2]**n for (i, j, n), c in rotation.field.items())
+        return field + A * sum(y * (at - on) for y, at, on in zip(v, x, k))**3
+
+    scene = gs.assemble(gs.Gyrostat(rotation.tensor, tuple(rotation.rotor)), gs.general_potential(U))
+    pi = [m - l for m, l in zip(rotation.momentum, rotation.rotor)]
+    return gs.equilibrium(scene, (*pi, *rotation.k))
+
+
+def check(report, name, values=None):
+    """Inside every piece, between pieces, at every end, and elsewhere, the set is what a verdict says."""
+    values, lowest = values or {}, S.Zero if gs.symbol(name).is_positive else -oo
+    solution = gs.stabilizing_set(report, name, values)
+    ends = in_order(list({end for part in solution.parts for case in part.cases for i in case.intervals
+                          for end in (i.low, i.high)} - {lowest, oo}))
+    inside = [between(a, b) for a, b in zip([lowest, *ends], [*ends, oo])]
+    elsewhere = [Rational(n, 3) for n in (1, 4, 7, 11, 14, 20, 31)]
+    for at in (*inside, *ends, *elsewhere):
+        decision = report.verdict({**values, name: at})
+        known = None if decision.verdict is gs.Verdict.UNDECIDED else decision.verdict is gs.Verdict.STABLE
+        assert solution.contains({**values, name: at}) is known, (at, decision.reason)
+    return ends, solution
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("values, name", [
+    ({"I1": 5, "I2": 4, "I3": 3, "m0": 1, "l": 0}, "pi3_0"),
+    ({"I1": 5, "I2": 4, "I3": "9/2", "m0": 1, "l": 2}, "pi3_0"),
+    ({"I1": 5, "I2": 4, "I3": "9/2", "m0": 1, "pi3_0": 5}, "l"),
+    ({"I1": 3, "I2": 7, "I3": 5, "m0": -1, "l": 1}, "pi3_0"),
+    ({"I1": 5, "I2": 4, "pi3_0": 9, "m0": 1, "l": 1}, "I3")])
+def test_a_sleeping_body(values, name):
+    """Nothing is left open; at both ends of the window equal frequencies or q = 0 decide."""
+    report = gs.analyze(FAMILIES["E1 with a rotor"]())
+    _, solution = check(report, name, values)
+    assert {part.meaning for part in solution.parts} == {"stable"}
+
+
+def test_off_symmetry():
+    """At 1:2 and 1:3 inside the window it is unstable, at equal frequencies stable, where q = 0 unstable."""
+    report = gs.analyze(FAMILIES["off symmetry"]())
+    ends, solution = check(report, "a")
+    resonances = [e for _, _, e in report.window().resonances]
+    inside = [at for at in ends if any(abs(e.xreplace({A: at}).evalf(30)) < 1e-20 for e in resonances)]
+    assert len(inside) == 2 and len(solution.parts[0].cases[0].intervals) == 3
+    assert {report.verdict({"a": at}).verdict.name for at in inside} == {"UNSTABLE"}
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("seed", range(4))
+def test_where_D4_is_0(seed):
+    """D4 is of degree 2 in a; where it vanishes D6 decides, and all numbers are stable."""
+    rng = random.Random(seed)
+    while True:
+        rotation = next(windows(rng, True))
+        report = gs.analyze(with_a_cubic(rotation, [rng.randint(-3, 3) for _ in range(3)]))
+        zeros = report.window().D4.as_numer_denom()[0].as_poly(A)
+        if zeros.degree() == 2 and zeros.discriminant() > 0:
+            break
+    solution = gs.stabilizing_set(report, "a")
+    (interval,) = solution.parts[0].cases[0].intervals
+    assert (interval.low, interval.high) == (-oo, oo)
+    for at in zeros.all_roots():
+        decision = report.verdict({"a": at})
+        assert decision.verdict is gs.Verdict.STABLE and "D6" in decision.reason
+
+
+def test_irrational_numbers_leave_the_window_open():
+    """√2 for a moment: D4 is no rational function with rational coefficients, points are decided."""
+    report = gs.analyze(FAMILIES["E1"]())
+    values = {"I1": "3*sqrt(2)", "I2": 4, "I3": 3, "m0": 1}
+    solution = gs.stabilizing_set(report, "pi3_0", values)
+    assert [part.meaning for part in solution.parts] == ["stable", "undecided"]
+    assert solution.contains({**values, "pi3_0": 20}) is None
+    assert report.verdict({**values, "pi3_0": 20}).verdict is gs.Verdict.STABLE
