@@ -16,9 +16,10 @@ KNOWN = Registry().with_resources((f"{name}.json", Resource.from_contents(schema
 HEAVY = ("--potential", "m0*k3")
 TOP = (*HEAVY, "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0")
 WELLS = ("--potential", "k3**4 - k3**2/2")
-MAPS = {"margins", "relations", "values", "definitions"}  # their keys are names, not those of the document
-OPTIONAL = {"definitions", "drift", "decision", "itself", "k3", "omega", "sigma", "pi1", "pi2", "pi3",
-            "Delta", "frequency", "frequency_1", "frequency_2", "growth_rate"}
+# their keys are names, not those of the document
+MAPS = {"margins", "relations", "values", "definitions", "windows"}
+OPTIONAL = {"definitions", "windows", "drift", "decision", "itself", "k3", "omega", "sigma", "pi1", "pi2",
+            "pi3", "Delta", "frequency", "frequency_1", "frequency_2", "growth_rate"}
 
 DOCUMENTS = [
     ("report", "report", ()),
@@ -29,6 +30,7 @@ DOCUMENTS = [
     ("conditions", "conditions", ()),
     ("conditions", "conditions", ("--potential", "U(k1,k2,k3)", "--equilibrium", "permanent-rotation")),
     ("conditions", "conditions", ("--potential", "none")),
+    ("conditions", "conditions", (*HEAVY, "--inertia", "5,4,3", "--equilibrium", "E2", "--windows")),
     ("solution", "conditions", (*HEAVY, "--equilibrium", "E1", "--solve-for", "l")),
     ("solution", "conditions", (*HEAVY, "--solve-for", "omega")),
     ("decide", "decide", (*WELLS, "--set", "I1=2", "--set", "I3=1", "--set", "l=0", "--set", "omega=1/2")),

@@ -127,10 +127,25 @@ def test_the_command_line_prints_it_where_a_name_is_open(capsys):
     top = ("--inertia", "5,4,3", "--potential", "m0*k3", "--gyrostatic-momentum", "0,0,0",
            "--equilibrium", "E1", "--set", "m0=1", "--normal-form", "4")
     _, said, _ = run(capsys, *top, verb="decide")
-    assert "26 (π₃⁰)⁴ − 771 (π₃⁰)² − 396 ≠ 0" in said and "D₄ is positive there." in said
+    assert "26 (π₃⁰)⁴ − 771 (π₃⁰)² − 396 ≠ 0" in said and "and D₄ ≠ 0, positive there:" in said
     assert "/(960 ((π₃⁰)² + 9) (2 (π₃⁰)² + 9) (12 (π₃⁰)⁴ − 212 (π₃⁰)² + 3))" in said
     _, said, _ = run(capsys, *top, "--format", "json", verb="decide")
     data = json.loads(said)
     window = gs.analyze(FAMILIES["E1"]()).window({"I1": 5, "I2": 4, "I3": 3, "m0": 1})
     assert data["D4"] == str(window.D4) and data["resonances"][0]["frequencies"] == [1, 2]
     assert r"D_{4} = \frac{" in window._repr_latex_()
+
+
+def test_conditions_with_their_windows(capsys):
+    """N has the sign of D4 at E2, whose product is printed; a body of revolution has no window."""
+    body = ("--potential", "m0*k3", "--gyrostatic-momentum", "0,0,0", "--set", "m0=1", "--windows")
+    _, said, _ = run(capsys, "--inertia", "5,4,3", *body, verb="conditions")
+    assert "D₄ = N/(960 (9 − (π₃⁰)²) (9 − 2 (π₃⁰)²) (12 (π₃⁰)⁴ + 212 (π₃⁰)² + 3))" in said
+    assert "E2, between its two conditions" in said and "1442610 (π₃⁰)² − 10206" in said
+    _, said, _ = run(capsys, "--inertia", "5,4,3", *body, "--format", "json", verb="conditions")
+    data = json.loads(said)["windows"]
+    assert data.keys() == {"E1", "E2"} and data["E1"]["margin"] == "1"
+    _, said, _ = run(capsys, "--inertia", "5,4,3", *body, "--format", "latex", verb="conditions")
+    assert r"D_{4} = \frac{N}{960" in said
+    _, said, _ = run(capsys, "--inertia", "5,5,3", *body, verb="conditions")
+    assert "D₄" not in said

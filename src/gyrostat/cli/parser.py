@@ -44,6 +44,8 @@ def parser() -> argparse.ArgumentParser:
                             help="the values of one name, l, pi3_0, omega3_0, omega, m0, …, for which each "
                             "equilibrium exists and is stable; in closed form, or exact where --set gives "
                             "all other names")
+    conditions.add_argument("--windows", action="store_true", help="add what decides between the two "
+                            "conditions of an asymmetric body in a field: resonances and D4, as formulas")
     for option, body in (("--platform-damping", "platform"), ("--rotor-damping", "rotor")):
         conditions.add_argument(option, metavar="C", help=f"of a weak damper in the {body} of a --scene with "
                                 "one rotor, a number or a name: the energy-sink condition is added")

@@ -1,8 +1,9 @@
 """A normal form, and D4 along a family, as sentences and displays, and as data."""
 from typing import Any
 
-from sympy import S
+from sympy import Mul, S
 
+from ..algebra.polynomials import lowest_terms
 from ..algebra.readable import readable
 from ..notation import symbol
 from ..stability.normal_form import NormalForm
@@ -47,7 +48,7 @@ def form_data(form: NormalForm) -> dict[str, Any]:
 
 def window_blocks(window: Window) -> list[Block]:
     """Where gyroscopic forces hold a maximum, resonances, D4 and what has its sign."""
-    p, q, D4 = symbol("p"), symbol("q"), _named("D", "D", "4")
+    p, q, N, D4 = symbol("p"), symbol("q"), symbol("N"), _named("D", "D", "4")
     zeros = Word("λ⁴ + p λ² + q", r"\lambda^{4} + p \lambda^{2} + q")
     positive = Word("p, q, p² − 4q > 0", r"p, q, p^{2} - 4 q > 0")
     blocks: list[Block] = [
@@ -56,10 +57,12 @@ def window_blocks(window: Window) -> list[Block]:
         sentence("Where ", positive, " and the second variation is of both signs, gyroscopic forces hold the "
                  "equilibrium. It is stable there (Arnold) if no resonance 1:2 or 1:3 holds:")]
     blocks += [Display(readable(margin), S.Zero, window.at, "≠") for _, _, margin in window.resonances]
-    blocks += [sentence("and ", D4, " ≠ 0, where:"), Display(D4, readable(window.D4), window.at)]
-    if window.margin.is_number and not window.zeros:
-        blocks.append(sentence(D4, f" is {'positive' if window.margin > 0 else 'negative'} there."))
-    return blocks
+    if window.margin.is_number:
+        said = "" if window.zeros else f", {'positive' if window.margin > 0 else 'negative'} there"
+        return [*blocks, sentence("and ", D4, f" ≠ 0{said}:"), Display(D4, readable(window.D4), window.at)]
+    share = readable(lowest_terms(window.D4 / window.margin))
+    return [*blocks, sentence("and ", D4, " ≠ 0, which has the sign of ", N, " there:"),
+            Display(D4, Mul(share, N), window.at), Display(N, readable(window.margin), window.at)]
 
 
 def window_data(window: Window) -> dict[str, Any]:
