@@ -1,5 +1,6 @@
 """Sets of one name where gyroscopic forces hold a maximum: stretches whole, resonances and D4 = 0 singly."""
 import random
+from itertools import pairwise
 
 import pytest
 from sympy import Rational, S, oo
@@ -92,3 +93,33 @@ def test_irrational_numbers_leave_the_window_open():
     assert [part.meaning for part in solution.parts] == ["stable", "undecided"]
     assert solution.contains({**values, "pi3_0": 20}) is None
     assert report.verdict({**values, "pi3_0": 20}).verdict is gs.Verdict.STABLE
+
+
+ARCS = [((3, 5, 4), (0, 2, 2)), ((1, 2, 3), (1, Rational(1, 2), 0)), ((1, 2, 3), (1, 1, 1)),
+        ((2, 3, 4), (Rational(3, 7), Rational(-5, 4), Rational(11, 9)))]
+
+
+def twist(rotation):
+    return float(rotation.decision.reason.split("D4 = ")[1].split(",")[0])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("inertia, c", ARCS)
+def test_the_arcs_of_staudes_cone(inertia, c):
+    """A held piece is stable wherever it is asked; it ends where a resonance holds or D4 changes its sign."""
+    U = gs.general_potential(lambda *k: sum(x * y for x, y in zip(c, k)))
+    found = 0
+    for arc in gs.staude_cone(gs.assemble(gs.Gyrostat(inertia, (0, 0, 0)), U)).arcs({}):
+        assert all(piece.decision.verdict is not gs.Verdict.UNDECIDED for piece in arc.pieces)
+        held = [piece for piece in arc.pieces if "D4 is not 0" in piece.decision.reason]
+        for piece in held:
+            decision = arc.rotation(between(piece.low, between(piece.low, piece.high))).decision
+            assert (decision.verdict, decision.notion) == (gs.Verdict.STABLE, piece.decision.notion)
+        for one, two in pairwise(held):
+            if one.high == two.low:
+                found += 1
+                sides = [arc.rotation(between(piece.low, piece.high)) for piece in (one, two)]
+                ratios = [side.frequencies[1] / side.frequencies[0] for side in sides]
+                resonant = any((ratios[0] - m) * (ratios[1] - m) < 0 for m in (2, 3))
+                assert resonant or twist(sides[0]) * twist(sides[1]) < 0
+    assert found

@@ -48,6 +48,9 @@ class RationalFunction:
     def __sub__(self, other: Any) -> "RationalFunction":
         return self + -1 * other
 
+    def __rsub__(self, other: Any) -> "RationalFunction":
+        return -self + other
+
     def __mul__(self, other: Any) -> "RationalFunction":
         if not isinstance(other, RationalFunction):
             return RationalFunction(self.top * other, self.bottom)

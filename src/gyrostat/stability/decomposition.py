@@ -16,7 +16,7 @@ from ..errors import ScopeError
 from .decision import Decision, Verdict
 from .report import Report
 from .sets import EXCLUDED, INCLUDED, Interval
-from .window_families import window_of
+from .window_families import cuts_in_windows, motion_in_field
 
 # an open interval or a point, and whether it is stable there; None: not proved
 Cell = tuple[Expr, Expr, bool | None]
@@ -56,20 +56,12 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
 
 def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
                high: Expr | None) -> list[Expr] | None:
-    """Between these values Arnold's condition holds everywhere in a window, or nowhere.
-
-    None where that is not known: D4 is no rational function of x, or 0, or a resonance holds, whatever x is.
-    """
+    """Between these values Arnold's condition holds everywhere in a window, or nowhere; None: not known."""
     try:
-        window = window_of(report.equilibrium, numbers)
+        motion = motion_in_field(report.equilibrium, numbers)
     except ScopeError:
         return None
-    margins = [window.p, window.q, window.p**2 - 4 * window.q, window.D4]
-    margins += [resonance for _, _, resonance in window.resonances]
-    if any(e.free_symbols - {x} or e == 0 for e in margins):
-        return None
-    polynomials = [f for e in margins if x in e.free_symbols for f in _numerators(e, x)]
-    return real_roots(Mul(*polynomials), x, low, high)
+    return cuts_in_windows(motion, x, low, high)
 
 
 def _window(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr]) -> Iterator[Cell]:

@@ -5,7 +5,7 @@ from math import factorial
 from typing import Any
 
 from flint import acb, fmpq
-from sympy import Add, Expr, Mul, Pow, Rational, Symbol, preorder_traversal
+from sympy import Add, Expr, Mul, Pow, Rational, S, Symbol, preorder_traversal
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, evaluate
@@ -38,6 +38,8 @@ class LocalMotion:
         U in k1, k2, k3; where only its derivatives are given, the polynomial of them
     coefficients : callable
         gives p and q of λ⁴ + p λ² + q [1/T², 1/T⁴], asked where balls do not decide
+    square_of_k : Expr
+        abs(k)², not 1 where M, k and h are of another scale
     """
 
     inverse: tuple[tuple[Expr, ...], ...]
@@ -46,6 +48,7 @@ class LocalMotion:
     momentum: tuple[Expr, ...]
     potential: Expr
     coefficients: Callable[[], tuple[Expr, Expr]]
+    square_of_k: Expr = S.One
 
     @cached_property
     def p(self) -> Expr:
@@ -85,7 +88,8 @@ class LocalMotion:
 
         inverse = [[number(x) for x in row] for row in self.inverse]
         rotor, k, momentum = ([number(x) for x in vector] for vector in (self.rotor, self.k, self.momentum))
-        return energy_on_orbit(inverse, rotor, k, momentum, potential, upright, degree)
+        return energy_on_orbit(inverse, rotor, k, momentum, potential, upright, degree,
+                               number(self.square_of_k))
 
     @cached_property
     def first(self) -> tuple[list[Part], Modes]:

@@ -10,11 +10,12 @@ A, D, Z, B = range(4)                                  # the canonical coordinat
 
 
 def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momentum: Sequence[Any],
-                    potential: Callable[[Sequence[Series]], Series], upright: int, degree: int) -> list[Part]:
-    """Homogeneous parts of h in (a, d, z, b) about a point, where M·k and abs(k) = 1 are fixed.
+                    potential: Callable[[Sequence[Series]], Series], upright: int, degree: int,
+                    square_of_k: Any = 1) -> list[Part]:
+    """Homogeneous parts of h in (a, d, z, b) about a point, where M·k and abs(k) are fixed.
 
     In axes that are relabelled, k = (s sin a, s cos a, z), M = (e sin a − s b cos a, e cos a + s b sin a, d),
-    s² = 1 − z², e = (C1 − d z)/s; about the point all coefficients are rational in its data.
+    s² = abs(k)² − z², e = (C1 − d z)/s; about the point all coefficients are rational in its data.
 
     Parameters
     ----------
@@ -27,6 +28,8 @@ def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momen
     upright : int
         the axis that is the third one, along which k is not
     degree : int
+    square_of_k : number
+        abs(k)²
 
     Returns
     -------
@@ -52,7 +55,7 @@ def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momen
     inverse = [[inverse[i][j] for j in order] for i in order]
     rotor, k, momentum = ([vector[i] for i in order] for vector in (rotor, k, momentum))
     one = k[2]**0
-    square = one - k[2] ** 2                           # s² at the point
+    square = square_of_k - k[2] ** 2                   # s² at the point
     wide, narrow = _roots(k[2], square, degree)
     d, z = variable(D, degree, momentum[2]), variable(Z, degree, k[2])
     b = variable(B, degree, (momentum[1] * k[0] - momentum[0] * k[1]) / square)
@@ -74,7 +77,7 @@ def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momen
 
 
 def _roots(z: Any, square: Any, degree: int) -> tuple[list[Any], list[Any]]:
-    """√((1 − (z + x)²)/(1 − z²)) in powers of x, and its inverse."""
+    """√((c − (z + x)²)/(c − z²)) in powers of x, and its inverse; c − z² is the square."""
     one = z**0
     under = [one, -2 * z / square, -one / square, *[0 * one] * degree]
     root, inverse = [one], [one]

@@ -1,6 +1,7 @@
 """The admissible arcs of Staude's cone, where omega² is positive, and the verdicts along them."""
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -13,9 +14,11 @@ from ..mechanics.system import System
 from ..notation import Stored, symbol
 from ..shown import Shown
 from .amended_form import amended_form
-from .decision import Decision
+from .decision import Decision, Verdict
 from .heavy_rotation import HeavyRotation
-from .windows import along_stretch
+from .local_motion import LocalMotion
+from .window_families import cuts_in_windows
+from .windows import HELD, TWISTED
 
 TAU, RHO = symbol("tau"), symbol("rho")
 
@@ -119,7 +122,7 @@ class StaudeArc(Shown, Stored):
     @cached_property
     def boundaries(self) -> tuple[Expr, ...]:
         """Where the verdict changes, exact: the amended potential or the spectrum does."""
-        return tuple(piece.low for piece in self.pieces[1:])
+        return tuple(two.low for one, two in pairwise(self.pieces) if one.decision != two.decision)
 
     @property
     def _within(self) -> tuple[Expr | None, ...]:
@@ -129,6 +132,8 @@ class StaudeArc(Shown, Stored):
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:
         """The parts of one verdict each, in the order of the parameter; but for single points inside them.
+
+        What gyroscopic forces hold is parted at resonances and where D4 is 0; of these points a verdict says.
 
         The margins k·adj(K)k, p and p² − 4q are powers of omega times rational functions of the parameter:
         their zeros are all that there are.
@@ -141,11 +146,26 @@ class StaudeArc(Shown, Stored):
         found = {root for margin in margins for root in real_roots(margin, x, *self._within) or ()}
         pieces: list[Piece] = []
         for low, high in pairwise([self.low, *in_order(list(found)), self.high]):
-            decision = along_stretch(self.rotation(between(low, high)).decision)
+            decision = self.rotation(between(low, high)).decision
+            if decision.pointwise:
+                pieces += self._held(low, high)
+                continue
             if pieces and pieces[-1].decision == decision:
                 low = pieces.pop().low
             pieces.append(Piece(low, high, decision))
         return tuple(pieces)
+
+    def _held(self, low: Expr, high: Expr) -> Iterator[Piece]:
+        """The parts of a stretch that gyroscopic forces hold, between resonances and where D4 is 0."""
+        cuts = _cuts(self.scene, self.n, self.parameter)
+        if cuts is None:
+            yield Piece(low, high, HELD)
+            return
+        inside = [x for x in cuts if (low == -oo or proved_sign(x - low) == 1)
+                  and (high == oo or proved_sign(high - x) == 1)]
+        for a, b in pairwise([low, *inside, high]):
+            stable = self.rotation(between(a, b)).decision.verdict is Verdict.STABLE
+            yield Piece(a, b, TWISTED if stable else HELD)
 
 
 def staude_arcs(scene: System, c: Sequence[Expr]) -> Iterator[StaudeArc]:
@@ -165,3 +185,17 @@ def staude_arcs(scene: System, c: Sequence[Expr]) -> Iterator[StaudeArc]:
 
 def _squared(v: Sequence[Expr]) -> Expr:
     return Add(*(x**2 for x in v))
+
+
+@lru_cache(maxsize=4)
+def _cuts(scene: System, n: tuple[Expr, ...], x: Symbol) -> list[Expr] | None:
+    """Where D4 or the margin of a resonance vanishes, in order, if the numbers are rational.
+
+    With k and M times n/k, which is abs(n), and its square root, h is rational in the parameter.
+    """
+    U = scene.potential
+    assert U is not None
+    M = tuple(m * y for m, y in zip(scene.body.moments, n))
+    motion = LocalMotion(tuple(map(tuple, scene.body.inverse.tolist())), (S.Zero,) * 3, n, M, U.expression,
+                         lambda: (S.Zero, S.Zero), _squared(n))
+    return cuts_in_windows(motion, x, None, None)

@@ -1,20 +1,21 @@
 """What decides where gyroscopic forces hold a maximum, along a family: D4 as a rational function."""
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
+from typing import NamedTuple
 
-from flint import fmpq_mpoly
-from sympy import Expr, Mul, Pow, S, Symbol
+from sympy import Expr, Mul, Pow, Symbol
 
 from ..algebra.exact import evaluate
 from ..algebra.margins import Signs
-from ..algebra.polynomials import Ring, cancel, lcm
+from ..algebra.polynomials import Ring, lcm
 from ..algebra.rational_functions import RationalFunction
+from ..algebra.roots import real_roots
 from ..errors import ScopeError
 from ..mechanics.equilibria import Equilibrium
 from ..notation import Stored
 from ..shown import Shown
-from .averages import Averages, averages
+from .averages import averages
 from .local_motion import LocalMotion, motion_along
 from .values import refuse_any_direction
 from .windows import resonance_margin
@@ -63,8 +64,42 @@ class Window(Shown, Stored):
     at: Expr
 
 
+class _Held(NamedTuple):
+    """p, q and D4 of a motion, in a ring of its names."""
+
+    ring: Ring
+    p: RationalFunction
+    q: RationalFunction
+    D4: RationalFunction
+
+    @property
+    def discriminant(self) -> RationalFunction:
+        """p² − 4q."""
+        return self.p**2 - 4 * self.q
+
+    @property
+    def resonances(self) -> list[tuple[int, int, RationalFunction]]:
+        """m, n and what is 0 where the frequencies are as m to n."""
+        return [(m, n, resonance_margin(self.p, self.q, m, n)) for m, n in ((1, 2), (1, 3))]
+
+
 def window_of(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Window:
     """As Report.window."""
+    domain = [evaluate(e, numbers) for e in eq.existence()]
+    held = _held(eq.label, motion_in_field(eq, numbers), domain)
+    ring, (p, q, D4) = held.ring, held[1:]
+    signs = Signs(ring, [*domain, *(_factored(ring, x) for x in (p, q, held.discriminant))])
+    resonances = []
+    for m, n, at in held.resonances:
+        odd, squares = signs.split(at.top, ring.one)
+        resonances.append((m, n, ring.expression(prod(squares, start=odd))))
+    margin, even = signs.split(D4.top, D4.bottom)
+    return Window(_factored(ring, p), _factored(ring, q), tuple(resonances), _factored(ring, D4),
+                  ring.expression(margin), tuple(map(ring.expression, even)), eq.at)
+
+
+def motion_in_field(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> LocalMotion:
+    """The motion near an equilibrium whose D4 may be a rational function of what has no number."""
     potential = eq.system.potential
     if potential is None:
         raise ScopeError(f"{eq.label} is of a free body, which has one degree of freedom: its verdict needs "
@@ -73,51 +108,51 @@ def window_of(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Window:
     motion = motion_along(eq, numbers, DEGREE)
     if not potential.given and any(x.free_symbols for x in motion.k):
         raise ScopeError(f"{eq.label}: U is unspecified, and k is not a point: give U for D4")
-    domain = [evaluate(e, numbers) for e in eq.existence()]
+    return motion
+
+
+def cuts_in_windows(motion: LocalMotion, x: Symbol, low: Expr | None, high: Expr | None) -> list[Expr] | None:
+    """Values of the only name between which Arnold's condition holds in a window everywhere, or nowhere.
+
+    None where they are not known: D4 is no rational function of it, or is 0, or a resonance holds, always.
+    """
+    try:
+        held = _held("", motion, ())
+    except ScopeError:
+        return None
+    margins = [held.p, held.q, held.discriminant, held.D4, *(at for _, _, at in held.resonances)]
+    if motion.names != {x} or any(value == 0 for value in margins):
+        return None
+    polynomials = [part for value in margins for part in (value.top, value.bottom) if not part.is_constant()]
+    return real_roots(Mul(*map(held.ring.expression, polynomials)), x, low, high)
+
+
+def _held(label: str, motion: LocalMotion, domain: Sequence[Expr]) -> _Held:
+    """By the averages of a multiple of the energy that is polynomial."""
     ring = Ring([*motion.entries, motion.potential, *domain])
     if not all(isinstance(g, Symbol) for g in ring.generators):
-        raise ScopeError(f"{eq.label}: D4 is a rational function where numbers are rational and U and the "
+        raise ScopeError(f"{label}: D4 is a rational function where numbers are rational and U and the "
                          "point are fractions of polynomials; give other numbers, or all for a verdict")
-    found, scale = _scaled(eq, motion, ring)
-    p, q, discriminant = found.p, found.q, found.p**2 - 4 * found.q
-    for value, what in ((q, "q"), (discriminant, "p² − 4q"), (found.bottom, "4p² − 25q")):
-        if not value:
-            raise ScopeError(f"{eq.label}: {what} of λ⁴ + p λ² + q is 0 whatever the names are, and there is "
-                             "no D4")
-    # of degree 1 in the energy at given actions, which are frequencies
-    top, bottom = cancel(found.top, found.bottom * scale**3)
-    signs = Signs(ring, [*domain, *map(ring.expression, (p, q, discriminant))])
-    margin, even = signs.split(top, bottom)
-    resonances = []
-    for m, n in ((1, 2), (1, 3)):
-        odd, squares = signs.split(resonance_margin(p, q, m, n), ring.one)
-        resonances.append((m, n, ring.expression(prod(squares, start=odd))))
-    return Window(_factored(ring, *cancel(p, scale**2)), _factored(ring, *cancel(q, scale**4)),
-                  tuple(resonances), _factored(ring, top, bottom), ring.expression(margin),
-                  tuple(map(ring.expression, even)), eq.at)
-
-
-def _scaled(eq: Equilibrium, motion: LocalMotion, ring: Ring) -> tuple[Averages, fmpq_mpoly]:
-    """Averages of a multiple of the energy that is polynomial, and the multiple."""
-    def number(x: Expr) -> RationalFunction:
-        return RationalFunction(*ring.fraction(x))
-
-    parts = motion.energy(DEGREE, number)
+    parts = motion.energy(DEGREE, lambda x: RationalFunction(*ring.fraction(x)))
     if parts[3] and len(motion.names) > MOST:
-        raise ScopeError(f"{eq.label}: D4 in {', '.join(sorted(s.name for s in motion.names))} is too long: "
+        raise ScopeError(f"{label}: D4 in {', '.join(sorted(s.name for s in motion.names))} is too long: "
                          f"give numbers for all but {MOST} of them")
     scale = ring.one
     for part in parts[2:]:
         for x in part.values():
             scale = lcm(scale, x.bottom)
-    whole = [{code: x.top * (scale / x.bottom) for code, x in part.items()} for part in parts]
-    return averages(whole), scale
+    whole = [{code: x.top * (scale / x.bottom) for code, x in part.items()} for part in parts[2:]]
+    p, q, top, bottom = averages([{}, {}, *whole])
+    for value, what in ((q, "q"), (p**2 - 4 * q, "p² − 4q"), (bottom, "4p² − 25q")):
+        if not value:
+            raise ScopeError(f"{label}: {what} of λ⁴ + p λ² + q is 0 whatever the names are: there is no D4")
+    # D4 is of degree 1 in the energy and of degree 2 in the actions, which are frequencies
+    return _Held(ring, *(RationalFunction(value, scale**n * below) for value, n, below in (
+        (p, 2, ring.one), (q, 4, ring.one), (top, 3, bottom))))
 
 
-def _factored(ring: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
-    """A fraction in lowest terms as a quotient of products."""
-    if not top:
-        return S.Zero
-    (above, tops), (below, bottoms) = top.factor(), bottom.factor()
+def _factored(ring: Ring, x: RationalFunction) -> Expr:
+    """As a quotient of products."""
+    (above, tops), (below, bottoms) = x.top.factor(), x.bottom.factor()
     powers = [(f, int(n)) for f, n in tops] + [(f, -int(n)) for f, n in bottoms]
     return Mul(ring.constant(above / below), *(Pow(ring.expression(f), n) for f, n in powers))

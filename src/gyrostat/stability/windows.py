@@ -25,6 +25,8 @@ from .resonances import (
 NOTION = "Lyapunov (Arnold-Moser)"
 HELD = Decision(Verdict.UNDECIDED, "", (), "the amended potential has a maximum, held by gyroscopic forces: "
                 "normal forms decide its points", ())
+TWISTED = Decision(Verdict.STABLE, NOTION, (), "the amended potential has a maximum, held by gyroscopic "
+                   "forces; D4 is not 0, no resonance to order 4 (Arnold)", ())
 LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Finding]] = {
     (1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3): fourth_order_resonance}
 
