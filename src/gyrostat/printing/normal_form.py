@@ -1,7 +1,7 @@
 """A normal form, and D4 along a family, as sentences and displays, and as data."""
 from typing import Any
 
-from sympy import Mul, S
+from sympy import Mul, Pow, S
 
 from ..algebra.polynomials import lowest_terms
 from ..algebra.readable import readable
@@ -48,7 +48,7 @@ def form_data(form: NormalForm) -> dict[str, Any]:
 
 def window_blocks(window: Window) -> list[Block]:
     """Where gyroscopic forces hold a maximum, resonances, D4 and what has its sign."""
-    p, q, N, D4 = symbol("p"), symbol("q"), symbol("N"), _named("D", "D", "4")
+    p, q, N, P, D4 = *map(symbol, ("p", "q", "N", "P")), _named("D", "D", "4")
     zeros = Word("λ⁴ + p λ² + q", r"\lambda^{4} + p \lambda^{2} + q")
     positive = Word("p, q, p² − 4q > 0", r"p, q, p^{2} - 4 q > 0")
     blocks: list[Block] = [
@@ -60,9 +60,10 @@ def window_blocks(window: Window) -> list[Block]:
     if window.margin.is_number:
         said = "" if window.zeros else f", {'positive' if window.margin > 0 else 'negative'} there"
         return [*blocks, sentence("and ", D4, f" ≠ 0{said}:"), Display(D4, readable(window.D4), window.at)]
-    share = readable(lowest_terms(window.D4 / window.margin))
+    top, bottom = lowest_terms(window.D4 / window.margin).as_numer_denom()
     return [*blocks, sentence("and ", D4, " ≠ 0, which has the sign of ", N, " there:"),
-            Display(D4, Mul(share, N), window.at), Display(N, readable(window.margin), window.at)]
+            Display(D4, Mul(readable(top), N, Pow(P, -1)), window.at),
+            Display(N, readable(window.margin), window.at), Display(P, readable(bottom), window.at)]
 
 
 def window_data(window: Window) -> dict[str, Any]:
