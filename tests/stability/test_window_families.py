@@ -147,5 +147,6 @@ def test_conditions_with_their_windows(capsys):
     assert data.keys() == {"E1", "E2"} and data["E1"]["margin"] == "1"
     _, said, _ = run(capsys, "--inertia", "5,4,3", *body, "--format", "latex", verb="conditions")
     assert r"D_{4} = \frac{N}{P}" in said
+    assert "D₄ = N/P" in str(gs.analyze(FAMILIES["E1"]()).window())
     _, said, _ = run(capsys, "--inertia", "5,5,3", *body, verb="conditions")
     assert "D₄" not in said

@@ -61,6 +61,8 @@ def window_blocks(window: Window) -> list[Block]:
         said = "" if window.zeros else f", {'positive' if window.margin > 0 else 'negative'} there"
         return [*blocks, sentence("and ", D4, f" ≠ 0{said}:"), Display(D4, readable(window.D4), window.at)]
     top, bottom = lowest_terms(window.D4 / window.margin).as_numer_denom()
+    if top.could_extract_minus_sign():
+        top, bottom = -top, -bottom
     return [*blocks, sentence("and ", D4, " ≠ 0, which has the sign of ", N, " there:"),
             Display(D4, Mul(readable(top), N, Pow(P, -1)), window.at),
             Display(N, readable(window.margin), window.at), Display(P, readable(bottom), window.at)]
