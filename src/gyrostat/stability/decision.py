@@ -66,6 +66,9 @@ class Decision(Shown, Stored):
     certificate : tuple of (integral, rational)
         F and α of Σ α F, where integrals that were given decide: the second variation of h + Σ α F is
         definite on the orbit
+    rung : str
+        what decided: "second variation", "spectrum", "integral", "resonance", "D4 > 0", "D4 < 0", "D6"; ""
+        where that is another, on the boundary, or nothing
 
     Examples
     --------
@@ -86,12 +89,13 @@ class Decision(Shown, Stored):
     names: tuple[str, ...] = ()
     pointwise: bool = False
     certificate: tuple[tuple[Expr, Expr], ...] = ()
+    rung: str = ""
 
 
 class Finding(NamedTuple):
     """Whether an equilibrium is stable, None if that is not proved; the notion, "" then; why; and where.
 
-    With the certificate of integrals.
+    With the certificate of integrals, and what decided.
     """
 
     stable: bool | None
@@ -99,11 +103,14 @@ class Finding(NamedTuple):
     why: str
     pointwise: bool = False
     certificate: tuple[tuple[Expr, Expr], ...] = ()
+    rung: str = ""
 
 
-def settled(stable: bool | None, why: str, notion: str = "Lyapunov", pointwise: bool = False) -> Finding:
+def settled(stable: bool | None, why: str, notion: str = "Lyapunov", pointwise: bool = False,
+            rung: str = "") -> Finding:
     """What is proved, of a notion."""
-    return Finding(stable, "" if stable is None else notion, why, pointwise)
+    return Finding(stable, "" if stable is None else notion, why, pointwise, (),
+                   "" if stable is None else rung)
 
 
 class Decider(Protocol):

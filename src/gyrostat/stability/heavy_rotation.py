@@ -27,11 +27,12 @@ from .windows import decide_window
 
 PRECISION = 128                                            # bits that decide
 DIGITS = 80                                                # of frequencies, half of which may cancel
-LEAST = Decision(Verdict.STABLE, "Lyapunov", (), "the amended potential has a minimum", ())
+LEAST = Decision(Verdict.STABLE, "Lyapunov", (), "the amended potential has a minimum", (),
+                 rung="second variation")
 SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a saddle: an eigenvalue has a "
-                  "positive real part", ())
+                  "positive real part", (), rung="spectrum")
 LEAVES = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a maximum, and the gyroscopic "
-                  "forces do not hold it: an eigenvalue has a positive real part", ())
+                  "forces do not hold it: an eigenvalue has a positive real part", (), rung="spectrum")
 
 
 class Data(NamedTuple):
@@ -114,7 +115,8 @@ class HeavyRotation(Shown, Stored):
             return LEAVES
         if determinant == 1 and trace == -1 and p == discriminant == 1 and not self.scene.given_integrals:
             found = decide_window(self._motion)
-            return Decision(Verdict.of(found.stable), found.notion, (), found.why, (), pointwise=True)
+            return Decision(Verdict.of(found.stable), found.notion, (), found.why, (), pointwise=True,
+                            rung=found.rung)
         decision = Report(self.equilibrium).verdict({})
         return replace(decision, pointwise=decision.pointwise or bool(decision.certificate))
 

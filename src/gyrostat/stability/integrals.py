@@ -124,8 +124,8 @@ def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Find
                     for F, a in taken)
     notion = LEVEL if any(F in here.system.level_only for F, _ in taken) else "Lyapunov"
     return settled(True, f"the second variation of h{terms} is definite on the orbit, "
-                   + ", ".join(f"{names[F]} = {F}" for F, _ in taken), notion,
-                   True)._replace(certificate=tuple(taken))
+                   + ", ".join(f"{names[F]} = {F}" for F, _ in taken), notion, True,
+                   "integral")._replace(certificate=tuple(taken))
 
 
 def _at(eq: Equilibrium, known: Mapping[Symbol, Expr], numbers: Mapping[Symbol, Expr]) -> Equilibrium | None:

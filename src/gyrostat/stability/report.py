@@ -86,7 +86,7 @@ class Report(Derived):
         return Decision(Verdict.of(found.stable), found.notion, modulo, found.why, tuple(margins.items()),
                         scene_note(self.equilibrium.system, numbers), growing,
                         sources(self.equilibrium, margins, (self.sufficient, self.necessary)),
-                        found.pointwise, found.certificate)
+                        found.pointwise, found.certificate, found.rung)
 
     def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
         """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
@@ -211,7 +211,8 @@ class Report(Derived):
             return self._definite(numbers), modulo
         necessary = holds(self.necessary, numbers, margins)
         if necessary is False:
-            return settled(False, "an eigenvalue has a positive real part", "spectral"), modulo
+            return settled(False, "an eigenvalue has a positive real part", "spectral",
+                           rung="spectrum"), modulo
         if known := seen_at(self.equilibrium, numbers):
             standard = _kept(known.equilibrium)
             if missing := ", ".join(name for name in standard.required if symbol(name) not in numbers):
@@ -226,7 +227,8 @@ class Report(Derived):
 
     def _definite(self, numbers: Point) -> Finding:
         """Where the sufficient criterion holds: with the Casimirs, or with integrals that are given."""
-        found = settled(True, "the second variation is definite on the symplectic slice")
+        found = settled(True, "the second variation is definite on the symplectic slice",
+                        rung="second variation")
         if not self.equilibrium.system.given_integrals or holds(self.casimirs_only, numbers, {}):
             return found
         certified = decide_by_integrals(self.equilibrium, numbers)

@@ -82,11 +82,13 @@ class RotationReport(Report):
         form = self.closed.at(numbers)
         margins |= {T: form.trace, DETERMINANT: form.determinant}
         if _signs([form.trace, form.determinant]) == [1, 1]:
-            return settled(True, "the second variation is definite on the symplectic slice"), ()
+            return settled(True, "the second variation is definite on the symplectic slice",
+                           rung="second variation"), ()
         necessary = {P: form.p, Q: form.q, DISCRIMINANT: form.p**2 - 4 * form.q}
         margins |= necessary
         if -1 in _signs(necessary.values()):
-            return settled(False, "an eigenvalue has a positive real part", "spectral"), ()
+            return settled(False, "an eigenvalue has a positive real part", "spectral",
+                           rung="spectrum"), ()
         found, modulo = Report(placed(self.equilibrium, numbers))._decided(numbers, {})
         return found._replace(why=f"at these numbers {found.why}",
                               pointwise=found.pointwise or bool(found.certificate)), modulo

@@ -70,14 +70,16 @@ def _decided(motion: LocalMotion) -> Finding:
         if holds is None:
             return settled(None, f"whether the frequencies are as {pair[0]} to {pair[1]} is not proved")
         if holds:
-            return LOWEST[pair](motion)
+            resonant = LOWEST[pair](motion)
+            return resonant._replace(rung="" if resonant.stable is None else "resonance")
     for precision in PRECISIONS:
         with own_precision(precision), suppress(ZeroDivisionError):
             parts, found = motion.first if precision == PRECISION else motion.in_balls(4, precision)
             D4 = real(twist(normalised(parts, found)[4], found))
             if sign_of(D4):
                 return settled(True, f"D4 = {decimals(D4)}, no resonance to order 4, the frequencies "
-                               f"are {signed(found)} (Arnold)", NOTION)
+                               f"are {signed(found)} (Arnold)", NOTION,
+                               rung=f"D4 {'<>'[sign_of(D4) > 0]} 0")
         if motion.rational and not _twist(motion):
             break
     return _sixth_order(motion)
@@ -99,7 +101,7 @@ def _sixth_order(motion: LocalMotion) -> Finding:
             parts, found = motion.in_balls(6, precision)
             if sign_of(D6 := real(twist(normalised(parts, found)[6], found))):
                 return settled(True, f"D4 = 0, D6 = {decimals(D6)}, no resonance to order 6, the "
-                               f"frequencies are {signed(found)} (Arnold)", NOTION)
+                               f"frequencies are {signed(found)} (Arnold)", NOTION, rung="D6")
     return settled(None, "D4 and D6 are not proved to differ from 0: terms of higher degree decide")
 
 
