@@ -7,8 +7,9 @@ A margin becomes a program ordered by the axes of a grid (`straightline`), with 
 (`held`, in `ball_arrays`), a list after one look at its columns (`screens`), and `arrays` asks them. Over
 boxes it runs in `intervals` and `enclosures`: `regions`, `proofs`, `paving` and `boxes` cover them by
 bisection; `answers` are three-valued, `codes` stand for verdicts. `contours` follow the curves between
-verdicts; a `chart` is all of it, a `request` as one labelled dataset (`datasets`), larger than memory in
-`stores` (`frame`, `marks`), with a bar of `progress`.
+verdicts by their `crossings` of edges, `window_curves` those inside windows; a `chart` is all of it, a
+`request` as one labelled dataset (`datasets`), larger than memory in `stores` (`frame`, `marks`), with a bar
+of `progress`.
 """
 from typing import TYPE_CHECKING
 

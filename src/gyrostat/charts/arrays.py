@@ -9,6 +9,7 @@ from ..errors import ArgumentError, ValuesError, optional, require
 from ..stability.report import Report
 from ..stability.secular import secular_of
 from ..stability.values import check_family
+from .codes import INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
 from .deciding import Decided, demands_of
 from .grids import Grid, grid_of
 from .progress import Told, telling
@@ -78,6 +79,15 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damp
     array([[ 1, -1, -1,  1],
            [-1, -1,  1,  1]], dtype=int8)
     """
+    require(values or {}, Mapping, "what is given by name")
+    return decided(report, {**(values or {}), **arrays}, damped, invalid, backend, threads, out,
+                   progress=progress)
+
+
+def decided(report: Report, values: Mapping[str, Any], damped: bool = False, invalid: str = "raise",
+            backend: str = "numpy", threads: int = 1, out: Array | None = None, rungs: Array | None = None,
+            progress: Told | bool | None = False) -> Array:
+    """As verdicts; into rungs, zeros of int8 of the common shape, what decided each point is written."""
     require(report, Report, "the report")
     if invalid not in ("raise", "mark"):
         raise ArgumentError(f"invalid = {invalid!r} is neither 'raise' nor 'mark': choose one")
@@ -85,15 +95,15 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damp
         raise ArgumentError(f"backend = {backend!r} is neither 'numpy' nor 'numba': choose one")
     if backend == "numba":
         optional("numba", "fast")
-    require(values or {}, Mapping, "what is given by name")
     require(threads, int, "threads")
-    given = {str(name): value for name, value in {**(values or {}), **arrays}.items()}
+    given = {str(name): value for name, value in values.items()}
     grid = grid_for(report, given, finite=False, damped=damped)
     result = prepared(out, grid.shape, np.int8)
     grid = grid.apart_from(result)
     merged = result.reshape(grid.merged)
+    layer = None if rungs is None else rungs.reshape(grid.merged)
     demands = demands_of(report, grid, damped)
-    if backend == "numba" and screened(grid, demands):
+    if rungs is None and backend == "numba" and screened(grid, demands):
         screen = Screen(report, grid, demands)
         with telling(progress, "verdicts") as told:
             firsts = in_threads(lambda some: screen.fill(some, merged), screen.blocks(threads), threads, told)
@@ -102,7 +112,7 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damp
             _refuse_strange(report, given, grid, damped)
         blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
         with telling(progress, "verdicts") as told:
-            firsts = in_threads(lambda some: Decided(report, grid, backend, damped).fill(some, merged),
+            firsts = in_threads(lambda some: Decided(report, grid, backend, damped, layer).fill(some, merged),
                                 blocks, threads, told)
     if invalid == "raise" and (bad := [first for first in firsts if first is not None]):
         _refuse_strange(report, given, grid, damped)
@@ -116,6 +126,10 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damp
             why = str(error)
         raise ValuesError(f"at index {grid.index(place)}: {why}; or ask for such points to be marked, "
                           "invalid=\"mark\"")
+    if rungs is not None:
+        rungs[(rungs == 0) & (result == STABLE)] = RUNGS["second variation"]
+        rungs[(rungs == 0) & (result == UNSTABLE)] = RUNGS["spectrum"]
+        rungs[(result == UNDECIDED) | (result == INVALID)] = RUNGS["nothing"]
     return result
 
 

@@ -112,6 +112,14 @@ class BallArray:
         """Where no number of the ball is 0."""
         return np.asarray(abs(self.middle) * (1 - SUM) > self.radius)
 
+    def where(self, known: Array) -> "BallArray":
+        """The balls where something is known, of infinite radius elsewhere."""
+        return BallArray(np.broadcast_to(self.middle, known.shape), np.where(known, self.radius, np.inf))
+
+    def sign(self) -> Array:
+        """Of real numbers: 1 or −1 where all of the ball have it, else 0."""
+        return self.positive().astype(np.int8) - (-self).positive()
+
     def positive(self) -> Array:
         """Where every number of the ball is positive."""
         return np.asarray(self.middle > self.radius)

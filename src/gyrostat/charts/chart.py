@@ -63,8 +63,10 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     xarray.Dataset
         verdict (int8: 1 stable, 0 undecided, −1 unstable, −2 no equilibrium) with the dimensions (…, y, x);
         on request damped, in the same codes, and margin_0, …; of two axes boundary_x and boundary_y, NaN
-        between pieces. Every parameter is a coordinate with its meaning, units (SI) and LaTeX, fixed ones
-        with the exact number. Of a store, opened lazily
+        between pieces. Where gyroscopic forces may hold a maximum: rung (int8), what decided each point, and
+        of two axes curve_x, curve_y and curve, the resonances 1:2, 1:3 and D4 = 0. Every parameter is a
+        coordinate with its meaning, units (SI) and LaTeX, fixed ones with the exact number. Of a store,
+        opened lazily
 
     Raises
     ------
@@ -103,7 +105,7 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     if store is not None:
         return filled(Path(store), request, arrays, threads, progress)
     found = request.variables(arrays, threads, progress)
-    return described(request, arrays, found, found["verdict"])
+    return described(request, arrays, found)
 
 
 def _pair(axis: Any, which: str) -> Axis:

@@ -5,5 +5,10 @@ STABLE, UNDECIDED, UNSTABLE, INVALID = 1, 0, -1, -2    # INVALID: there is no eq
 CODE_OF = {Verdict.STABLE: STABLE, Verdict.UNDECIDED: UNDECIDED, Verdict.UNSTABLE: UNSTABLE}
 # the values of a flag variable, in the order in which a dataset declares them
 FLAGS = {"unstable": UNSTABLE, "undecided": UNDECIDED, "stable": STABLE, "no_equilibrium": INVALID}
+# what decided a point, as Decision.rung says it; "other": where that is empty
+RUNGS = {"nothing": 0, "second variation": 1, "spectrum": 2, "D4 > 0": 3, "D4 < 0": 4, "D6": 5,
+         "resonance": 6, "integral": 7, "other": 8}
+# curves inside windows: frequencies as 1 to 2, as 1 to 3, and no twist
+CURVES = {"resonance_1_2": 2, "resonance_1_3": 3, "D4_zero": 4}
 # the kinds of boxes, in the order in which shares are told
 BOX_KINDS = {"stable": STABLE, "unstable": UNSTABLE, "undecided": UNDECIDED, "no equilibrium": INVALID}

@@ -11,17 +11,14 @@ from sympy import Expr, Rational, Symbol
 
 from ..algebra.double_double import Twofold, TwofoldArithmetic
 from ..algebra.floats import Array, in_floats
-from ..errors import optional
+from .crossings import Sign, edges, joined, pieces, zeros
 from .numeric import compile_margin
 from .rounding import error_bound
 from .straightline import Program, program_of
 
-Sign = Callable[[Array, Array], Array]                 # at points, from their x and y
 Verdicts = Callable[[Array, Array], Array]
 # values of an axis between which curves are followed
 FINEST = 2000
-# of an edge: a zero that is no further from 0 is at 0
-NOTHING = 2.0**-100
 _AROUND = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
 
 
@@ -69,18 +66,12 @@ def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[S
     for margin in dict.fromkeys(margin.xreplace(dict(numbers)) for margin in margins):
         if {x[0], y[0]} & margin.free_symbols:
             program = program_of(margin, {})
-            sign = partial(_sign_at, program, x[0], y[0])
-            known.append((sign, _signs(margin, program, x, y, sign)))
+            sign = partial(sign_at, program, x[0], y[0])
+            known.append((sign, signs_of(margin, program, x, y, sign)))
     crowded = _crowded([signs for _, signs in known])
-    pieces = [_curves(sign, signs, (x[1], y[1]), verdict, crowded, ask) for sign, signs in known]
-    pieces = [piece for piece in pieces if piece.shape[1]]
-    gap = np.full((2, 1), np.nan)
-    joined = (
-        np.concatenate([part for piece in pieces for part in (piece, gap)][:-1], axis=1)
-        if pieces
-        else np.empty((2, 0))
-    )
-    return joined[0], joined[1]
+    x_found, y_found = joined([_curves(sign, signs, (x[1], y[1]), verdict, crowded, ask)
+                               for sign, signs in known])
+    return x_found, y_found
 
 
 def thinned(n: int) -> Array:
@@ -91,7 +82,8 @@ def thinned(n: int) -> Array:
     return np.unique(np.linspace(0, n - 1, min(n, FINEST)).round().astype(np.int64))
 
 
-def _sign_at(program: Program, across: Symbol, up: Symbol, x: Array, y: Array) -> Array:
+def sign_at(program: Program, across: Symbol, up: Symbol, x: Array, y: Array) -> Array:
+    """The sign of a program in two names at points, in twofold arithmetic."""
     return _sign(program, {across: x, up: y})
 
 
@@ -106,32 +98,23 @@ def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array,
             ask: Verdicts | None) -> Array:
     """The points of one margin, shape (2, points)."""
     columns, rows = axes
-    vertices = _marched(signs)
-    if not len(vertices):
-        return np.empty((2, 0))
-    gaps = np.isnan(vertices[:, 0])
-    low = np.floor(np.where(gaps[:, None], 0, vertices)).astype(np.int64)
-    high = np.ceil(np.where(gaps[:, None], 0, vertices)).astype(np.int64)
-    # row, column of the two ends of the edge
-    ends = [(low[:, 1], low[:, 0]), (high[:, 1], high[:, 0])]
-    first = signs[ends[0]] > 0
-    good, bad = (tuple(np.where(first, a, b) for a, b in zip(*pair)) for pair in (ends, ends[::-1]))
+    gaps, good, bad = edges(signs)
     kept = ~gaps & _between_verdicts(verdict, signs, good, bad)
-    points = np.full((2, len(vertices)), np.nan)
+    points = np.full((2, len(gaps)), np.nan)
     places = [tuple(part[kept] for part in end) for end in (good, bad)]
     if kept.any():
         sides = [(columns[c], rows[r]) for r, c in places]
-        points[:, kept] = found = _zeros(sign, *sides)
-        (row, column), along = (part[kept] for part in ends[0]), (ends[0][0] == ends[1][0])[kept]
+        points[:, kept] = found = zeros(sign, *sides)
+        (row, column), along = map(np.minimum, *places), places[0][0] == places[1][0]
         several = np.array([crowded[0][r, c] if flat else crowded[1][r, c]
                             for r, c, flat in zip(row, column, along)])
         if ask is not None and several.any():
             points[:, np.flatnonzero(kept)[several]] = np.where(_parts(ask, found[:, several], *(
                 tuple(part[several] for part in side) for side in sides)), found[:, several], np.nan)
-    return _without_empty_pieces(points)
+    return pieces(points)
 
 
-def _signs(margin: Expr, program: Program, x: tuple[Symbol, Array], y: tuple[Symbol, Array],
+def signs_of(margin: Expr, program: Program, x: tuple[Symbol, Array], y: tuple[Symbol, Array],
            sign: Sign) -> Array:
     """The sign at every point of the grid, NaN where the margin has none.
 
@@ -155,15 +138,6 @@ def _signs(margin: Expr, program: Program, x: tuple[Symbol, Array], y: tuple[Sym
     return signs
 
 
-def _marched(signs: Array) -> Array:
-    """Vertices (column, row) half-way on the edges where the sign changes, a row of NaN between two lines."""
-    contourpy = optional("contourpy", "charts")
-    sides = np.where(np.isnan(signs), np.nan, np.where(signs > 0, 1.0, -1.0))
-    lines = contourpy.contour_generator(z=sides, corner_mask=False,
-                                        line_type="ChunkCombinedNan").lines(0.0)[0][0]
-    return np.empty((0, 2)) if lines is None else lines
-
-
 def _between_verdicts(verdict: Array, signs: Array, good: tuple[Array, ...], bad: tuple[Array, ...]) -> Array:
     """Whether the verdict differs on the two sides.
 
@@ -179,31 +153,6 @@ def _between_verdicts(verdict: Array, signs: Array, good: tuple[Array, ...], bad
     return different
 
 
-def _zeros(sign: Sign, good: tuple[Array, Array], bad: tuple[Array, Array]) -> Array:
-    """Where the sign stops being 1 between two ends of an edge, shape (2, edges).
-
-    So it does where there is none.
-    """
-    along = good[0] != bad[0]                          # the edge lies along x
-    p, q = np.where(along, good[0], good[1]), np.where(along, bad[0], bad[1])
-    other = np.where(along, good[1], good[0])
-    nothing = np.maximum(abs(p), abs(q)) * NOTHING
-    while True:
-        # a zero at 0 would be halved towards for long, until powers underflow
-        beside = (p == 0) | (q == 0)
-        at_zero = beside & (abs(p + q) <= nothing)
-        p, q = np.where(at_zero, 0.0, p), np.where(at_zero, 0.0, q)
-        middle = np.where(np.sign(p) * np.sign(q) < 0, 0.0,
-                          np.where(beside, (p + q) * NOTHING, p + (q - p) / 2))
-        open_ = (middle != p) & (middle != q)
-        if not open_.any():
-            break
-        found = sign(np.where(along, middle, other), np.where(along, other, middle))
-        p = np.where(open_ & (found >= 0), middle, p)
-        q = np.where(open_ & ~(found > 0), middle, q)
-    return np.array([np.where(along, q, other), np.where(along, other, q)])
-
-
 def _parts(ask: Verdicts, points: Array, good: tuple[Array, Array], bad: tuple[Array, Array]) -> Array:
     """Whether the verdict differs between points on edges and their two sides, a few units of the last place
     away.
@@ -215,14 +164,6 @@ def _parts(ask: Verdicts, points: Array, good: tuple[Array, Array], bad: tuple[A
         seen.append(ask(*(value + np.sign(end - value) * step
                           for value, end, step in zip(points, side, steps))))
     return (seen[0] != seen[1]) | (seen[0] != seen[2])
-
-
-def _without_empty_pieces(points: Array) -> Array:
-    """One NaN between two pieces, none at the ends."""
-    gap = np.isnan(points[0])
-    kept = ~(gap & np.concatenate([[True], gap[:-1]]))
-    points = points[:, kept]
-    return points[:, :-1] if points.shape[1] and np.isnan(points[0, -1]) else points
 
 
 def _sign(program: Program, arrays: Mapping[Symbol, Array]) -> Array:

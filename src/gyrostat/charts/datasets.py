@@ -13,18 +13,18 @@ from ..printing.latex import tex
 from ..printing.names import Names
 from ..stability.conditions import sources
 from ..version import __version__
-from .codes import FLAGS
+from .codes import CURVES, FLAGS, RUNGS
 from .request import Request
 
 # names of the dataset itself
-OWN = ("verdict", "damped", "margin", "boundary_x", "boundary_y", "vertex", "complete")
+OWN = ("verdict", "damped", "rung", "margin", "boundary_x", "boundary_y", "vertex", "curve_x", "curve_y",
+       "curve", "place", "complete")
 
 
-def described(request: Request, arrays: Sequence[Array], found: Mapping[str, Array],
-              verdict: Array | None = None) -> Any:
+def described(request: Request, arrays: Sequence[Array], found: Mapping[str, Array]) -> Any:
     """The dataset of what was found.
 
-    The boundary from the verdicts, or from some 2000 values of each axis where they are not given.
+    The curves from the verdicts, or from some 2000 values of each axis where nothing was found.
     """
     xarray = optional("xarray", "charts")
     eq = request.report.equilibrium
@@ -35,16 +35,32 @@ def described(request: Request, arrays: Sequence[Array], found: Mapping[str, Arr
     variables: dict[str, Any] = {name: (request.names, values, variable_attributes(name, request))
                                  for name, values in found.items()}
     if len(arrays) == 2 and min(map(len, arrays)) > 1:
-        for axis, points in zip("xy", request.curves(arrays, verdict)):
-            name = request.names["yx".index(axis)]
-            variables[f"boundary_{axis}"] = "vertex", points, {
-                "long_name": f"{name} on the boundary between the verdicts, NaN between its pieces",
-                "parameter": name}
+        for name, points in request.curves(arrays, found).items():
+            along = "vertex" if name.startswith("boundary") else "place"
+            variables[name] = along, points, curve_attributes(name, request)
     dataset = xarray.Dataset(variables, coordinates, _attributes(eq))
     for variable in dataset.variables.values():
         if variable.dtype.kind == "f":
             variable.encoding["_FillValue"] = None     # NaN is a value here
     return dataset
+
+
+def curve_attributes(name: str, request: Request) -> dict[str, Any]:
+    """What the points of curves are."""
+    if name == "curve":
+        return {"long_name": "the curve in a window on which a point lies: the frequencies are as 1 to 2, as "
+                "1 to 3, or D4 changes its sign within 2**-12 of an edge of the grid; 0 between pieces",
+                **_flags(CURVES)}
+    parameter = request.names["yx".index(name[-1])]
+    where = "the boundary between the verdicts" if name.startswith("boundary") else "curves in windows"
+    return {"long_name": f"{parameter} on {where}, NaN between pieces", "parameter": parameter}
+
+
+def _flags(codes: Mapping[str, int]) -> dict[str, Any]:
+    """The values of a flag variable and what they mean, each one word."""
+    return {"flag_values": np.array(list(codes.values()), dtype=np.int8),
+            "flag_meanings": " ".join(name.replace(" > 0", "_positive").replace(" < 0", "_negative")
+                                      .replace(" ", "_") for name in codes)}
 
 
 def variable_attributes(name: str, request: Request) -> dict[str, Any]:
@@ -55,11 +71,13 @@ def variable_attributes(name: str, request: Request) -> dict[str, Any]:
         (source,) = sources(eq, [margin], (request.report.sufficient, request.report.necessary)) or ("",)
         return {"long_name": str(margin), "latex": tex(readable(margin), Names(), eq.at)} | (
             {"condition": source} if source else {})
+    if name == "rung":
+        return {"long_name": "what decided the point", **_flags(RUNGS)}
     damped = name == "damped"
     criterion = request.report.damped if damped else request.report.sufficient
     modulo = ", ".join(map(str, criterion.modulo))
     return {"long_name": f"stability of {eq.label}{' under internal damping' if damped else ''}",
-            "flag_values": np.array(list(FLAGS.values()), dtype=np.int8), "flag_meanings": " ".join(FLAGS),
+            **_flags(FLAGS),
             "notion": "secular" if damped else "Lyapunov where stable, spectral where unstable"} | (
                 {"modulo": f"the flow of {modulo}"} if modulo else {})
 

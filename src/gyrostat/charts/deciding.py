@@ -16,7 +16,7 @@ from ..stability.report import Report
 from ..stability.secular import secular_of
 from ..stability.truth import Relation, truth
 from .answers import answered, every, some
-from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
+from .codes import CODE_OF, INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
 from .constants import with_constants
 from .grids import Grid, Slices, cut, last, places
 from .held import held
@@ -43,10 +43,15 @@ def demands_of(report: Report, grid: Grid, damped: bool) -> Demands:
 
 
 class Decided:
-    """The verdicts of a report over a grid, written block by block on one thread."""
+    """The verdicts of a report over a grid, written block by block on one thread.
 
-    def __init__(self, report: Report, grid: Grid, backend: str, damped: bool = False):
+    With rungs, of the merged shape, what decided each point between the two criteria is written too.
+    """
+
+    def __init__(self, report: Report, grid: Grid, backend: str, damped: bool = False,
+                 rungs: Array | None = None):
         self.report, self.grid, self.backend, self.damped = report, grid, backend, damped
+        self.rungs = rungs
         self.known: dict[Expr, ArraySigns] = {}
         demands = demands_of(report, grid, damped)
         self.positive = [self._signs(e) for e in demands.positive]
@@ -115,22 +120,41 @@ class Decided:
             for start in range(0, len(rows), TOGETHER):
                 at = rows[start:start + TOGETHER], columns[start:start + TOGETHER]
                 with ONE_AT_A_TIME:
-                    out[at] = self._between(self.grid.at(block, *at))
+                    out[at], rungs = self._between(self.grid.at(block, *at))
+                if self.rungs is not None:
+                    self.rungs[block][(0,) * (self.rungs.ndim - 2)][at] = rungs
 
-    def _between(self, grid: Grid) -> Array | list[int]:
-        """Verdicts at points that the criteria leave open.
+    def open(self, block: Slices) -> Array:
+        """Where it is proved that the equilibrium exists and lies between the two criteria."""
+        sufficient, necessary = (self._holds(c, block)
+                                 for c in (self.report.sufficient, self.report.necessary))
+        nowhere = self._nowhere(block)
+        found = (sufficient < 0) & (necessary > 0) & ~self._doubtful(block)
+        return found if nowhere is None else found & ~nowhere
+
+    def _between(self, grid: Grid) -> tuple[Array | list[int], Array | list[int]]:
+        """Verdicts at points that the criteria leave open, and what decided each.
 
         By the ladder of the boundary; where there is none, together where gyroscopic forces hold them, the
         others one by one.
         """
         boundary = self.report.boundary
         if boundary is not None and not self.damped:
-            return _climbed(boundary, grid, self.alone)
+            found = _climbed(boundary, grid, self.alone)
+            return found, np.full(len(found), RUNGS["other"])
         names = [s.name for s in grid.values]
-        stable = repeat(False) if self.damped else held(self.report, grid)
-        return [STABLE if known else CODE_OF[
-                    self.report.verdict(dict(zip(names, map(dyadic_rational, numbers))), self.damped).verdict]
-                for numbers, known in zip(grid.numbers(grid.values), stable)]
+        twists = repeat(0) if self.damped else held(self.report, grid)
+        verdicts, rungs = list[int](), list[int]()
+        for numbers, twist in zip(grid.numbers(grid.values), twists):
+            if twist:
+                verdict, rung = STABLE, RUNGS["D4 > 0" if twist > 0 else "D4 < 0"]
+            else:
+                values = dict(zip(names, map(dyadic_rational, numbers)))
+                decision = self.report.verdict(values, self.damped)
+                verdict, rung = CODE_OF[decision.verdict], RUNGS[decision.rung or "other"]
+            verdicts.append(verdict)
+            rungs.append(rung)
+        return verdicts, rungs
 
     def _exceptional(self, block: Slices) -> Array:
         """Where the second variation may be degenerate, or the damping not reach every motion."""
@@ -168,7 +192,7 @@ def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
             return found
         if rung.condition.margin == vanishing:         # and 0 it is with even factors as well
             continue
-        signs = _signs_of(rung.condition,
+        signs = signs_in_row(rung.condition,
                           grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))
         unknown = (signs == UNKNOWN) | (signs == 0)
         found[left] = np.where(unknown, UNDECIDED, np.where(rung.stable(signs), STABLE, UNSTABLE))
@@ -180,7 +204,7 @@ def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
     return found
 
 
-def _signs_of(condition: Condition, grid: Grid) -> Array:
+def signs_in_row(condition: Condition, grid: Grid) -> Array:
     """The sign of a condition at points in a row, 0 where an even factor vanishes."""
     whole = (slice(0, 1), slice(0, grid.shape[0]))
     signs, *factors = (np.broadcast_to(ArraySigns(e, grid, "numpy", [])(whole)[0], grid.shape)

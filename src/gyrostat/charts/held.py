@@ -1,5 +1,5 @@
 """Points that gyroscopic forces hold, decided together: D4 in arrays of balls."""
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -22,9 +22,9 @@ Number = Callable[[Expr], BallArray]
 
 
 def held(report: Report, grid: Grid) -> Array:
-    """Where D4 is proved not to be 0, no resonance to order 4 holds, and no eigenvalue is real or 0: stable.
+    """The sign of D4 where no resonance to order 4 holds, and no eigenvalue is real or 0: stable if not 0.
 
-    Where it is not proved so in doubles, nothing is said.
+    Where it is not proved so in doubles, 0.
 
     Parameters
     ----------
@@ -35,13 +35,22 @@ def held(report: Report, grid: Grid) -> Array:
 
     Returns
     -------
-    array of bool, shape of the grid
+    array of int8, shape of the grid
+    """
+    return twists(report, {s: leaf(grid, s) for s in grid.values}, max(grid.shape))[0].sign()
+
+
+def twists(report: Report, given: Mapping[Symbol, BallArray], count: int) -> tuple[BallArray, BallArray]:
+    """D4 where no resonance to order 4 holds, and the margin of 1:2, where no eigenvalue is real or 0.
+
+    Over all numbers of the balls; of infinite radius elsewhere. D4 has poles only where that margin is 0.
     """
     eq = report.equilibrium
-    potential, nothing = eq.system.potential, np.zeros(max(grid.shape), bool)
+    potential = eq.system.potential
+    found = [BallArray(np.zeros(count), np.full(count, np.inf)) for _ in range(2)]
     if potential is None or not potential.given or not potential.expression.is_rational_function(*DIRECTIONS):
-        return nothing
-    names = {s: _leaf(grid, s) for s in grid.values}
+        return found[0], found[1]
+    names = dict(given)
     try:
         for name, value in eq.relations:
             if not jet(name.name):
@@ -49,8 +58,8 @@ def held(report: Report, grid: Grid) -> Array:
         inverse, rotor, pi, k, _ = ([_evaluated(x, names) for x in part] for part in data_of(eq))
         _evaluated(potential.expression, names | dict.fromkeys(DIRECTIONS, BallArray(1.0)))
     except (NotImplementedError, KeyError):
-        return nothing
-    shape = nothing.shape
+        return found[0], found[1]
+    shape = (count,)
     spread = [BallArray(np.broadcast_to(x.middle, shape), np.broadcast_to(x.radius, shape))
               for x in (*inverse, *rotor, *pi, *k)]
     smallest = np.argmin([abs(x.middle) for x in spread[-3:]], axis=0)
@@ -59,11 +68,13 @@ def held(report: Report, grid: Grid) -> Array:
         if at.size:
             here = {s: _cut(x, at, shape) for s, x in names.items()}
             numbers = [_cut(x, at, shape) for x in spread]
-            nothing[at] = _decided(numbers, potential.expression, here, upright)
-    return nothing
+            for whole, part in zip(found, _twists(numbers, potential.expression, here, upright)):
+                whole.middle[at], whole.radius[at] = part.middle, part.radius
+    return found[0], found[1]
 
 
-def _decided(numbers: list[BallArray], U: Expr, names: dict[Symbol, BallArray], upright: int) -> Array:
+def _twists(numbers: list[BallArray], U: Expr, names: dict[Symbol, BallArray],
+            upright: int) -> list[BallArray]:
     """At points that have the same axis farthest from k."""
     inverse = [numbers[3 * i:3 * i + 3] for i in range(3)]
     rotor, pi, k = (numbers[n:n + 3] for n in (9, 12, 15))
@@ -78,22 +89,23 @@ def _decided(numbers: list[BallArray], U: Expr, names: dict[Symbol, BallArray], 
         p, q = characteristic(A)
         discriminant = p**2 - 4 * q
         proved = p.positive() & q.positive() & discriminant.positive()
+        double = resonance_margin(p, q, 1, 2).where(proved)
         for pair in resonances_up_to(4):
             proved = proved & resonance_margin(p, q, *pair).excludes_zero()
+        unknown = double.where(np.zeros_like(proved))
         if not proved.any():
-            return np.asarray(proved)
+            return [unknown, double]
         root = discriminant.sqrt()
         square = (p + root) * 0.5
         values = square.sqrt().turned(), (q / square).sqrt().turned()
         try:
             found: Modes = modes(A, p, values)
         except ZeroDivisionError:
-            return np.zeros_like(proved)
-        D4 = twist(normalised(parts, found)[4], found).real
-        return np.asarray(proved & D4.excludes_zero())
+            return [unknown, double]
+        return [twist(normalised(parts, found)[4], found).real.where(proved), double]
 
 
-def _leaf(grid: Grid, name: Symbol) -> BallArray:
+def leaf(grid: Grid, name: Symbol) -> BallArray:
     """The numbers of a name, doubles or near doubles."""
     values = np.asarray(grid.values[name], float).ravel()
     return BallArray(values, SUM * abs(values) + TINY if name in grid.exact else None)

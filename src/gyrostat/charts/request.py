@@ -1,5 +1,5 @@
 """What is asked of a grid of parameters: verdicts, margins, and the curves between the verdicts."""
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,10 +9,11 @@ from ..algebra.floats import Array
 from ..algebra.polynomials import Ring
 from ..notation import symbol
 from ..stability.report import Report
-from .arrays import verdicts
+from .arrays import decided, verdicts
 from .contours import boundary, thinned
 from .numeric import compile_margin
 from .progress import Told
+from .window_curves import Plane, window_curves
 
 
 @dataclass(frozen=True)
@@ -58,14 +59,22 @@ class Request:
         return [*self.all_margins, *(ring.expression(top * bottom)
                                      for top, bottom in map(ring.fraction, existence))]
 
+    @property
+    def windowed(self) -> bool:
+        """Whether gyroscopic forces may hold a maximum: of a body of revolution or without a field none."""
+        return self.report.boundary is None and self.report.equilibrium.system.potential is not None
+
     def variables(self, arrays: Sequence[Array], threads: int = 1,
                   progress: Told | bool | None = False) -> dict[str, Array]:
         """Verdicts, and what else is wanted, over the grid of the arrays, one for each axis."""
         grid = {name: array.reshape(-1, *(1,) * (len(arrays) - 1 - i))
                 for i, (name, array) in enumerate(zip(self.names, arrays))}
         numbers = {name: number for name, number, _ in self.fixed} | grid
-        found = {"verdict": verdicts(self.report, numbers, invalid="mark", backend=self.backend,
-                                     threads=threads, progress=progress)}
+        rungs = np.zeros(tuple(map(len, arrays)), np.int8) if self.windowed else None
+        found = {"verdict": decided(self.report, numbers, invalid="mark", backend=self.backend,
+                                    threads=threads, rungs=rungs, progress=progress)}
+        if rungs is not None:
+            found["rung"] = rungs
         if self.damped:
             found["damped"] = verdicts(self.report, numbers, damped=True, invalid="mark", threads=threads,
                                        progress=progress)
@@ -78,14 +87,15 @@ class Request:
                 found[f"margin_{n}"] = np.ascontiguousarray(np.broadcast_to(values, shape))
         return found
 
-    def curves(self, arrays: Sequence[Array], verdict: Array | None = None) -> tuple[Array, Array]:
-        """x and y of the boundary between the verdicts of two axes.
+    def curves(self, arrays: Sequence[Array], found: Mapping[str, Array]) -> dict[str, Array]:
+        """x and y of the boundary between the verdicts of two axes, and of the curves inside windows.
 
-        Followed on some 2000 values of each, where there are more.
+        Followed on some 2000 values of each, where there are more; found there, where nothing is given.
         """
         rows, columns = map(thinned, map(len, arrays))
         y, x = arrays[0][rows], arrays[1][columns]
-        seen = self.variables([y, x])["verdict"] if verdict is None else verdict[np.ix_(rows, columns)]
+        seen = ({name: found[name][np.ix_(rows, columns)] for name in ("verdict", "rung") if name in found}
+                or self.variables([y, x]))
         up, across = map(symbol, self.names)
         numbers = {name: number for name, number, _ in self.fixed}
 
@@ -93,5 +103,11 @@ class Request:
             return verdicts(self.report, numbers | {across.name: at_x, up.name: at_y}, invalid="mark",
                             progress=False)
 
-        return boundary(self.deciding, {symbol(name): number for name, number in numbers.items()},
-                        (across, x), (up, y), seen, verdict_at)
+        known = {symbol(name): number for name, number in numbers.items()}
+        curves = dict(zip(("boundary_x", "boundary_y"), boundary(
+            self.deciding, known, (across, x), (up, y), seen["verdict"], verdict_at)))
+        if "rung" in seen:
+            points = window_curves(Plane(self.report, known, (across, x), (up, y)), seen["rung"])
+            curves |= {"curve_x": points[0], "curve_y": points[1],
+                       "curve": np.nan_to_num(points[2]).astype(np.int8)}
+        return curves

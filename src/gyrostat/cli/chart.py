@@ -47,7 +47,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
         _draw(chart, path)
     elif store is None:
         packed = {"zlib": True, "complevel": 1}
-        save_netcdf(chart, path, encoding={name: packed for name in ("verdict", "damped") if name in chart})
+        save_netcdf(chart, path, encoding={name: packed for name in ("verdict", "damped", "rung")
+                                                if name in chart})
     out.noted(scene_note(report.equilibrium.system,
                          {symbol(name): number for name, number in numbers.items()}))
     return 0
