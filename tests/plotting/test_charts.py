@@ -88,13 +88,13 @@ def test_names_and_legend(wedge, tilted):
     ax = drawn(wedge, title=caption(wedge))
     assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$m_0$ $[\mathrm{M\,L^{2}\,T^{-2}}]$",
                                                   r"$l$ $[\mathrm{M\,L^{2}\,T^{-1}}]$")
-    assert legend(ax) == ["stable", "unstable", "boundary"]
+    assert legend(ax) == ["stable", "unstable", "boundary", "resonance 1:2", "resonance 1:3"]
     assert ax.get_title().startswith("E, $U = m_0 k_3 + ")
     assert ax.get_title().endswith(": $\\pi_3^0 = 1$, $I_1 = 2$, $I_2 = 3/2$, $I_3 = 1$, $m_1 = 1/4$")
     ax.figure.canvas.draw()
     assert ax.get_legend().get_window_extent().y0 >= ax.get_window_extent().y1 - 1
     assert ax.get_legend().get_window_extent().y1 <= ax.title.get_window_extent().y0 + 1
-    (line,) = ax.lines
+    line, *_ = ax.lines
     assert line.get_color() == "black"
     np.testing.assert_array_equal(line.get_xdata(), wedge.boundary_x)
     np.testing.assert_array_equal(line.get_ydata(), wedge.boundary_y)

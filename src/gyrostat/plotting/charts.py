@@ -1,5 +1,5 @@
 """Pictures of charts: stable light, unstable dark, undecided hatched, the boundary a black line."""
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -7,6 +7,7 @@ import numpy as np
 from ..algebra.floats import Array
 from ..errors import ValuesError
 from ..notation import dimension_of, order
+from .chart_curves import curves
 from .headings import field, heading, lines, number
 from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, legend, with_dimension
 
@@ -26,7 +27,8 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
         of stability_chart, from memory or opened from a store or a file; of a large one at most 2000 values
         of each axis are read
     ax : matplotlib Axes
-        a new one where it is left out
+        a new one where it is left out; a figure without a layout gets the constrained one, which has room for
+        what stands above
     title : str or None
         above it; None: caption(ds), in lines as wide as the axes
     **kwargs : Any
@@ -60,6 +62,8 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
                           "drawn: choose values of the others "
                           f"with ds.sel({ds.verdict.dims[0] if ds.verdict.dims else 'l'}=…) or ds.isel")
     ax = axes_of(ax)
+    if (figure := ax.get_figure(root=True)).get_layout_engine() is None:
+        figure.set_layout_engine("constrained")
     dims = ds.verdict.dims
     seen = ds.verdict.isel({name: slice(None, None, -(-n // SHOWN)) for name, n in ds.verdict.sizes.items()})
     seen = seen.isel({name: slice(None, None, -1) for name in dims if seen.sizes[name] > 1
@@ -77,15 +81,15 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     destroyed = _destroyed(ds, seen, codes)
     if destroyed.any():
         _hatched(ax, x, y, edges, destroyed, DESTROYED)
-    lined = _line(ax, ds, dims, edges)
+    drawn = curves(ax, ds, dims, edges)
     ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]))
     ax.set_xlabel(_label(seen[dims[1]]))
     ax.set_ylabel(_label(seen[dims[0]]))
-    shown = [name for name, where in occurring.items() if _visible(where)]
+    shown = [name for name, where in occurring.items() if _visible(where & ~destroyed)]
     names = {name: name.replace("_", " ") for name in shown} | _modulo(ds, shown)
     if _visible(destroyed):
         names[DESTROYED] = DESTROYED
-    legend(ax, _handles(names, lined), title=heading(ax, *_said(ds)) if title is None else title)
+    legend(ax, [*_patches(names), *drawn], title=heading(ax, *_said(ds)) if title is None else title)
     return ax
 
 
@@ -176,35 +180,6 @@ def _destroyed(ds: Any, seen: Any, codes: Mapping[str, int]) -> Array:
     return np.asarray(stable & (damped.values == codes["unstable"]))
 
 
-def _line(ax: Any, ds: Any, dims: tuple[str, ...], edges: Sequence[Array]) -> bool:
-    """The boundary, if the dataset has one of these two axes, and there is a point of it between the ends."""
-    if "boundary_x" not in ds:
-        return False
-    points = {ds[name].attrs["parameter"]: ds[name].values for name in ("boundary_x", "boundary_y")}
-    if set(points) != set(dims):
-        return False
-    x, y = (points[name] for name in reversed(dims))
-    (left, right), (bottom, top) = ((ends[0], ends[-1]) for ends in edges)
-    # the dataset may be a part of a chart
-    if not ((left <= x) & (x <= right) & (bottom <= y) & (y <= top)).any():
-        return False
-    ax.plot(*_off_the_frame(x, y, edges), color="black", linewidth=1.2)
-    return True
-
-
-def _off_the_frame(x: Array, y: Array, edges: Sequence[Array]) -> tuple[Array, Array]:
-    """The curves without what runs along the frame in the outermost cells, where the frame itself is seen."""
-    along = np.zeros(len(x) - 1, dtype=bool)
-    for values, ends in zip((x, y), edges):
-        outer = (values < ends[1]) | (values > ends[-2])
-        still = np.abs(np.diff(values)) <= 1e-9 * (ends[-1] - ends[0])
-        along |= outer[:-1] & outer[1:] & still
-    gone = np.isnan(np.diff(x)) | along
-    before, after = np.append(False, along), np.append(along, False)
-    hidden = np.append(True, gone) & np.append(gone, True) & (before | after)
-    return np.where(hidden, np.nan, x), np.where(hidden, np.nan, y)
-
-
 def _visible(where: Array) -> bool:
     """Whether a verdict fills somewhere a square wider than the line of a boundary."""
     rows, columns = (max(1, n // FINEST) for n in where.shape)
@@ -226,11 +201,8 @@ def _modulo(ds: Any, names: Iterable[str]) -> dict[str, str]:
     return {"stable": f"stable modulo {MODULO.get(modulo, modulo)}"} if modulo and "stable" in names else {}
 
 
-def _handles(names: Mapping[str, str], lined: bool) -> list[Any]:
-    """What stands in the legend."""
-    from matplotlib.lines import Line2D
+def _patches(names: Mapping[str, str]) -> list[Any]:
+    """What stands in the legend for areas."""
     from matplotlib.patches import Patch
-    handles: list[Any] = [Patch(facecolor=AREAS[name][0], hatch=AREAS[name][1],
-                                edgecolor=INK.get(name, "black"), linewidth=0.6,
-                                label=said) for name, said in names.items()]
-    return handles + ([Line2D([], [], color="black", linewidth=1.2, label="boundary")] if lined else [])
+    return [Patch(facecolor=AREAS[name][0], hatch=AREAS[name][1], edgecolor=INK.get(name, "black"),
+                  linewidth=0.6, label=said) for name, said in names.items()]
