@@ -155,6 +155,17 @@ def test_each_rung_is_what_decided(charts, name, n, most):
             assert RUNGS[told] == code
 
 
+@pytest.mark.slow
+def test_a_store_is_the_chart_in_memory(charts, tmp_path):
+    """The rungs block by block, and the curves."""
+    report, chart = chart_of(charts, "upright", 21)
+    x, y = ((name, chart[name].values) for name in reversed(chart.verdict.dims))
+    for _ in range(2):                                     # written, then continued
+        stored = stability_chart(report, x=x, y=y, fixed=CASES["upright"][3], store=tmp_path / "a.zarr",
+                                 progress=False)
+        assert stored.load().equals(chart)
+
+
 @pytest.mark.parametrize(("tilted", "x", "fixed"), [
     (False, ("pi3_0", [1.0, 2.0, 3.0]), {"I1": 1, "dU": 1}),
     (True, ("k3", [0.0, 0.5, 0.75]), {"I1": 1, "I3": "1/2", "omega": 1, "d2U": 0})])

@@ -74,7 +74,8 @@ class Frame:
                    for name, array in zip(request.names, self.arrays)},
                 **{f"value of {name}": str(number) for name, number, _ in request.fixed},
                 "margins": request.margins, "block": list(self.block),
-                **({"damped": True} if request.damped else {})}
+                **({"damped": True} if request.damped else {}),
+                **({"rung": True} if request.windowed else {})}
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -85,7 +86,8 @@ class Frame:
     def names(self) -> tuple[str, ...]:
         """The variables that are written block by block."""
         margins = range(len(self.request.all_margins)) if self.request.margins else ()
-        return ("verdict", *(("damped",) if self.request.damped else ()), *(f"margin_{n}" for n in margins))
+        return ("verdict", *(("damped",) if self.request.damped else ()),
+                *(("rung",) if self.request.windowed else ()), *(f"margin_{n}" for n in margins))
 
     def ready(self) -> Marks:
         """The marks, after the store is made where there is none, and all that is not computed block by block
@@ -164,7 +166,7 @@ class Frame:
                               for key, value in variable_attributes(name, self.request).items()}
                 if self.request.fixed:
                     attributes["coordinates"] = " ".join(name for name, _, _ in self.request.fixed)
-                verdict = name in ("verdict", "damped")
+                verdict = name in ("verdict", "damped", "rung")
                 group.create_array(name, shape=tuple(map(len, self.arrays)), chunks=self.block,
                                    compressors=checked,
                                    dtype="int8" if verdict else "float64",
