@@ -32,6 +32,13 @@ TOP = gs.analyze(gs.upright(gs.assemble(BODY, gs.uniform_field())))
 TILT = gs.analyze(gs.inclined(gs.assemble(BODY, gs.axial_potential(lambda k3: k3**4 - k3**2 / 2))))
 
 
+def rotations():
+    """Permanent rotations of a heavy gyrostat with a rotor, by their direction: with windows."""
+    field = gs.general_potential(lambda *k: sum(gs.symbol(f"c{n}") * x for n, x in enumerate(k, 1)))
+    scene = gs.assemble(gs.Gyrostat((3, 4, 5), (-1, 2, -1)), field)
+    return gs.analyze(gs.permanent_rotation(scene, gs.stereographic()))
+
+
 def picture(report, x, y, fixed):
     """The chart, and its picture as bytes."""
     chart = stability_chart(report, x=x, y=y, fixed=fixed)
@@ -105,6 +112,18 @@ def main():
         failed += wrong
         print(f"| chart to PNG, {n} × {n}, {name} | {first:.2f} | {statistics.median(then):.2f} "
               f"({min(then):.2f}–{max(then):.2f}) | "
+              f"{wrong} of {points} |")
+    windows, n = rotations(), 40 if quick else 400
+    for name, y, fixed in (("(u1, u2)", ("u2", np.linspace(-2, 2, n)), {"omega": -1, "sigma": -2}),
+                           ("(u1, ω)", ("omega", np.linspace(-3, 1, n)), {"u2": "1/3", "sigma": -2})):
+        x = ("u1", np.linspace(-2, 2, n))
+        chart, first, then = timed(lambda y=y, f=fixed, x=x: picture(windows, x, y, f), 1)
+        wrong, points = wrong_in_chart(windows, chart, rng, 5 if quick else 300)
+        failed += wrong
+        rungs = zip(chart.rung.attrs["flag_meanings"].split(), chart.rung.attrs["flag_values"])
+        decided = ", ".join(f"{rung} {share}" for rung, code in rungs
+                            if (share := int((chart.rung == code).sum())))
+        print(f"| with windows, {n} × {n}, {name}: {decided} | {first:.2f} | {then[0]:.2f} | "
               f"{wrong} of {points} |")
     resolution = Fraction(1, 256) if quick else Fraction(1, 8192)
     region = {"I1": 1, "m0": 1, "l": (-4, 4), "pi3_0": (-4, 4)}
