@@ -72,7 +72,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     >>> ax = gs.plotting.draw_staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U),
     ...                                   ax=Figure().add_subplot(projection="3d"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['stable', 'unstable', 'undecided', 'no rotation', 'change', 'at rest']
+    ['stable', 'unstable', 'no rotation', 'change', 'at rest']
     """
     arcs = staude_cone(scene).arcs(values or {})
     ax = axes_of(ax, three=True)

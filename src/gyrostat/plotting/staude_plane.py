@@ -73,7 +73,7 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     >>> ax = gs.plotting.draw_staude_plane(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U),
     ...                                    ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['stable', 'unstable', 'undecided', 'change', 'fold', 'at rest']
+    ['stable', 'unstable', 'change', 'fold', 'at rest']
     """
     arcs = staude_cone(scene).arcs(values or {})
     plane = _Plane(arcs[0].scene)
