@@ -9,7 +9,8 @@ def test_moments_masses_and_magnitudes_are_positive_and_everything_else_is_real(
     """Assumptions live in one table."""
     for name in NOTATION:
         assert symbol(name).is_real
-        assert bool(symbol(name).is_positive) == (name in ("I1", "I2", "I3", "r", "p0", "mass1", "mass3"))
+        assert bool(symbol(name).is_positive) == (
+            name in ("I1", "I2", "I3", "r", "p0", "omega0", "mass1", "mass3"))
     assert symbol("c").is_real and symbol("c").is_positive is None
 
 

@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     from . import charts, mechanics, plotting, published, trajectories
     from .algebra.precision import own_precision
     from .mechanics.body import Gyrostat, symmetric_gyrostat
+    from .mechanics.circular_orbit import circular_orbit, earth_pointing
     from .mechanics.claimed import equilibrium
+    from .mechanics.coupled import CoupledPotential, coupled_potential
     from .mechanics.directions import stereographic
     from .mechanics.equilibria import Equilibrium
     from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
@@ -77,16 +79,17 @@ _Shown.plain = lambda shown: import_module("gyrostat.printing.text").plain(shown
 __all__ = [
     "__version__", "amended_potential", "AmendedPotential", "analyze", "assemble", "augmented_hessian",
     "axial_potential", "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch",
-    "Case", "charts", "Condition", "Continuation", "continuation", "Criterion", "CriticalPoint", "Decision",
-    "energy_sink_criterion", "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential",
-    "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyContinuation", "HeavyRotation",
-    "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization",
-    "linearize", "mechanics", "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent",
-    "own_precision", "permanent_rotation", "PermanentRotation", "plotting", "Potential", "principal_rotation",
-    "published", "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor",
-    "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
-    "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
-    "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
+    "Case", "charts", "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
+    "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "earth_pointing", "energy_sink_criterion",
+    "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential", "Gyrostat",
+    "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyContinuation", "HeavyRotation", "ideal_fluid",
+    "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize",
+    "mechanics", "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent", "own_precision",
+    "permanent_rotation", "PermanentRotation", "plotting", "Potential", "principal_rotation", "published",
+    "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation",
+    "SecondVariation", "secular_criterion", "secular_variation", "Solution", "solve_condition",
+    "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt",
+    "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
     "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
     "Window",
 ]
@@ -94,7 +97,9 @@ __all__ = [
 __getattr__, __dir__ = _later(__name__, {
     "charts": "", "mechanics": "", "plotting": "", "published": "", "trajectories": "",
     "algebra.precision": "own_precision", "mechanics.body": "Gyrostat symmetric_gyrostat",
-    "mechanics.claimed": "equilibrium", "mechanics.directions": "stereographic",
+    "mechanics.circular_orbit": "circular_orbit earth_pointing",
+    "mechanics.claimed": "equilibrium", "mechanics.coupled": "CoupledPotential coupled_potential",
+    "mechanics.directions": "stereographic",
     "mechanics.equilibria": "Equilibrium",
     "mechanics.fields": "ideal_fluid newtonian_field uniform_field",
     "mechanics.liepoisson": "LiePoisson lie_poisson", "mechanics.orbit": "orbit_tangent symplectic_slice",

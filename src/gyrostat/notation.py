@@ -70,6 +70,7 @@ def _table() -> Mapping[str, Entry]:
                    1)]
     rows += [Entry(f"J{n}", f"J_{n}", f"J{sub[n]}", (1, 0), f"∫ |x|^{n} P_{n}(x3/|x|) dm over the body",
                    length=n - 2) for n in _ORDERS]
+    rows += [Entry("omega0", r"\omega_0", "ω₀", (0, 1), "rate of the orbit", True)]
     rows += [Entry("p0", "p_0", "p₀", (1, 1), "magnitude of the impulse in an ideal fluid", True, -1)]
     rows += [Entry(f"mass{i}", rf"\bar{{m}}_{i}", f"mass{sub[i]}", (1, 0),
                    f"mass with added mass of the fluid, axis {i}", True, -2)
@@ -88,8 +89,8 @@ def _table() -> Mapping[str, Entry]:
 
 NOTATION = _table()
 _PLACES = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
-PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1", "r", "p0", "mass1", "mass3"}
-                       | {f"J{n}" for n in _ORDERS})    # the names of the table a body or a potential may use
+PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1", "r", "p0", "omega0", "mass1",
+                        "mass3"} | {f"J{n}" for n in _ORDERS})    # a body or a potential may use these
 INTERNAL = frozenset({"nu1", "nu2", "nu3", "lamda"})   # names that a derivation introduces itself
 
 

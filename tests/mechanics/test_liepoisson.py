@@ -96,6 +96,7 @@ def test_a_wrong_tensor_does_not_exist():
 
 
 def test_other_spaces_are_refused():
-    """Two directions are outside of this library."""
-    with pytest.raises(ScopeError, match="directions"):
-        gs.lie_poisson(("k", "j"))
+    """Of three directions one is a combination of the others; names that mean something else are refused."""
+    for directions in (("k", "e", "n"), ("k", "k"), ("pi",), ("1",)):
+        with pytest.raises(ScopeError, match="directions"):
+            gs.lie_poisson(directions)

@@ -44,6 +44,8 @@ ANSWERED = {
     "draw_amended_potential": lambda: gs.plotting.draw_amended_potential(gs.assemble(
         FREE.body, gs.general_potential(lambda a, b, c: a + 2 * b + c)), {"C1": 1}),
     "upright": lambda: gs.upright(HEAVY, spin="omega3_0"), "hanging": lambda: gs.hanging(HEAVY),
+    "earth_pointing": lambda: gs.analyze(gs.earth_pointing(gs.assemble(
+        gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1)))).verdict({}),
     "principal_rotation": lambda: gs.principal_rotation(FREE, 3),
     "permanent_rotation": lambda: gs.analyze(gs.permanent_rotation(gs.assemble(
         FREE.body, gs.general_potential()))).sufficient,

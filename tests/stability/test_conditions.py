@@ -236,15 +236,12 @@ def test_independent_is_idempotent(e1):
     assert isinstance(single(e1.necessary), Condition) and isinstance(e1.necessary, Criterion)
 
 
-def test_three_coefficients_are_refused(e1):
-    """λ⁶ + pλ⁴ + qλ² + r, of an orbit of dimension 6, has criteria of its own.
-
-    No coefficient is dropped in silence.
-    """
+def test_four_coefficients_are_refused(e1):
+    """λ⁸ + …, of an orbit of dimension 8, has no criterion: no coefficient is dropped in silence."""
     plane = ImmutableMatrix([[0, 1], [-gs.symbol("a"), 0]])
     wider = Linearization(e1.equilibrium, e1.linearization.basis,
-                          ImmutableMatrix(diag(e1.linearization.matrix, plane)))
-    assert len(wider.coefficients) == 3
+                          ImmutableMatrix(diag(e1.linearization.matrix, plane, plane)))
+    assert len(wider.coefficients) == 4
     for use in (gs.spectral_criterion, Linearization.eigenvalues, Linearization.frequencies):
-        with pytest.raises(ScopeError, match="degree 6 in lamda, with 3 coefficients"):
+        with pytest.raises(ScopeError, match="degree 8 in lamda, with 4 coefficients"):
             use(wider)

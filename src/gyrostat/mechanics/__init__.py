@@ -1,8 +1,10 @@
 """Rigid bodies with rotors in fields: what moves, and where it can stay.
 
-A `body`, with its `rotors`, and a field (a `potential`, given as in `potentials`, named ones in `fields`) are
-a scene: the Lie-Poisson bracket (`liepoisson`), which has every sign convention, and the Hamiltonian give the
-equations of motion and the integrals (`system`; those given are proved in `integrals`, in names `of_body`).
+A `body`, with its `rotors`, and a field (a `potential`, given as in `potentials`, named ones in `fields`; in
+two directions, or with a term linear in the momenta, `coupled`; of a satellite, a `circular_orbit`) are a
+scene: the Lie-Poisson bracket (`liepoisson`), which has every sign convention, and the Hamiltonian give the
+equations of motion (`equations`) and the integrals (`system`; those given are proved in `integrals`, in names
+`of_body`).
 `equilibria`, `claimed` ones too, are checked when they are built, and what is asked of them is derived
 `once`; those with a name are `families`, each a `family` (`vertical`, `tilted`, `principal`,
 `permanent_rotation`, about one of the `directions`), `relations` tie the names in them. At each the coadjoint

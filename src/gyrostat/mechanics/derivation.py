@@ -28,6 +28,10 @@ def rows_at_point(eq: Equilibrium, matrix: ImmutableMatrix) -> list[list[Expr]]:
 def _shared(eq: Equilibrium) -> Signs | None:
     """Signs in a ring of the body, the point, the jet of U there and a free multiplier."""
     body, potential = eq.system.body, eq.system.potential
+    if eq.system.coupled:                                  # its names are those of the energy
+        names = [*eq.system.hamiltonian.free_symbols - set(eq.system.space.coordinates)]
+        signs = Signs.over([*eq.point, *map(eq.insert, names)], eq.domain)
+        return signs if len(signs.ring.generators) <= 2 * GENERATORS else None
     slopes = [d for d in potential.gradient() if isinstance(d, Symbol)] if potential else []
     jet = [*slopes, *(d for slope in slopes for d in potential.following(slope))] if potential else []
     held = [eq.at_point(e) for e in (*body.entries, *body.gyrostatic_momentum, *jet)]

@@ -7,12 +7,13 @@ from sympy import Expr, S, Symbol
 
 from ..algebra.exact import is_identically_zero, plain, sign
 from ..algebra.numbers import shown
-from ..algebra.polynomials import lowest_terms
 from ..errors import EquilibriumError, require
 from ..kept import cached_property
 from ..notation import INTERNAL, Stored, jet
 from ..shown import Shown
+from .coupled import CoupledPotential, Held
 from .potential import smooth_where_positive
+from .relations import residual_of
 from .system import System
 
 Relation = tuple[Symbol, Expr]
@@ -76,7 +77,7 @@ class Equilibrium(Shown, Stored):
         object.__setattr__(self, "point", tuple(map(plain, self.point)))
         left = []
         for coordinate, rate in zip(self.system.space.coordinates, self.at_point(self.system.jet_field)):
-            if residual := _residual(rate, self):
+            if residual := residual_of(rate, self.insert):
                 left.append((f"d{coordinate}/dt = {residual}", is_identically_zero(residual)))
         if wrong := [rate for rate, zero in left if zero is False]:
             raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong)}. Check the "
@@ -91,9 +92,12 @@ class Equilibrium(Shown, Stored):
 
     def _check_direction(self) -> None:
         """k is a unit vector (k = 0 is refused by the verbs), the relations hold for U, and it is smooth."""
+        if isinstance(self.system.potential, CoupledPotential):
+            return self._check_held(self.system.potential.held)
         k = self.point[3:]
         named = k == self.system.space.coordinates[3:]         # any unit vector: checked at numbers
-        if any(k) and not named and (excess := _residual(sum((x**2 for x in k), S.NegativeOne), self)):
+        length = sum((x**2 for x in k), S.NegativeOne)
+        if any(k) and not named and (excess := residual_of(length, self.insert)):
             unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
             raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}"
                                    f"{unknown}: k is a direction, |k| = 1; divide it by its length")
@@ -111,6 +115,14 @@ class Equilibrium(Shown, Stored):
                 raise EquilibriumError(f"{self.label} does not exist: U is not smooth there, the argument "
                                        "of a root, logarithm or inverse function is not proved to be inside "
                                        f"its range, {argument} > 0")
+
+    def _check_held(self, held: Held) -> None:
+        """The directions have the lengths and the angle that the scene gives them."""
+        for casimir, value in held:
+            if excess := residual_of(self._placed(casimir) - value, self.insert):
+                unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
+                raise EquilibriumError(f"{self.label} has {casimir} − {value} = {excess}{unknown}, not 0: "
+                                       "correct the directions")
 
     def _inner_arguments(self) -> tuple[Expr, ...]:
         """What has to be positive for a given U to be smooth at the point: arguments of roots."""
@@ -212,7 +224,7 @@ class Equilibrium(Shown, Stored):
         """What has to vanish at given values: relations that a given U does not satisfy by itself."""
         if not self.system.potential or not self.system.potential.given:
             return ()
-        residuals = (_residual(self.insert(name) - self.insert(value), self)
+        residuals = (residual_of(self.insert(name) - self.insert(value), self.insert)
                      for name, value in self.relations if jet(name.name))
         return tuple(residual for residual in residuals if residual is not None)
 
@@ -236,14 +248,3 @@ class Equilibrium(Shown, Stored):
     @cached_property
     def _derived(self) -> dict[Callable[..., Any], Any]:
         return {}
-
-
-def _residual(rate: Expr, eq: Equilibrium) -> Expr | None:
-    """The rate in lowest terms, None where it is proved to vanish."""
-    for expression in (rate, eq.insert(rate)):
-        if expression is S.Zero:
-            return None
-        residual = lowest_terms(expression)
-        if residual == 0 or is_identically_zero(residual):
-            return None
-    return residual

@@ -1,13 +1,14 @@
-"""LiePoisson: the bracket of a gyrostat on so(3)* and on e(3)* = (so(3) ⋉ R³)*.
+"""LiePoisson: the bracket of a gyrostat on so(3)*, on e(3)* = (so(3) ⋉ R³)*, and with two directions.
 
 The one home of sign conventions.
 
-{F, G} = −M·(∂πF × ∂πG) − k·(∂πF × ∂kG + ∂kF × ∂πG),  M = π + l,  so that π̇ = M × ω + k × ∇U and k̇ = k × ω.
+{F, G} = −M·(∂πF × ∂πG) − Σ a·(∂πF × ∂aG + ∂aF × ∂πG),  M = π + l,  a each direction, so that with
+ω = ∂h/∂π: π̇ = M × ω + Σ a × ∂h/∂a and ȧ = a × ω.
 """
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import combinations
+from itertools import combinations, combinations_with_replacement
 from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Symbol, expand, zeros
@@ -16,7 +17,7 @@ from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring, derivatives, lowest_terms
 from ..errors import BodyError, ScopeError, StructureError
 from ..kept import cached_property
-from ..notation import Stored, symbol
+from ..notation import NOTATION, Stored, symbol
 from ..shown import Shown
 
 
@@ -178,25 +179,27 @@ def _hessian(f: Expr, coordinates: tuple[Symbol, ...]) -> ImmutableMatrix:
 
 def lie_poisson(directions: Sequence[str] = ("k",),
                 gyrostatic_momentum: Sequence[Any] | None = None) -> LiePoisson:
-    """The space of a gyrostat: so(3)* without directions, e(3)* with the one direction k.
+    """The space of a gyrostat: so(3)* without directions, e(3)* with one, so(3)* ⋉ (R³ × R³) with two.
 
-    B = hat M on so(3)*, B = [[hat M, hat k], [hat k, 0]] on e(3)*, M = π + l.
+    B = hat M on so(3)*, B = [[hat M, hat k], [hat k, 0]] on e(3)*, M = π + l; of two directions, each has its
+    row and its column. A third is a combination of two and their cross product: it has nothing to add.
 
     Parameters
     ----------
-    directions : () or ("k",)
+    directions : sequence of str
+        none, one or two names: of a, the coordinates are a1, a2, a3
     gyrostatic_momentum : (l1, l2, l3) or None
         l [M L²/T]; None leaves it in symbols
 
     Returns
     -------
     LiePoisson
-        Casimir abs(M)² on so(3)*; C1 = M·k, C2 = abs(k)² on e(3)*
+        Casimir abs(M)² on so(3)*; C1 = M·k, C2 = abs(k)² on e(3)*; a·a, a·b, b·b of two directions
 
     Raises
     ------
     ScopeError
-        for other directions
+        more than two directions, one twice, or one whose components have another meaning
     BodyError
         the gyrostatic momentum has not three entries
 
@@ -210,9 +213,14 @@ def lie_poisson(directions: Sequence[str] = ("k",),
     >>> gs.lie_poisson(directions=()).casimirs
     ((l1 + pi1)**2 + (l2 + pi2)**2 + (l3 + pi3)**2,)
     """
-    if tuple(directions) not in ((), ("k",)):
-        raise ScopeError(f"directions = {tuple(directions)}: a gyrostat needs () without a field or ('k',) "
-                         "with one")
+    names = tuple(map(str, directions))
+    if len(names) > 2 or len(set(names)) < len(names):
+        raise ScopeError(f"directions = {names}: a gyrostat needs none without a field, ('k',) with one, or "
+                         "two that differ; a third is a combination of two and of their cross product")
+    if taken := [name for name in names if name != "k" and (
+            not name.isidentifier() or any(f"{name}{i}" in NOTATION for i in (1, 2, 3)))]:
+        raise ScopeError(f"directions = {names}: the components of {taken[0]} have another meaning: give a "
+                         "name such as k, e, n or r")
     given = (
         tuple(gyrostatic_momentum)
         if gyrostatic_momentum is not None
@@ -221,15 +229,21 @@ def lie_poisson(directions: Sequence[str] = ("k",),
     if len(given) != 3:
         raise BodyError(f"gyrostatic_momentum has {len(given)} entries: give three, one for each principal "
                         "axis")
-    return _space(bool(directions), tuple(map(exact_expression, given)))
+    return _space(names, tuple(map(exact_expression, given)))
 
 
 @lru_cache(maxsize=64)                                  # what is proved of a space is proved once
-def _space(directed: bool, rotor: tuple[Expr, ...]) -> LiePoisson:
-    pi, k = ([symbol(f"{x}{i}") for i in (1, 2, 3)] for x in ("pi", "k"))
+def _space(directions: tuple[str, ...], rotor: tuple[Expr, ...]) -> LiePoisson:
+    pi, *vectors = ([symbol(f"{x}{i}") for i in (1, 2, 3)] for x in ("pi", *directions))
     M = [p + rotor_i for p, rotor_i in zip(pi, rotor)]
-    if not directed:
+    if not vectors:
         return LiePoisson(tuple(pi), hat(M), (sum(m**2 for m in M),))
-    tensor = ImmutableMatrix.vstack(ImmutableMatrix.hstack(hat(M), hat(k)),
-                                    ImmutableMatrix.hstack(hat(k), zeros(3, 3)))
-    return LiePoisson((*pi, *k), tensor, (sum(m * x for m, x in zip(M, k)), sum(x**2 for x in k)))
+    blocks = [hat(M), *map(hat, vectors)]
+    empty = zeros(3, 3 * len(vectors))
+    tensor = ImmutableMatrix.vstack(ImmutableMatrix.hstack(*blocks),
+                                    *(ImmutableMatrix.hstack(block, empty) for block in blocks[1:]))
+    pairs = [(M, vectors[0]), (vectors[0], vectors[0])]
+    if len(vectors) == 2:
+        pairs = [(a, b) for a, b in combinations_with_replacement(vectors, 2)]
+    return LiePoisson(tuple(x for v in (pi, *vectors) for x in v), tensor,
+                      tuple(Add(*(x * y for x, y in zip(a, b))) for a, b in pairs))

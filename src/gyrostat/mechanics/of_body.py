@@ -23,7 +23,9 @@ def potential_of_body(potential: Potential, body: Gyrostat) -> Potential:
         raise ScopeError(f"U = {potential.expression} is written for I1 = I2, the body has inertia = "
                          f"{body.moments}: "
                          "give its own U(k1, k2, k3) with general_potential")
-    inserted = in_names_of(body, potential.expression)
-    if inserted == potential.expression:
+    if potential.coupled:                                  # I11, I12, … too, in any axes
+        tensor = {symbol(f"I{i}{j}"): body.tensor[i - 1, j - 1] for i in (1, 2, 3) for j in (1, 2, 3)}
+        return potential.changed(lambda e: in_names_of(body, e.xreplace(tensor)))
+    if in_names_of(body, potential.expression) == potential.expression:
         return potential
-    return Potential(potential.variables, inserted, potential.revolution)
+    return potential.changed(lambda e: in_names_of(body, e))

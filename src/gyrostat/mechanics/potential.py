@@ -1,6 +1,6 @@
 """A potential U(k3) or U(k1, k2, k3), unspecified or given; its jet."""
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, cos, log
@@ -73,6 +73,29 @@ class Potential(Shown, Stored):
     def given(self) -> bool:
         """Whether U is an expression, not an unspecified function."""
         return not isinstance(self.expression, AppliedUndef)
+
+    @property
+    def coupled(self) -> bool:
+        """Whether there is a second direction, or a term β·π in the energy: a CoupledPotential."""
+        return False
+
+    @property
+    def directions(self) -> tuple[str, ...]:
+        """The names of the directions."""
+        return ("k",)
+
+    def changed(self, change: Callable[[Expr], Expr]) -> "Potential":
+        """With its expression changed, numbers inserted, say.
+
+        Parameters
+        ----------
+        change : callable
+
+        Returns
+        -------
+        Potential
+        """
+        return replace(self, expression=change(self.expression))
 
     @property
     def axial(self) -> bool:

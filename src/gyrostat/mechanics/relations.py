@@ -1,9 +1,10 @@
-"""The relation between the names of a family, solved for one that it is affine in."""
-from collections.abc import Sequence
+"""Relations between the names of a family: solved for one that they are affine in; what is left of one."""
+from collections.abc import Callable, Sequence
 
 from sympy import Expr, S, Symbol
 
-from ..algebra.polynomials import Ring
+from ..algebra.exact import is_identically_zero
+from ..algebra.polynomials import Ring, lowest_terms
 from ..errors import EquilibriumError
 from ..notation import symbol
 
@@ -33,3 +34,14 @@ def affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
     slope = top.derivative(index)
     rest = top - slope * ring.gens[x]
     return ring.quotient(-rest, slope), ring.expression(slope)
+
+
+def residual_of(rate: Expr, insert: Callable[[Expr], Expr]) -> Expr | None:
+    """The rate in lowest terms, values inserted where needed; None where it is proved to vanish."""
+    for expression in (rate, insert(rate)):
+        if expression is S.Zero:
+            return None
+        residual = lowest_terms(expression)
+        if residual == 0 or is_identically_zero(residual):
+            return None
+    return residual

@@ -63,7 +63,7 @@ def _plain(scene: System) -> bool:
 
     Or U is constant and π is fixed, whatever the axis.
     """
-    return reducible(scene) or len(scene.linear_integrals) == 3
+    return reducible(scene) or scene.coupled or len(scene.linear_integrals) == 3
 
 
 def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:

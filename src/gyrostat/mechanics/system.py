@@ -1,17 +1,17 @@
 """System: a space, a Hamiltonian and the integrals found; its equations of motion; assemble."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
-from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol, diag
+from sympy import Add, Expr, ImmutableMatrix, Symbol, diag
 
 from ..algebra.exact import evaluate, sign
-from ..algebra.polynomials import Ring, derivatives
 from ..errors import require
 from ..kept import cached_property
 from ..notation import Stored, jet
 from ..shown import Shown
 from .body import Gyrostat
+from .coupled import CoupledPotential
+from .equations import jet_field, jet_jacobian
 from .integrals import check_independent, everywhere, in_coordinates, linear_integrals, texts_or_expressions
 from .liepoisson import LiePoisson, lie_poisson
 from .of_body import in_names_of, potential_of_body
@@ -56,6 +56,11 @@ class System(Shown, Stored):
     def __post_init__(self) -> None:
         if self.integrals:                                 # what is none is refused
             _ = self.level_only
+
+    @property
+    def coupled(self) -> bool:
+        """Whether it has two directions, or a term of the energy that is linear in π: a CoupledPotential."""
+        return self.potential is not None and self.potential.coupled
 
     @cached_property
     def level_only(self) -> tuple[Expr, ...]:
@@ -113,12 +118,16 @@ class System(Shown, Stored):
     @cached_property
     def energy_gradient(self) -> ImmutableMatrix:
         """∇h in the coordinates and the jet of U: ωᵢ = πᵢ/Iᵢ, then ∇U."""
+        if self.coupled:
+            return self.space.gradient(self.hamiltonian)
         rates = self.body.inverse * ImmutableMatrix(self.space.coordinates[:3])
         return ImmutableMatrix([*rates, *(self.potential.gradient() if self.potential else ())])
 
     @cached_property
     def energy_hessian(self) -> ImmutableMatrix:
         """D²h in the coordinates and the jet of U."""
+        if self.coupled:
+            return self.space.hessian(self.hamiltonian)
         kinetic = self.body.inverse
         if self.potential is None:
             return ImmutableMatrix(kinetic)
@@ -129,15 +138,17 @@ class System(Shown, Stored):
     @cached_property
     def jet_field(self) -> ImmutableMatrix:
         """B ∇h in the coordinates and the jet of U, one coefficient for each product of coordinates."""
-        return _jet_field(self.space, tuple(self.energy_gradient.flat()))
+        return jet_field(self.space, tuple(self.energy_gradient.flat()))
 
     @cached_property
     def jet_jacobian(self) -> ImmutableMatrix:
         """Derivative of the field along the coordinates, dU differentiated to d2U."""
+        if self.coupled:
+            return jet_jacobian(self.jet_field, self.space.coordinates, ())
         slopes = self.potential.gradient() if self.potential else ()
         following = [(d, self.potential.following(d)) for d in slopes
                      if self.potential and isinstance(d, Symbol)]
-        return _jet_jacobian(self.jet_field, self.space.coordinates, tuple(following))
+        return jet_jacobian(self.jet_field, self.space.coordinates, tuple(following))
 
 
 def assemble(body: Gyrostat, potential: Potential | None = None,
@@ -190,8 +201,10 @@ def assemble(body: Gyrostat, potential: Potential | None = None,
 
 def system_of(body: Gyrostat, potential: Potential | None, given: Sequence[Expr] = ()) -> System:
     """The scene of a body in a potential whose names are those of the scene: nothing is inserted."""
-    space = lie_poisson(("k",) if potential else (), body.gyrostatic_momentum)
+    space = lie_poisson(potential.directions if potential else (), body.gyrostatic_momentum)
     hamiltonian = body.kinetic_energy(space.coordinates[:3]) + (potential.expression if potential else 0)
+    if isinstance(potential, CoupledPotential):
+        hamiltonian += Add(*(b * p for b, p in zip(potential.drift, space.coordinates)))
     free = System(body, space, hamiltonian, (), potential)
     rates = free.jet_field.flat()[:3]
     rates = _rates(potential, rates) if potential else rates
@@ -201,7 +214,7 @@ def system_of(body: Gyrostat, potential: Potential | None, given: Sequence[Expr]
 def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
     """The scene with numbers, or other expressions, in place of its names."""
     potential = scene.potential
-    field = potential and replace(potential, expression=potential.expression.xreplace(dict(known)))
+    field = potential and potential.changed(lambda e: e.xreplace(dict(known)))
     given = [F.xreplace(dict(known)) for F in scene.given_integrals]
     return system_of(scene.body.changed(lambda x: evaluate(x, known)), field,
                      [F for F in given if any(scene.space.hessian(F))])
@@ -216,30 +229,3 @@ def _rates(potential: Potential, rates: Sequence[Expr]) -> list[Expr]:
     """Rates in the jet of U, with what its symbols stand for."""
     values = {d: potential.value(d) for d in set().union(*(r.free_symbols for r in rates)) if jet(d.name)}
     return [rate.xreplace(values) for rate in rates]
-
-
-# the jet is the same of every U: what it leaves open is derived once for a body
-@lru_cache(maxsize=64)
-def _jet_field(space: LiePoisson, energy_gradient: tuple[Expr, ...]) -> ImmutableMatrix:
-    return ImmutableMatrix([_collected(component, space.coordinates)
-                            for component in (space.tensor * ImmutableMatrix(energy_gradient)).flat()])
-
-
-@lru_cache(maxsize=64)
-def _jet_jacobian(field: ImmutableMatrix, coordinates: tuple[Symbol, ...],
-                  following: tuple[tuple[Symbol, tuple[Expr, ...]], ...]) -> ImmutableMatrix:
-    rows = []
-    for rate in field.flat():
-        row = derivatives(rate, (*coordinates, *(d for d, _ in following)))
-        for (_, inner), outer in zip(following, row[len(coordinates):]):
-            row[3:6] = [entry + outer * slope for entry, slope in zip(row[3:6], inner)]
-        rows.append(row[:len(coordinates)])
-    return ImmutableMatrix(rows)
-
-
-def _collected(component: Expr, coordinates: tuple[Symbol, ...]) -> Expr:
-    """The component with one coefficient for each product of coordinates, as in (I1 − I3)/(I1 I3) π2 π3."""
-    ring = Ring([component])
-    top, bottom = ring.fraction(component)
-    return Add(*(Mul(ring.quotient(coefficient, bottom), ring.monomial(kind))
-                 for kind, coefficient in ring.coefficients(top, set(coordinates)).items()))

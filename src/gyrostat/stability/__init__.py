@@ -21,4 +21,8 @@ cone (`staude`, `staude_arcs`), with a rotor the curves of `gyrostat_arcs` (`rat
 `rotation_meetings`, `followed_rotations`, `rotor_planes`; of a heavy one `followed_heavy`); `critical_values`
 (`precessions`) and `spectra` their levels and eigenvalues. `solve` (`cases`, `sets`) and `stabilizing`
 (`decomposition`, `tilts`) turn a verdict into values.
+
+In the frame of two directions the second variation is a stiffness beside the momenta (`orientation_form`),
+the characteristic polynomial a `sextic`; damping (`secular_in_frame`) and what lies between (`in_frame`) are
+their own.
 """

@@ -12,6 +12,8 @@ from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian, blocks
 from .implication import Item, eliminate, merge, reduced
 from .linearization import Linearization
+from .orientation_form import orientation_form, rests_in_frame
+from .sextic import factors_in_squares, items_of_factors
 
 Minor = tuple[str, int, Expr]                              # its name, its order, what it is
 
@@ -19,7 +21,8 @@ Minor = tuple[str, int, Expr]                              # its name, its order
 def spectral_criterion(linearization: Linearization) -> Criterion:
     """Necessary for stability: no eigenvalue has a positive real part.
 
-    λ⁴ + pλ² + q: p ≥ 0, q ≥ 0, p² − 4q ≥ 0, each as it is; λ² + q: q ≥ 0.
+    λ⁴ + pλ² + q: p ≥ 0, q ≥ 0, p² − 4q ≥ 0, each as it is; λ² + q: q ≥ 0. Of λ⁶ + … each factor in x = λ² has
+    real roots ≤ 0: x³ + a x² + b x + c iff a, b, c ≥ 0 and its discriminant Δ ≥ 0.
 
     Parameters
     ----------
@@ -47,7 +50,10 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     >>> discriminant.margin, discriminant.degenerate
     (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
     """
-    eq, values = linearization.equilibrium, linearization.frequency_coefficients
+    eq = linearization.equilibrium
+    if len(linearization.coefficients) == 3:
+        return _of_sextic(linearization)
+    values = linearization.frequency_coefficients
     signs = signs_over(eq, values)
     ring = signs.ring
     fractions = [ring.fraction(value) for value in values]
@@ -61,6 +67,14 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
         discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
         items.append(Item(*discriminant, False, "p² − 4q"))
     return Criterion("spectral", (tuple(condition_of(ring, item, eq) for item in items),))
+
+
+def _of_sextic(linearization: Linearization) -> Criterion:
+    eq = linearization.equilibrium
+    factors = factors_in_squares(linearization.coefficients)
+    signs = signs_over(eq, [c for factor in factors for c in factor])
+    items = items_of_factors(factors, signs)
+    return Criterion("spectral", (tuple(condition_of(signs.ring, item, eq) for item in items),))
 
 
 def formal_criterion(variation: SecondVariation) -> Criterion:
@@ -95,7 +109,7 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     if invariants := _on_sphere(variation):
         signs = signs_over(variation.equilibrium, invariants)
         return _definite(variation, "formal", _minors([(2, invariants[1])]), signs, (1,))
-    if found := across(variation):
+    if found := across(variation) or of_stiffness(variation):
         return _definite(variation, "formal", found, _signs(variation, found), (1,))
     # one multiplier is eliminated, any value of the others may be chosen
     others = dict.fromkeys(variation.free[1:], S.Zero)
@@ -134,13 +148,14 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     >>> print(gs.independent(gs.secular_criterion(gs.secular_variation(spin)), spin))
     I₃ > I₁ and I₃ > I₂
     """
-    minors = across(variation) or _minors([(2, e) for e in _on_sphere(variation)] or variation.block_minors)
+    minors = across(variation) or of_stiffness(variation)
+    minors = minors or _minors([(2, e) for e in _on_sphere(variation)] or variation.block_minors)
     return _definite(variation, "secular", minors, _signs(variation, minors), (1,))
 
 
 def positive(eq: Equilibrium) -> tuple[Expr, ...]:
     """What is positive at every equilibrium: k·Ik, where there is a field."""
-    k = Matrix(eq.point[3:])
+    k = Matrix(() if eq.system.coupled else eq.point[3:])
     return (eq.at_point(k.dot(eq.system.body.tensor * k)),) if k else ()
 
 
@@ -152,7 +167,7 @@ def across(variation: SecondVariation) -> list[Minor]:
     """
     eq = variation.equilibrium
     system, body, k = eq.system, eq.system.body, eq.point[3:]
-    if not system.potential or system.linear_integrals or sum(x != 0 for x in k) < 2:
+    if not system.potential or system.coupled or system.linear_integrals or sum(x != 0 for x in k) < 2:
         return []
     if len(blocks(variation.matrix.tolist())) > 1:
         return []
@@ -161,6 +176,27 @@ def across(variation: SecondVariation) -> list[Minor]:
     hessian = [row[3:] for row in rows_at_point(eq, system.energy_hessian)[3:]]
     form = amended_form(body.tensor.tolist(), body.gyrostatic_momentum, gradient, hessian, k, omega)
     return [("t", 1, lowest_terms(form.trace)), ("s", 2, lowest_terms(form.determinant))]
+
+
+def stiffness(variation: SecondVariation) -> Matrix | None:
+    """Of a body at rest in the frame of two directions, without integrals: K.
+
+    The second variation is a positive form of the momenta beside K.
+    """
+    eq = variation.equilibrium
+    if eq.system.linear_integrals or not rests_in_frame(eq):
+        return None
+    return orientation_form(eq).stiffness
+
+
+def of_stiffness(variation: SecondVariation) -> list[Minor]:
+    """The leading principal minors of each block of K."""
+    K = stiffness(variation)
+    if K is None:
+        return []
+    rows = K.tolist()
+    return [(f"minor {n} of K", n, Matrix([[rows[i][j] for j in block[:n]] for i in block[:n]]).det(
+        method="berkowitz")) for block in blocks(rows) for n in range(1, len(block) + 1)]
 
 
 def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:

@@ -17,6 +17,7 @@ from .energy_casimir import SecondVariation, second_variation
 from .integrals import integral_criterion
 from .linearization import Linearization, linearize
 from .secular import Secular, secular_of
+from .secular_in_frame import SecularInFrame
 from .sphere import sphere_of
 from .values import names_accepted, names_needed
 
@@ -81,7 +82,8 @@ class Derived(Shown, Stored):
     @cached_property
     def secular(self) -> Secular:
         """What internal damping makes of it."""
-        return secular_of(self.equilibrium)
+        eq = self.equilibrium
+        return SecularInFrame(eq) if eq.system.coupled else secular_of(eq)
 
     @cached_property
     def boundary(self) -> Boundary | None:

@@ -10,6 +10,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .amended import Amended
 from .decision import Finding, settled
+from .in_frame import decide_in_frame
 from .integrals import decide_by_integrals
 from .linearization import Linearization
 from .local_motion import local_motion
@@ -49,6 +50,8 @@ class Elementary:
         if missing := [name for name in names if symbol(name) not in numbers]:
             return settled(None, "the point lies between the two criteria; give "
                            f"{', '.join(missing)} to decide")
+        if eq.system.coupled:
+            return decide_in_frame(eq, numbers, sign(determinant, numbers) == 0)
         if eq.system.potential is None:
             found, why = extremum_at(eq, numbers)
             return settled(None if found is None else found != 0, why)

@@ -2,7 +2,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sympy import Expr, I, ImmutableMatrix, Mul, Pow, S, sqrt
+from sympy import Expr, I, ImmutableMatrix, Mul, Poly, Pow, S, roots, sqrt
 
 from ..algebra.matrices import characteristic_coefficients, multiply
 from ..algebra.polynomials import Ring
@@ -14,6 +14,7 @@ from ..mechanics.once import once
 from ..mechanics.orbit import orbit_tangent
 from ..notation import Stored, symbol
 from ..shown import Shown
+from .sextic import factors_in_squares
 
 LAMBDA = symbol("lamda")
 
@@ -65,9 +66,8 @@ class Linearization(Shown, Stored):
         if len(self.coefficients) not in (1, 2):
             raise ScopeError(f"the characteristic polynomial has the degree {self.matrix.rows} in lamda, "
                              f"with {len(self.coefficients)} "
-                             "coefficients: criteria and eigenvalues are those of λ² + q and λ⁴ + p λ² + "
-                             "q, on orbits of dimension 2 and "
-                             "4; use characteristic_polynomial()")
+                             "coefficients: criteria and eigenvalues are those of orbits of dimension 2, "
+                             "4 and 6; use characteristic_polynomial()")
         return self.coefficients
 
     def characteristic_polynomial(self) -> Expr:
@@ -90,7 +90,7 @@ class Linearization(Shown, Stored):
         return tuple((ring.expression(f), int(n)) for f, n in factors if f.degrees()[index])
 
     def eigenvalues(self) -> tuple[Expr, ...]:
-        """The d roots of the characteristic polynomial, d = 2 or 4, in closed form.
+        """The d roots of the characteristic polynomial, d = 2, 4 or 6, in closed form.
 
         Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2 (frequencies); at E1 and E2 p + 2r
         is a square too.
@@ -112,6 +112,9 @@ class Linearization(Shown, Stored):
         >>> gs.linearize(gs.hanging(scene)).eigenvalues()[0]
         I*(pi3_0/2 + sqrt(4*dU + pi3_0**2)/2)
         """
+        if len(self.coefficients) == 3:
+            squares = [root for factor in factors_in_squares(self.coefficients) for root in _roots(factor)]
+            return tuple(s * I * sqrt(-root) for root in squares for s in (1, -1))
         parts = self.frequencies()
         if parts is None:
             p, q = self.frequency_coefficients
@@ -123,7 +126,11 @@ class Linearization(Shown, Stored):
         return tuple(s * I * (outer + t * inner) for s in (1, -1) for t in (1, -1))
 
     def frequencies(self) -> tuple[Expr, Expr] | None:
-        """(a, b) with λ = ±i (a ± b), b = 0 for d = 2; None where q is no square and the roots nest."""
+        """(a, b) with λ = ±i (a ± b), b = 0 for d = 2; None where q is no square and the roots nest, and
+        for d = 6.
+        """
+        if len(self.coefficients) == 3:
+            return None
         if len(self.frequency_coefficients) == 1:
             return square_root(self.coefficients[0]), S.Zero
         p, q = self.coefficients
@@ -180,6 +187,11 @@ def _free_coordinates(basis: Sequence[Sequence[Expr]]) -> list[int]:
         if len(vectors) == 1:
             found.setdefault(vectors[0], i)
     return [found[j] for j in range(len(basis[0]))]
+
+
+def _roots(factor: Sequence[Expr]) -> list[Expr]:
+    """The roots of a polynomial of degree up to three, by its coefficients."""
+    return list(roots(Poly(factor, LAMBDA), multiple=True))
 
 
 def square_root(expression: Expr) -> Expr:

@@ -21,7 +21,7 @@ from ..mechanics.once import once
 from ..mechanics.standard import seen, seen_at
 from ..notation import symbol
 from .conditions import Condition, Criterion, independent
-from .criteria import across, positive, secular_criterion
+from .criteria import across, of_stiffness, positive, secular_criterion
 from .energy_casimir import SecondVariation, secular_variation
 from .minima import least_at
 from .truth import holds, sign_at
@@ -147,7 +147,8 @@ class Secular:
         determinant, whose changes are too.
         """
         eq = self.equilibrium
-        found = [(n, minor) for _, n, minor in across(self.variation)] or self.variation.block_minors
+        found = [(n, minor) for _, n, minor in across(self.variation) or of_stiffness(self.variation)
+                 ] or self.variation.block_minors
         minors = [(n, eq.insert(minor)) for n, minor in found]
         signs = Signs.over([minor for _, minor in minors], (*eq.existence(), *map(eq.insert, positive(eq))))
         blocks: list[list[Condition]] = []
@@ -164,7 +165,7 @@ class Secular:
         eq, matrix = self.equilibrium, self.variation.matrix
         if found := across(self.variation):
             return tuple(eq.insert(x) for _, _, x in found)
-        return _coefficients([[eq.insert(entry) for entry in row] for row in matrix.tolist()])
+        return characteristic([[eq.insert(entry) for entry in row] for row in matrix.tolist()])
 
     @cached_property
     def _torques(self) -> tuple[Expr, ...]:
@@ -209,7 +210,7 @@ class Secular:
         mu, rate = k.dot(pi + Matrix(body.gyrostatic_momentum)), k.dot(body.inverse * pi)
         turn = hat(k)
         form = turn.T * (mu**2 * body.inverse - mu * rate * eye(3)) * turn
-        growing = _changes([sign_of_constant(evaluate(c, {})) for c in _coefficients(form.tolist())])
+        growing = _changes([sign_of_constant(evaluate(c, {})) for c in characteristic(form.tolist())])
         if growing:
             return False, f"{LOST}, {modes(growing)}; {OUT_OF_REACH}", growing
         return None, OUT_OF_REACH, None
@@ -228,7 +229,7 @@ def secular_of(eq: Equilibrium) -> Secular:
     return Secular(eq)
 
 
-def _coefficients(form: Sequence[Sequence[Expr]]) -> tuple[Expr, ...]:
+def characteristic(form: Sequence[Sequence[Expr]]) -> tuple[Expr, ...]:
     """e1, …, en of det(λ + A) = λⁿ + e1 λⁿ⁻¹ + … + en."""
     ring = Ring([entry for row in form for entry in row])
     rows, bottom = ring.matrix(form)

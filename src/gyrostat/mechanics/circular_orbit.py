@@ -1,0 +1,151 @@
+"""A satellite in a circular orbit: the field of the gravity gradient in the frame that turns with it."""
+from typing import Any
+
+from sympy import Add, Expr, ImmutableMatrix, Rational, sqrt
+
+from ..algebra.exact import sign_of_constant
+from ..algebra.numbers import exact_expression, shown
+from ..errors import EquilibriumError, PotentialError, ScopeError, require
+from ..notation import symbol
+from .coupled import CoupledPotential, unit_and_orthogonal
+from .equilibria import Equilibrium
+from .liepoisson import hat
+from .system import System
+
+NORMAL, VERTICAL = "n", "r"
+RATE = symbol("omega0")
+
+
+def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None) -> CoupledPotential:
+    """The field of a satellite in a circular orbit, in the frame that turns with the orbit.
+
+    n is the normal of the orbit, r the local vertical, outwards, t = n × r along the velocity, all in body
+    axes. h = T − ω0 n·(π + l) + (3/2) ω0² r·Ir is the Jacobi integral; π is the angular momentum of the
+    absolute rate ω, the rate against the frame is ω − ω0 n. The attitude does not act on the orbit, and the
+    body is small beside it.
+
+    Parameters
+    ----------
+    rate : number, text or Expr, or None
+        ω0 > 0, such as "0.0011 rad/s"; None: the symbol omega0 [1/T]
+    mu, radius : number, text or Expr
+        in place of the rate: the gravitational parameter [L³/T²] and the radius of the orbit [L],
+        ω0² = mu/radius³
+
+    Returns
+    -------
+    CoupledPotential
+        U in n, r, the entries I11, I12, … of the tensor of the body and its rotor l1, l2, l3, inserted by
+        assemble
+
+    Raises
+    ------
+    PotentialError
+        the rate, mu or the radius is not positive, or the rate is given and mu and radius give another
+
+    References
+    ----------
+    Hughes, Spacecraft Attitude Dynamics (1986), chapter 9; the bracket: Krishnaprasad & Marsden, Arch.
+    Rational Mech. Anal. 98 (1987) 71-93.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)), gs.circular_orbit())
+    >>> gs.earth_pointing(scene, roll=1, pitch=2, yaw=3).point
+    (0, I2*omega0, 0, 0, 1, 0, 0, 0, 1)
+    """
+    omega0 = _rate(rate, mu, radius)
+    n, r, l = ([symbol(f"{x}{i}") for i in (1, 2, 3)] for x in (NORMAL, VERTICAL, "l"))
+    gravity = Add(*(symbol(f"I{min(i, j)}{max(i, j)}") * r[i - 1] * r[j - 1]
+                    for i in (1, 2, 3) for j in (1, 2, 3)))
+    U = Rational(3, 2) * omega0**2 * gravity - omega0 * Add(*(a * b for a, b in zip(n, l)))
+    first, second, third = (-omega0 * x for x in n)
+    return CoupledPotential((*n, *r), U, False, (first, second, third),
+                            unit_and_orthogonal((NORMAL, VERTICAL)))
+
+
+def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
+    """ω0, positive."""
+    given = {name: exact_expression(x, name) for name, x in (("rate", rate), ("mu", mu), ("radius", radius))
+             if x is not None}
+    for name, value in given.items():
+        if not value.free_symbols and sign_of_constant(value) != 1:
+            raise PotentialError(f"{name} = {shown(value)}: the {name} of a circular orbit is positive; give "
+                                 "a positive number")
+    if ("mu" in given) != ("radius" in given):
+        raise PotentialError(f"{', '.join(given)}: an orbit has a rate, or mu and radius; give both of these")
+    if "mu" not in given:
+        return given.get("rate", RATE)
+    found = sqrt(given["mu"] / given["radius"] ** 3)
+    if "rate" in given and sign_of_constant(given["rate"] - found) != 0:
+        raise PotentialError(f"rate = {shown(given['rate'])}, but mu and radius give "
+                             f"{shown(found)}: leave one of them out")
+    return found
+
+
+def in_orbit(scene: System) -> bool:
+    """Whether a scene is a satellite in a circular orbit."""
+    return scene.potential is not None and scene.potential.directions == (NORMAL, VERTICAL)
+
+
+def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -> Equilibrium:
+    """A satellite at rest in the frame of its circular orbit, three body axes along those of the orbit.
+
+    Parameters
+    ----------
+    scene : System
+        of assemble(body, circular_orbit())
+    roll, pitch, yaw : int
+        the body axes, 1, 2, 3 in some order, along the velocity t, the normal n and the vertical r; −2, say,
+        for an axis that points the other way. That of roll follows from the other two: t = n × r
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    ScopeError
+        the scene is in no orbit
+    EquilibriumError
+        the axes are not three; or the body does not rest so: l needs l·t = −ω0 t·In, l·r = −4 ω0 r·In, and
+        t·Ir = 0
+
+    References
+    ----------
+    Lagrange (1780); Hughes, Spacecraft Attitude Dynamics (1986), chapters 9 and 10.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, gs.symbol("l"), 0))
+    >>> pointing = gs.earth_pointing(gs.assemble(body, gs.circular_orbit()), roll=1, pitch=2, yaw=3)
+    >>> print(gs.analyze(pointing).sufficient)
+    l + 4 ω₀ (I₂ − I₃) > 0 and I₁ > I₃ and l > ω₀ (I₁ − I₂)
+    """
+    require(scene, System, "the scene")
+    if not in_orbit(scene):
+        raise ScopeError("earth_pointing is of a satellite in orbit: assemble(body, circular_orbit())")
+    if sorted(map(abs, (roll, pitch, yaw))) != [1, 2, 3]:
+        raise EquilibriumError(f"roll = {roll}, pitch = {pitch}, yaw = {yaw}: give the body axes 1, 2, 3 in "
+                               "some order, negative for one that points the other way")
+    n, r = ([abs(axis) // axis if i == abs(axis) else 0 for i in (1, 2, 3)] for axis in (pitch, yaw))
+    return Equilibrium("Earth-pointing", scene, resting_at(scene, n, r))
+
+
+def resting_at(scene: System, n: Any, r: Any) -> tuple[Expr, ...]:
+    """The point of a satellite at rest in the frame of its orbit, at n and r: π = ω0 In."""
+    normal = ImmutableMatrix(n)
+    return (*(orbital_rate(scene) * scene.body.tensor * normal), *normal, *ImmutableMatrix(r))
+
+
+def orbital_rate(scene: System) -> Expr:
+    """ω0 of a scene."""
+    assert isinstance(scene.potential, CoupledPotential)
+    return -scene.potential.drift[0].diff(symbol(f"{NORMAL}1"))
+
+
+def along_velocity(n: Any, r: Any) -> ImmutableMatrix:
+    """t = n × r."""
+    return ImmutableMatrix(hat(n) * ImmutableMatrix(r))
