@@ -7,7 +7,7 @@ from typing import Any
 from sympy import Add, Expr, S, Symbol
 
 from ..algebra.numbers import exact_expression
-from ..errors import PotentialError
+from ..errors import PotentialError, ScopeError
 from ..notation import symbol
 from .liepoisson import lie_poisson
 from .potential import Potential
@@ -150,6 +150,16 @@ def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
                                  f"{', '.join(map(str, variables))}: β is a matrix times a direction")
     pairs = tuple((exact_expression(c, "a Casimir"), exact_expression(v, "its value")) for c, v in held)
     return CoupledPotential(variables, U, False, (first, second, third), pairs)
+
+
+def in_one_direction(potential: Potential | None, what: str) -> None:
+    """Refuse two directions, and a term β·π: what is asked is of a field U(k) that is fixed in space."""
+    if isinstance(potential, CoupledPotential):
+        has = (f"the directions {' and '.join(potential.directions)}" if len(potential.directions) > 1
+               else f"a coupling β = ({', '.join(map(str, potential.drift))})")
+        raise ScopeError(f"{what} is of a body in a field of one direction without coupling, and the scene "
+                         f"has {has}: use its equilibria with analyze, spectrum, stabilizing_set and charts, "
+                         "and its motion")
 
 
 def unit_and_orthogonal(directions: Sequence[str]) -> Held:

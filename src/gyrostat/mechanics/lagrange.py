@@ -5,6 +5,7 @@ from ..errors import ScopeError, require
 from ..notation import symbol
 from .attitude import ANGLES, RATES, angular_velocity, direction, nodes
 from .body import Gyrostat
+from .coupled import in_one_direction
 from .potential import Potential
 
 
@@ -58,7 +59,7 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     Raises
     ------
     ScopeError
-        another convention
+        another convention; two directions, or a coupling
 
     References
     ----------
@@ -72,6 +73,7 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     I1*phi_dot**2*sin(theta)**2/2 + I1*theta_dot**2/2 + I3*(phi_dot*cos(theta) + psi_dot)**2/2 - m0*cos(theta)
     """
     require(body, Gyrostat, "the body")
+    in_one_direction(potential, "the Lagrangian")
     omega = angular_velocity(convention)
     kinetic = Rational(1, 2) * sum(moment * rate**2 for moment, rate in zip(body.moments, omega))
     if body.moments[0] == body.moments[1]:             # ω1² + ω2² is θ̇² + φ̇² sin²θ in either convention
@@ -153,6 +155,7 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     """
     require(body, Gyrostat, "the body")
     require(potential, Potential, "the potential")
+    in_one_direction(potential, "the effective potential")
     if not body.is_of_revolution() or not potential.axial:
         raise ScopeError("θ moves by itself only for a body of revolution in U(k3); here inertia = "
                          f"{body.moments}, "

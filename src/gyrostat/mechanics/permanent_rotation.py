@@ -8,6 +8,7 @@ from sympy import Expr, Matrix, Symbol
 from ..algebra.numbers import exact_expression
 from ..errors import EquilibriumError, ScopeError, require
 from ..notation import jet, of_the_motion, symbol
+from .coupled import in_one_direction
 from .equilibria import Equilibrium, Relation
 from .families import PERMANENT
 from .potential import DIRECTIONS, Potential
@@ -61,6 +62,7 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
     dU_3 = 2*I3*omega**2/3 + 2*sigma/3
     """
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, "permanent_rotation")
     U = scene.potential
     if U is not None and U.axial and U.given and not scene.integrals:
         U = replace(U, variables=DIRECTIONS)               # of an asymmetric body: as any U(k1, k2, k3)

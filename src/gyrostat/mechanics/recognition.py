@@ -98,7 +98,7 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
     """
     if reducible(scene):
         return Recognition(scene, UNITS[2], scene)
-    if scene.potential is None or not scene.potential.given:
+    if scene.potential is None or not scene.potential.given or scene.coupled:
         return None
     for direction in _directions(scene.body, scene.potential):
         axis = _unit(direction)

@@ -9,6 +9,7 @@ from ..algebra.polynomials import Ring, by_degree, derivatives, lowest_terms
 from ..errors import ScopeError, StructureError, require
 from ..notation import Stored, jet_name, symbol
 from ..shown import Shown
+from .coupled import in_one_direction
 from .equilibria import Equilibrium
 from .system import System
 
@@ -173,6 +174,7 @@ def reduce(scene: System) -> Reduction:
     -k3*p_psi + p_phi
     """
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, "reduce")
     if not reducible(scene):
         raise ScopeError("k3 moves by itself only for a body of revolution in U(k3); this scene has "
                          f"inertia {scene.body.moments}, l = "

@@ -4,6 +4,7 @@ from sympy import Expr, S, sqrt
 from ..algebra.exact import plain, sign_of_constant
 from ..errors import EquilibriumError, ScopeError, require
 from ..notation import symbol
+from .coupled import in_one_direction
 from .equilibria import Equilibrium
 from .families import E3, E3_AT_REST
 from .relations import affine, solved_for
@@ -84,6 +85,7 @@ def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
 
 def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Equilibrium:
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, label)
     body, potential = scene.body, scene.potential
     if potential is None or not potential.axial or not body.is_of_revolution():
         raise ScopeError(f"{label} is a family of bodies of revolution in U(k3); this scene has inertia "

@@ -2,6 +2,7 @@
 from ..errors import EquilibriumError, ScopeError, require
 from ..notation import symbol
 from .claimed import equilibrium
+from .coupled import in_one_direction
 from .equilibria import Equilibrium
 from .families import E1, E2
 from .family import Family
@@ -78,6 +79,7 @@ def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
 
 def _vertical(family: Family, scene: System, spin: str) -> Equilibrium:
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, family.label)
     if scene.potential is None:
         raise ScopeError(f"{family.label} needs a field, the scene has none: use principal_rotation(scene, "
                          "3)")

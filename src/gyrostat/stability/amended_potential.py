@@ -8,6 +8,7 @@ from sympy import Expr, Matrix
 from ..algebra.exact import evaluate
 from ..errors import ScopeError, ValuesError, require
 from ..kept import cached_property
+from ..mechanics.coupled import in_one_direction
 from ..mechanics.potential import DIRECTIONS
 from ..mechanics.recognition import recognise
 from ..mechanics.reduction import reducible
@@ -158,6 +159,7 @@ def amended_potential(scene: System) -> AmendedPotential:
     k1 + (C1 - k3)**2/(2*k1**2 + 4*k2**2 + 6*k3**2)
     """
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, "amended_potential")
     if scene.potential is None:
         raise ScopeError("the scene has no field, and the vertical no meaning: its rotations are those on a "
                          "sphere of M; give a potential, or use relative_equilibria with M")

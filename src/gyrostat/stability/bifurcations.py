@@ -9,6 +9,7 @@ from sympy import Expr, S, Symbol, expand
 
 from ..algebra.exact import Point
 from ..errors import EquilibriumError, ValuesError, require
+from ..mechanics.coupled import in_one_direction
 from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, expansion, reduce
 from ..mechanics.system import System
@@ -88,6 +89,7 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     pitchfork: -M**2 + 4*l**2: 1/2
     """
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, "bifurcations")
     if scene.potential is None:
         return tuple(Bifurcation(*row) for row in loci_of_rotations(scene.body))
     relation, motion = relation_at_rate(scene), reduce(scene)

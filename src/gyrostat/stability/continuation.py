@@ -14,6 +14,7 @@ from ..algebra.numbers import exact_number
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import between, stations
 from ..errors import ScopeError, ValuesError, require
+from ..mechanics.coupled import in_one_direction
 from ..mechanics.families import E3, POLES
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System
@@ -96,6 +97,7 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     ([('pitchfork', 1/2)], 10)
     """
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, "continuation")
     low, high = (exact_number(end, name) for end in ends)
     if sign_of_constant(high - low) != 1:
         raise ValuesError(f"the range of {name} is {low} to {high}: give two numbers, the lower one "

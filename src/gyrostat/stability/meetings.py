@@ -10,6 +10,7 @@ from ..algebra.plane_curves import PlaneCurve
 from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import critical_points, stations
 from ..errors import ValuesError, require
+from ..mechanics.coupled import in_one_direction
 from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, V, reduce
 from ..mechanics.system import System, at_numbers
@@ -103,6 +104,7 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     [('pitchfork', 1/2, 1), ('pitchfork', 2, 1/2)]
     """
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, "bifurcation_points")
     if scene.potential is None:
         return _of_rotations(scene, name, values)
     known = names_of(scene) | {"omega", "pi3_0", "C1"}

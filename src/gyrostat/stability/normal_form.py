@@ -11,6 +11,7 @@ from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.precision import own_precision
 from ..algebra.series import Part, is_zero
 from ..errors import ScopeError, ValuesError
+from ..mechanics.coupled import in_one_direction
 from ..mechanics.equilibria import Equilibrium
 from ..notation import Stored
 from ..shown import Shown
@@ -58,6 +59,7 @@ def normal_form(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) ->
     """As Report.normal_form."""
     if degree not in (4, 6):
         raise ScopeError(f"degree = {degree}: the normal form is computed to degree 4 or 6")
+    in_one_direction(eq.system.potential, "a normal form")
     if eq.system.potential is None:
         raise ScopeError(f"{eq.label} is of a free body, which has one degree of freedom: its verdict is "
                          "exact without a normal form, which is for a body in a field")

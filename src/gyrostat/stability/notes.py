@@ -61,7 +61,9 @@ def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     ----------
     Hughes, Spacecraft Attitude Dynamics (1986), 8.1: U = (3/2) n² k·Ik, k towards the centre of the Earth.
     """
-    form = None if scene.potential is None or not scene.potential.given else _form(scene.potential.expression)
+    if scene.potential is None or not scene.potential.given or scene.coupled:
+        return ""
+    form = _form(scene.potential.expression)
     if form is None:
         return ""
     if isinstance(scene.body.inertia, ImmutableMatrix):

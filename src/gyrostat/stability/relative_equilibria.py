@@ -3,6 +3,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..errors import require
+from ..mechanics.coupled import in_one_direction
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System
 from .asked import asked_about
@@ -80,6 +81,7 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
     """
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, "relative_equilibria")
     if scene.potential is None:
         return rotations_at(scene, values)
     if reducible(scene) or not scene.potential.given or asked_about(scene, values):

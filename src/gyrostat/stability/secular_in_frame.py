@@ -7,10 +7,12 @@ from ..algebra.polynomials import lowest_terms
 from ..kept import cached_property
 from ..mechanics.circular_orbit import along_velocity, in_orbit
 from .criteria import stiffness
+from .orientation_form import rests_in_frame
 from .secular import Growing, Secular, characteristic
 
 OUT_OF_REACH = ("the damping does not reach every motion: the body may turn about an axis that is tilted "
                 "against the normal of the orbit, its rate constant in its axes")
+NOT_PROVED = "whether the damping reaches every motion is not proved of a field with a coupling β"
 DEGENERATE = "the second variation is degenerate, and terms of higher degree decide"
 
 
@@ -35,6 +37,8 @@ class SecularInFrame(Secular):
     def _torques(self) -> tuple[Expr, ...]:
         """What vanishes where the damping does not reach every motion."""
         eq = self.equilibrium
+        if not rests_in_frame(eq):
+            return ()                                      # whether it does is not known
         if not in_orbit(eq.system):
             return (S.One,)
         n, r = (ImmutableMatrix(eq.point[i:i + 3]) for i in (3, 6))
@@ -50,7 +54,7 @@ class SecularInFrame(Secular):
         return S.One
 
     def _along(self, numbers: Mapping[Symbol, Expr]) -> Growing:
-        return None, OUT_OF_REACH, None
+        return None, OUT_OF_REACH if rests_in_frame(self.equilibrium) else NOT_PROVED, None
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr]) -> Growing:
         return None, DEGENERATE, None

@@ -9,6 +9,7 @@ from ..algebra.exact import is_identically_zero
 from ..algebra.matrices import cross
 from ..errors import ScopeError, ValuesError, require
 from ..kept import cached_property
+from ..mechanics.coupled import in_one_direction
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import Stored
 from ..shown import Shown
@@ -164,6 +165,7 @@ def staude_cone(scene: System) -> StaudeCone:
     [(-oo, -3), (-3, -2), (-2, -1), (-1, oo)]
     """
     require(scene, System, "the scene")
+    in_one_direction(scene.potential, "staude_cone")
     if scene.potential is None:
         raise ScopeError("Staude's cone is of a body in a field, and the scene has none: give a potential; "
                          "of a free body relative_equilibria finds every permanent rotation")
