@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
     from .mechanics.liepoisson import LiePoisson, lie_poisson
     from .mechanics.orbit import orbit_tangent, symplectic_slice
+    from .mechanics.orbital_precession import orbital_precession
     from .mechanics.permanent_rotation import permanent_rotation
     from .mechanics.potential import Potential
     from .mechanics.potentials import axial_potential, general_potential
@@ -84,12 +85,12 @@ __all__ = [
     "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential", "Gyrostat",
     "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyContinuation", "HeavyRotation", "ideal_fluid",
     "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize",
-    "mechanics", "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent", "own_precision",
-    "permanent_rotation", "PermanentRotation", "plotting", "Potential", "principal_rotation", "published",
-    "reduce", "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation",
-    "SecondVariation", "secular_criterion", "secular_variation", "Solution", "solve_condition",
-    "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt",
-    "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
+    "mechanics", "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent",
+    "orbital_precession", "own_precision", "permanent_rotation", "PermanentRotation", "plotting", "Potential",
+    "principal_rotation", "published", "reduce", "relative_equilibria", "Report", "RotationContinuation",
+    "Rotor", "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
+    "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
+    "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
     "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
     "Window",
 ]
@@ -103,6 +104,7 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.equilibria": "Equilibrium",
     "mechanics.fields": "ideal_fluid newtonian_field uniform_field",
     "mechanics.liepoisson": "LiePoisson lie_poisson", "mechanics.orbit": "orbit_tangent symplectic_slice",
+    "mechanics.orbital_precession": "orbital_precession",
     "mechanics.permanent_rotation": "permanent_rotation", "mechanics.potential": "Potential",
     "mechanics.potentials": "axial_potential general_potential",
     "mechanics.principal": "principal_rotation", "mechanics.reduction": "reduce",

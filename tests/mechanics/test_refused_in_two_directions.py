@@ -25,7 +25,8 @@ REFUSED = {
     "lagrangian": lambda scene: gs.mechanics.lagrangian(scene.body, scene.potential),
     "effective_potential": lambda scene: gs.mechanics.effective_potential(scene.body, scene.potential),
     "draw_amended_potential": lambda scene: gs.plotting.draw_amended_potential(scene, {"C1": 1}),
-    "draw_bifurcation_diagram": lambda scene: gs.plotting.draw_bifurcation_diagram(scene, "omega", (0, 1), {}),
+    "draw_bifurcation_diagram": lambda scene: gs.plotting.draw_bifurcation_diagram(
+        scene, "omega", (0, 1), {}),
     "draw_effective_potential": lambda scene: gs.plotting.draw_effective_potential(scene, LEVEL),
     "draw_energy_momentum": lambda scene: gs.plotting.draw_energy_momentum(scene, {"p_psi": 1}),
     "draw_momentum_sphere": lambda scene: gs.plotting.draw_momentum_sphere(scene, 2),

@@ -16,6 +16,8 @@ LEVEL = {"p_phi": 1, "p_psi": 1}
 
 # what needs principal moments
 REFUSED = {
+    "orbital_precession": lambda: gs.orbital_precession(gs.assemble(FREE.body, gs.circular_orbit(1)),
+                                                        "conical"),
     "reduce": lambda: gs.reduce(HEAVY), "inclined": lambda: gs.inclined(HEAVY),
     "static_tilt": lambda: gs.static_tilt(HEAVY), "bifurcations": lambda: gs.bifurcations(HEAVY),
     "bifurcation_points": lambda: gs.bifurcation_points(HEAVY, "omega", {}),

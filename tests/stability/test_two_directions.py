@@ -5,8 +5,8 @@ from random import Random
 import pytest
 from slow import sampled
 from sympy import Matrix, Rational
-from tests.oracles.two_directions import Scene, dot, second_variation, sextic, stable_spectrum
-from tests.oracles.two_directions import random_fraction as some
+from two_directions import Scene, dot, second_variation, sextic, stable_spectrum
+from two_directions import random_fraction as some
 
 import gyrostat as gs
 from gyrostat.stability.orientation_form import orientation_form

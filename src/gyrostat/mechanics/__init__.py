@@ -1,7 +1,8 @@
 """Rigid bodies with rotors in fields: what moves, and where it can stay.
 
 A `body`, with its `rotors`, and a field (a `potential`, given as in `potentials`, named ones in `fields`; in
-two directions, or with a term linear in the momenta, `coupled`; of a satellite, a `circular_orbit`) are a
+two directions, or with a term linear in the momenta, `coupled`; of a satellite, a `circular_orbit`, which has
+`orbital_precession` of a symmetric one) are a
 scene: the Lie-Poisson bracket (`liepoisson`), which has every sign convention, and the Hamiltonian give the
 equations of motion (`equations`) and the integrals (`system`; those given are proved in `integrals`, in names
 `of_body`).

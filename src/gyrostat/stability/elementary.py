@@ -31,7 +31,7 @@ class Elementary:
     equilibrium : Equilibrium
     linearization : Linearization
     free : callable
-        whether an equilibrium of a free body is stable, None if that is not proved, and why
+        whether another equilibrium is stable, of the free body or of the axis of a satellite, and why
     """
 
     equilibrium: Equilibrium
@@ -51,7 +51,7 @@ class Elementary:
             return settled(None, "the point lies between the two criteria; give "
                            f"{', '.join(missing)} to decide")
         if eq.system.coupled:
-            return decide_in_frame(eq, numbers, sign(determinant, numbers) == 0)
+            return decide_in_frame(eq, numbers, sign(determinant, numbers) == 0, self.free)
         if eq.system.potential is None:
             found, why = extremum_at(eq, numbers)
             return settled(None if found is None else found != 0, why)

@@ -1,19 +1,29 @@
 """What decides between the two criteria where there are two directions, or a coupling β."""
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from sympy import Expr, Symbol
 
+from ..algebra.exact import evaluate
 from ..mechanics.equilibria import Equilibrium
+from ..mechanics.orbital_precession import moving_axis
 from .decision import Finding, settled
 
 HELD = ("gyroscopic forces hold it, the second variation has both signs: no theorem decides with three "
         "degrees of freedom")
 COUPLED = "the point lies between the two criteria, which are what there is of a field with a coupling β"
 DEGENERATE = "the second variation is degenerate: terms of higher degree decide"
+AXIS = "the axis moves in the orbital frame as k of a spherical gyrostat in one field does: "
 
 
-def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate: bool) -> Finding:
-    """Undecided, with what is known of it."""
+def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate: bool,
+                    reduced: Callable[[Equilibrium], Finding]) -> Finding:
+    """Of a symmetric satellite what its axis does; of any other undecided, with what is known of it.
+
+    The last argument says what is proved of a body in one direction.
+    """
+    if axis := moving_axis(eq, lambda x: evaluate(x, numbers)):
+        found = reduced(axis)
+        return found._replace(why=f"{AXIS}{found.why}")
     if degenerate:
         return settled(None, DEGENERATE)
     return settled(None, HELD if len(eq.point) == 9 else COUPLED)
