@@ -62,6 +62,7 @@ if TYPE_CHECKING:
     from .stability.linearization import Linearization, linearize
     from .stability.meetings import BifurcationPoint, bifurcation_points
     from .stability.normal_form import NormalForm
+    from .stability.orbital_equilibrium import OrbitalEquilibrium
     from .stability.permanent_rotations import PermanentRotation
     from .stability.relative_equilibria import relative_equilibria
     from .stability.report import Decision, Report, Verdict
@@ -86,13 +87,13 @@ __all__ = [
     "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyContinuation", "HeavyRotation", "ideal_fluid",
     "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize",
     "mechanics", "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent",
-    "orbital_precession", "own_precision", "permanent_rotation", "PermanentRotation", "plotting", "Potential",
-    "principal_rotation", "published", "reduce", "relative_equilibria", "Report", "RotationContinuation",
-    "Rotor", "second_variation", "SecondVariation", "secular_criterion", "secular_variation", "Solution",
-    "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set",
-    "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic", "symbol", "symmetric_gyrostat",
-    "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field", "upright", "Verdict",
-    "Window",
+    "orbital_precession", "OrbitalEquilibrium", "own_precision", "permanent_rotation", "PermanentRotation",
+    "plotting", "Potential", "principal_rotation", "published", "reduce", "relative_equilibria", "Report",
+    "RotationContinuation", "Rotor", "second_variation", "SecondVariation", "secular_criterion",
+    "secular_variation", "Solution", "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum",
+    "spectrum", "stabilizing_set", "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic",
+    "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field",
+    "upright", "Verdict", "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -126,6 +127,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.energy_sink": "energy_sink_criterion",
     "stability.linearization": "Linearization linearize",
     "stability.meetings": "BifurcationPoint bifurcation_points",
+    "stability.orbital_equilibrium": "OrbitalEquilibrium",
     "stability.normal_form": "NormalForm", "stability.permanent_rotations": "PermanentRotation",
     "stability.relative_equilibria": "relative_equilibria", "stability.report": "Decision Report Verdict",
     "stability.sets": "Case Interval Solution SolvedCondition", "stability.solve": "solve_condition",

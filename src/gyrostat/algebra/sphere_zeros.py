@@ -7,6 +7,7 @@ from flint import fmpq, fmpq_mat, fmpq_poly
 from sympy import Expr, S, Symbol
 
 from ..kept import cached_property
+from .balls import ball
 from .number_fields import at_root, divided
 from .polynomials import Ring
 from .roots import roots_of_factor
@@ -18,7 +19,7 @@ SPHERE: Terms = {(2, 0, 0): fmpq(1), (0, 2, 0): fmpq(1), (0, 0, 2): fmpq(1), ONE
 
 
 def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
-                    but: Expr = S.One) -> list[tuple[Expr, ...]] | None:
+                    but: Expr = S.One, over_it: Sequence[Expr] = ()) -> list[tuple[Expr, ...]] | None:
     """Every real common zero of polynomials with k·k = 1, exact; None where no finite number is found.
 
     Degree by degree the polynomials times monomials span part of their ideal. The monomials that lead no
@@ -34,6 +35,8 @@ def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
     k : sequence of Symbol, shape (3,)
     but : Expr
         a polynomial whose zeros are left out
+    over_it : sequence of Expr
+        polynomials f whose quotients f/but at the zero follow its coordinates; of the parity of but
 
     References
     ----------
@@ -47,12 +50,18 @@ def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
     >>> zeros_on_sphere([k1 * k2, k3 * k2, k1 * k3], k, but=k1 + k3)
     [(0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0)]
     """
-    ring = Ring([*polynomials, but, *k])
+    ring = Ring([*polynomials, but, *over_it, *k])
     places = [ring.generators.index(x) for x in k]
-    terms = [ring.numerator(f).to_dict().items() for f in (*polynomials, but)]
-    *given, left_out = (_on_sphere({tuple(e[n] for n in places): c for e, c in f}) for f in terms)
+    terms = [list(ring.numerator(f).to_dict().items()) for f in (*polynomials, but, *over_it)]
+    reduced = [_on_sphere({tuple(e[n] for n in places): c for e, c in f}) for f in terms]
+    given, (left_out, *above) = reduced[:len(polynomials)], reduced[len(polynomials):]
     algebra = _algebra([f for f in given if f])
-    return None if algebra is None else list(algebra.without(left_out).points())
+    # all zeros come with their opposites where each polynomial is even or odd
+    paired = all(len({sum(e) % 2 for e, _ in f}) < 2 for f in terms)
+    if algebra is None:
+        return None
+    algebra = algebra.without(left_out)
+    return list(algebra.points(paired, algebra.quotients(above, left_out)))
 
 
 class _Algebra:
@@ -102,8 +111,13 @@ class _Algebra:
         one = inside(power * image).solve(inside(power * self.one))
         return _Algebra(self.spanning, one, [inside(axis * image) for axis in self.axes])
 
-    def points(self) -> Iterator[tuple[Expr, ...]]:
-        """The real zeros."""
+    def quotients(self, tops: Sequence[Terms], bottom: Terms) -> list[fmpq_mat]:
+        """Polynomials over one that vanishes nowhere."""
+        under = self.times(bottom, _identity(self.size))
+        return [under.solve(self.times(top, self.one)) for top in tops]
+
+    def points(self, paired: bool = False, more: Sequence[fmpq_mat] = ()) -> Iterator[tuple[Expr, ...]]:
+        """The real zeros, with the values of more elements; paired, where −k is one of the same values."""
         for n in count(1):
             form = self.axes[0] + self.axes[1] * n + self.axes[2] * n**2
             whole = fmpq_poly(form.charpoly())
@@ -111,17 +125,22 @@ class _Algebra:
             if apart.degree() == self.size or apart.degree() == self.traced[0]:
                 break
         place = self.monomials(self.one)
+        elements = [*(place(e) for e in (ONE, *AXES)), *more]
         weights = fmpq_mat([[n % 7 + 1 for n in range(self.size)]])
-        found = _numerators(apart, form, weights, [place(e) for e in (ONE, *AXES)])
+        found = _numerators(apart, form, weights, elements)
         if apart.degree() < self.size or not found[0].gcd(apart).is_constant():
-            found = _numerators(apart, form, self.traced[1], [place(e) for e in (ONE, *AXES)])
+            found = _numerators(apart, form, self.traced[1], elements)
         under, *tops = found
         for factor, _ in apart.factor()[1]:
             if roots := roots_of_factor(factor):
                 slope = factor.derivative()
                 parts = divided([top * slope for top in tops], under, factor)
                 for root in roots:
-                    yield tuple(at_root(x, root) / at_root(slope, root) for x in parts)
+                    if not paired or ball(root, 64) > 0:    # λ(−k) = −λ(k), and λ tells them apart
+                        point = tuple(at_root(x, root) / at_root(slope, root) for x in parts)
+                        yield point
+                        if paired:
+                            yield (*(-x for x in point[:3]), *point[3:])
 
     @cached_property
     def traced(self) -> tuple[int, fmpq_mat]:

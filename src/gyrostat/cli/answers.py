@@ -16,6 +16,7 @@ from ..stability.branch import Branch
 from ..stability.branches import branches_at, pole_at
 from ..stability.heavy_rotation import HeavyRotation
 from ..stability.normal_form import NormalForm
+from ..stability.orbital_equilibrium import OrbitalEquilibrium
 from ..stability.permanent_rotations import PermanentRotation
 from ..stability.relative_equilibria import relative_equilibria
 from ..stability.report import Decision, Report
@@ -76,9 +77,7 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
             return _all_found(scene, _level(scene, numbers), None)
     elif _asks_for_all(scene, numbers):
         here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
-        return [_rotation(here, found) if isinstance(found, PermanentRotation) else
-                _heavy(found) if isinstance(found, HeavyRotation) else _recognised(here, found)
-                for found in relative_equilibria(scene, numbers)]
+        return [_one_of_all(here, found) for found in relative_equilibria(scene, numbers)]
     return _of_labels(asked, numbers)
 
 
@@ -193,6 +192,22 @@ def _rotation(scene: System, found: PermanentRotation) -> Answer:
     rates = {"Delta": found.curvature, "frequency": found.frequency, "growth_rate": found.growth_rate}
     return Answer(label, symbol("k3"), found.decision, found.damped, None, place,
                   {name: x for name, x in rates.items() if x is not None and found.nu is not None})
+
+
+def _one_of_all(here: System, found: Branch | PermanentRotation | HeavyRotation | OrbitalEquilibrium
+                ) -> Answer:
+    if isinstance(found, PermanentRotation):
+        return _rotation(here, found)
+    if isinstance(found, OrbitalEquilibrium):
+        return _orbital(found)
+    return _heavy(found) if isinstance(found, HeavyRotation) else _recognised(here, found)
+
+
+def _orbital(found: OrbitalEquilibrium) -> Answer:
+    """One of a satellite in orbit."""
+    place = {str(x): value for x, value in zip(found.scene.space.coordinates[3:], (*found.n, *found.r))}
+    return Answer(found.locus or "equilibrium in orbit", symbol("r3"), found.decision, found.damped, None,
+                  place, {f"frequency_{n}": x for n, x in enumerate(found.frequencies, 1)})
 
 
 def _heavy(found: HeavyRotation) -> Answer:

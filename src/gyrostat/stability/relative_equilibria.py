@@ -3,6 +3,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..errors import require
+from ..mechanics.circular_orbit import in_orbit
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System
@@ -11,11 +12,14 @@ from .branch import Branch
 from .branches import branches_at
 from .heavy_rotation import HeavyRotation
 from .heavy_rotations import heavy_rotations
+from .orbital_equilibria import orbital_equilibria
+from .orbital_equilibrium import OrbitalEquilibrium
 from .permanent_rotations import PermanentRotation, rotations_at
 
 
 def relative_equilibria(scene: System, values: Mapping[str, Any]
-                        ) -> list[Branch] | list[PermanentRotation] | list[HeavyRotation]:
+                        ) -> list[Branch] | list[PermanentRotation] | list[HeavyRotation] | list[
+                            OrbitalEquilibrium]:
     """Every relative equilibrium of a scene at given numbers, each with its decision.
 
     Of a body of revolution in U(k3): numbers for the moments, l and the parameters of U, and one of
@@ -40,6 +44,10 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     Of a free body or gyrostat: numbers for the moments and the rotor, and M, the length of M = π + l: every
     permanent rotation on that momentum sphere.
 
+    Of a satellite in a circular orbit, with three different moments: numbers for the moments, the rotor and
+    omega0, if they are names: every attitude in which it rests in the frame of the orbit, 8 to 24, or a
+    closed curve of them.
+
     Parameters
     ----------
     scene : System
@@ -50,7 +58,7 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
 
     Returns
     -------
-    list of Branch, of HeavyRotation or of PermanentRotation
+    list of Branch, of HeavyRotation, of PermanentRotation or of OrbitalEquilibrium
         complete; of a body in a field in the order of k3 from E1 down to E2, then of omega, without a pole
         where U is infinite; of a free one by energy
 
@@ -81,6 +89,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
     """
     require(scene, System, "the scene")
+    if in_orbit(scene):
+        return orbital_equilibria(scene, values)
     in_one_direction(scene.potential, "relative_equilibria")
     if scene.potential is None:
         return rotations_at(scene, values)

@@ -1,0 +1,192 @@
+"""One equilibrium of a gyrostat satellite in a circular orbit, and what is decided of it."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import acb, acb_poly, arb
+from sympy import Expr, Float, Matrix
+
+from ..algebra.balls import ball
+from ..algebra.exact import evaluate, proved_sign
+from ..algebra.matrices import adjugate, cross
+from ..algebra.precision import own_precision
+from ..kept import cached_property
+from ..mechanics.circular_orbit import orbital_rate, resting_at
+from ..mechanics.claimed import equilibrium
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.system import System
+from ..notation import Stored
+from ..shown import Shown
+from .amended_form import dot, trace
+from .decision import Decision, Verdict
+from .in_frame import HELD
+from .report import Report
+from .secular import KEPT, LOST, modes
+
+PRECISION, DIGITS = 192, 30                                # bits that decide; digits of a rate
+LEAST = Decision(Verdict.STABLE, "Lyapunov", (), "the energy has a minimum: K is positive definite", ())
+ODD = Decision(Verdict.UNSTABLE, "spectral", (), "K has an odd number of negative squares: an eigenvalue has "
+               "a positive real part", ())
+LEAVES = Decision(Verdict.UNSTABLE, "spectral", (), "K has two negative squares, and the gyroscopic forces "
+                  "do not hold it: an eigenvalue has a positive real part", ())
+OPEN = Decision(Verdict.UNDECIDED, "", (), HELD, ())
+
+
+@dataclass(frozen=True, repr=False)
+class OrbitalEquilibrium(Shown, Stored):
+    """A satellite at rest in the frame of its circular orbit, ω = ω0 n.
+
+    Parameters
+    ----------
+    scene : System
+        at its numbers
+    n, r : tuple of Expr, shape (3,)
+        the normal of the orbit and the vertical in body axes, exact
+    locus : str
+        "" for a point, else the curve of equilibria to which it belongs, in words
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> satellite = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, 0, 0)), gs.circular_orbit(1))
+    >>> found = gs.relative_equilibria(satellite, {})
+    >>> len(found), sum(e.decision.verdict is gs.Verdict.STABLE for e in found)
+    (24, 4)
+    """
+
+    scene: System
+    n: tuple[Expr, ...]
+    r: tuple[Expr, ...]
+    locus: str = ""
+
+    @property
+    def t(self) -> tuple[Expr, ...]:
+        """n × r, along the velocity."""
+        return tuple(evaluate(x, {}) for x in cross(self.n, self.r))
+
+    @cached_property
+    def point(self) -> tuple[Expr, ...]:
+        """π = ω0 In, n and r, in the coordinates of the scene."""
+        return tuple(evaluate(x, {}) for x in resting_at(self.scene, self.n, self.r))
+
+    @cached_property
+    def equilibrium(self) -> Equilibrium:
+        """The same as a claimed point, for a report."""
+        return equilibrium(self.scene, self.point, label="equilibrium in orbit")
+
+    @cached_property
+    def decision(self) -> Decision:
+        """The verdict on the point itself."""
+        trace_, second, whole, *spectrum = self.signs
+        if self.locus:                                     # K is degenerate along the curve
+            return LEAVES if -1 in spectrum[:2] else Decision(Verdict.UNDECIDED, "", (), self.locus, ())
+        if whole == -1:
+            return ODD
+        if trace_ == second == whole == 1:
+            return LEAST
+        if whole == 1 and None not in (trace_, second):    # two negative squares
+            if -1 in spectrum:
+                return LEAVES
+            if spectrum == [1, 1, 1, 1]:
+                return OPEN
+        return Report(self.equilibrium).verdict({})
+
+    @cached_property
+    def damped(self) -> Decision:
+        """The verdict under internal damping."""
+        trace_, second, whole, *_ = self.signs
+        if self.locus:
+            return Decision(Verdict.UNDECIDED, "", (), self.locus, ())
+        if None in (trace_, second, whole) or not whole or not self._reached:
+            return Report(self.equilibrium).verdict({}, damped=True)
+        left = [s for s in (1, trace_, second, whole) if s]
+        growing = sum(a != b for a, b in zip(left, left[1:]))
+        reason = f"{LOST}, {modes(growing)}" if growing else KEPT
+        return Decision(Verdict.of(not growing), "secular", (), reason, (), growing=growing)
+
+    @cached_property
+    def signs(self) -> tuple[int | None, ...]:
+        """Of e1, e2, e3 of K, then of c2, c1, c0 and the discriminant of the sextic; None is not proved."""
+        with own_precision(PRECISION):
+            found = [1 if x > 0 else -1 if x < 0 else None for x in self._enclosed(PRECISION)]
+        if None in found[:3] and not self.locus:
+            exact = invariants(self.scene.body.tensor.tolist(), self.scene.body.gyrostatic_momentum, self.n,
+                               self.r, orbital_rate(self.scene))
+            found = [proved_sign(evaluate(x, {})) if s is None else s for s, x in zip(found, exact)]
+        return tuple(found)
+
+    @property
+    def frequencies(self) -> tuple[Expr, ...]:
+        """Of the librations, in increasing order, to 30 digits [1/T]."""
+        found = [(-root.real).sqrt() for root in self._squares if root.real < 0 and root.imag.contains(0)]
+        return tuple(_decimal(x) for x in sorted(found, key=lambda x: float(x.mid())))
+
+    @property
+    def growth_rate(self) -> Expr | None:
+        """The largest real part of an eigenvalue [1/T]; None where there is none that is positive."""
+        rates = [root.sqrt().real for root in self._squares if not (root.real < 0 and root.imag.contains(0))]
+        largest = max((x for x in rates if x > 0), key=lambda x: float(x.mid()), default=None)
+        return None if largest is None else _decimal(largest)
+
+    @cached_property
+    def _squares(self) -> list[acb]:
+        """λ², the roots of the sextic's cubic."""
+        with own_precision(2 * PRECISION):
+            (a, b, c, _), d = self._enclosed(2 * PRECISION)[3:], ball(
+                self.scene.body.tensor.det(method="berkowitz"), 2 * PRECISION)
+            return list(acb_poly([c, b, a, d]).roots())
+
+    def _enclosed(self, precision: int) -> tuple[arb, ...]:
+        """The invariants in balls."""
+        body = self.scene.body
+        given = (*body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r)
+        *tensor, rotor, n, r = ([ball(x, precision) for x in values] for values in given)
+        return invariants(tensor, rotor, n, r, ball(orbital_rate(self.scene), precision))
+
+    @property
+    def _reached(self) -> bool:
+        """Whether internal damping reaches every motion: t·In and n·In − r·Ir do not both vanish."""
+        along = list(self.scene.body.tensor * Matrix(self.n))
+        vertical = list(self.scene.body.tensor * Matrix(self.r))
+        values = dot(cross(self.n, self.r), along), dot(self.n, along) - dot(self.r, vertical)
+        return any(proved_sign(evaluate(x, {})) for x in values)
+
+
+def _decimal(x: arb) -> Expr:
+    return Float(x.mid().str(DIGITS, radius=False), DIGITS)
+
+
+def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequence[Any], r: Sequence[Any],
+               rate: Any) -> tuple[Any, ...]:
+    """Of K its trace, second invariant and determinant; c2, c1, c0 of the sextic, times det I; and Δ.
+
+    In the basis (t, n, r): K = [[4ω0² (I_nn − I_rr) + ω0 l_n, −3ω0² I_tn, 0], [., 3ω0² (I_tt − I_rr),
+    3ω0² I_nr], [0, ., ω0² (I_nn − I_tt) + ω0 l_n]], g = (−ω0 I_tn, ω0 (I_tt + I_rr − I_nn) − l_n, 2ω0 I_nr).
+
+    Parameters
+    ----------
+    tensor : rows, shape (3, 3)
+        here as below numbers, balls or expressions
+    rotor, n, r : sequence, shape (3,)
+    rate : Any
+        ω0
+
+    Returns
+    -------
+    tuple, shape (7,)
+    """
+    frame = cross(n, r), n, r
+    I = [[dot(a, [dot(row, b) for row in tensor]) for b in frame] for a in frame]
+    along, square = dot(rotor, n) * rate, rate**2
+    (tt, tn, _), (_, nn, nr), (_, _, rr) = I
+    K = [[4 * square * (nn - rr) + along, -3 * square * tn, 0 * square],
+         [-3 * square * tn, 3 * square * (tt - rr), 3 * square * nr],
+         [0 * square, 3 * square * nr, square * (nn - tt) + along]]
+    g = [-rate * tn, rate * (tt + rr - nn) - dot(rotor, n), 2 * rate * nr]
+    minors, whole = adjugate(K), dot(K[0], cross(K[1], K[2]))
+    d = dot(I[0], cross(I[1], I[2]))
+    a = sum((dot(x, y) for x, y in zip(adjugate(I), K)), 0 * square) + dot(g, [dot(row, g) for row in I])
+    b = sum((dot(x, y) for x, y in zip(minors, I)), 0 * square) + dot(g, [dot(row, g) for row in K])
+    c = whole
+    discriminant = a**2 * b**2 - 4 * d * b**3 - 4 * a**3 * c + 18 * d * a * b * c - 27 * d**2 * c**2
+    return trace(K), trace(minors), whole, a, b, c, discriminant

@@ -1,0 +1,116 @@
+"""Every equilibrium of a gyrostat satellite: complete, exact, decided as fractions and floats say."""
+from fractions import Fraction as F
+from random import Random
+
+import numpy as np
+import pytest
+from orbital_search import search
+from slow import sampled
+from sympy import Rational, sqrt
+
+import gyrostat as gs
+from gyrostat.algebra.balls import ball
+from gyrostat.algebra.exact import evaluate
+
+RIGID = (1, "5/4", "8/5")
+
+
+def found(moments, rotor, rate=1):
+    """All equilibria."""
+    return gs.relative_equilibria(gs.assemble(gs.Gyrostat(moments, rotor), gs.circular_orbit(rate)), {})
+
+
+def places(equilibria):
+    """(n, r) in floats."""
+    return np.array([[float(ball(x, 128).mid()) for x in (*e.n, *e.r)] for e in equilibria])
+
+
+def check(moments, rotor, rate, seed):
+    """Newton's method finds no other; minima and maxima of the amended potential less saddles: 0."""
+    equilibria = found(moments, rotor, rate)
+    here = places(equilibria)
+    for place in search(moments, rotor, rate, seed=seed):
+        assert np.abs(here - place).max(1).min() < 1e-8, (moments, rotor)
+    assert len({tuple(np.round(p, 7)) for p in here}) == len(here)
+    assert sum((-1) ** squares(e) for e in equilibria) == 0
+    return equilibria
+
+
+def squares(e):
+    """Negative squares of K: changes of sign of its invariants."""
+    signs = [1, *filter(None, e.signs[:3])]
+    return sum(a != b for a, b in zip(signs, signs[1:]))
+
+
+@pytest.mark.parametrize(("rotor", "count"), [
+    (("3/10", "1/5", "1/10"), 16), (("1/50", "3/100", "1/25"), 24), ((2, 2, 2), 8), ((0, 0, 0), 24)])
+def test_counts(rotor, count):
+    """8 to 24, and of the rigid body 24: minima 4, one negative square 8, two 8, maxima 4."""
+    equilibria = found(RIGID, rotor)
+    assert len(equilibria) == count
+    if rotor == (0, 0, 0):
+        assert [sum(squares(e) == n for e in equilibria) for n in range(4)] == [4, 8, 8, 4]
+        assert sum(e.decision.verdict is gs.Verdict.STABLE for e in equilibria) == 4
+        assert sum(e.decision.verdict is gs.Verdict.UNSTABLE for e in equilibria) == 20
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("kind", ["general", "in a plane", "along an axis"])
+def test_none_is_missing(kind, full):
+    """Random gyrostats against a search from many starts."""
+    rng = Random(kind)
+    for seed in range(sampled(170, full, 2)):
+        moments = [F(n, 20) for n in rng.sample(range(8, 40), 3)]
+        zero = {"general": 0, "in a plane": 1, "along an axis": 2}[kind]
+        rotor = [F(rng.randint(1, 40) * rng.choice((-1, 1)), rng.choice((20, 40, 400))) for _ in range(3)]
+        for axis in rng.sample(range(3), zero):
+            rotor[axis] = F(0)
+        check(moments, rotor, F(rng.randint(1, 9), 4), seed)
+
+
+@pytest.mark.parametrize("l", ["1/10", "2/5", "3/2", 3])
+def test_a_rotor_along_an_axis(l):
+    """8 + 4 [L < w|a|] + 4 [L < w|b|] + 4 [L < 4w|a|] + 4 [L < 4w|b|]; E-C of each family by A, B, C."""
+    moments, L = [Rational(1), Rational(5, 4), Rational(8, 5)], Rational(l)
+    a, b = moments[0] - moments[1], moments[2] - moments[1]
+    equilibria = found(moments, (0, L, 0))
+    assert len(equilibria) == 8 + 4 * sum(bool(x > L) for x in (abs(a), abs(b), 4 * abs(a), 4 * abs(b)))
+    for e in equilibria:
+        report = gs.analyze(e.equilibrium)
+        decision, own = report.verdict({}), e.decision
+        assert own.verdict is decision.verdict and own.notion == decision.notion
+        assert e.damped.verdict is report.verdict({}, damped=True).verdict
+
+
+def test_the_curve_of_equilibria():
+    """L² = 4 ω0² a b: the cubic vanishes, and a closed curve joins the tilted families."""
+    equilibria = found(("3/2", "9/10", "6/5"), (0, 2 * sqrt(Rational(9, 50)), 0))
+    on_curve = [e for e in equilibria if e.locus]
+    assert on_curve and all("closed curve" in e.locus for e in on_curve)
+    assert all(e.decision.verdict is not gs.Verdict.STABLE for e in on_curve)
+    assert len([e for e in equilibria if not e.locus]) == 8
+
+
+def test_equal_moments_are_refused():
+    """In one sentence that says where they are."""
+    with pytest.raises(gs.errors.ScopeError, match="orbital_precession"):
+        found((1, 1, 2), (0, 0, 1))
+    with pytest.raises(gs.errors.ValuesError, match="needs omega0"):
+        gs.relative_equilibria(gs.assemble(gs.Gyrostat(RIGID, (0, 0, 0)), gs.circular_orbit()), {})
+
+
+def test_the_rate_scales():
+    """ω0 → 2 ω0 with l → 2 l: the same attitudes."""
+    slow, fast = found(RIGID, ("3/10", "1/5", "1/10")), found(RIGID, ("3/5", "2/5", "1/5"), 2)
+    assert np.abs(places(slow) - places(fast)).max() < 1e-12
+    assert [e.decision.verdict for e in slow] == [e.decision.verdict for e in fast]
+
+
+def test_frequencies():
+    """Those of the linearisation; where an eigenvalue has a real part, its rate."""
+    for e in found(RIGID, ("3/10", "1/5", "1/10"))[::3]:
+        c2, c1, c0 = (float(evaluate(c, {})) for c in gs.linearize(e.equilibrium).coefficients)
+        roots = np.roots([1, 0, c2, 0, c1, 0, c0])
+        assert sorted(x.imag for x in roots if x.imag > 1e-9 and abs(x.real) < 1e-9) == pytest.approx(
+            [float(x) for x in e.frequencies], abs=1e-7)
+        assert max(x.real for x in roots) == pytest.approx(float(e.growth_rate or 0), abs=1e-7)
