@@ -50,12 +50,16 @@ class Rows:
 
 
 Block = Heading | Sentence | Display | Rows
-DOT = {f"{x}{i}": Word(f"{g}̇{'₀₁₂₃'[i]}", f"⟨{x}{i}_dot⟩")
-       for x, g in (("pi", "π"), ("k", "k")) for i in (1, 2, 3)}
 VECTOR_FORM = {False: Word("π̇ = M × ω", r"⟨vector_pi_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩"), True: Word(
     "π̇ = M × ω + k × ∇U,  k̇ = k × ω",
     r"⟨vector_pi_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩ + ⟨vector_k⟩\times\nabla ⟨U⟩,"
     r"\quad ⟨vector_k_dot⟩ = ⟨vector_k⟩\times⟨vector_omega⟩")}
+
+
+def rate_of(name: str) -> Word:
+    """The rate of a component, π̇₁ of pi1."""
+    letter = "π" if name[:-1] == "pi" else name[:-1]
+    return Word(f"{letter}̇{'₀₁₂₃'[int(name[-1])]}", f"⟨{name}_dot⟩")
 
 
 def sentence(*parts: Any, at: Any = None) -> Sentence:

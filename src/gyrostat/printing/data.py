@@ -14,6 +14,7 @@ from ..algebra.balls import ball
 from ..mechanics.system import System
 from ..stability.conditions import Condition, Criterion
 from ..stability.drift import Drift
+from ..stability.orientation_form import orientation_form, rests_in_frame
 from ..stability.report import Decision, Report
 from ..stability.rotation_report import RotationReport
 from ..version import DOCUMENT_FORMAT
@@ -36,11 +37,16 @@ def report_data(report: Report) -> dict[str, Any]:
     eq = report.equilibrium
     family, criteria = conditions_data(report), {"casimirs_only": criterion_data(report.casimirs_only)}
     drift = {} if report.boundary is None or report.boundary.pole else {"drift": drift_data(report.drift)}
-    place = {"point": strings(eq.point), "relations": {str(name): str(value) for name, value in eq.relations}}
+    relations = {str(name): str(value) for name, value in eq.relations}
+    place: dict[str, Any] = {"point": strings(eq.point), "relations": relations}
     if isinstance(report, RotationReport):
         return family | criteria | place | {"tangent_basis": None, "matrix": None,
                                             "characteristic_polynomial": "lamda**4 + lamda**2*p + q"}
     linear = report.linearization
+    if rests_in_frame(eq):
+        form = orientation_form(eq)
+        place |= {"stiffness": [strings(row) for row in form.stiffness.tolist()],
+                  "gyroscopic": strings(form.gyroscopic)}
     return family | criteria | drift | place | {
         "tangent_basis": [strings(row) for row in linear.basis.T.tolist()],
         "matrix": [strings(row) for row in eq.insert_field(linear.matrix).tolist()],

@@ -13,11 +13,10 @@ from ..mechanics.system import System
 from ..mechanics.tilted import solved_tilt
 from ..notation import jet, symbol
 from ..stability.linearization import Linearization
+from ..stability.orientation_form import rests_in_frame
 from ..stability.report import Report
 from ..stability.rotation_report import RotationReport
 from .blocks import (
-    DOT,
-    VECTOR_FORM,
     Block,
     Display,
     Heading,
@@ -25,11 +24,13 @@ from .blocks import (
     equations,
     joined,
     listed,
+    rate_of,
     sentence,
 )
 from .boundary import boundary_blocks
 from .conditions import criterion_blocks, existence, integral_blocks
 from .drift import drift_blocks
+from .in_frame import CASIMIRS, coupling, frame_blocks, held_blocks, motion_form, space_of
 from .rotations import definition_blocks, family_blocks
 from .symbols import occurring, symbol_rows
 
@@ -44,23 +45,23 @@ def scene_blocks(scene: System) -> list[Block]:
     momentum = Word("M = π + l", "⟨vector_M⟩ = ⟨vector_pi⟩ + ⟨vector_l⟩")
     field: tuple[Any, ...] = ("no field.",)
     if potential:
-        field = ("potential ", potential.expression, ".")
+        field = ("potential ", potential.expression, *coupling(scene), ".")
     bracket = Word("{F, G} = ∇F·B∇G", r"\{F, G\} = \nabla F\cdot ⟨B⟩\,\nabla G")
     blocks: list[Block] = [
         Heading("Scene", label="scene"),
         sentence(*_inertia(body), ", gyrostatic momentum ",
                  Word("l", "⟨vector_l⟩"), " = (", *listed(body.gyrostatic_momentum), "), ", momentum, ", ",
                  *field),
-        sentence(f"Poisson tensor on {'e' if potential else 'so'}(3)*, ", bracket, "; the Jacobi identity "
+        sentence(f"Poisson tensor on {space_of(scene)}, ", bracket, "; the Jacobi identity "
                  "holds (Marsden, Ratiu & Weinstein 1984; with a rotor, Vera & Viguera 2003, §2)."),
         Display(Word("B", "⟨B⟩"), space.tensor, label="bracket")]
-    names = (Word("C₁", "⟨C1⟩"), Word("C₂", "⟨C2⟩")) if potential else (Word("C", "⟨C⟩"),)
+    names = CASIMIRS if potential else (Word("C", "⟨C⟩"),)
     blocks += [sentence("Casimirs and Hamiltonian:"),
                *(Display(n, c, label="casimir") for n, c in zip(names, space.casimirs)),
-               Display(Word("h", "⟨h⟩"), scene.hamiltonian, label="hamiltonian")]
-    vector = VECTOR_FORM[potential is not None]
+               *held_blocks(scene), Display(Word("h", "⟨h⟩"), scene.hamiltonian, label="hamiltonian")]
+    vector = motion_form(scene)
     blocks += [sentence("Equations of motion, ", vector, ":"),
-               *(Display(DOT[str(x)], rate, label=f"motion:{x}")
+               *(Display(rate_of(str(x)), rate, label=f"motion:{x}")
                  for x, rate in zip(space.coordinates, scene.vector_field()))]
     return [*blocks, *_integrals(scene)]
 
@@ -113,6 +114,8 @@ def report_blocks(report: Report) -> list[Block]:
     blocks: list[Block] = [Heading(title, label=eq.label), *point_blocks(eq)]
     if isinstance(report, RotationReport):
         blocks += [Heading("Second variation and characteristic polynomial", 2), *definition_blocks(report)]
+    elif rests_in_frame(eq):
+        blocks += [*frame_blocks(report), *(_second_variation(report) if eq.system.linear_integrals else ())]
     else:
         blocks += [*_linearization(report), *_second_variation(report)]
     modulo = "; modulo the flow of an integral, Ortega & Ratiu 1999." if report.sufficient.modulo else "."
@@ -225,7 +228,7 @@ def _second_variation(report: Report) -> list[Block]:
     matrix, _ = _named_roots(eq, ImmutableMatrix(eq.insert_field(variation.matrix).applyfunc(readable)))
     basis, _ = _named_roots(eq, variation.basis.T)
     blocks: list[Block] = [Heading("Second variation on the symplectic slice", 2)]
-    functions = [name for name, _ in zip((Word("C₁", "⟨C1⟩"), Word("C₂", "⟨C2⟩")), eq.system.space.casimirs)]
+    functions = [name for name, _ in zip(CASIMIRS, eq.system.space.casimirs)]
     functions += [function for function, _ in variation.multipliers[len(functions):]]
     values = [split(eq.insert_field(nu)) for _, nu in variation.multipliers]
     multipliers = joined(", ", [(function, ": ", nu) for function, nu in zip(functions, values)])

@@ -22,8 +22,9 @@ from ..stability.conditions import Condition, Criterion
 from ..stability.energy_casimir import SecondVariation
 from ..stability.linearization import Linearization
 from ..stability.report import Decision, Report
-from .blocks import DOT, VECTOR_FORM, Block, Display, Sentence, Word
+from .blocks import Block, Display, Sentence, Word, rate_of
 from .conditions import comparison, trivial
+from .in_frame import motion_form
 from .linebreaks import width
 from .names import Names, raised
 from .order import ordered_factors, ordered_terms, over, signed
@@ -154,8 +155,8 @@ def _bracket(space: LiePoisson, names: Names) -> str:
 
 @_formula.register
 def _system(scene: System, names: Names) -> str:
-    vector = tex(VECTOR_FORM[scene.potential is not None], names)
-    rates = ((DOT[str(x)], rate) for x, rate in zip(scene.space.coordinates, scene.vector_field()))
+    vector = tex(motion_form(scene), names)
+    rates = ((rate_of(str(x)), rate) for x, rate in zip(scene.space.coordinates, scene.vector_field()))
     return rf"\begin{{gathered}} {vector} \\ {_aligned(rates, names)} \end{{gathered}}"
 
 

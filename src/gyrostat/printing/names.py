@@ -11,7 +11,8 @@ from ..stability.values import unknown
 # what stands in formulas beside the notation and a user's parameters
 FIXED = MappingProxyType({
     "vector_pi": r"\pi", "vector_k": "k", "vector_l": "l", "vector_omega": r"\omega", "vector_M": "M",
-    "U": "U", "B": "B", "C": "C", "C1": "C_{1}", "C2": "C_{2}", "h": "h", "T": "T", "J": "J", "S": "S",
+    "U": "U", "B": "B", "C": "C", "C1": "C_{1}", "C2": "C_{2}", "C3": "C_{3}", "I": "I", "K": "K",
+    "h": "h", "T": "T", "J": "J", "S": "S",
     "H": "H", "D": "D", "p": "p", "q": "q", "g": "g", "c": "c", "x": "x", "sigma": r"\sigma", "e3": "e_3"})
 LONGEST = 60                                           # characters of a symbol
 _GREEK = (r"\\(?:(?:var)?(?:epsilon|theta|rho|sigma|phi|kappa|pi)|alpha|beta|gamma|delta|zeta|eta|iota|lambda"

@@ -24,8 +24,10 @@ def factors_in_squares(coefficients: Sequence[Expr]) -> list[tuple[Expr, ...]]:
     ring = Ring([whole])
     index = ring.generators.index(SQUARE)
     _, found = ring.fraction(whole)[0].factor()
-    return [tuple(map(ring.expression, reversed(by_degree(factor, index, degree))))
-            for factor, times in found if (degree := factor.degrees()[index]) for _ in range(times)]
+    split = [(by_degree(factor, index, degree), times) for factor, times in found
+             if (degree := factor.degrees()[index])]
+    return [tuple(ring.expression(c * (1 if parts[-1].leading_coefficient() > 0 else -1))
+                  for c in reversed(parts)) for parts, times in split for _ in range(times)]
 
 
 def items_of_factors(factors: Sequence[tuple[Expr, ...]], signs: Signs) -> list[Item]:
