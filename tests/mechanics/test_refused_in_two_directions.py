@@ -56,8 +56,16 @@ def test_no_verb_is_left_out():
 def test_a_normal_form_is_refused():
     """Three degrees of freedom."""
     report = gs.analyze(gs.earth_pointing(SCENES["satellite"]))
-    with pytest.raises(ScopeError, match="a normal form"):
-        report.normal_form({})
+    for verb in (report.normal_form, report.window):
+        with pytest.raises(ScopeError, match="a normal form"):
+            verb({})
+
+
+def test_integrals_are_refused():
+    """n·r is 0, and a rate that vanishes where it is 1 does not vanish."""
+    scene = SCENES["satellite"]
+    with pytest.raises(ScopeError, match="an integral that is given"):
+        gs.assemble(scene.body, scene.potential, integrals=("k1",))
 
 
 def test_a_coupled_body_of_revolution_is_not_recognised():

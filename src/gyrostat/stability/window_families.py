@@ -12,6 +12,7 @@ from ..algebra.polynomials import Ring, lcm
 from ..algebra.rational_functions import RationalFunction
 from ..algebra.roots import real_roots
 from ..errors import ScopeError
+from ..mechanics.coupled import in_one_direction
 from ..mechanics.equilibria import Equilibrium
 from ..notation import Stored
 from ..shown import Shown
@@ -104,6 +105,7 @@ def motion_in_field(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> LocalMot
     if potential is None:
         raise ScopeError(f"{eq.label} is of a free body, which has one degree of freedom: its verdict needs "
                          "no D4")
+    in_one_direction(potential, "a normal form")
     refuse_any_direction(eq)
     motion = motion_along(eq, numbers, DEGREE)
     if not potential.given and any(x.free_symbols for x in motion.k):
