@@ -23,6 +23,8 @@ from .truth import holds
 from .values import exact_values
 from .window_families import Window, window_of
 
+DEFINITE = settled(True, "the second variation is definite on the symplectic slice", rung="second variation")
+
 
 @dataclass(frozen=True, repr=False)
 class Report(Derived):
@@ -77,11 +79,13 @@ class Report(Derived):
         numbers = exact_values(self.equilibrium, values, (secular or self).required, self.parameters)
         margins: dict[Expr, Expr] = {}
         modulo = (self.damped if damped else self.sufficient).modulo
-        found, growing = settled(None, numbers.doubt), None
-        if secular and not numbers.doubt:
+        growing = None
+        if numbers.doubt:
+            found = settled(None, numbers.doubt)
+        elif secular:
             stable, why, growing, modulo = secular.decide(numbers, margins)
             found = settled(stable, why, "secular")
-        elif not numbers.doubt:
+        else:
             found, modulo = self._decided(numbers, margins)
         return Decision(Verdict.of(found.stable), found.notion, modulo, found.why, tuple(margins.items()),
                         scene_note(self.equilibrium.system, numbers), growing,
@@ -208,7 +212,7 @@ class Report(Derived):
         modulo = self.sufficient.modulo
         sufficient = holds(self.sufficient, numbers, margins)
         if sufficient:
-            return self._definite(numbers), modulo
+            return self._definite(numbers) if self.equilibrium.system.given_integrals else DEFINITE, modulo
         necessary = holds(self.necessary, numbers, margins)
         if necessary is False:
             return settled(False, "an eigenvalue has a positive real part", "spectral",
@@ -227,12 +231,10 @@ class Report(Derived):
 
     def _definite(self, numbers: Point) -> Finding:
         """Where the sufficient criterion holds: with the Casimirs, or with integrals that are given."""
-        found = settled(True, "the second variation is definite on the symplectic slice",
-                        rung="second variation")
-        if not self.equilibrium.system.given_integrals or holds(self.casimirs_only, numbers, {}):
-            return found
+        if holds(self.casimirs_only, numbers, {}):
+            return DEFINITE
         certified = decide_by_integrals(self.equilibrium, numbers)
-        return certified._replace(pointwise=False) if certified.stable else found
+        return certified._replace(pointwise=False) if certified.stable else DEFINITE
 
     @cached_property
     def _elementary(self) -> Elementary:
