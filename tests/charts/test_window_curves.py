@@ -78,6 +78,7 @@ def margin(form, first, second):
     return ((first * second)**2 * (one + two)**2 - (first**2 + second**2)**2 * one * two).expand()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "n", "most"), [("upright", 21, 2), *slow(
     ("upright", 61, 40), ("rotations", 41, 20), ("decreasing", 45, 20))])
 def test_d4_changes_its_sign_at_each_vertex(charts, name, n, most):

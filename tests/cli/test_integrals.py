@@ -1,6 +1,7 @@
 """--integral, and integrals of a scene file: text, LaTeX, JSON, a motion."""
 import json
 
+import pytest
 from commands import decide, run
 
 SCENE = ["--inertia", "2,2,1", "--gyrostatic-momentum", "0,0,0", "--potential", "m0*k1", "--set", "m0=5/13"]
@@ -33,6 +34,7 @@ def test_what_an_integral_proves(capsys, tmp_path):
         "(-20*k2/13 + 2*pi1*pi2)**2 + (-20*k1/13 + pi1**2 - pi2**2)**2": "-1"}
 
 
+@pytest.mark.slow
 def test_conditions_with_it(capsys):
     """α is eliminated; what the conditions are then is said, and the values of one name are found."""
     m = "(5/13*w^2 - 5/12*w*l)"

@@ -69,7 +69,7 @@ def bend(value, k):
     return np.array(slope), np.linalg.eigvalsh(np.array(form))
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_every_vertex_is_on_its_level(drawn):
     ax, value = drawn
     heights = []

@@ -57,6 +57,7 @@ def directions(inertia, c, rotor, omega, height):
     return [np.where(free, side * part, k) for side in (1, -1)]
 
 
+@pytest.mark.slow
 def test_every_vertex_is_a_rotation_of_that_verdict(drawn):
     ax, inertia, c, rotor = drawn
     checked, changes = 0, marked(ax, CHANGE)
@@ -104,6 +105,7 @@ def test_marks(drawn):
         assert abs(beside[0] - beside[1]) in (2, 4), omega
 
 
+@pytest.mark.slow
 def test_the_range_of_rates():
     ax = picture(*BODIES["general"], omega=("1/2", 3))
     assert ax.get_xlim() == (0.5, 3.0) and ax.get_ylabel().startswith(r"$\sigma + 2\,\omega^2$")

@@ -153,7 +153,7 @@ COUNTS = {one_to_two: 100, one_to_two_without_b: 30, one_to_three: 100, one_to_o
           eigenvalue_0_at_a_maximum: 20, no_twist: 30}
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("check", COUNTS, ids=lambda check: check.__name__)
 def test_two_of_a_kind(check):
     """Of every kind."""

@@ -65,6 +65,7 @@ def arcs():
     return arcs_of(*GENERAL)
 
 
+@pytest.mark.slow
 def test_a_general_gyrostat(arcs):
     assert check(random.Random("arcs"), arcs, *GENERAL, rates=6) > 12
     assert sum(arc.low == -oo for arc in arcs) == sum(arc.high == oo for arc in arcs) == 6

@@ -37,7 +37,7 @@ def check(rng, quadratic):
     return len(found)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("quadratic", [False, True])
 def test_all_are_found_and_rightly_decided(quadratic):
     rng = random.Random(f"levels {quadratic}")

@@ -56,6 +56,7 @@ def check(rng, degree, asked):
     return len(found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("degree, asked, scenes", [(3, "omega", 2)])
 def test_all_are_found_and_rightly_decided(degree, asked, scenes):
     rng = random.Random(f"degree {degree} {asked}")

@@ -68,6 +68,7 @@ def test_none_is_missing(kind, full):
         check(moments, rotor, F(rng.randint(1, 9), 4), seed)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("l", ["1/10", "2/5", "3/2", 3])
 def test_a_rotor_along_an_axis(l):
     """8 + 4 [L < w|a|] + 4 [L < w|b|] + 4 [L < 4w|a|] + 4 [L < 4w|b|]; E-C of each family by A, B, C."""
@@ -106,6 +107,7 @@ def test_the_rate_scales():
     assert [e.decision.verdict for e in slow] == [e.decision.verdict for e in fast]
 
 
+@pytest.mark.slow
 def test_frequencies():
     """Those of the linearisation; where an eigenvalue has a real part, its rate."""
     for e in found(RIGID, ("3/10", "1/5", "1/10"))[::3]:

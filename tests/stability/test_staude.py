@@ -69,6 +69,7 @@ def check(rng, inertia, c):
     return found
 
 
+@pytest.mark.slow
 def test_all_are_on_the_arcs_and_rightly_decided():
     rng = random.Random("staude")
     assert sum(check(rng, *drawn(rng)) for _ in range(2)) > 6

@@ -59,7 +59,7 @@ def exact(values):
     return [Rational(x.numerator, x.denominator) for x in values]
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(6))
 def test_satellites(seed, full):
     """The sextic, the signature of K beside three positive squares, the verdict and the damped one."""
@@ -81,6 +81,7 @@ def test_satellites(seed, full):
             assert damped.growing == minus
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(3))
 def test_two_constant_fields(seed):
     """U = −(a k1 + b e2) and the general β."""
