@@ -74,7 +74,10 @@ def test_files_of_numbers(capsys, tmp_path):
     np.testing.assert_array_equal(found[:, 1:4], box(found[:, 0]))
     assert run(capsys, *FREE, "--until", "9", "--count", "120", "--output", str(tmp_path / "box.nc"))[0] == 0
     with xr.open_dataset(tmp_path / "box.nc") as data:
-        xr.testing.assert_identical(data.load(), box.to_xarray(found[:, 0]))
+        again = box.to_xarray(found[:, 0])
+        # the angles of two computations may differ in the last bit, where NumPy's loops begin elsewhere
+        xr.testing.assert_allclose(data.load(), again, rtol=0, atol=1e-14)
+        assert data.attrs == again.attrs
 
 
 @pytest.mark.parametrize(("potential", "names", "inertia", "rotor"), [
