@@ -82,7 +82,8 @@ def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     if sign_of_constant((a * (I2 - I3) - b * (I1 - I3)).expand()) != 0:
         return ""
     return ("U is c k·Ik, the potential of the gravity gradient; k is here a direction fixed in space, not "
-            "the local vertical of an orbit, which turns: this is not the satellite in its orbit")
+            "the local vertical of an orbit, which turns: this is not the satellite in its orbit; "
+            "circular_orbit has that one")
 
 
 @lru_cache(maxsize=64)
