@@ -10,6 +10,7 @@ from sympy import Add, Expr, ImmutableMatrix, Poly, Rational, S, Symbol, eye, sq
 from ..algebra.balls import ball
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..mechanics.body import Gyrostat
+from ..mechanics.coupled import CoupledPotential
 from ..mechanics.system import System
 from ..notation import symbol
 
@@ -25,7 +26,8 @@ def scene_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
 
 def state_note(scene: System, state: Sequence[Expr]) -> str:
     """Of a scene of numbers and a state of it."""
-    return ". ".join(filter(None, (scene_note(scene, {}), length_note(state[3:]))))
+    directions = held_note(scene, state) if scene.coupled else length_note(state[3:])
+    return ". ".join(filter(None, (scene_note(scene, {}), directions)))
 
 
 def inertia_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
@@ -50,6 +52,19 @@ def length_note(k: Sequence[Expr]) -> str:
     length = ball(sqrt(excess + 1), 128).mid().str(12, radius=False)
     return (f"|k| = {length}, not 1: k is meant to be a direction, a unit vector; with another length every "
             "torque is larger or smaller")
+
+
+def held_note(scene: System, state: Sequence[Expr]) -> str:
+    """A sentence if two directions have not the lengths and the angle of the scene, but for rounding."""
+    at = dict(zip(scene.space.coordinates, state))
+    held = scene.potential.held if isinstance(scene.potential, CoupledPotential) else ()
+    for casimir, value in held:
+        excess = casimir.xreplace(at) - value
+        if sign_of_constant(excess - ROUNDED) == 1 or sign_of_constant(-excess - ROUNDED) == 1:
+            found = ball(excess + value, 128).mid().str(12, radius=False)
+            return (f"{casimir} is {found}, not {value}: the directions of this scene are unit vectors at "
+                    "right angles")
+    return ""
 
 
 def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:

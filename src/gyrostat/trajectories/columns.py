@@ -10,7 +10,7 @@ from ..algebra.floats import Array
 from ..errors import ValuesError, optional
 from ..mechanics.body import Gyrostat
 from ..mechanics.system import System
-from ..notation import NOTATION, units
+from ..notation import NOTATION, Entry, typeset, units
 
 RATE = units(0, 1, 0)
 
@@ -35,11 +35,12 @@ def columns(scene: System, states: Array, turns: Array | None) -> list[Column]:
     states : array, shape (m, n)
         doubles
     turns : array, shape (m, 3, 3)
-        from the body to space; None where there is no vertical
+        from the body to space, or to the frame of two directions; None where there is no vertical
     """
     found = []
     for i, s in enumerate(scene.space.coordinates):
-        entry = NOTATION[s.name]
+        entry = NOTATION.get(s.name) or Entry(s.name, typeset(s.name), s.name, (0, 0),
+                                              f"direction {s.name[:-1]}, axis {s.name[-1]}")
         found.append(Column(s.name, units(*entry.dimension, entry.length), entry.latex, entry.meaning,
                             states[:, i]))
     for i, rate in enumerate(_rates(scene.body, states[:, :3]), 1):
@@ -47,9 +48,10 @@ def columns(scene: System, states: Array, turns: Array | None) -> list[Column]:
                             rate))
     if turns is None:
         return found
+    where = "the frame" if scene.coupled else "space"
     for i, values in enumerate(quaternions(turns).T):
         found.append(Column(f"q{i}", "1", f"q_{i}",
-                            f"quaternion from the body to space, {'ijk'[i - 1] if i else 'scalar'} part",
+                            f"quaternion from the body to {where}, {'ijk'[i - 1] if i else 'scalar'} part",
                             values))
     for name, about, values in zip(("phi", "theta", "psi"), ("precession", "tilt", "spin"), euler(turns).T):
         found.append(Column(name, "rad", rf"\{name}", f"Euler angle (z-x-z) of the {about}", values))

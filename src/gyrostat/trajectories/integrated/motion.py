@@ -85,7 +85,7 @@ class Integration:
                                 "or None")
         self.scene, self.tolerance, self.error = scene, WORTHLESS if tolerance is None else tolerance, 0.0
         marker = tuple(Dummy(f"a{i}") for i in (1, 2, 3))
-        # ȧ = a × ω: a is at rest in space
+        # ȧ = a × ω: a is at rest in space, or in the frame of two directions, of which it is the second
         turning = hat(marker) * scene.energy_gradient[:3, :]
         rates = list(zip((*scene.space.coordinates, *marker), (*scene.vector_field(), *turning)))
         kind = METHODS[self.name]
@@ -93,8 +93,8 @@ class Integration:
         self._runs: list[Taylor | RungeKutta] = []
         for rounding, accuracy in ((nearest, kind.FINE), (beside, kind.COARSE)):
             start = np.array([rounding(x) for x in state])
-            self._runs.append(kind(rates, np.concatenate([start, _across(self._vertical(start))]), rounding,
-                                   accuracy))
+            other = start[6:] if len(start) == 9 else _across(self._vertical(start))
+            self._runs.append(kind(rates, np.concatenate([start, other]), rounding, accuracy))
         self._last = np.empty(0), np.empty((2, 0, len(rates)))
 
     @property
@@ -112,7 +112,7 @@ class Integration:
         """R from body to space axes at times of any shape; shape (..., 3, 3).
 
         The space axis z is k, on so(3)* it is M; the Euler angle φ is 0 at t = 0, and so is ψ where sin θ =
-        0.
+        0. Of two directions z is the first and x the second: in orbit the axes are r, t and n.
 
         Raises
         ------
