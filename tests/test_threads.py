@@ -71,6 +71,7 @@ def test_nothing_depends_on_the_precision_outside(expected, name, bits):
         assert ctx.prec == bits
 
 
+@pytest.mark.slow
 def test_threads_do_not_change_each_others_precision(expected):
     """Motions and verdicts in eight threads at once: the same results as one after the other."""
     names = [*COMPUTATIONS] * 2

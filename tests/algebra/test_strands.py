@@ -21,7 +21,7 @@ def roots(F, at):
     return sorted(r.real for r in found if abs(r.imag) < 1e-9)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_every_root_is_on_one_strand(seed):
     F = drawn(random.Random(seed))

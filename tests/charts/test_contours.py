@@ -114,6 +114,7 @@ def test_points_whose_sign_doubles_get_wrong():
     assert np.isnan(points).sum() == 0
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("number", range(7))
 def test_no_point_lies_within_one_verdict(charts, number):
     """Around each point two verdicts occur at least, whatever the margins do."""

@@ -71,6 +71,7 @@ def working(running):
     raise AssertionError("no process works")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("own", [True, False])
 def test_what_is_loaded_is_no_garbage(own):
     """The command sets it aside, garbage is collected afterwards; a call from Python changes nothing."""

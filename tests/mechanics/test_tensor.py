@@ -50,6 +50,7 @@ def off(rotation, momentum, R):
     return 0 if rotation.sphere else max(abs(float(x)) for x in (here - there).evalf(30))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("seed", "count"), [(1, 3), *slow((2, 1000))])
 def test_a_free_gyrostat_in_any_axes(seed, count, full):
     """Its permanent rotations are the same, those that are degenerate too."""

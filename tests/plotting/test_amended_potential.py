@@ -136,6 +136,7 @@ def test_curves_through_saddles(drawn):
         assert groups >= 4
 
 
+@pytest.mark.slow
 def test_legend_and_heading():
     U = gs.general_potential(lambda *k: sum(k))
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U)

@@ -80,6 +80,7 @@ def test_every_verdict_has_its_look_in_its_place(e3, turned, spacing):
     assert "no equilibrium" in legend(ax)
 
 
+@pytest.mark.slow
 def test_names_and_legend(wedge, tilted):
     """Axes as in the notation; the legend has what occurs and no more, above the axes.
 

@@ -23,7 +23,7 @@ CASES = {
 DEFAULT = ("along an axis", "general", "circle broken")
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", [case if case in DEFAULT else pytest.param(case, marks=pytest.mark.slow)
                                   for case in CASES])
 def test_every_rotation_is_there_with_its_verdict(case):

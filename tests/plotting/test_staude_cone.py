@@ -48,6 +48,7 @@ def rate_squared(inertia, c, k):
     return w, np.abs(w * lever - torque).max()
 
 
+@pytest.mark.few(1)
 def test_every_vertex_is_a_rotation_of_that_verdict(drawn):
     """Spectra and signatures; off the ends, where a boundary or an infinite rate is."""
     ax, inertia, c = drawn
@@ -88,6 +89,7 @@ def test_nothing_of_the_cone_is_missing(drawn):
             assert np.linalg.norm(lines - k[n], axis=1).min() < STEP, k[n]
 
 
+@pytest.mark.slow
 def test_legend_heading_and_marks():
     ax = picture((1, 2, 3), (1, 1, 1))
     names = [text.get_text() for text in ax.get_legend().get_texts()]

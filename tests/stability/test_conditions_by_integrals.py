@@ -57,6 +57,7 @@ def drawn(draw, names):
     return {name: numbers[name] for name in names}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("family, seeds", [(kowalevski, range(1, 3)), (clebsch, range(4, 6)),
                                            *slow((kowalevski, range(3, 120)), (clebsch, range(6, 120)))])
 def test_where_some_pencil_is_definite(family, seeds):

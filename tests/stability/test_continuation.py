@@ -1,5 +1,6 @@
 """What is marked along the branches: where stability changes, and where branches meet without a change."""
 import numpy as np
+import pytest
 from sympy import Rational, sqrt
 
 import gyrostat as gs
@@ -20,6 +21,7 @@ def test_marks_of_the_heavy_top():
         ("precessions leave E2", Rational(5, 4), -1, True), ("E3 leaves E2", sqrt(15) / 3, -1, False)]
 
 
+@pytest.mark.slow
 def test_where_the_field_is_infinite_nothing_changes():
     """U = a/(2 k3 − 1) + k3²: branches come to k3 = 1/2 where a = 0."""
     a = gs.symbol("a")

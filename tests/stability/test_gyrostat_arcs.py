@@ -71,6 +71,7 @@ def test_a_general_gyrostat(arcs):
     assert sum(arc.low == -oo for arc in arcs) == sum(arc.high == oo for arc in arcs) == 6
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", [*DEFAULT, *slow(*((kind,) for kind in SPECIAL if kind not in DEFAULT))])
 def test_special_gyrostats(kind):
     assert check(random.Random(kind), arcs_of(*SPECIAL[kind]), *SPECIAL[kind]) >= 6

@@ -113,6 +113,7 @@ def test_on_its_level_only(t):
     assert 4 in pencil.signature(pencil.combined(h, F, coefficient(decision)))
 
 
+@pytest.mark.slow
 def test_what_is_not_used_is_said():
     """Off its level, or not critical: the reason says so, and other theorems decide."""
     scene, point, _ = sretensky(Rational(3, 4), 2)

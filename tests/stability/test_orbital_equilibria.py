@@ -68,7 +68,7 @@ def test_none_is_missing(kind, full):
         check(moments, rotor, F(rng.randint(1, 9), 4), seed)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("l", ["1/10", "2/5", "3/2", 3])
 def test_a_rotor_along_an_axis(l):
     """8 + 4 [L < w|a|] + 4 [L < w|b|] + 4 [L < 4w|a|] + 4 [L < 4w|b|]; E-C of each family by A, B, C."""

@@ -45,7 +45,7 @@ def test_the_table(kind, full):
     no minimum at a rotor of its own, modulo the turn about the axis.
     """
     rng = Random(kind)
-    for _ in range(sampled(300, full, 25)):
+    for _ in range(sampled(300, full, 8)):
         A, C, w, height, across, l = drawn(rng, kind)
         if A == C or across == 0 and kind != "cylindrical":
             continue

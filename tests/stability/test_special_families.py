@@ -45,6 +45,7 @@ def test_in_a_plane_of_symmetry():
     assert vanishes(form.trace - across - within, k1, k1**2 + k3**2)
 
 
+@pytest.mark.slow
 def test_off_it():
     """c3 = 0 = l, sigma = −omega² I3."""
     form, J = form_of((k1, k2, k3), (0, 0, 0), -(w**2) * I3), sum(m * k**2 for m, k in zip(I, (k1, k2, k3)))
@@ -71,6 +72,7 @@ def check(rng):
     return here.decision.verdict.name
 
 
+@pytest.mark.slow
 def test_at_numbers():
     rng = random.Random("off every plane")
     assert {check(rng) for _ in range(12)} >= {"STABLE", "UNSTABLE"}

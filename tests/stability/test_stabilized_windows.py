@@ -42,7 +42,7 @@ def check(report, name, values=None):
     return ends, solution
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("values, name", [
     ({"I1": 5, "I2": 4, "I3": 3, "m0": 1, "l": 0}, "pi3_0"),
     ({"I1": 5, "I2": 4, "I3": "9/2", "m0": 1, "l": 2}, "pi3_0"),
