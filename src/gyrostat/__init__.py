@@ -29,14 +29,17 @@ if TYPE_CHECKING:
     from .mechanics.liepoisson import LiePoisson, lie_poisson
     from .mechanics.orbit import orbit_tangent, symplectic_slice
     from .mechanics.orbital_precession import orbital_precession
+    from .mechanics.parallel import parallel_directions
     from .mechanics.permanent_rotation import permanent_rotation
     from .mechanics.potential import Potential
     from .mechanics.potentials import axial_potential, general_potential
     from .mechanics.principal import principal_rotation
     from .mechanics.reduction import reduce
     from .mechanics.rotors import Rotor, gyrostat_with_rotors
+    from .mechanics.steady import steady_motion
     from .mechanics.system import System, assemble
     from .mechanics.tilted import inclined, static_tilt
+    from .mechanics.vehicles import underwater_vehicle
     from .mechanics.vertical import hanging, upright
     from .notation import NOTATION, symbol
     from .printing.article import to_latex
@@ -87,12 +90,13 @@ __all__ = [
     "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyContinuation", "HeavyRotation", "ideal_fluid",
     "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize",
     "mechanics", "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent",
-    "orbital_precession", "OrbitalEquilibrium", "own_precision", "permanent_rotation", "PermanentRotation",
-    "plotting", "Potential", "principal_rotation", "published", "reduce", "relative_equilibria", "Report",
-    "RotationContinuation", "Rotor", "second_variation", "SecondVariation", "secular_criterion",
-    "secular_variation", "Solution", "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum",
-    "spectrum", "stabilizing_set", "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "stereographic",
-    "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "uniform_field",
+    "orbital_precession", "OrbitalEquilibrium", "own_precision", "parallel_directions", "permanent_rotation",
+    "PermanentRotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
+    "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation", "SecondVariation",
+    "secular_criterion", "secular_variation", "Solution", "solve_condition", "SolvedCondition",
+    "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt", "staude_cone",
+    "StaudeArc", "StaudeCone", "steady_motion", "stereographic", "symbol", "symmetric_gyrostat",
+    "symplectic_slice", "System", "to_latex", "trajectories", "underwater_vehicle", "uniform_field",
     "upright", "Verdict", "Window",
 ]
 
@@ -106,11 +110,14 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.fields": "ideal_fluid newtonian_field uniform_field",
     "mechanics.liepoisson": "LiePoisson lie_poisson", "mechanics.orbit": "orbit_tangent symplectic_slice",
     "mechanics.orbital_precession": "orbital_precession",
+    "mechanics.parallel": "parallel_directions",
     "mechanics.permanent_rotation": "permanent_rotation", "mechanics.potential": "Potential",
     "mechanics.potentials": "axial_potential general_potential",
     "mechanics.principal": "principal_rotation", "mechanics.reduction": "reduce",
-    "mechanics.rotors": "Rotor gyrostat_with_rotors", "mechanics.system": "System assemble",
-    "mechanics.tilted": "inclined static_tilt", "mechanics.vertical": "hanging upright",
+    "mechanics.rotors": "Rotor gyrostat_with_rotors", "mechanics.steady": "steady_motion",
+    "mechanics.system": "System assemble",
+    "mechanics.tilted": "inclined static_tilt", "mechanics.vehicles": "underwater_vehicle",
+    "mechanics.vertical": "hanging upright",
     "notation": "NOTATION symbol", "printing.article": "to_latex",
     "stability.amended_potential": "amended_potential AmendedPotential CriticalPoint",
     "stability.analysis": "analyze", "stability.bifurcations": "Bifurcation bifurcations",

@@ -74,7 +74,7 @@ def _table() -> Mapping[str, Entry]:
     rows += [Entry("p0", "p_0", "p₀", (1, 1), "magnitude of the impulse in an ideal fluid", True, -1)]
     rows += [Entry(f"mass{i}", rf"\bar{{m}}_{i}", f"mass{sub[i]}", (1, 0),
                    f"mass with added mass of the fluid, axis {i}", True, -2)
-             for i in (1, 3)]
+             for i in (1, 2, 3)]
     rows += [Entry(f"k{i}", f"k_{i}", f"k{sub[i]}", (0, 0),
                    f"direction of the field (Poisson vector), axis {i}")
              for i in (1, 2, 3)]
@@ -90,7 +90,7 @@ def _table() -> Mapping[str, Entry]:
 NOTATION = _table()
 _PLACES = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
 PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1", "r", "p0", "omega0", "mass1",
-                        "mass3"} | {f"J{n}" for n in _ORDERS})    # a body or a potential may use these
+                        "mass2", "mass3"} | {f"J{n}" for n in _ORDERS})    # a body or a potential may use these
 INTERNAL = frozenset({"nu1", "nu2", "nu3", "lamda"})   # names that a derivation introduces itself
 
 

@@ -10,6 +10,7 @@ from ..errors import SingularOrbitError
 from .derivation import rows_at_point, signs_over
 from .equilibria import Equilibrium
 from .once import once
+from .parallel import parallel
 
 
 def differentials(eq: Equilibrium, functions: Sequence[Expr]) -> list[list[Expr]]:
@@ -63,9 +64,17 @@ def regular_differentials(eq: Equilibrium) -> tuple[list[Expr], ...]:
         raise SingularOrbitError(
             f"{eq.label} lies on a singular coadjoint orbit: the differentials of "
             f"{', '.join(map(str, casimirs))} have rank {rank}, "
-            f"not {len(casimirs)}. The energy-Casimir test does not apply there; choose a point with "
-            + ("k ≠ 0." if eq.system.potential else "M ≠ 0."))
+            f"not {len(casimirs)}. {_remedy(eq)}")
     return tuple(rows)
+
+
+def _remedy(eq: Equilibrium) -> str:
+    """Why the orbit is singular, and what to do."""
+    if parallel(eq):
+        return (f"The directions {' and '.join(eq.system.potential.directions)} are parallel there: use "
+                "analyze(eq), or parallel_directions(eq), the scene of the motions in which they stay so.")
+    return ("The energy-Casimir test does not apply there; choose a point with "
+            + (f"{eq.system.potential.directions[0]} ≠ 0." if eq.system.potential else "M ≠ 0."))
 
 
 @once

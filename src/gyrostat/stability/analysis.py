@@ -2,7 +2,9 @@
 from ..errors import ArgumentError
 from ..mechanics.directions import in_any_direction
 from ..mechanics.equilibria import Equilibrium
+from ..mechanics.parallel import parallel
 from ..mechanics.system import System
+from .parallel_report import ParallelReport
 from .report import Report
 from .rotation_report import RotationReport
 
@@ -35,4 +37,8 @@ def analyze(eq: Equilibrium) -> Report:
         raise ArgumentError("the equilibrium is a System, a scene: choose one of its equilibria, "
                             "upright(scene), hanging(scene), inclined(scene), static_tilt(scene), "
                             "principal_rotation(scene, axis) or equilibrium(scene, point)")
-    return RotationReport(eq) if isinstance(eq, Equilibrium) and in_any_direction(eq) else Report(eq)
+    if not isinstance(eq, Equilibrium):
+        return Report(eq)                                  # which refuses it
+    if parallel(eq):
+        return ParallelReport(eq)
+    return RotationReport(eq) if in_any_direction(eq) else Report(eq)

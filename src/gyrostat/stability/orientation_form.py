@@ -9,6 +9,7 @@ from ..mechanics.coupled import CoupledPotential
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.liepoisson import hat
 from ..mechanics.once import once
+from ..mechanics.parallel import parallel
 
 
 class OrientationForm(NamedTuple):
@@ -40,8 +41,8 @@ class OrientationForm(NamedTuple):
 
 
 def rests_in_frame(eq: Equilibrium) -> bool:
-    """Whether it is an equilibrium in two directions: the body is at rest in their frame."""
-    return eq.system.coupled and len(eq.point) == 9
+    """Whether it is an equilibrium in two directions, not parallel: the body is at rest in their frame."""
+    return eq.system.coupled and len(eq.point) == 9 and parallel(eq) is None
 
 
 @once

@@ -6,8 +6,11 @@ from sympy import Expr, ImmutableMatrix, S, Symbol
 from ..algebra.polynomials import lowest_terms
 from ..kept import cached_property
 from ..mechanics.circular_orbit import along_velocity, in_orbit
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.liepoisson import hat
 from .criteria import stiffness
 from .orientation_form import rests_in_frame
+from .secular import OUT_OF_REACH as UNMOVED
 from .secular import Growing, Secular, characteristic
 
 OUT_OF_REACH = ("the damping does not reach every motion: the body may turn about an axis that is tilted "
@@ -20,11 +23,12 @@ class SecularInFrame(Secular):
     """The same where the directions are two: the second variation is K beside a positive form of the momenta.
 
     Damping by the three components of the absolute rate ω reaches every motion of a body in a frame that does
-    not turn. In an orbit it does but where t·In = 0 and n·In = r·Ir.
+    not turn. In an orbit it does but where t·In = 0 and n·In = r·Ir. Of one direction a and a coupling it does
+    unless a, carried along by the undisturbed rate, asks for no torque in any direction across it.
 
     References
     ----------
-    As Secular; the exception in orbit: Derived.
+    As Secular; the exceptions: Derived.
     """
 
     @cached_property
@@ -38,7 +42,8 @@ class SecularInFrame(Secular):
         """What vanishes where the damping does not reach every motion."""
         eq = self.equilibrium
         if not rests_in_frame(eq):
-            return ()                                      # whether it does is not known
+            # of a tilted body of revolution whether it does is not known
+            return () if self.variation.modulo else _torques_across(eq)
         if not in_orbit(eq.system):
             return (S.One,)
         n, r = (ImmutableMatrix(eq.point[i:i + 3]) for i in (3, 6))
@@ -54,7 +59,23 @@ class SecularInFrame(Secular):
         return S.One
 
     def _along(self, numbers: Mapping[Symbol, Expr]) -> Growing:
-        return None, OUT_OF_REACH if rests_in_frame(self.equilibrium) else NOT_PROVED, None
+        if rests_in_frame(self.equilibrium):
+            return None, OUT_OF_REACH, None
+        return None, NOT_PROVED if self.variation.modulo else UNMOVED, None
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr]) -> Growing:
         return None, DEGENERATE, None
+
+
+def _torques_across(eq: Equilibrium) -> tuple[Expr, ...]:
+    """What is left of π̇ where a turns by a little across itself and ω stays: δπ = −IB δa, δȧ = δa × ω."""
+    def placed(rows: list[list[Expr]]) -> ImmutableMatrix:
+        return ImmutableMatrix([[eq.at_point(x) for x in row] for row in rows])
+
+    energy, a = eq.system.energy_hessian.tolist(), ImmutableMatrix(eq.point[3:])
+    rate = placed(eq.system.energy_gradient.tolist())
+    drift, curved = (placed([row[3:] for row in part]) for part in (energy[:3], energy[3:]))
+    momentum = -eq.system.body.tensor * drift              # δπ for δa
+    turn, torque = hat(rate[:3, 0]), hat(rate[3:, 0])
+    left = momentum * turn - turn * momentum - torque + hat(a) * (curved + drift.T * momentum)
+    return tuple(e for x in (left * hat(a)).flat() if x != 0 and (e := lowest_terms(eq.insert(x))) != 0)
