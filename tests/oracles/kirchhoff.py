@@ -5,7 +5,10 @@ J Ω̇ + D v̇ = (π + l) × Ω + p × v + γ × (−w), Dᵀ Ω̇ + M v̇ = p �
 from fractions import Fraction
 from typing import NamedTuple
 
-from two_directions import characteristic, cross, dot
+import mpmath as mp
+from two_directions import Scene, characteristic, cross, dot
+
+SPHERE = Fraction(1, 9)                                    # moment of a sphere in a viscous cavity
 
 
 class Vehicle(NamedTuple):
@@ -54,6 +57,37 @@ class Vehicle(NamedTuple):
     def polynomial(self, z):
         """1, c1, …, c9 of the characteristic polynomial at a steady motion."""
         return characteristic(self.jacobian(z))
+
+    def energy(self):
+        """The same as h = ½ π·Aπ + π·Bx + ½ x·Sx + s·x in x = (p, γ): the inverse of T, by elimination."""
+        columns = [self.accelerations([Fraction(i == n) for i in range(9)])[:6] for n in range(6)]
+        rows, none = [list(row) for row in zip(*columns)], [Fraction(0)] * 3
+        return Scene([row[:3] for row in rows[:3]], self.rotor, [[*row[3:], *none] for row in rows[:3]],
+                     [*([*row[3:], *none] for row in rows[3:]), *([*none, *none] for _ in range(3))],
+                     [*none, *(-w for w in self.weight)])
+
+    def growing(self, z, damping=Fraction(1, 2)):
+        """The growing modes with a sphere inside, which is part of J, about a motion of both as one."""
+        body = self._replace(J=[[x - SPHERE * (i == j) for j, x in enumerate(row)]
+                                for i, row in enumerate(self.J)])
+
+        def field(state):
+            omega, inner = state[:3], state[9:]
+            torque = [damping * (a - b) for a, b in zip(omega, inner)]
+            rates = body.rates(state[:9])
+            rates = [*(a - b for a, b in zip(rates, torque)), *rates[3:]]
+            spin = [a + b / SPHERE for a, b in zip(cross(inner, omega), torque)]
+            return [*body.accelerations(rates), *spin]
+
+        start, columns = [*z, *z[:3]], []
+        for n in range(12):
+            ahead, behind = ([x + (step if i == n else 0) for i, x in enumerate(start)] for step in (1, -1))
+            columns.append([(p - q) / 2 for p, q in zip(field(ahead), field(behind))])
+        with mp.workdps(60):
+            matrix = mp.matrix([[mp.mpf(x.numerator) / x.denominator for x in row] for row in zip(*columns)])
+            values = mp.eig(matrix, left=False, right=False)
+            scale = max(map(abs, values))
+            return sum(mp.re(x) > scale * mp.mpf(10) ** -14 for x in values)
 
 
 def random_vehicle(rng, weight=True):

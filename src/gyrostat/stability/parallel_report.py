@@ -4,31 +4,33 @@ from dataclasses import replace
 from sympy import Expr
 
 from ..algebra.exact import Point
+from ..algebra.margins import Signs
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.parallel import parallel
 from ..mechanics.relations import residual_of
-from .conditions import Criterion
+from .conditions import Criterion, condition_of, independent
 from .decision import Finding, settled
-from .energy_casimir import SecondVariation
+from .energy_casimir import SecondVariation, blocks
+from .implication import Item, reduced
 from .linearization import Linearization
+from .orientation_form import orientation_form
 from .report import Report
 from .secular import Secular
 from .truth import holds
 
-MINIMUM = ("the directions are parallel and the body is at rest: with a multiple of the Casimirs the energy "
-           "has a minimum against all motions, those too in which the directions do not stay parallel")
+MINIMUM = ("the directions are parallel, the body is at rest, and its energy has a strict minimum: stable "
+           "against all motions, those too in which the directions do not stay parallel")
 OTHERS = "against motions in which the directions do not stay parallel nothing is proved"
 
 
 class ParallelReport(Report):
     """Of an equilibrium with parallel directions, by that of the motions in which they stay parallel.
 
-    Its matrices are those of parallel_directions(eq); so is what is necessary. At rest their second variation
-    with the Casimirs decides more. The angle c of the directions is c = b − r a, and a multiple of |c|² is a
-    combination of the Casimirs a·a, a·b, b·b: added to the energy it makes the second variation positive on all
-    of the kernel of their differentials, if it is so where c = 0 (Finsler). Then the equilibrium is stable, and
-    under internal damping too.
+    Its matrices are those of parallel_directions(eq), and so is what is necessary. At rest K across the
+    directions decides more: where it is positive definite the energy of a and b = c a has a strict minimum
+    for abs(a) held, whatever M·a. The length of b − c a is constant, and while it is small the energy is that
+    of b = c a but for as little: the equilibrium is stable against all motions, under internal damping too.
 
     Examples
     --------
@@ -63,7 +65,7 @@ class ParallelReport(Report):
 
     @cached_property
     def sufficient(self) -> Criterion:
-        """At rest: the second variation with the Casimirs is positive definite, the directions parallel."""
+        """At rest, K is positive definite across the directions."""
         return replace(self.damped, notion="formal")
 
     @property
@@ -74,7 +76,7 @@ class ParallelReport(Report):
     @cached_property
     def secular(self) -> Secular:
         """What internal damping makes of it."""
-        return ParallelSecular(self.along.equilibrium)
+        return ParallelSecular(self.equilibrium)
 
     def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[Finding, tuple[Expr, ...]]:
         if holds(self.sufficient, numbers, margins):
@@ -86,20 +88,29 @@ class ParallelReport(Report):
 
 
 class ParallelSecular(Secular):
-    """Under internal damping: at rest as in the motions in which the directions stay parallel."""
+    """Under internal damping: what is lost where the directions stay parallel is lost."""
 
-    @property
+    @cached_property
     def along(self) -> Secular:
         """In the motions in which the directions stay parallel."""
-        return Report(self.equilibrium).secular
+        found = parallel(self.equilibrium)
+        assert found is not None
+        return Report(found).secular
+
+    @property
+    def variation(self) -> SecondVariation:
+        """In the motions in which the directions stay parallel."""
+        return self.along.variation
+
+    @property
+    def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
+        """In the motions in which the directions stay parallel."""
+        return self.along.exceptions
 
     @cached_property
     def criterion(self) -> Criterion:
-        """Theirs where the body is at rest; else there is none."""
-        theirs = self.along.criterion
-        if theirs.modulo or not at_rest(self.equilibrium):
-            return Criterion("secular", ())
-        return theirs
+        """At rest, K is positive definite across the directions."""
+        return independent(least_across(self.equilibrium), self.equilibrium)
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]
                ) -> tuple[bool | None, str, int | None, tuple[Expr, ...]]:
@@ -115,3 +126,26 @@ class ParallelSecular(Secular):
 def at_rest(eq: Equilibrium) -> bool:
     """Whether the body does not turn: ∂h/∂π = 0."""
     return not any(residual_of(eq.at_point(x), eq.insert) for x in eq.system.energy_gradient.flat()[:3])
+
+
+def least_across(eq: Equilibrium) -> Criterion:
+    """At rest, K is positive definite across the directions; () where the body turns.
+
+    Along an axis of the body by leading minors, else by t and s, trace and determinant across.
+    """
+    if not at_rest(eq):
+        return Criterion("secular", ())
+    K = orientation_form(eq).stiffness
+    a = eq.point[3:6] if any(eq.point[3:6]) else eq.point[6:]
+    across = [i for i in range(3) if a[i] == 0]
+    if len(across) == 2:
+        plane = K.extract(across, across)
+        minors = [(f"minor {n} of K", plane.extract(block[:n], block[:n]).det(method="berkowitz"))
+                  for block in blocks(plane.tolist()) for n in range(1, len(block) + 1)]
+    else:
+        minors = [("t", K.trace()), ("s", K.adjugate().trace())]
+    signs = Signs.over([minor for _, minor in minors], eq.domain)
+    items = [Item(*signs.split(*signs.ring.fraction(minor)), True, name) for name, minor in minors]
+    left = reduced(items, signs)
+    return Criterion("secular", () if left is None else (tuple(condition_of(signs.ring, item, eq)
+                                                               for item in left),))
