@@ -1,13 +1,15 @@
 """A satellite in a circular orbit: the field of the gravity gradient in the frame that turns with it."""
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Any
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, sqrt
+from sympy import Add, Expr, ImmutableMatrix, Rational, S, sqrt
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..errors import EquilibriumError, PotentialError, ScopeError, require
 from ..notation import symbol
-from .coupled import CoupledPotential, unit_and_orthogonal
+from .coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
 from .equilibria import Equilibrium
 from .liepoisson import hat
 from .system import System
@@ -16,7 +18,21 @@ NORMAL, VERTICAL = "n", "r"
 RATE = symbol("omega0")
 
 
-def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None) -> CoupledPotential:
+@dataclass(frozen=True)
+class CircularOrbit(CoupledPotential):
+    """The field of a satellite in a circular orbit; other is what U has beside the gravity gradient."""
+
+    other: Expr = S.Zero
+
+    def changed(self, change: Callable[[Expr], Expr]) -> "CircularOrbit":
+        """As CoupledPotential.changed."""
+        found = super().changed(change)
+        assert isinstance(found, CircularOrbit)
+        return replace(found, other=change(self.other))
+
+
+def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
+                   potential: Any = 0) -> CoupledPotential:
     """The field of a satellite in a circular orbit, in the frame that turns with the orbit.
 
     n is the normal of the orbit, r the local vertical, outwards, t = n × r along the velocity, all in body
@@ -31,6 +47,9 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None) -> C
     mu, radius : number, text or Expr
         in place of the rate: the gravitational parameter [L³/T²] and the radius of the orbit [L],
         ω0² = mu/radius³
+    potential : Expr, or number 0
+        another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient: −B n·μ of a magnet μ in a field B
+        along the normal, F·(n × r) of a constant pressure along the path [M L²/T²]
 
     Returns
     -------
@@ -41,7 +60,8 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None) -> C
     Raises
     ------
     PotentialError
-        the rate, mu or the radius is not positive, or the rate is given and mu and radius give another
+        the rate, mu or the radius is not positive, or the rate is given and mu and radius give another; the
+        other potential is of no such directions
 
     References
     ----------
@@ -61,8 +81,9 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None) -> C
                     for i in (1, 2, 3) for j in (1, 2, 3)))
     U = Rational(3, 2) * omega0**2 * gravity - omega0 * Add(*(a * b for a, b in zip(n, l)))
     first, second, third = (-omega0 * x for x in n)
-    return CoupledPotential((*n, *r), U, False, (first, second, third),
-                            unit_and_orthogonal((NORMAL, VERTICAL)))
+    other = coupled_potential(potential, (NORMAL, VERTICAL)).expression
+    return CircularOrbit((*n, *r), U + other, False, (first, second, third),
+                         unit_and_orthogonal((NORMAL, VERTICAL)), other)
 
 
 def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
@@ -86,7 +107,12 @@ def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
 
 def in_orbit(scene: System) -> bool:
     """Whether a scene is a satellite in a circular orbit."""
-    return scene.potential is not None and scene.potential.directions == (NORMAL, VERTICAL)
+    return isinstance(scene.potential, CircularOrbit)
+
+
+def by_gradient_alone(scene: System) -> bool:
+    """Whether it is one on which nothing but the gravity gradient acts."""
+    return isinstance(scene.potential, CircularOrbit) and scene.potential.other == 0
 
 
 def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -> Equilibrium:

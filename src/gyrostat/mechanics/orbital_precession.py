@@ -8,7 +8,7 @@ from ..algebra.numbers import shown
 from ..errors import EquilibriumError, ScopeError, require
 from ..notation import symbol
 from .body import Gyrostat
-from .circular_orbit import along_velocity, in_orbit, orbital_rate, resting_at
+from .circular_orbit import along_velocity, by_gradient_alone, in_orbit, orbital_rate, resting_at
 from .equilibria import Equilibrium
 from .potential import DIRECTIONS, Potential
 from .system import System, system_of
@@ -116,7 +116,7 @@ def moving_axis(eq: Equilibrium, at: Callable[[Expr], Expr]) -> Equilibrium | No
     Derived: Routh's reduction by the turn about the axis.
     """
     scene = eq.system
-    if not in_orbit(scene) or len(scene.linear_integrals) != 1:
+    if not by_gradient_alone(scene) or len(scene.linear_integrals) != 1:
         return None
     gradient = scene.space.gradient(scene.linear_integrals[0]).flat()[:3]
     if sum(x != 0 for x in gradient) != 1:

@@ -8,7 +8,7 @@ from ..algebra.exact import evaluate, proved_sign
 from ..algebra.matrices import cross
 from ..algebra.sphere_zeros import zeros_on_sphere
 from ..errors import ScopeError, ValuesError
-from ..mechanics.circular_orbit import NORMAL, VERTICAL, orbital_rate
+from ..mechanics.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbital_rate
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
 from .asked import exact_point
@@ -25,6 +25,9 @@ def orbital_equilibria(scene: System, values: Mapping[str, Any]) -> list[Orbital
     c = r × Ir and r·l ≠ 0, r lies on a cubic and a quartic, and n = (Ir − (r·Ir) r)/b, b = −r·l/(4 ω0); with
     r·l = 0 it is along a principal axis, and n turns about it.
     """
+    if not by_gradient_alone(scene):
+        raise ScopeError("the satellite is in another field beside the gravity gradient, for which no complete "
+                         "list is proved: give an attitude, steady_motion(scene, n, r)")
     needed = {s.name for s in names_of_scene(scene)}
     numbers = exact_point(scene, values, needed)
     if missing := sorted(needed - values.keys()):

@@ -5,11 +5,11 @@ from sympy import Expr, ImmutableMatrix, S, Symbol
 
 from ..algebra.polynomials import lowest_terms
 from ..kept import cached_property
-from ..mechanics.circular_orbit import along_velocity, in_orbit
+from ..mechanics.circular_orbit import in_orbit, orbital_rate
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.liepoisson import hat
 from .criteria import stiffness
-from .orientation_form import rests_in_frame
+from .orientation_form import orientation_form, rests_in_frame
 from .secular import OUT_OF_REACH as UNMOVED
 from .secular import Growing, Secular, characteristic
 
@@ -23,7 +23,8 @@ class SecularInFrame(Secular):
     """The same where the directions are two: the second variation is K beside a positive form of the momenta.
 
     Damping by the three components of the absolute rate ω reaches every motion of a body in a frame that does
-    not turn. In an orbit it does but where t·In = 0 and n·In = r·Ir. Of one direction a and a coupling it does
+    not turn. In an orbit it does unless the body, turned by a little as the normal turns, asks for no torque;
+    in the gravity gradient that is where t·In = 0 and n·In = r·Ir. Of one direction a and a coupling it does
     unless a, carried along by the undisturbed rate, asks for no torque in any direction across it.
 
     References
@@ -46,10 +47,7 @@ class SecularInFrame(Secular):
             return () if self.variation.modulo else _torques_across(eq)
         if not in_orbit(eq.system):
             return (S.One,)
-        n, r = (ImmutableMatrix(eq.point[i:i + 3]) for i in (3, 6))
-        tensor = eq.system.body.tensor
-        found = ((tensor * n).dot(along_velocity(n, r)), n.dot(tensor * n) - r.dot(tensor * r))
-        return tuple(e for x in found if (e := lowest_terms(eq.insert(x))) != 0)
+        return _torques_in_orbit(eq)
 
     def _spins(self, numbers: Mapping[Symbol, Expr]) -> bool:
         return False
@@ -65,6 +63,13 @@ class SecularInFrame(Secular):
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr]) -> Growing:
         return None, DEGENERATE, None
+
+
+def _torques_in_orbit(eq: Equilibrium) -> tuple[Expr, ...]:
+    """What is left of I θ̈ + g × θ̇ + K θ where ω stays, θ̇ = θ × ω0 n: the body turns as the normal does."""
+    form, turn = orientation_form(eq), orbital_rate(eq.system) * hat(eq.point[3:6])
+    left = (form.inertia * turn**2 - hat(form.gyroscopic) * turn + form.stiffness) * turn
+    return tuple(e for x in left.flat() if x != 0 and (e := lowest_terms(eq.insert(x))) != 0)
 
 
 def _torques_across(eq: Equilibrium) -> tuple[Expr, ...]:
