@@ -10,7 +10,7 @@ def test_moments_masses_and_magnitudes_are_positive_and_everything_else_is_real(
     for name in NOTATION:
         assert symbol(name).is_real
         assert bool(symbol(name).is_positive) == (
-            name in ("I1", "I2", "I3", "r", "p0", "omega0", "mass1", "mass3"))
+            name in ("I1", "I2", "I3", "r", "p0", "omega0", "mass1", "mass2", "mass3"))
     assert symbol("c").is_real and symbol("c").is_positive is None
 
 
@@ -37,7 +37,7 @@ def test_length_is_the_third_dimension():
     assert tuple(a + b for a, b in zip(powers("m1"), powers("r"))) == (0, 1, 2)
     assert [powers(f"J{n}") for n in (3, 4, 9)] == [(1, 3, 0), (1, 4, 0), (1, 9, 0)]
     assert tuple(2 * a - b for a, b in zip(powers("p0"), powers("mass1"))) == powers("m0") == (1, 2, 2)
-    assert {n for n in NOTATION if NOTATION[n].length} == {"r", "p0", "mass1", "mass3",
+    assert {n for n in NOTATION if NOTATION[n].length} == {"r", "p0", "mass1", "mass2", "mass3",
                                                            *(f"J{n}" for n in range(3, 10))}
 
 

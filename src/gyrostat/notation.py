@@ -90,7 +90,7 @@ def _table() -> Mapping[str, Entry]:
 NOTATION = _table()
 _PLACES = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
 PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1", "r", "p0", "omega0", "mass1",
-                        "mass2", "mass3"} | {f"J{n}" for n in _ORDERS})    # a body or a potential may use these
+                        "mass2", "mass3"} | {f"J{n}" for n in _ORDERS})   # a body or a potential may use it
 INTERNAL = frozenset({"nu1", "nu2", "nu3", "lamda"})   # names that a derivation introduces itself
 
 

@@ -4,15 +4,10 @@ from random import Random
 
 import pytest
 from kirchhoff import random_vehicle
-from sympy import Rational
+from satellites import exact
 
 import gyrostat as gs
 from gyrostat.errors import BodyError, EquilibriumError, ScopeError
-
-
-def exact(values):
-    """As SymPy's numbers."""
-    return [Rational(x.numerator, x.denominator) for x in values]
 
 
 def scene_of(vehicle, weight=True):

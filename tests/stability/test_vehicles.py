@@ -4,6 +4,7 @@ from random import Random
 
 import pytest
 from kirchhoff import SPHERE, Vehicle, random_vehicle
+from satellites import exact
 from slow import sampled
 from sympy import Rational, sqrt
 from two_directions import cross, dot, second_variation, signature
@@ -16,11 +17,6 @@ d, m0, p0, l, w = map(gs.symbol, ("d", "m0", "p0", "l", "omega3_0"))
 I1, I3, across, along = map(gs.symbol, ("I1", "I3", "mass1", "mass3"))
 SHIFTED = [[0, -d, 0], [d, 0, 0], [0, 0, 0]]               # m hat(c), c on axis 3
 ONE, ZERO = Fraction(1), Fraction(0)
-
-
-def exact(values):
-    """As SymPy's numbers."""
-    return [Rational(x.numerator, x.denominator) for x in values]
 
 
 def margins(criterion):
@@ -39,12 +35,11 @@ def unit(rng):
 def positive(rng):
     """A random positive matrix."""
     G = [[some(rng, 2) + 2 * (i == j) for j in range(3)] for i in range(3)]
-    form = [[dot(a, b) + (i == j) for j, b in enumerate(G)] for i, a in enumerate(G)]
-    return form
+    return [[dot(a, b) + (i == j) for j, b in enumerate(G)] for i, a in enumerate(G)]
 
 
 def translating(rng, parallel=False):
-    """A vehicle that translates with the impulse p, down γ, both anywhere: p × v = γ × w; it, p, velocities."""
+    """A vehicle that translates with the impulse p, down γ, both anywhere, p × v = γ × w; p; velocities."""
     down, p, share = unit(rng), [some(rng, 3) for _ in range(3)], some(rng, 2)
     v, pull = [x + share * y for x, y in zip(p, down)], [-share * x for x in p]
     if parallel:
@@ -78,7 +73,7 @@ def scene_of(vehicle, weight=True):
 
 
 def test_horizontal_translation():
-    """Leonard's conditions, whatever the coupling; bottom-heavy, broadside, the speed bounded by the weight."""
+    """Leonard's conditions, whatever the coupling: bottom-heavy, broadside, not too fast."""
     second = gs.symbol("mass2")
     for coupling in (None, SHIFTED):
         scene = gs.underwater_vehicle(coupling=coupling, weight=(0, 0, m0))
@@ -127,6 +122,30 @@ def test_rising_without_spin(sense):
         gs.parallel_directions(gs.steady_motion(scene, (0, p0, 0), (0, 0, 1)))
 
 
+def test_a_rotor_holds_only_what_stays_parallel():
+    """M·a is a Casimir of the parallel motions only: with a rotor across it they are stable."""
+    scene = gs.underwater_vehicle((1, 1, 1), (2, 1, 1), weight=(0, 0, "1/2"), gyrostatic_momentum=(9, 0, 0))
+    rising = gs.steady_motion(scene, (0, 0, "3/2"), (0, 0, 1))
+    assert gs.analyze(gs.parallel_directions(rising)).verdict({}).verdict.name == "STABLE"
+    for damped in (False, True):
+        decision = gs.analyze(rising).verdict({}, damped=damped)
+        assert decision.verdict.name == "UNDECIDED" and "nothing is proved" in decision.reason
+
+
+@pytest.mark.parametrize("turning", [0, 1])
+def test_two_fields_that_pull_together(turning):
+    """U = −(a k1 + b e1), k = e: a body in one field of the strength a + b; at rest against all motions."""
+    field = gs.coupled_potential(-2 * gs.symbol("k3") - gs.symbol("e3"))
+    scene = gs.assemble(gs.Gyrostat((2, 3, 4), (0, 0, 0)), field)
+    hanging = gs.steady_motion(scene, (0, 0, 1), (0, 0, 1), omega=(0, 0, turning))
+    along = gs.parallel_directions(hanging)
+    assert along.system.potential.expression == -3 * gs.symbol("k3") and not along.system.coupled
+    assert gs.analyze(along).verdict({}).verdict.name == "STABLE"
+    assert gs.analyze(hanging).verdict({}).verdict.name == ("UNDECIDED" if turning else "STABLE")
+    opposite = gs.steady_motion(scene, (0, 0, 1), (0, 0, -1))
+    assert gs.parallel_directions(opposite).system.potential.expression == -gs.symbol("k3")
+
+
 @pytest.mark.few(2)
 @pytest.mark.parametrize("seed", range(4))
 def test_random_translations(seed, full):
@@ -155,7 +174,8 @@ def test_random_parallel_directions(seed, full):
         assert not any(vehicle.rates(z))
         eq = gs.steady_motion(scene_of(vehicle), exact(p), exact(z[6:]))
         report, found = gs.analyze(eq), vehicle.polynomial(z)
-        assert (*report.linearization.coefficients, 0, 0) == tuple(exact(found[2:9:2])) and not any(found[1::2])
+        assert (*report.linearization.coefficients, 0, 0) == tuple(exact(found[2:9:2]))
+        assert not any(found[1::2])
         least = _least(vehicle, p, z)
         assert (report.verdict({}).verdict.name == "STABLE") == least
         damped = report.verdict({}, damped=True)

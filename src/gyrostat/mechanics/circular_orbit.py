@@ -48,8 +48,8 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
         in place of the rate: the gravitational parameter [L³/T²] and the radius of the orbit [L],
         ω0² = mu/radius³
     potential : Expr, or number 0
-        another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient: −B n·μ of a magnet μ in a field B
-        along the normal, F·(n × r) of a constant pressure along the path [M L²/T²]
+        another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient: −B n·μ of a magnet μ in a field
+        B along the normal, F·(n × r) of a constant pressure along the path [M L²/T²]
 
     Returns
     -------

@@ -19,8 +19,9 @@ Held = tuple[tuple[Expr, Expr], ...]
 class CoupledPotential(Potential):
     """U as a function of one or two directions, always given, and β, linear in them: h = T + β·π + U.
 
-    The rate of the body against the frame of the directions is Aπ + β. In a frame that turns at the rate ω0
-    about n, β = −ω0 n; of a body in a fluid β comes from the mass that it moves.
+    The rate of the body against the frame of the directions is Aπ + β. In that of an orbit, which turns at
+    the rate ω0 about n, β = −ω0 n (circular_orbit); of a body in a fluid β comes from the mass that it moves,
+    and the frame does not turn: so internal damping takes the frame of any other β.
 
     Parameters
     ----------

@@ -51,14 +51,17 @@ def check_independent(F: Expr, space: LiePoisson, known: Sequence[Expr]) -> None
                              "out")
 
 
-def everywhere(F: Expr, space: LiePoisson, hamiltonian: Expr) -> bool:
-    """Whether F is an integral on all of |k| = 1; else it is one where C1 = 0, or it is refused."""
+def everywhere(F: Expr, space: LiePoisson, hamiltonian: Expr, coupled: bool = False) -> bool:
+    """Whether F is an integral on all of |k| = 1; else it is one where C1 = 0, or it is refused.
+
+    In two directions, or with a coupling, it is one on all of the space, or it is refused.
+    """
     rate = space.bracket(F, hamiltonian)
-    if not rate or _vanishes(rate, space):
+    if not rate or not coupled and _vanishes(rate, space):
         return True
-    if space.coordinates[3:] and _vanishes(_on_zero_level(rate, space), space):
+    if not coupled and space.coordinates[3:] and _vanishes(_on_zero_level(rate, space), space):
         return False
-    where = ", and not 0 where M·k = 0 either" if space.coordinates[3:] else ""
+    where = ", and not 0 where M·k = 0 either" if space.coordinates[3:] and not coupled else ""
     raise StructureError(f"{_short(F)} is not an integral: its bracket with the Hamiltonian is "
                          f"{_short(lowest_terms(rate))}, not 0{where}; check F, and the numbers of the scene")
 

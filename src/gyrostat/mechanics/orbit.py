@@ -70,11 +70,12 @@ def regular_differentials(eq: Equilibrium) -> tuple[list[Expr], ...]:
 
 def _remedy(eq: Equilibrium) -> str:
     """Why the orbit is singular, and what to do."""
+    directions = eq.system.potential.directions if eq.system.potential else ()
     if parallel(eq):
-        return (f"The directions {' and '.join(eq.system.potential.directions)} are parallel there: use "
-                "analyze(eq), or parallel_directions(eq), the scene of the motions in which they stay so.")
+        return (f"The directions {' and '.join(directions)} are parallel there: use analyze(eq), or "
+                "parallel_directions(eq), the scene of the motions in which they stay so.")
     return ("The energy-Casimir test does not apply there; choose a point with "
-            + (f"{eq.system.potential.directions[0]} ≠ 0." if eq.system.potential else "M ≠ 0."))
+            + (f"{directions[0]} ≠ 0." if directions else "M ≠ 0."))
 
 
 @once

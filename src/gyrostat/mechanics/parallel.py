@@ -15,8 +15,8 @@ def parallel_directions(eq: Equilibrium) -> Equilibrium:
     """The same equilibrium in the scene of one direction, where its two directions are parallel.
 
     They are carried along by one rotation: parallel once, they stay so, b = c a with a constant c. These
-    motions are those of a body in the one direction a. What is unstable among them is unstable; what is stable
-    need not be so against other motions, in which the angle of the directions is small and not 0.
+    motions are those of a body in the one direction a. What is unstable among them is unstable; what is
+    stable need not be so against other motions, in which the angle of the directions is small and not 0.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ def parallel_directions(eq: Equilibrium) -> Equilibrium:
     Returns
     -------
     Equilibrium
-        of U(k) where the direction is a unit vector and there is no coupling, else in the direction of the scene
+        of U(k) where there is no coupling and k a unit vector, else in the direction of the scene
 
     Raises
     ------
@@ -64,7 +64,7 @@ def parallel(eq: Equilibrium) -> Equilibrium | None:
     if not any(vectors[0]) and not any(vectors[1]) or any(residual_of(x, eq.insert) for x in a.cross(b)):
         return None
     squares = [lowest_terms(eq.insert(v.dot(v))) if any(v) else S.Zero for v in vectors]
-    n = 1 if squares[1] == 1 or not squares[0] else 0       # of length 1 if one is
+    n = 0 if squares[0] == 1 or squares[0] and squares[1] != 1 else 1     # of length 1 if one is
     own, other = (potential.variables[3 * i:3 * i + 3] for i in (n, 1 - n))
     ratio = lowest_terms(a.dot(b) / squares[n]) if any(vectors[1 - n]) else S.Zero
     unit = squares[n] == 1

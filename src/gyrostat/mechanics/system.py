@@ -10,7 +10,7 @@ from ..kept import cached_property
 from ..notation import Stored, jet
 from ..shown import Shown
 from .body import Gyrostat
-from .coupled import CoupledPotential, in_one_direction
+from .coupled import CoupledPotential
 from .equations import jet_field, jet_jacobian
 from .integrals import check_independent, everywhere, in_coordinates, linear_integrals, texts_or_expressions
 from .liepoisson import LiePoisson, lie_poisson
@@ -65,7 +65,8 @@ class System(Shown, Stored):
     @cached_property
     def level_only(self) -> tuple[Expr, ...]:
         """The integrals that are conserved where C1 = M·k = 0 only."""
-        return tuple(F for F in self.integrals if not everywhere(F, self.space, self.hamiltonian))
+        return tuple(F for F in self.integrals
+                     if not everywhere(F, self.space, self.hamiltonian, self.coupled))
 
     @cached_property
     def linear_integrals(self) -> tuple[Expr, ...]:
@@ -191,8 +192,6 @@ def assemble(body: Gyrostat, potential: Potential | None = None,
         require(potential, Potential, "the potential")
         potential = potential_of_body(potential, body)
     scene = system_of(body, potential)
-    if integrals:
-        in_one_direction(potential, "an integral that is given")
     for given in texts_or_expressions(integrals):
         F = in_coordinates(in_names_of(body, given), scene.space, body.gyrostatic_momentum,
                            names_of_scene(scene))

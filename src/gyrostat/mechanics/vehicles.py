@@ -1,4 +1,4 @@
-"""A body of any shape in an ideal fluid: Kirchhoff's equations, with weight those of an underwater vehicle."""
+"""A body of any shape in an ideal fluid, with weight or without: Kirchhoff's equations."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -10,7 +10,7 @@ from ..algebra.polynomials import lowest_terms
 from ..errors import BodyError
 from ..notation import symbol
 from .body import Gyrostat, tensor_of
-from .coupled import Held, coupled_potential, unit_and_orthogonal
+from .coupled import coupled_potential, unit_and_orthogonal
 from .system import System, system_of
 
 IMPULSE, DOWN = "p", "gamma"
@@ -76,14 +76,11 @@ def underwater_vehicle(inertia: Sequence[Any] = _INERTIA, mass: Sequence[Any] = 
     B = _short(-body.inverse * D * each)
     C = _short(each - B.T * D * each)
     p, down = (ImmutableMatrix([symbol(f"{name}{i}") for i in (1, 2, 3)]) for name in (IMPULSE, DOWN))
-    U, directions, held = p.dot(C * p) / 2, (IMPULSE,), _NOT_HELD
-    if weight is not None:
-        U -= down.dot(ImmutableMatrix(_exact(weight, "weight")))
-        directions, held = (IMPULSE, DOWN), unit_and_orthogonal((DOWN,))
-    return system_of(body, coupled_potential(U, directions, list(B * p), held))
-
-
-_NOT_HELD: Held = ()
+    U, drift = p.dot(C * p) / 2, list(B * p)
+    if weight is None:
+        return system_of(body, coupled_potential(U, (IMPULSE,), drift))
+    U -= down.dot(ImmutableMatrix(_exact(weight, "weight")))
+    return system_of(body, coupled_potential(U, (IMPULSE, DOWN), drift, unit_and_orthogonal((DOWN,))))
 
 
 def _exact(given: Sequence[Any], name: str) -> list[Expr]:

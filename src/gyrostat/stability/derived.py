@@ -58,7 +58,8 @@ class Derived(Shown, Stored):
         if self.recognised:
             return replace(kept_of(self.recognised.equilibrium).sufficient, modulo=self.recognised.modulo)
         found = formal_criterion(self.second_variation)
-        if self.equilibrium.system.given_integrals:
+        scene = self.equilibrium.system
+        if scene.given_integrals and not scene.coupled:    # of two degrees of freedom
             more = integral_criterion(self.linearization).alternatives
             found = replace(found, alternatives=(*found.alternatives, *more))
         return independent(found, self.equilibrium)
