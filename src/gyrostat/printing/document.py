@@ -30,7 +30,7 @@ from .blocks import (
 from .boundary import boundary_blocks
 from .conditions import criterion_blocks, existence, integral_blocks
 from .drift import drift_blocks
-from .in_frame import CASIMIRS, coupling, frame_blocks, held_blocks, motion_form, space_of
+from .in_frame import CASIMIRS, coupling, frame_blocks, held_blocks, motion_form, parallel_blocks, space_of
 from .rotations import definition_blocks, family_blocks
 from .symbols import occurring, symbol_rows
 
@@ -111,7 +111,7 @@ def report_blocks(report: Report) -> list[Block]:
     family = FAMILIES.get(eq.label)
     title = eq.label[0].upper() + eq.label[1:]
     title += f": {family.title}" if family and family.title else ""
-    blocks: list[Block] = [Heading(title, label=eq.label), *point_blocks(eq)]
+    blocks: list[Block] = [Heading(title, label=eq.label), *point_blocks(eq), *parallel_blocks(report)]
     if isinstance(report, RotationReport):
         blocks += [Heading("Second variation and characteristic polynomial", 2), *definition_blocks(report)]
     elif rests_in_frame(eq):

@@ -8,6 +8,7 @@ from ..mechanics.coupled import CoupledPotential
 from ..mechanics.system import System
 from ..notation import symbol
 from ..stability.orientation_form import orientation_form
+from ..stability.parallel_report import ParallelReport
 from ..stability.report import Report
 from ..stability.sextic import factors_in_squares
 from .blocks import VECTOR_FORM, Block, Display, Heading, Word, equations, listed, sentence
@@ -75,6 +76,17 @@ def frame_blocks(report: Report) -> list[Block]:
         blocks.append(Display(Word(f"f{'₀₁₂₃'[n]}", f"f_{n}"), _polynomial([first, *others]), eq.at,
                               label=f"factor{n}"))
     return blocks
+
+
+def parallel_blocks(report: Report) -> list[Block]:
+    """Where the directions are parallel: of which motions the matrices and the conditions are."""
+    if not isinstance(report, ParallelReport):
+        return []
+    return [sentence("The directions are parallel there, and the coadjoint orbit is singular. Directions "
+                     "that are parallel once stay so: the matrices are those of such motions, and what is "
+                     "unstable among them is unstable. The sufficient conditions are against all motions; "
+                     "nothing is claimed where the body turns, or where they fail and none of these "
+                     "motions grows.")]
 
 
 def _polynomial(coefficients: list[Expr]) -> Expr:
