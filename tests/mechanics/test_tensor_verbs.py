@@ -48,6 +48,8 @@ ANSWERED = {
     "upright": lambda: gs.upright(HEAVY, spin="omega3_0"), "hanging": lambda: gs.hanging(HEAVY),
     "earth_pointing": lambda: gs.analyze(gs.earth_pointing(gs.assemble(
         gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1)))).verdict({}),
+    "steady_motion": lambda: gs.steady_motion(gs.assemble(
+        gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1)), (0, 1, 0), (0, 0, 1)),
     "principal_rotation": lambda: gs.principal_rotation(FREE, 3),
     "permanent_rotation": lambda: gs.analyze(gs.permanent_rotation(gs.assemble(
         FREE.body, gs.general_potential()))).sufficient,

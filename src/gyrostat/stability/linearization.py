@@ -126,9 +126,7 @@ class Linearization(Shown, Stored):
         return tuple(s * I * (outer + t * inner) for s in (1, -1) for t in (1, -1))
 
     def frequencies(self) -> tuple[Expr, Expr] | None:
-        """(a, b) with λ = ±i (a ± b), b = 0 for d = 2; None where q is no square and the roots nest, and
-        for d = 6.
-        """
+        """(a, b) with λ = ±i (a ± b), b = 0 for d = 2; None where q is no square, or d = 6."""
         if len(self.coefficients) == 3:
             return None
         if len(self.frequency_coefficients) == 1:
