@@ -53,7 +53,7 @@ def test_a_table_and_notes():
     table = gs.trajectories.motion(scene, (0, 70, 0, 0, 1, 0, 0, 0, 1)).to_xarray([0.0, 1.0])
     assert {"n1", "r3", "omega2", "q0"} <= set(table) and "the frame" in table.q1.attrs["long_name"]
     note = gs.trajectories.motion(scene, (0, 70, 0, 0, 1, 0, 0, "1/2", 1)).attributes["note"]
-    assert note.startswith("n1*r1 + n2*r2 + n3*r3 is 0.5") and "not 0" in note
+    assert note.startswith("n1*r1 + n2*r2 + n3*r3 = 0.5") and "has to be 0" in note
 
 
 def test_exact_digits_are_refused():

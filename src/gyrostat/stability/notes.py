@@ -26,8 +26,7 @@ def scene_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
 
 def state_note(scene: System, state: Sequence[Expr]) -> str:
     """Of a scene of numbers and a state of it."""
-    directions = held_note(scene, state) if scene.coupled else length_note(state[3:])
-    return ". ".join(filter(None, (scene_note(scene, {}), directions)))
+    return ". ".join(filter(None, (scene_note(scene, {}), directions_note(scene, state))))
 
 
 def inertia_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
@@ -44,27 +43,30 @@ def inertia_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     return ""
 
 
+def directions_note(scene: System, state: Sequence[Expr]) -> str:
+    """A sentence if the directions have other lengths, or another angle, than the scene gives them."""
+    if not isinstance(scene.potential, CoupledPotential):
+        return length_note(state[3:])
+    at = dict(zip(scene.space.coordinates, state))
+    for casimir, value in scene.potential.held:
+        if not _rounded((found := casimir.xreplace(at)) - value):
+            return f"{casimir} = {ball(found, 128).mid().str(12, radius=False)}, and has to be {value}"
+    return ""
+
+
 def length_note(k: Sequence[Expr]) -> str:
     """A sentence if k is no unit vector, even if its components are rounded ones."""
     excess = Add(*(x**2 for x in k), -1)
-    if not k or not (sign_of_constant(excess - ROUNDED) == 1 or sign_of_constant(-excess - ROUNDED) == 1):
+    if not k or _rounded(excess):
         return ""
     length = ball(sqrt(excess + 1), 128).mid().str(12, radius=False)
     return (f"|k| = {length}, not 1: k is meant to be a direction, a unit vector; with another length every "
             "torque is larger or smaller")
 
 
-def held_note(scene: System, state: Sequence[Expr]) -> str:
-    """A sentence if two directions have not the lengths and the angle of the scene, but for rounding."""
-    at = dict(zip(scene.space.coordinates, state))
-    held = scene.potential.held if isinstance(scene.potential, CoupledPotential) else ()
-    for casimir, value in held:
-        excess = casimir.xreplace(at) - value
-        if sign_of_constant(excess - ROUNDED) == 1 or sign_of_constant(-excess - ROUNDED) == 1:
-            found = ball(excess + value, 128).mid().str(12, radius=False)
-            return (f"{casimir} is {found}, not {value}: the directions of this scene are unit vectors at "
-                    "right angles")
-    return ""
+def _rounded(excess: Expr) -> bool:
+    """Whether it is not proved to be more than numbers rounded to doubles leave."""
+    return sign_of_constant(excess - ROUNDED) != 1 and sign_of_constant(-excess - ROUNDED) != 1
 
 
 def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
