@@ -5,16 +5,10 @@ from random import Random
 import pytest
 from kirchhoff import random_vehicle
 from satellites import exact
+from vehicles import scene_of
 
 import gyrostat as gs
 from gyrostat.errors import BodyError, EquilibriumError, ScopeError
-
-
-def scene_of(vehicle, weight=True):
-    """The scene of a vehicle of the oracle."""
-    return gs.underwater_vehicle(
-        *([exact(row) for row in rows] for rows in (vehicle.J, vehicle.M, vehicle.D)),
-        weight=exact(vehicle.weight) if weight else None, gyrostatic_momentum=exact(vehicle.rotor))
 
 
 @pytest.mark.parametrize("seed", range(4))

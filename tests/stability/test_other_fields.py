@@ -4,7 +4,7 @@ from random import Random
 import pytest
 from satellites import exact, of_orbit, satellite
 from slow import sampled
-from sympy import Matrix, diag
+from sympy import Matrix, Rational, diag, sqrt
 from two_directions import Scene, second_variation, sextic, stable_spectrum
 from two_directions import random_fraction as some
 
@@ -110,6 +110,17 @@ def test_damping_reaches_what_a_magnet_turns():
     magnetised = gs.analyze(gs.earth_pointing(gs.assemble(body, gs.circular_orbit(1, potential=N[1]))))
     assert bare.verdict({}, damped=True).growing is None
     assert magnetised.verdict({}, damped=True).growing == 3
+
+
+def test_a_magnet_on_a_symmetric_satellite():
+    """Held by gyroscopic forces it is decided in the gravity gradient alone, not with a magnet."""
+    height, rotor = Rational(3, 4), 4 * (1 - Rational(8, 5)) * Rational(3, 4)
+    across = sqrt(1 - height**2)
+    for magnet, name in ((0, "STABLE"), (1, "UNDECIDED")):
+        body = gs.Gyrostat((1, 1, "8/5"), (0, 0, rotor - magnet))
+        scene = gs.assemble(body, gs.circular_orbit(1, potential=-magnet * N[2]))
+        conical = gs.steady_motion(scene, (across, 0, height), (-height, 0, across))
+        assert gs.analyze(conical).verdict({}).verdict.name == name
 
 
 def test_what_is_no_other_field():

@@ -1,9 +1,8 @@
 """A satellite in a circular orbit: the field of the gravity gradient in the frame that turns with it."""
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, S, sqrt
+from sympy import Add, Expr, ImmutableMatrix, Rational, sqrt
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_expression, shown
@@ -20,15 +19,9 @@ RATE = symbol("omega0")
 
 @dataclass(frozen=True)
 class CircularOrbit(CoupledPotential):
-    """The field of a satellite in a circular orbit; other is what U has beside the gravity gradient."""
+    """The field of a satellite in a circular orbit; alone: U is that of the gravity gradient alone."""
 
-    other: Expr = S.Zero
-
-    def changed(self, change: Callable[[Expr], Expr]) -> "CircularOrbit":
-        """As CoupledPotential.changed."""
-        found = super().changed(change)
-        assert isinstance(found, CircularOrbit)
-        return replace(found, other=change(self.other))
+    alone: bool = True
 
 
 def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
@@ -83,7 +76,7 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     first, second, third = (-omega0 * x for x in n)
     other = coupled_potential(potential, (NORMAL, VERTICAL)).expression
     return CircularOrbit((*n, *r), U + other, False, (first, second, third),
-                         unit_and_orthogonal((NORMAL, VERTICAL)), other)
+                         unit_and_orthogonal((NORMAL, VERTICAL)), other == 0)
 
 
 def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
@@ -112,7 +105,7 @@ def in_orbit(scene: System) -> bool:
 
 def by_gradient_alone(scene: System) -> bool:
     """Whether it is one on which nothing but the gravity gradient acts."""
-    return isinstance(scene.potential, CircularOrbit) and scene.potential.other == 0
+    return isinstance(scene.potential, CircularOrbit) and scene.potential.alone
 
 
 def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -> Equilibrium:
