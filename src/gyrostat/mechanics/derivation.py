@@ -29,7 +29,7 @@ def _shared(eq: Equilibrium) -> Signs | None:
     """Signs in a ring of the body, the point, the jet of U there and a free multiplier."""
     body, potential = eq.system.body, eq.system.potential
     if eq.system.coupled:                                  # its names are those of the energy
-        names = [*eq.system.hamiltonian.free_symbols - set(eq.system.space.coordinates)]
+        names = sorted(eq.system.hamiltonian.free_symbols - set(eq.system.space.coordinates), key=str)
         signs = Signs.over([*eq.point, *map(eq.insert, names)], eq.domain)
         return signs if len(signs.ring.generators) <= 2 * GENERATORS else None
     slopes = [d for d in potential.gradient() if isinstance(d, Symbol)] if potential else []

@@ -64,7 +64,7 @@ def underwater_vehicle(inertia: Sequence[Any] = _INERTIA, mass: Sequence[Any] = 
     >>> glider = gs.underwater_vehicle(weight=(0, 0, gs.symbol("m0")))
     >>> level = gs.steady_motion(glider, (0, gs.symbol("p0"), 0), (0, 0, 1))
     >>> print(gs.analyze(level).sufficient)
-    mass₂ mass₃ m₀ > p₀² (mass₃ − mass₂) and m₀ > 0 and mass₂ > mass₁
+    mass₂ mass₃ m₀ + p₀² (mass₂ − mass₃) > 0 and m₀ > 0 and mass₂ > mass₁
     """
     J, M = (_symmetric(given, name) for given, name in ((inertia, "inertia"), (mass, "mass")))
     D = _matrix(coupling if coupling is not None else [[0] * 3] * 3, "coupling")

@@ -38,7 +38,7 @@ class ParallelReport(Report):
     >>> vehicle = gs.underwater_vehicle(weight=(0, 0, gs.symbol("m0")))
     >>> rising = gs.analyze(gs.steady_motion(vehicle, (0, 0, gs.symbol("p0")), (0, 0, 1)))
     >>> print(rising.sufficient)
-    mass₁ mass₃ m₀ > p₀² (mass₁ − mass₃) and mass₂ mass₃ m₀ > p₀² (mass₂ − mass₃)
+    mass₂ mass₃ m₀ > p₀² (mass₂ − mass₃) and mass₁ mass₃ m₀ > p₀² (mass₁ − mass₃)
     """
 
     @cached_property
