@@ -91,7 +91,7 @@ def test_verdicts_are_those_of_each_point(reports, truth, name, backend):
     assert len(set(np.unique(found))) >= (2 if name != "E3 uniform" else 1)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_blocks_have_no_seams(reports, truth, tiny_blocks, backend):
     """The same in blocks of seven points, on one thread or two."""

@@ -47,7 +47,7 @@ FUNCTIONS = [exp(50 * x), exp(-x * y), log(x + 6), sin(3 * x), cos(x - y), tan(x
              1 / (1 + exp(x))]
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("function", FUNCTIONS, ids=str)
 @given(a=st.tuples(numbers, numbers).map(sorted), b=st.tuples(numbers, numbers).map(sorted), s=shares,
        t=shares)

@@ -41,6 +41,7 @@ def family(rotation):
     return gs.analyze(gs.equilibrium(scene, (*pi, *k)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "seed"), [(2, 1), *slow(*((kind, seed) for kind in (1, 2, 3, "D4 = 0")
                                                             for seed in (2, 3, 4)))])
 def test_arrays(kind, seed):

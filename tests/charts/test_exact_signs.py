@@ -85,7 +85,7 @@ FUNCTIONS = [(exp(b * x) - y, {"b": [0.0, 1.0, 50.0, 700.0], "x": np.array([[-1.
              (exp(x) * y - 1, {"x": [800.0, -800.0], "y": [1.0, 5e-324]})]
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("expression", "values"), FUNCTIONS, ids=[str(e) for e, _ in FUNCTIONS])
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_functions_are_enclosed(expression, values, backend):

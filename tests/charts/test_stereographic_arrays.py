@@ -25,7 +25,7 @@ def number(rng):
     return float(Fraction(rng.randint(-24, 24), 2**rng.randint(0, 4)))
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("grids", "n"), [(6, 3), pytest.param(32, 18, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("axes", [("u1", "u2"), ("u1", "omega")])
 def test_an_array_is_what_the_report_says(report, axes, grids, n, full):

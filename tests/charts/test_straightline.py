@@ -80,6 +80,7 @@ def test_the_program_is_the_margin(margins, data):
     assert run(program_of(margin, axes), numbers)[-1] == Fraction(int(exact.p), int(exact.q))
 
 
+@pytest.mark.slow
 @given(data=st.data())
 def test_steps_vary_along_their_axes_alone(margins, data):
     """A step without an axis keeps its value when all that varies along that axis changes.

@@ -13,6 +13,7 @@ def chart(capsys, *arguments):
     return run(capsys, *arguments, verb="chart")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "start"), [("png", b"\x89PNG"), *slow(("pdf", b"%PDF"), ("svg", b"<?xml"))])
 def test_a_chart_as_a_picture(capsys, tmp_path, kind, start):
     """The kind is that of the name; a file that is there is written again."""

@@ -143,6 +143,7 @@ def test_every_permanent_rotation(capsys):
     assert "ω = 2" in out and "Lyapunov stable" in out
 
 
+@pytest.mark.slow
 def test_on_a_level(capsys):
     """Roots of a long polynomial are printed as decimals; C1 = M·k at them."""
     body = {"I1": 1, "I2": 2, "I3": 3, "l1": "1/2", "l2": 0, "l3": "1/3", "C1": 2}
@@ -163,6 +164,7 @@ def test_an_unspecified_field_of_three_components(capsys):
     assert status == 2 and "E is not an equilibrium: dpi1/dt = -dU_2" in err
 
 
+@pytest.mark.slow
 def test_a_body_of_revolution_about_another_axis(capsys):
     """Recognised: all equilibria at a rate, as in Python."""
     scene = gs.assemble(gs.Gyrostat((3, 2, 2), (0, 0, 0)), gs.general_potential(lambda k1, k2, k3: k1))

@@ -64,6 +64,7 @@ def test_a_picture_of_a_free_body(capsys, tmp_path, drawn):
     np.testing.assert_allclose(energies, the_box().energy, rtol=1e-4)
 
 
+@pytest.mark.slow
 def test_a_picture_file(capsys, tmp_path):
     """There is something on both sides of it."""
     assert run(capsys, *FREE, "--until", "9", "--count", "30", "--output", str(tmp_path / "box.png"))[0] == 0

@@ -106,7 +106,7 @@ def contents(figure):
     return found
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("arguments", "ours"), [
     (["momentum-sphere", *sets("I1=1 I2=2 I3=3 l=0.55"), "--momentum", "2"], sphere),
     pytest.param(["momentum-sphere", *sets("I1=1 I2=2 I3=3 l1=0 l2=1/4 l3=1/2"), "--momentum", "2",
@@ -135,6 +135,7 @@ def test_pictures_of_the_library(capsys, tmp_path, monkeypatch, heavy, arguments
     assert contents(figures[0]) == contents(ours(heavy).figure)
 
 
+@pytest.mark.slow
 def test_files(capsys, tmp_path):
     """.png, .pdf and .svg; there is something on them."""
     for kind, start, arguments in (("png", b"\x89PNG", ["nutation", *HEAVY, *STATE, "--until", "9"]),

@@ -41,6 +41,7 @@ def checked_once(monkeypatch):
                         lambda sources, progress=None: [f for source in sources for f in findings(source)])
 
 
+@pytest.mark.slow
 def test_verify_text(capsys):
     """A table by source; what is wrong with what is right, and where.
 

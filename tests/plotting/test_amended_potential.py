@@ -86,7 +86,7 @@ def test_every_vertex_is_on_its_level(drawn):
     assert np.abs(np.array(parts) - (np.arange(CURVES) + 0.5) / CURVES).max() < 0.03
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_no_curve_is_missing(drawn):
     """Where the amended potential passes a level on circles of latitude, its curve is near."""
     ax, value = drawn

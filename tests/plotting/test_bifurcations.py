@@ -53,6 +53,7 @@ def test_every_branch_is_there_with_its_verdict(followed):
         assert [verdict for _, verdict in ours] == [b.decision.verdict for b in exact]
 
 
+@pytest.mark.slow
 def test_points_satisfy_the_relation_of_e3(followed):
     """U' = ω l − ω² k3 (I1 − I3) at every point of a branch, written out independently."""
     scene, values, name, _, U, pieces, _ = followed

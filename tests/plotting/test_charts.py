@@ -127,6 +127,7 @@ def test_the_legend_has_no_boundary_that_is_not_seen(e1):
     assert legend(drawn(chart.isel(pi3_0=slice(None, 3), l=slice(None, 3)))) == ["stable"]
 
 
+@pytest.mark.slow
 def test_undecided_is_hatched(wedge):
     """By a hatch, not by colour alone."""
     chart = wedge.copy(deep=True)

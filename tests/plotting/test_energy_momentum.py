@@ -42,6 +42,7 @@ def test_critical_values_are_double_roots_of_g(found):
             assert (curvature < 0) == (curve.verdict is gs.Verdict.STABLE)
 
 
+@pytest.mark.slow
 def test_the_rate_is_that_of_the_precession(found):
     """I1 k3 W² − p_ψ W + U' = 0, and C1 = I1 W (1 − k3²) + p_ψ k3."""
     _, values, U, diagram = found

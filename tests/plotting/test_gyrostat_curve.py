@@ -47,7 +47,7 @@ def rate(inertia, c, rotor, k):
     return omega, left / (1 + omega**2), np.linalg.svd(sides)[1][-1]
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_every_vertex_is_a_rotation_of_that_verdict(drawn):
     ax, inertia, c, rotor = drawn
     checked, changes = 0, marked(ax, CHANGE)

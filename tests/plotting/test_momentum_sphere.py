@@ -213,7 +213,7 @@ def test_polhodes_are_complete(inertia, rotor, size, radius, part, seed):
     polhodes_are_complete(inertia, [Rational(x) * Rational(size) for x in rotor], radius, float(part), seed)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("inertia, rotor, part",
                          [((1, "1.0001", 2), ("1/100", "1/50", "1/5"), 0.9999), ((1, 2, 3), (0, 0, 0), 1e-6),
                                                   ((3, 1, 2), (0, 0, "1/10"), 0.4)])

@@ -67,6 +67,7 @@ def test_counts_in_doubles_are_those_of_sturm():
     assert ours.tolist() == theirs and {2, 4} <= set(np.unique(ours))
 
 
+@pytest.mark.slow
 def test_axes_and_legend(drawn):
     """What the picture is of; the free components and their dimension; pitchforks where the third is 0."""
     ax, free, held = drawn

@@ -48,7 +48,7 @@ def rate_squared(inertia, c, k):
     return w, np.abs(w * lever - torque).max()
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_every_vertex_is_a_rotation_of_that_verdict(drawn):
     """Spectra and signatures; off the ends, where a boundary or an infinite rate is."""
     ax, inertia, c = drawn
@@ -67,6 +67,7 @@ def test_every_vertex_is_a_rotation_of_that_verdict(drawn):
     assert checked > 25
 
 
+@pytest.mark.slow
 def test_the_opposite_directions_have_no_rate(drawn):
     ax, inertia, c = drawn
     grey = points(ax, OPPOSITE["color"], OPPOSITE["linewidth"])

@@ -75,6 +75,7 @@ def test_every_vertex_is_a_rotation_of_that_verdict(drawn):
     assert checked > 60
 
 
+@pytest.mark.slow
 def test_a_line_across_meets_every_rotation(drawn):
     """Those that Newton's method finds at a rate."""
     ax, inertia, c, rotor = drawn

@@ -19,7 +19,7 @@ def chart():
                            fixed={"I1": 9, "I2": 5, "I3": 7, "m0": 3}, damped=True, progress=False)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_each_curve_is_drawn_where_it_is(chart):
     """By its own dashes, and named in the legend where it is seen."""
     ax = draw_chart(chart, Figure().subplots())

@@ -27,6 +27,7 @@ def found():
             for name in SOURCES}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("source", SOURCES)
 def test_every_status_is_the_expected_one(source, found):
     """What is computed is what expected.toml says, statement by statement."""
@@ -72,6 +73,7 @@ def test_every_misprint_has_a_counterexample(found):
         shows_what_is_right(f)
 
 
+@pytest.mark.slow
 def test_every_counterexample_is_read_again(found):
     """Both sides, or what is true of the point, from the JSON output alone.
 

@@ -21,6 +21,7 @@ def families():
     return {"linear": family(LINEAR), "quadratic": family(QUADRATIC), "unspecified": family()}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", ["linear", "quadratic", "unspecified"])
 def test_p_and_q_are_those_of_the_matrix_and_t_and_s_its_signs(families, kind, full):
     """λ⁴ + p λ² + q of the linearisation; the second variation is definite where t, s > 0. Exact, any k."""

@@ -81,6 +81,7 @@ def test_the_picture():
     assert np.allclose(heights[-1], [-(3**0.5) / 2])
 
 
+@pytest.mark.slow
 def test_a_pair_that_is_real_at_one_value_alone_is_no_pitchfork():
     """Off the plane k1 = −1, so that k2² = −(2 − l3)²."""
     scene = gs.assemble(BODY, gs.general_potential(k1 + 2 * k3))

@@ -123,6 +123,7 @@ def test_what_the_arcs_go_to(kind):
                 assert np.abs(np.array(k) - [float(x) for x in end.k]).max() < 1e-4
 
 
+@pytest.mark.slow
 def test_the_verdict_changes_at_the_boundaries(arcs):
     """On either side of each, in doubles."""
     inertia, c, rotor = GENERAL

@@ -79,6 +79,7 @@ def digits(x):
         return mpmath.mpf(str(x.evalf(50)))
 
 
+@pytest.mark.slow
 def test_frequencies_and_growth_rates():
     """Against the eigenvalues of the six equations at 50 digits, two of which are 0."""
     rng, kinds = random.Random("frequencies"), set()

@@ -62,7 +62,7 @@ def coefficient(decision):
     return Fraction(int(a.p), int(a.q))
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("family, seeds", [(kowalevski, range(5)), (clebsch, range(8, 13)),
                                            *slow((kowalevski, range(5, 150)), (clebsch, range(13, 160)))])
 def test_pencils_in_fractions(family, seeds):

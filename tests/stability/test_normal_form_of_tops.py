@@ -43,7 +43,7 @@ def nutation(values, energy, d):
     return quad(integrand, [-pi / 2, 0, pi / 2]) / pi
 
 
-@pytest.mark.few(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("values", TOPS, ids=str)
 def test_errors_of_degree_2_4_6_fall_as_they_should(values):
     """With J1 = 2ε, J2 = ε and M·e3 off by J1 − J2, to degree 2, 4, 6 as ε², ε³, ε⁴."""

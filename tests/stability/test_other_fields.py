@@ -67,7 +67,7 @@ def test_a_magnet_acts_in_the_stiffness_as_a_rotor(seed):
         gs.relative_equilibria(magnetised, {})
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_magnet_and_pressure_together(seed, full):
     """−B n·μ + F·(n × r), with a rotor: the sextic and the verdicts, by fractions that know neither."""

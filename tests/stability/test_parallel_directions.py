@@ -93,7 +93,7 @@ def test_two_fields_that_pull_together(turning):
     assert gs.parallel_directions(opposite).system.potential.expression == -gs.symbol("k3")
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(4))
 def test_random_parallel_directions(seed, full):
     """Nine eigenvalues are those of the motions that stay parallel, and five zeros; the minimum; a damper."""

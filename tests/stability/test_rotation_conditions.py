@@ -32,7 +32,7 @@ def rotation(rng, turned=False):
     return gs.equilibrium(gs.assemble(tensor, gs.general_potential(U)), (*(omega * body * k), *k))
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("turned", [False, True])
 def test_positive_definite_where_the_matrix_is(turned, full):
     rng = random.Random(f"conditions {turned}")

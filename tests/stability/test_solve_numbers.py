@@ -38,6 +38,7 @@ def test_numbers_give_intervals_with_exact_ends(label, family, name, values):
         assert solution.contains(values | {name: x}) is truth(report, values | {name: x}), x
 
 
+@pytest.mark.slow
 def test_rotor_of_a_tilt_along_the_family():
     """E3 solved for l with k3 free.
 

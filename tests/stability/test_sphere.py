@@ -39,7 +39,7 @@ def strict_extremum(inertia, rotor, rate, axis, step):
     return min(changes) > 0 or max(changes) < 0
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("axis", [1, 2, 3])
 @given(I=st.tuples(sizes, sizes, sizes), rate=rates, which=st.integers(0, 1),
        equal=st.sampled_from(["", "own", "others", "all"]))

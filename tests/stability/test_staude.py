@@ -75,7 +75,7 @@ def test_all_are_on_the_arcs_and_rightly_decided():
     assert sum(check(rng, *drawn(rng)) for _ in range(2)) > 6
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("inertia", "c"), SPECIAL)
 def test_special_bodies(inertia, c):
     """c on an axis, in a principal plane, two equal moments."""
@@ -109,6 +109,7 @@ def test_equations_of_motion_in_symbols():
             assert not any(map(simplify, (I * n).cross(n) - Matrix(c).cross(n)))
 
 
+@pytest.mark.slow
 def test_with_a_rotor():
     """Every rotation of given rates is on the curve, and has that rate there."""
     rng = random.Random("curve")

@@ -9,6 +9,7 @@ from slow import sampled
 import gyrostat as gs
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("body", [{"inertia": (3, 5, 4), "gyrostatic_momentum": (1, "-1/2", 2)},
                                   pytest.param({"gyrostatic_momentum": ROTOR}, marks=pytest.mark.slow)])
 def test_stereographic_coordinates_have_the_same_verdicts(body, full):

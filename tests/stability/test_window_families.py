@@ -30,7 +30,7 @@ def known(window, values):
     return [x.xreplace(numbers) for x in (window.D4, window.margin, window.p, window.q)]
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_at_numbers_it_is_that_of_the_normal_form(family, full):
     """Its margin has its sign, p and q are those of the eigenvalues."""
