@@ -16,5 +16,6 @@ def test_it_says_of_which_motions_it_speaks(turning):
         assert "The directions are parallel there" in said and "against all motions" in said
     assert ("no information" in str(report)) == bool(turning)
     assert "x = λ²" not in str(report) and "λ⁴ + p λ² + q" in str(report)
+    assert "γ × ∂h/∂γ" in str(VEHICLE) and r"\gamma\times\partial h/\partial \gamma" in gs.to_latex(report)
     level = gs.analyze(gs.steady_motion(VEHICLE, (0, 1, 0), (0, 0, 1)))
     assert "parallel there" not in str(level) and "x = λ²" in str(level)

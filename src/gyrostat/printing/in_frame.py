@@ -6,7 +6,7 @@ from sympy import Expr, ImmutableMatrix
 from ..algebra.readable import readable
 from ..mechanics.coupled import CoupledPotential
 from ..mechanics.system import System
-from ..notation import symbol
+from ..notation import symbol, typeset
 from ..stability.orientation_form import orientation_form
 from ..stability.parallel_report import ParallelReport
 from ..stability.report import Report
@@ -44,10 +44,12 @@ def held_blocks(scene: System) -> list[Block]:
 
 def vector_form(directions: tuple[str, ...]) -> Word:
     """The equations of motion in vectors."""
-    torques = " + ".join(f"{a} × ∂h/∂{a}" for a in directions)
-    turning = ",  ".join(f"{a}̇ = {a} × ω" for a in directions)
-    latex = " + ".join(rf"{a}\times\partial ⟨h⟩/\partial {a}" for a in directions)
-    turned = r",\quad ".join(rf"\dot{{{a}}} = {a}\times⟨vector_omega⟩" for a in directions)
+    plain = [typeset(a, style="text") for a in directions]
+    torques = " + ".join(f"{a} × ∂h/∂{a}" for a in plain)
+    turning = ",  ".join(f"{a}̇ = {a} × ω" for a in plain)
+    names = [typeset(a) for a in directions]
+    latex = " + ".join(rf"{a}\times\partial ⟨h⟩/\partial {a}" for a in names)
+    turned = r",\quad ".join(rf"\dot{{{a}}} = {a}\times⟨vector_omega⟩" for a in names)
     return Word(f"π̇ = M × ω + {torques},  {turning},  ω = ∂h/∂π",
                 rf"⟨vector_pi_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩ + {latex},\quad {turned},\quad "
                 r"⟨vector_omega⟩ = \partial ⟨h⟩/\partial ⟨vector_pi⟩")
