@@ -109,6 +109,9 @@ def test_damping_reaches_what_a_magnet_turns():
     bare = gs.analyze(gs.earth_pointing(gs.assemble(body, gs.circular_orbit(1))))
     magnetised = gs.analyze(gs.earth_pointing(gs.assemble(body, gs.circular_orbit(1, potential=N[1]))))
     assert bare.verdict({}, damped=True).growing is None
+    body = gs.Gyrostat((1, gs.symbol("I2"), 2), (0, -3, 0))
+    family = gs.analyze(gs.earth_pointing(gs.assemble(body, gs.circular_orbit(1))))
+    assert gs.charts.verdicts(family, {"I2": [1.5, 2, 2.5]}, damped=True).tolist() == [-1, 0, -1]
     assert magnetised.verdict({}, damped=True).growing == 3
 
 

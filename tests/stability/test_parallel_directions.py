@@ -77,6 +77,20 @@ def test_rising_in_any_direction(axis):
         assert report.verdict({}).verdict.name == report.verdict({}, damped=True).verdict.name == name
 
 
+@pytest.mark.parametrize("damped", [False, True])
+@pytest.mark.parametrize("turning", [0, 1])
+def test_arrays(turning, damped):
+    """They say what verdicts do, with a rotor that holds parallel motions alone."""
+    scene = gs.underwater_vehicle((1, 1, 1), (2, 1, 1), weight=(0, 0, m0), gyrostatic_momentum=(0, 0, l))
+    report = gs.analyze(gs.steady_motion(scene, (0, 0, "3/2"), (0, 0, 1), omega=(0, 0, turning)))
+    weights = [Rational(n, 8) for n in (-8, 0, 8, 9, 10)]
+    found = gs.charts.verdicts(report, {"l": 9, "m0": [float(x) for x in weights]}, damped=damped)
+    codes = {"STABLE": 1, "UNDECIDED": 0, "UNSTABLE": -1}
+    decisions = [report.verdict({"l": 9, "m0": x}, damped=damped) for x in weights]
+    assert found.tolist() == [codes[d.verdict.name] for d in decisions]
+    assert (1 in found) == (not turning)
+
+
 @pytest.mark.parametrize("turning", [0, 1])
 def test_two_fields_that_pull_together(turning):
     """U = −(a k1 + b e1), k = e: a body in one field of the strength a + b; at rest against all motions."""

@@ -7,7 +7,6 @@ import numpy as np
 from ..algebra.floats import Array
 from ..errors import ArgumentError, ValuesError, optional, require
 from ..stability.report import Report
-from ..stability.secular import secular_of
 from ..stability.values import check_family
 from .codes import INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
 from .deciding import Decided, demands_of
@@ -141,7 +140,7 @@ def _refuse_strange(report: Report, given: Mapping[str, Any], grid: Grid, damped
 
 def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True, damped: bool = False) -> Grid:
     """The grid of the names given, all that a verdict needs and no other."""
-    required = (secular_of(report.equilibrium) if damped else report).required
+    required = (report.secular if damped else report).required
     check_family(report.equilibrium, given, required, report.parameters,
                  "give a number or an array for each")
     return grid_of(given, finite=finite)

@@ -14,7 +14,6 @@ from ..algebra.numbers import exact_number, shown
 from ..errors import ArgumentError, ValuesError, optional, require
 from ..notation import symbol
 from ..stability.report import Report
-from ..stability.secular import secular_of
 from ..stability.values import check_family
 from .datasets import OWN, described
 from .labels import check_plain
@@ -122,7 +121,7 @@ def _check_names(report: Report, varied: Sequence[str], fixed: Sequence[str], da
                               "once")
         if name in OWN or name.startswith("margin_"):
             raise ValuesError(f"{name} is a name of the dataset itself: call the parameter otherwise")
-    further = secular_of(report.equilibrium).required if damped else ()
+    further = report.secular.required if damped else ()
     check_family(report.equilibrium, given, tuple(dict.fromkeys((*report.required, *further))),
                  report.parameters, "fix each at a number, or make it an axis")
 

@@ -13,7 +13,6 @@ from ..algebra.precision import ONE_AT_A_TIME
 from ..stability.boundary import Boundary
 from ..stability.conditions import Condition, Criterion
 from ..stability.report import Report
-from ..stability.secular import secular_of
 from ..stability.truth import Relation, truth
 from .answers import answered, every, some
 from .codes import CODE_OF, INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
@@ -158,7 +157,7 @@ class Decided:
 
     def _exceptional(self, block: Slices) -> Array:
         """Where the second variation may be degenerate, or the damping not reach every motion."""
-        degenerate, *torques = secular_of(self.report.equilibrium).standard.exceptions
+        degenerate, *torques = self.report.secular.standard.exceptions
 
         def may_vanish(factors: Sequence[Expr]) -> Array:
             signs = [self._signs(e)(block) for e in factors]

@@ -48,7 +48,9 @@ def twists(report: Report, given: Mapping[Symbol, BallArray], count: int) -> tup
     eq = report.equilibrium
     potential = eq.system.potential
     found = [BallArray(np.zeros(count), np.full(count, np.inf)) for _ in range(2)]
-    if potential is None or not potential.given or not potential.expression.is_rational_function(*DIRECTIONS):
+    if potential is None or potential.coupled:
+        return found[0], found[1]
+    if not potential.given or not potential.expression.is_rational_function(*DIRECTIONS):
         return found[0], found[1]
     names = dict(given)
     try:

@@ -104,8 +104,8 @@ class ParallelSecular(Secular):
 
     @property
     def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
-        """In the motions in which the directions stay parallel."""
-        return self.along.exceptions
+        """Everywhere: the criterion is not necessary."""
+        return ((),)
 
     @cached_property
     def criterion(self) -> Criterion:
