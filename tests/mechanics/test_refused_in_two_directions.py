@@ -76,6 +76,12 @@ def test_integrals_prove_nothing():
         assert watched.verdict({}).verdict is plain.verdict({}).verdict
 
 
+def test_a_confirmation_is_refused():
+    """The points beside it are those of one direction."""
+    with pytest.raises(ScopeError, match="a confirmation by motions"):
+        gs.trajectories.confirm(gs.analyze(gs.earth_pointing(SCENES["satellite"])), {})
+
+
 def test_a_coupled_body_of_revolution_is_not_recognised():
     """The coupling would be lost: it is stable by its own second variation, and damping is its own."""
     scene = SCENES["coupled"]

@@ -10,6 +10,7 @@ from sympy import Expr, ImmutableMatrix, Rational
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.numbers import exact_number
 from ..errors import AccuracyError, ValuesError, require
+from ..mechanics.coupled import in_one_direction
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.standard import seen_at
 from ..stability.analysis import analyze
@@ -146,6 +147,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     ('STABLE', 0.5, 0.5, True)
     """
     require(report, Report, "the report")
+    in_one_direction(report.equilibrium.system.potential, "a confirmation by motions")
     eq, decision = report.equilibrium, report.verdict(values)
     numbers = exact_values(eq, values, report.required, report.parameters)
     if numbers.doubt:
