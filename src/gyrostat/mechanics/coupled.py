@@ -29,6 +29,8 @@ class CoupledPotential(Potential):
         the components of the directions
     expression : Expr
         U [M L²/T²]
+    revolution : bool
+        False: of any body
     drift : tuple of Expr, shape (3,)
         β [1/T]
     held : tuple of (Expr, Expr)

@@ -24,7 +24,7 @@ def steady_motion(scene: System, *directions: Sequence[Any], omega: Sequence[Any
     ----------
     scene : System
         in two directions, or with a coupling β
-    directions : sequences, shape (3,)
+    *directions : sequences, shape (3,)
         one or two, as the scene has, in body axes
     omega : sequence, shape (3,)
         the rate of the body against their frame, along the directions [1/T]

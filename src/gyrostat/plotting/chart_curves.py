@@ -45,6 +45,8 @@ def _line(ax: Any, x: Array, y: Array, edges: Sequence[Array], color: str, style
 
 def _off_the_frame(x: Array, y: Array, edges: Sequence[Array]) -> tuple[Array, Array]:
     """The curves without what runs along the frame in the outermost cells, where the frame itself is seen."""
+    if not len(x):
+        return x, y
     along = np.zeros(len(x) - 1, dtype=bool)
     for values, ends in zip((x, y), edges):
         outer = (values < ends[1]) | (values > ends[-2])
