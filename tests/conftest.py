@@ -16,9 +16,11 @@ def pytest_addoption(parser):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Of a test marked few(n) n cases, evenly spaced, are in the default run; the others are slow."""
+    """Of a test marked few(n) n cases, evenly spaced, run by default; the others are slow, as pages are."""
     cases = {}
     for item in items:
+        if item.path.suffix == ".md" and item.path.name != "README.md":
+            item.add_marker(pytest.mark.slow)
         if item.get_closest_marker("few") and not item.get_closest_marker("slow"):
             cases.setdefault((item.path, item.originalname), []).append(item)
     for group in cases.values():

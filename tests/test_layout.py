@@ -69,6 +69,7 @@ def test_imports_point_downwards_and_in_no_circle():
     list(TopologicalSorter(graph).static_order())
 
 
+@pytest.mark.slow
 def test_only_optional_packages_are_imported_inside_functions():
     """What is always there stands at the top."""
     for path in SRC.rglob("*.py"):
@@ -165,6 +166,7 @@ def test_oracles_import_nothing_of_ours():
         assert not any(name.split(".")[0] == "gyrostat" for name in names), path
 
 
+@pytest.mark.slow
 def test_no_property_has_a_lock():
     """That of functools has one in Python 3.11; two threads can wait for each other."""
     for path in SRC.rglob("*.py"):
@@ -173,6 +175,7 @@ def test_no_property_has_a_lock():
         assert "cached_property" not in taken or path.name == "kept.py", path
 
 
+@pytest.mark.slow
 def test_no_text_is_evaluated():
     """eval, exec and sympify, which execute text, occur nowhere in the library."""
     for path in SRC.rglob("*.py"):

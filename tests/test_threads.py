@@ -58,7 +58,7 @@ def expected():
     return {name: compute() for name, compute in COMPUTATIONS.items()}
 
 
-@pytest.mark.few(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", COMPUTATIONS)
 @pytest.mark.parametrize("bits", [2, 1000])
 def test_nothing_depends_on_the_precision_outside(expected, name, bits):

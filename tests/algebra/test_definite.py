@@ -16,6 +16,7 @@ def combined(form, others, found):
     return Matrix(sum((a * other for a, other in zip(found, others)), form))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(8))
 @pytest.mark.parametrize("count", [1, 2, 3])
 def test_one_that_exists_is_found(seed, count):

@@ -41,6 +41,7 @@ def python_value(text, values):
         return None
 
 
+@pytest.mark.slow
 @given(st.recursive(LEAVES, _grow, max_leaves=8))
 def test_arithmetic_is_what_python_makes_of_it(text):
     """Precedence, associativity and signs are Python's, on exact numbers."""

@@ -99,6 +99,7 @@ def library():
     return pytest.importorskip("pint").UnitRegistry()
 
 
+@pytest.mark.slow
 def test_quantities_of_a_library(library):
     """With magnitude and units, as pint has them."""
     of = library.Quantity

@@ -14,7 +14,7 @@ from gyrostat.errors import ScopeError
 THIRD, FIFTH = cbrt(2), CRootOf(x**5 - x - 1, 0)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [
     FIFTH, 1 + sqrt(2) / 3, sqrt(2 + sqrt(3)),
     *slow((sqrt(2),), (THIRD,), (THIRD**2 - 1,), (sqrt(1 + 1 / (2 + sqrt(2))),), (-FIFTH / 2,))])

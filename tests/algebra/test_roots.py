@@ -52,6 +52,7 @@ def test_products_of_known_factors(linear, quadratic, scale):
     assert all(a.evalf(60) < b.evalf(60) for a, b in zip(found, found[1:]))
 
 
+@pytest.mark.slow
 @given(polynomials, st.tuples(numbers, numbers).filter(lambda ends: ends[0] < ends[1]))
 @settings(max_examples=8)
 def test_as_many_roots_as_sturm_counts(coefficients, ends):

@@ -45,6 +45,7 @@ def top():
     return gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
 
 
+@pytest.mark.slow
 def test_identities_are_zero_and_near_identities_are_not(campaign):
     """Each promised kind, spelled in two ways."""
     for kind, zero in campaign.identities(5, 14):
@@ -63,6 +64,7 @@ fractions = st.fractions(max_denominator=9, min_value=-5,
                          max_value=5).map(lambda a: Rational(a.numerator, a.denominator))
 
 
+@pytest.mark.slow
 @given(fractions, fractions, fractions, fractions)
 @settings(max_examples=20)
 def test_polynomials_in_pi_vanish_only_identically(a, b, c, d):
@@ -75,6 +77,7 @@ def test_polynomials_in_pi_vanish_only_identically(a, b, c, d):
     assert sign_of_constant(zero + TINY * pi) == 1 and sign_of_constant(zero - TINY * sqrt(2)) == -1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("zero", [
     log(4) - 2 * log(2), log(6) - log(2) - log(3), log(Rational(1, 3)) + log(9) / 2,
     log(sqrt(2) * 3) - log(2) / 2 - log(3),

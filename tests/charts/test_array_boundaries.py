@@ -24,7 +24,7 @@ def neighbours(x, n=3):
     return np.stack(columns)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_neighbours_of_the_boundary(reports, backend):
     """The doubles next to the boundary, on it and on both sides."""

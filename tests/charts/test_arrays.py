@@ -76,7 +76,7 @@ def truth(reports):
 COMPILED = ("E1", "E3", "at rest", "E3 uniform, k3", "E3 exp", "free 3")
 
 
-@pytest.mark.few(3)
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "backend"), [
     *((name, "numpy") for name in GRIDS), *((name, "numba") for name in COMPILED),
     *(pytest.param(name, "numba", marks=pytest.mark.slow) for name in GRIDS if name not in COMPILED)])
@@ -116,6 +116,7 @@ moments = st.integers(1, 6)
 whole = st.integers(-6, 6)
 
 
+@pytest.mark.slow
 def test_criteria_of_any_form(reports):
     """Several conditions, alternatives and even factors, strict or not, as a report may come to have them."""
     dU, l, pi3 = map(gs.symbol, ("dU", "l", "pi3_0"))
@@ -224,6 +225,7 @@ def test_nothing_is_decided_one_by_one(reports, monkeypatch):
     ]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "backend"), [("E1", "numpy"), ("E1", "numba"), ("E3 uniform, k3", "numpy"),
                                                ("free 3", "numpy"), ("E1 exp", "numpy")])
 def test_a_filter_that_never_suffices_changes_nothing(reports, truth, monkeypatch, name, backend):

@@ -31,7 +31,7 @@ def test_the_heavy_gyrostat_is_charted(heavy):
     assert_claims(heavy, chart, random.Random(2))
 
 
-@pytest.mark.few(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_boxes_tile_the_region(regions, name):
     """Shares sum to 1, every point lies in a box, and a point that is on no edge lies in one only."""

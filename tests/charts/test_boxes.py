@@ -58,6 +58,7 @@ def test_boxes_of_the_vertical_agree_with_the_exact_verdict(e1, e2, l, spin, u, 
             assert kinds - {"no equilibrium"} == {decision.verdict.name.lower()}
 
 
+@pytest.mark.slow
 def test_a_box_that_touches_the_boundary_is_not_claimed(e1, heavy):
     """A box is closed: where only a corner or an edge is on (π3 + l)² = 4 I1 U', no claim is made of the
     parts that have it.
@@ -93,6 +94,7 @@ def test_a_box_that_touches_a_square_factor_is_not_claimed(regions, name, box, t
     assert decision.chart.code[(decision.chart.low == decision.chart.low.min(axis=0)).all(axis=1)] == [0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scale", [2.0**-500, 1e-150, 1.0, 1e150, 2.0**500])
 @pytest.mark.parametrize("side", [-1, 1])
 def test_one_float_beside_the_boundary_is_decided(e1, side, scale):

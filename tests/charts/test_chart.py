@@ -50,7 +50,7 @@ def said(report, numbers):
         return FLAGS["no_equilibrium"]
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", range(8))
 @given(xs=axis, ys=axis, offset=st.sampled_from([0, 0.1]), flip=st.booleans())
 @settings(max_examples=5)

@@ -24,7 +24,7 @@ def margins():
             for c in criterion.alternatives[0]]
 
 
-@pytest.mark.few(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("numbers", [{"omega": "1/3", "sigma": "-1/10"}, {"omega": 0.3, "sigma": -0.1},
                                      {"omega": 1e-9, "sigma": "7/3"}, {"omega": sqrt(2), "sigma": 3}])
 def test_the_sign_is_the_same(margins, numbers):
@@ -65,6 +65,7 @@ def test_coefficients_that_are_too_long_are_left():
     assert with_constants(long, grid_of({"x": "3/10", "y": np.zeros(3)})).free_symbols == {y}
 
 
+@pytest.mark.slow
 def test_a_sum_is_folded_as_if_all_pairs_were_compared(margins, monkeypatch):
     """Step by step the same program."""
     axes = {U2: frozenset({0}), U1: frozenset({1})}

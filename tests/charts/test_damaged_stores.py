@@ -13,6 +13,7 @@ from gyrostat.charts.chart import stability_chart
 from gyrostat.errors import StoreError
 
 
+@pytest.mark.slow
 def test_the_blocks_that_are_missing_are_computed(e1, store, written, memory):
     """A block without its mark is written again, whatever its chunk holds; the others are left.
 
@@ -77,6 +78,7 @@ def test_a_chunk_of_another_variable_is_none(tmp_path):
     assert not block.fits(1)
 
 
+@pytest.mark.slow
 def test_descriptions_and_coordinates_are_made_again(e1, store, written, memory):
     """Of the group, of each array, of the store itself.
 
@@ -188,6 +190,7 @@ def test_what_killed_processes_left_is_removed(e1, store, tmp_path):
     assert [place.exists() for place in left] == [False, False, True, True]
 
 
+@pytest.mark.slow
 def test_a_mark_comes_after_its_chunks(e1, ten_blocks, memory, tmp_path, monkeypatch):
     """Where the computation of a block fails, its mark is not there, and what went before is kept."""
     from gyrostat.charts.request import Request

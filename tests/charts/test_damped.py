@@ -60,6 +60,7 @@ def test_undecided_where_the_damping_does_not_reach_every_motion():
     assert list(found) == [UNDECIDED, UNSTABLE]
 
 
+@pytest.mark.slow
 def test_a_chart_has_both(tmp_path):
     """The sleeping top is stable from 5/4 on, and under damping from 1/√0.6 on; a store has the same."""
     axes = {"x": ("omega3_0", np.linspace(1, 1.5, 41)), "y": ("l", np.array([0.0, 0.5]))}
@@ -74,6 +75,7 @@ def test_a_chart_has_both(tmp_path):
     assert "damped" not in stability_chart(SPIN, **axes, fixed=HEAVY)
 
 
+@pytest.mark.slow
 def test_the_picture_shows_what_damping_destroys(capsys, tmp_path):
     """An area of its own, with its name; the same from the command line, and as data."""
     axes = {"x": ("omega3_0", np.linspace(1, 1.5, 41)), "y": ("l", np.array([-0.1, 0.0, 0.1]))}

@@ -99,6 +99,7 @@ def signed(expression, point):
     return exact(tuple(point[s] for s in exact.symbols))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("expression", "point", "expected"), [
     (x - y, {x: 1.0, y: 1.0}, 0), (x - y, {x: 1.0, y: 1 + 2.0**-52}, -1), (x**2 - y, {x: sqrt(2), y: 2.0}, 0),
     (x**3 - y, {x: 1e200, y: 1e-300}, 1), (x * y - 1, {x: Rational(1, 3), y: 3.0}, 0),

@@ -61,6 +61,7 @@ def test_constants_that_cancel_are_near_or_unknown(bits, sign):
 doubles = st.floats(allow_nan=False, allow_infinity=False)
 
 
+@pytest.mark.slow
 @given(values=st.lists(st.one_of(doubles, st.fractions(), st.integers(-2**70, 2**70)), min_size=1,
                        max_size=5))
 def test_object_arrays_are_read_number_by_number(values):
@@ -89,6 +90,7 @@ def test_long_integers_are_exact(values):
     assert [Fraction(p[a] if isinstance(p[a], float) else str(p[a])) for p in points(grid)] == values
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("value", "said"), [
     ([1.0, math.nan], r"a\[1\] = nan is not a finite"),
     ([[1.0, 2.0], [-math.inf, math.nan]], r"a\[1, 0\] = -inf is not a finite"),

@@ -27,6 +27,7 @@ def counted(input_shapes):
             for n, shape in enumerate(input_shapes)}
 
 
+@pytest.mark.slow
 @given(drawn=shapes)
 def test_the_grid_is_the_broadcast(drawn):
     """The shape is that of np.broadcast_arrays.
@@ -44,6 +45,7 @@ def test_the_grid_is_the_broadcast(drawn):
         assert numbers[n] == {gs.symbol(name): x[index] for name, x in zip(given_arrays, full)}
 
 
+@pytest.mark.slow
 @given(drawn=shapes)
 def test_axes_are_those_of_length_above_one(drawn):
     """Each array is merged to the number of axes of the grid, of length 1 where it does not vary.

@@ -41,6 +41,7 @@ def test_no_hard_point_is_wrong_or_undecided(hard, backend, seed):
     assert all(codes == {1, -1} for codes in seen.values())
 
 
+@pytest.mark.slow
 def test_the_truth_is_not_what_doubles_say(hard):
     """The cases are hard: the margin in doubles is wrong or silent in each of these families, so that they do
     test something.

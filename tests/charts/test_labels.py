@@ -85,6 +85,7 @@ def blocks_of(points):
 numbers = st.integers(-12, 12).map(lambda n: n / 4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["numpy", "numba"])
 @given(numbers=st.lists(numbers, min_size=40, max_size=40), shift=st.integers(-7, 7),
        width=st.sampled_from([1, 5, 16]))

@@ -79,6 +79,7 @@ def test_values_are_within_the_bound(tilted_margin, backend):
         assert abs(Fraction(found[n]) - exact) <= Fraction(bound[n])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_nothing_is_lost_at_the_default_block(e1, backend):
     """A grid of several blocks of the real size, of odd shape."""
@@ -113,7 +114,7 @@ def small(names, seed):
     return {n: source.integers(1 if n.startswith("I") else -2, 4, sides[i % 3]) for i, n in enumerate(names)}
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("which", "compiled"), [
     ("e1", True), ("uniform_tilt", True), ("free_body", True), ("e2", False), ("at_rest", False),
     ("general", False), *(pytest.param(which, True, marks=pytest.mark.slow)
@@ -146,6 +147,7 @@ def test_criteria_with_degenerate_factors_and_none(uniform_tilt, backend):
         assert compiled.names == () and bool(compiled()) is holds and compiled().dtype == bool
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", [*BACKENDS, array_api_strict])
 @pytest.mark.parametrize("strict", [True, False])
 def test_even_factors(backend, strict):

@@ -34,6 +34,7 @@ def test_scalars_and_constants(e1, backend):
     assert compile_margin(pi * x, backend)(x=2) == 2 * math.pi
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_out_is_written_to(e1, backend):
     """out is filled and returned; scalars fill an array without axes."""

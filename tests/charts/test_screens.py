@@ -105,6 +105,7 @@ def test_what_is_screened(reports):
     assert not seen({"I1": np.ones(6), "a": np.ones(6), "l": 1.0, "pi3_0": 1.0, "I3": 1.0}, "E1 exp")
 
 
+@pytest.mark.slow
 def test_high_degrees_leave_few_points_over(monkeypatch):
     """Their bound would be too wide with room for larger numbers."""
     left = []

@@ -147,6 +147,7 @@ def test_no_warning_escapes():
                 ArraySigns(expression, grid, backend, [])(grid.blocks(10)[0][0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_floats_decide_ordinary_grids(monkeypatch, backend):
     """No point of an ordinary grid is decided exactly, with one outlier of 10¹⁴⁰ in it neither."""

@@ -58,6 +58,7 @@ def by_oracle(numbers):
     return -1 if growth > 1e-3 * size else None
 
 
+@pytest.mark.slow
 def test_on_a_boundary_the_sign_is_exact(report):
     """Where s = 0 along a line through doubles, and beside it: the array is the report."""
     (_, s), names = report.sufficient.alternatives[0], ("omega", "u1", "u2")

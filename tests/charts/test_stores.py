@@ -19,7 +19,7 @@ from gyrostat.charts.chart import stability_chart
 from gyrostat.errors import MissingExtraError, StoreError
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("margins", [False, True])
 def test_a_store_is_the_chart_in_memory(e1, monkeypatch, tmp_path, margins):
     """Values, coordinates, attributes, boundary; lazily, for whoever opens it; every block is counted."""
@@ -90,6 +90,7 @@ def test_another_chart_is_refused(e1, e2, store, tmp_path, monkeypatch):
     assert contents(store) == before
 
 
+@pytest.mark.slow
 def test_what_is_no_store_is_left_alone(e1, tmp_path):
     """A file, a folder of something else, a store of something else; a folder that does not exist."""
     (tmp_path / "file.zarr").write_text("mine")
@@ -135,6 +136,7 @@ def test_a_store_is_moved_into_place_whole(e1, ten_blocks, memory, tmp_path, mon
     assert list(tmp_path.iterdir()) == [path]
 
 
+@pytest.mark.slow
 def test_progress_on_a_terminal(e1, ten_blocks, tmp_path, capsys, monkeypatch):
     """A bar on standard error, wiped at the end; none where it is not wanted, or there is no terminal."""
     stability_chart(e1, **GRID, store=tmp_path / "quiet.zarr")

@@ -100,6 +100,7 @@ def test_steps_vary_along_their_axes_alone(margins, data):
         assert step.axes == (axes[step.value] if step.operation == "leaf" else below)
 
 
+@pytest.mark.slow
 @given(data=st.data())
 def test_nothing_is_computed_twice_or_in_vain(margins, data):
     """No two steps are equal, all but the last are read later, arguments come before.
@@ -140,6 +141,7 @@ def test_inner_steps_at_a_tilt(e3, names, steps):
     assert len(inner(program, frozenset({0, 1}))) == steps
 
 
+@pytest.mark.slow
 def test_sums_and_products_take_first_what_varies_least():
     """x + y + z and x y z with x, y, z along 0, 1 and nothing: one step at each point.
 
@@ -190,6 +192,7 @@ def test_signs_are_kept(expression):
         step.operation == "negative" for step in program.steps[-1:])
 
 
+@pytest.mark.slow
 def test_nothing_is_multiplied_by_one(margins):
     """No product has the constant 1 as a factor: it would cost a step, and be counted as two roundings."""
     for margin in [*margins, -x, -x * y + z]:

@@ -98,7 +98,7 @@ def test_d4_changes_its_sign_at_each_vertex(charts, name, n, most):
         assert "D4" in (decision := report.verdict(values_of(chart, x, y))).rung or decision.rung == "D6"
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "n", "most"), [("upright", 21, 2), *slow(
     ("upright", 61, 30), ("rotations", 41, 12), ("decreasing", 45, 12))])
 @pytest.mark.parametrize(("curve", "pair"), [("resonance_1_2", (1, 2)), ("resonance_1_3", (1, 3))])

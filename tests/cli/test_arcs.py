@@ -9,13 +9,14 @@ import gyrostat as gs
 AXIS = ["--potential", "k3", "--set", "I1=1", "I2=2", "I3=3", "l=1/2"]
 
 
+@pytest.mark.slow
 def test_arcs_as_text(capsys):
     status, out, err = decide(capsys, *AXIS)
     assert (status, err) == (0, "") and out.count("permanent rotations, arc") == 10
     assert "to k = (0, 0, 1), where ω =" in out and "every ω: stable" in out
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("rotor", ["l=1/2", "l=0"])
 def test_arcs_as_data(capsys, rotor):
     """Those of the library, exact and as decimals."""

@@ -32,6 +32,7 @@ def batch(capsys, monkeypatch, lines, *arguments):
     return status, [json.loads(line) for line in out.splitlines()], err
 
 
+@pytest.mark.slow
 def test_a_batch(capsys, monkeypatch):
     """A line of output for each line that is not blank, in order.
 
@@ -65,6 +66,7 @@ def test_a_batch_overrides_what_is_set(capsys, monkeypatch):
     assert [r["equilibria"][0]["decision"]["verdict"] for r in results] == ["STABLE", "UNSTABLE", "UNSTABLE"]
 
 
+@pytest.mark.slow
 def test_reports_are_derived_once(capfd, monkeypatch):
     """One derivation for each potential, equilibrium and name of the spin."""
     from gyrostat.cli import equilibria as scenes

@@ -49,6 +49,7 @@ def test_a_line_that_takes_too_long(capsys, monkeypatch, answering):
     assert [r.get("error") for r in found] == [None, "not within 1.5 s", None, None]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", [RecursionError, MemoryError, OverflowError, ValueError, ZeroDivisionError,
                                   AssertionError])
 def test_every_exception_is_recorded_in_its_line(capsys, monkeypatch, answering, kind):

@@ -129,6 +129,7 @@ def test_all_that_a_picture_needs_is_named_at_once(capsys, tmp_path, monkeypatch
     assert "xarray" in err and "matplotlib" in err and 'pip install "gyrostat[charts,plot]"' in err
 
 
+@pytest.mark.slow
 def test_progress_of_a_picture(capsys, tmp_path, monkeypatch):
     """Of a chart in memory too, block by block, wiped at the end."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)

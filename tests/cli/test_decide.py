@@ -122,6 +122,7 @@ def test_numbers_that_contradict_each_other(capsys):
     assert status == 2 and captured.out == "" and "omega and a momentum are both given" in captured.err
 
 
+@pytest.mark.slow
 def test_e1_and_e2_are_decided_where_tilts_are_not_found(capsys):
     """A rate with π in a quartic field: its tilts are no roots that can be named, which is said.
 

@@ -96,6 +96,7 @@ def test_what_a_verb_writes_is_described(capsys, name, verb, arguments):
     assert keys <= described(SCHEMAS[name]) | described(SCHEMAS["parts"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "verb", "arguments"),
                          [DOCUMENTS[2], *slow(*(DOCUMENTS[i] for i in (4, 7, 9)))])
 def test_a_changed_document_is_refused(capsys, name, verb, arguments):

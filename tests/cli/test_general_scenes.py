@@ -50,6 +50,7 @@ def test_decisions_at_a_claimed_point(capsys, claimed, spin):
     assert found["decision"]["margins"] == {str(margin): str(value) for margin, value in decision.margins}
 
 
+@pytest.mark.slow
 def test_conditions_of_a_claimed_point(capsys, claimed):
     """Both criteria, and the values of a name."""
     _, out, _ = run(capsys, *FIELD, *POINT, "--format", "json", verb="conditions")
@@ -106,6 +107,7 @@ def test_the_spectrum_of_a_claimed_point(capsys, tmp_path, monkeypatch):
     assert pictures[0].read_bytes() == pictures[1].read_bytes()
 
 
+@pytest.mark.slow
 def test_without_a_point(capsys):
     """The scene, the poles where they are equilibria, and how to name the others."""
     status, out, _ = run(capsys, *FIELD)

@@ -17,6 +17,7 @@ values = {{ m0 = "5/13" }}
 """
 
 
+@pytest.mark.slow
 def test_what_an_integral_proves(capsys, tmp_path):
     """The Casimirs leave it to Arnold's theorem; the integral proves it, by an option and by a file."""
     _, without, _ = decide(capsys, *SCENE, *POINT)
@@ -49,6 +50,7 @@ def test_conditions_with_it(capsys):
     assert "−12/13 < l < −25/156 or −25/156 < l < 47/78 or l ≥ 12/13" in out
 
 
+@pytest.mark.slow
 def test_printed_with_the_scene(capsys):
     """In words, set in LaTeX, as data; where it is conserved on a level only, that level."""
     _, out, _ = run(capsys, *SCENE, *POINT, "--integral", F)

@@ -72,6 +72,7 @@ def test_the_others_are_given_where_one_does_not_exist(capsys, verb, potential, 
     assert main([verb, "--potential", potential, "--equilibrium", missing[0]]) == 2
 
 
+@pytest.mark.slow
 def test_decide_gives_the_others(capsys):
     """At numbers: of U = 1/(k3 − a) at a = 1 E2 is decided, and E1 says why it is not."""
     numbers = [f"--set={s}" for s in ("I1=1", "I3=1/2", "l=1", "pi3_0=1")]

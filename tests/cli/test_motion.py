@@ -63,6 +63,7 @@ def test_all_digits(capsys, heavy):
     assert [row[0] for row in rows(out)[1:5]] == ["0", "0.1", "0.2", "0.3"]
 
 
+@pytest.mark.slow
 def test_files_of_numbers(capsys, tmp_path):
     """The table in a file; netCDF holds the dataset of the library."""
     import xarray as xr
@@ -118,6 +119,7 @@ def test_a_general_body_is_integrated(capsys, tmp_path, monkeypatch):
         xr.testing.assert_identical(data.load(), wanted.to_xarray(found[:, 0]))
 
 
+@pytest.mark.slow
 def test_numbers_below_0_after_an_option(capsys):
     """--state -1/3,2,0 --until -1 --set and --potential -k3 are values, not options; -h is help."""
     separate = run(capsys, *FREE[:-1], "-1/3,2,0", "--until", "-1/2", "--count", "2")
@@ -130,6 +132,7 @@ def test_numbers_below_0_after_an_option(capsys):
     assert stop.value.code == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("arguments", "why"), [
     (["--until", "0"], "--until 0 is no end of a motion that starts at 0: give another time"),
     (["--until", "1e400"], "give another time"),

@@ -30,6 +30,7 @@ def test_report_of_any_field(capsys):
         assert line in out
 
 
+@pytest.mark.slow
 def test_rumiantsev(capsys):
     """The heavy gyrostat in the rate ω3, as Rumiantsev wrote it, and the Newtonian field."""
     _, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E1", *TOP, "--set", "omega3_0=1.3")
@@ -155,6 +156,7 @@ def test_the_module_runs():
     assert run.stdout.strip() == f"gyrostat {gyrostat.__version__}"
 
 
+@pytest.mark.slow
 def test_the_report_shows_what_decides_between_the_criteria(capsys):
     """The reduced motion and its ladder; an end where U is rational.
 

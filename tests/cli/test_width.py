@@ -17,6 +17,7 @@ def terminal(monkeypatch):
     return opened
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("columns", "widest"), [(40, 60), (60, 60), (80, 80), (140, 100)])
 @pytest.mark.parametrize("arguments", [
     ("report", *SCENE), ("conditions",), ("conditions", *SCENE, "--solve-for", "l"),

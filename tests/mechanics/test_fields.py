@@ -128,6 +128,7 @@ def in_fluid():
     return gs.assemble(gs.symmetric_gyrostat(), gs.ideal_fluid()).vector_field()
 
 
+@pytest.mark.slow
 @given(I1_=moments, I3_=moments, l_=numbers, p=moments, across=moments, along=moments,
        pi=st.tuples(numbers, numbers, numbers),
        s=numbers, t=numbers)
@@ -184,6 +185,7 @@ def inclined():
     return margin(gs.newtonian_field(3), gs.inclined), margin(gs.ideal_fluid(), gs.inclined)
 
 
+@pytest.mark.slow
 @given(I1_=moments, I3_=moments, omega=nonzero, k=tilts, a=numbers, b=numbers, c=numbers, d=moments,
        in_fluid=st.booleans())
 def test_inclined_in_named_fields(inclined, I1_, I3_, omega, k, a, b, c, d, in_fluid):

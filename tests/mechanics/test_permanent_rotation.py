@@ -29,6 +29,7 @@ def test_stereographic_directions_are_unit_vectors():
     assert place == Matrix([gs.symbol("u1"), gs.symbol("u2"), 0])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("direction", [("1/3", "2/3", "2/3"), (0, 0, 1), PLANE, gs.stereographic()])
 @pytest.mark.parametrize("U", [None, linear, lambda *k: linear(*k) + m0 * k[0] * k[1]])
 def test_the_field_is_that_of_the_rotation(U, direction):

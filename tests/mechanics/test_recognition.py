@@ -19,6 +19,7 @@ def entered(U, inertia=(2, 2, 2), rotor=(0, 0, 0)):
     return recognise(gs.assemble(gs.Gyrostat(inertia, rotor), gs.general_potential(U)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TURNS)
 def test_a_body_of_revolution_is_recognised_about_every_axis(name):
     """The axis, the moments, the rotor and U' with U'(k3) = f(k3), spelled with abs(k)² = 1 besides."""
@@ -34,7 +35,7 @@ def test_a_body_of_revolution_is_recognised_about_every_axis(name):
     assert (standard.potential.expression - (k3 - k3**2 / 3 + 2 * k3**4)).expand() == 0
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("U", "inertia", "expected"), [
     (exp(k1 - k2**2 - k3**2), (3, 1, 1), exp(k3 + k3**2 - 1)), (1 / (k2 + 2), (1, 3, 1), 1 / (k3 + 2)),
     (a * (k1**2 + k2**2) + b * k3, (1, 1, 3), a * (1 - k3**2) + b * k3),
@@ -60,6 +61,7 @@ def test_fields_in_other_spellings(U, inertia, expected):
     )
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("U", "inertia", "rotor"), [
     (k1, (1, 1, 3), (0, 0, 0)), (k1**2, (1, 1, 3), (0, 0, 0)), (k3, (1, 1, 3), (0, Rational(1, 10**9), 0)),
     (k3, (1, 2, 3), (0, 0, 0)),

@@ -56,6 +56,7 @@ def families(scene):
     return {name: (eq, expansion(eq, ORDER)) for name, eq in made.items()}
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, pi=st.tuples(numbers, numbers, numbers), k=directions,
        potential=potentials)
 @settings(max_examples=12)
@@ -87,6 +88,7 @@ def test_moments_and_rotor_may_be_numbers():
     assert cancel(motion.square() - expected) == 0
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, pi3=numbers, u1=numbers)
 @settings(max_examples=12)
 def test_the_second_coefficient_at_a_pole_is_the_discriminant(families, I1, I3, l, pi3, u1):
@@ -130,6 +132,7 @@ def test_g_begins_with_the_square(families):
         assert coefficients[:2] == [0, 0] and len(coefficients) == ORDER + 1 and all(coefficients[2:])
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, spin=numbers, tilt=tilts, potential=potentials)
 @settings(max_examples=8)
 def test_expansion_is_that_of_the_polynomial(families, I1, I3, l, spin, tilt, potential):

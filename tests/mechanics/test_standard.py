@@ -74,7 +74,7 @@ def checked(draw, name):
     return decision
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["axis 1", "(3, 4, 0)"])
 def test_verdicts_about_every_axis(name):
     """Interior, boundary with one or more rungs, and tilts.

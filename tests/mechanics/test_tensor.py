@@ -97,6 +97,7 @@ def in_a_field(draw, revolution):
     return inertia, rotor, momentum, k, field
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("revolution", [True, False])
 @pytest.mark.parametrize(("seed", "count"), [(3, 1), *slow((4, 500))])
 def test_a_body_in_a_field_in_any_axes(revolution, seed, count, full):

@@ -71,6 +71,7 @@ OTHERS = {
     "Reduction", "expansion", "caption", "draw_chart", "draw_cones", "save_animation"}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", REFUSED)
 def test_it_is_refused_with_what_to_do(name):
     """Never silently of the diagonal."""

@@ -102,7 +102,7 @@ def test_no_curve_is_missing(drawn):
                 assert np.linalg.norm(own - k[n], axis=1).min() < 0.03
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_marks_are_the_critical_points(drawn):
     """No slope, and the signs of the second differences; minima − saddles + maxima = 2."""
     ax, value = drawn
@@ -119,7 +119,7 @@ def test_marks_are_the_critical_points(drawn):
     assert count["minimum"] - count["saddle"] + count["maximum"] == 2
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_curves_through_saddles(drawn):
     """From saddle to saddle, on its level; as many as there are ways out."""
     ax, value = drawn

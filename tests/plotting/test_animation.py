@@ -108,6 +108,7 @@ def test_files(box, tmp_path, monkeypatch):
         save_animation(animation, tmp_path / "box.png")
 
 
+@pytest.mark.slow
 def test_the_view_of_plotly(box):
     """A frame and a step of the slider for each time, the faces of the body as triangles, turned by R."""
     pytest.importorskip("plotly")
@@ -132,6 +133,7 @@ def test_the_view_of_plotly(box):
         np.testing.assert_allclose(so_far[-1], box.attitude(TIMES[30 * n])[:, 1], atol=1e-4)
 
 
+@pytest.mark.slow
 def test_the_view_of_plotly_is_small(top):
     """Two hundred frames are less than a megabyte."""
     pytest.importorskip("plotly")
@@ -211,6 +213,7 @@ def test_times_too_far_apart_are_refused_and_paths_of_animations_refined(top):
     assert np.linalg.norm(np.diff(path, axis=0), axis=1).max() < 0.2 and fine > 8
 
 
+@pytest.mark.slow
 def test_no_box_is_drawn_for_moments_that_no_body_has():
     """I = (1, 1, 3): bars along the axes, and a sentence; a plate, I3 = I1 + I2, is a box."""
     impossible = motion(gs.assemble(gs.Gyrostat((1, "1.1", 3), (0, 0, 0))), ("1/50", 2, 0))

@@ -68,6 +68,7 @@ def test_points_satisfy_the_relation_of_e3(followed):
             np.testing.assert_allclose(residual, 0, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_branches_end_at_bifurcations(followed):
     """A branch of E3 that ends inside the range does so at a point of bifurcation_points, exactly."""
     _, _, _, _, _, pieces, points = followed

@@ -54,7 +54,7 @@ def widening(low, high, n):
     return low + (high - low) * (part + part**2) / 2
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("spacing", "turned"), [
     (np.linspace, (1, 1)), (np.linspace, (-1, 1)), (np.linspace, (1, -1)), (widening, (1, 1)),
     (widening, (-1, -1))])
@@ -120,6 +120,7 @@ def test_spacing_is_seen_at_every_scale(e1, scale):
     assert not ax.images and ((corners[:-1] < xs) & (xs < corners[1:])).all()
 
 
+@pytest.mark.slow
 def test_the_legend_has_no_boundary_that_is_not_seen(e1):
     """Of a part of a chart in which there is none."""
     chart = stability_chart(e1, x=("pi3_0", np.linspace(-4, 4, 41)), y=("l", np.linspace(-2, 2, 9)),
@@ -137,6 +138,7 @@ def test_undecided_is_hatched(wedge):
     assert "undecided" in legend(drawn(chart))
 
 
+@pytest.mark.slow
 def test_a_transposed_chart_has_the_same_boundary(wedge):
     """The line follows the axes, whichever is horizontal."""
     ax = drawn(wedge.transpose())
@@ -145,6 +147,7 @@ def test_a_transposed_chart_has_the_same_boundary(wedge):
     np.testing.assert_array_equal(ax.lines[0].get_xdata(), wedge.boundary_y)
 
 
+@pytest.mark.slow
 def test_axes_are_made_only_where_none_are_given(wedge, monkeypatch):
     """No figure besides the one that is given; a new one of pyplot where none is."""
     import matplotlib
@@ -205,6 +208,7 @@ def test_a_large_chart_is_thinned(e1, monkeypatch):
     np.testing.assert_array_equal(image.get_array(), chart.verdict[:, ::3])
 
 
+@pytest.mark.slow
 def test_one_value_is_a_strip(e1):
     """An axis of one value, and a chart of one point, are drawn."""
     for xs, ys in (([1.0], [0.0, 1.0, 2.0]), ([1.0], [0.5])):

@@ -63,6 +63,7 @@ def test_no_cone_where_omega_lies_along_m(inertia, transverse, axial):
         draw_cones(inertia, transverse, axial)
 
 
+@pytest.mark.slow
 @given(moments, moments, nonzero, nonzero)
 @settings(max_examples=6)
 def test_what_is_drawn_lies_on_the_cones_and_on_the_vectors(I1, I3, transverse, axial):

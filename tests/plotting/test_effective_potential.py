@@ -25,6 +25,7 @@ CASES = [(TOP, {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}, 
          (QUARTIC, {"I1": 1, "I3": "1/2", "l": 0, "p_phi": "1/5", "p_psi": "1/10"}, "-0.3", [0, 0, -5, 0, 6])]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scene, values, energy, U", CASES)
 def test_turning_points_are_roots_of_g(scene, values, energy, U):
     """g = 2 I1 (e − U)(1 − z²) − (v − P z)² vanishes there, nowhere else between.
@@ -61,6 +62,7 @@ def test_equilibria_are_the_minima_and_maxima(scene, values, energy, U):
         assert (branch.decision.verdict is gs.Verdict.STABLE) == minimum
 
 
+@pytest.mark.slow
 def test_poles_are_on_their_level():
     """Where p_phi = p_psi E1 is on the level, at the height U(1) + π3²/(2 I3).
 

@@ -77,6 +77,7 @@ def test_the_slow_curve_goes_through_k3_0_and_the_fast_one_does_not(P):
     assert np.interp(0, slow.k3, slow.omega) == pytest.approx(P, abs=1e-4) and np.abs(slow.omega).max() < 3
 
 
+@pytest.mark.slow
 def test_poles(found):
     """E1 and E2 at C1 = ±p_ψ, h = π3²/(2 I3) + U(±1), stable from P² = ±4 I1 U' on."""
     _, values, U, diagram = found
@@ -90,6 +91,7 @@ def test_poles(found):
         )
 
 
+@pytest.mark.slow
 def test_regions_count_the_bands_of_motion(found):
     """As many bands as intervals of −1 < z < 1 in which g > 0, at random levels that are not critical."""
     _, values, U, diagram = found
@@ -132,7 +134,7 @@ def test_the_picture():
         "changes: fold on a level", "one band of $k_3$", "two bands"]
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_all_that_is_critical_is_in_the_window(found):
     """With room below and above: E1, E2, where stability changes, and the curves beside them."""
     scene, values, _, diagram = found

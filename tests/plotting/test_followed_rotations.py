@@ -66,6 +66,7 @@ def test_every_sample_is_a_rotation(case):
     assert {round(float(mark.value), 6) for mark in followed.marks} <= ends
 
 
+@pytest.mark.slow
 def test_the_picture_shows_what_was_followed():
     """Lines of M3 against l3, solid where stable; open marks at the pitchforks; what the legend says."""
     body, name, ends, values = CASES["along an axis"]
@@ -83,6 +84,7 @@ def test_the_picture_shows_what_was_followed():
     assert at_one == [-0.5, -0.5, 1.0] and all(line.get_linestyle() == "-" for line in stable)
 
 
+@pytest.mark.slow
 def test_against_another_name_it_is_the_rate():
     """ν against M; the fold at its value."""
     body, name, ends, values = CASES["general"]

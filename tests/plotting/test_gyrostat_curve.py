@@ -83,6 +83,7 @@ def test_nothing_of_the_curve_is_missing(drawn):
     assert seen > 8
 
 
+@pytest.mark.slow
 def test_marks_and_legend(drawn):
     ax, inertia, c, rotor = drawn
     names = [text.get_text() for text in ax.get_legend().get_texts()]

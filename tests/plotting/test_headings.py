@@ -41,7 +41,7 @@ def drawn(figure):
     return canvas.get_renderer()
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [3.4, 7])
 def test_a_title_is_as_wide_as_its_axes(width):
     """U of many terms and its numbers are broken into lines; each is read back whole; none is cut off."""
@@ -77,7 +77,7 @@ def test_numbers_of_body_and_field():
     assert free == [] and numbers == ["$l_2 = 1$", "$I_1 = 1$", "$I_2 = 2$", "$I_3 = 3$"]
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 3, *slow(*((n,) for n in (1, 2, 4, 5, 6, 7)))])
 def test_names_of_axes_do_not_lie_over_the_outline(seed):
     """From wherever the sphere is seen, each is well inside or outside of the circle."""

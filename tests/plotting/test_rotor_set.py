@@ -29,7 +29,7 @@ def rotor_at(free, held, x, y):
     return [given[name] for name in ("l1", "l2", "l3")]
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_the_number_in_a_region_is_that_of_its_rotations(drawn):
     """As Sturm's theorem counts them where the text stands; every number that there is, is shown."""
     ax, free, held = drawn

@@ -76,6 +76,7 @@ def test_the_opposite_directions_have_no_rate(drawn):
     assert all(rate_squared(inertia, c, k)[0] < 1e-9 for k in off)
 
 
+@pytest.mark.slow
 def test_nothing_of_the_cone_is_missing(drawn):
     """Where the polynomial changes its sign on circles of latitude, a line is near."""
     ax, inertia, c = drawn

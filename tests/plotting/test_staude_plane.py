@@ -94,6 +94,7 @@ def test_a_line_across_meets_every_rotation(drawn):
         assert all(np.abs(np.array(wanted) - y).min() < 0.02 * (high - low) for y in met), omega
 
 
+@pytest.mark.slow
 def test_marks(drawn):
     """At rest k is ±c; at a fold two rotations of one side are gone on the other."""
     ax, inertia, c, rotor = drawn

@@ -38,6 +38,7 @@ def test_each_curve_is_drawn_where_it_is(chart):
     assert not {*names} & {text.get_text() for text in part.get_legend().get_texts()}
 
 
+@pytest.mark.slow
 def test_a_long_legend_is_not_cut_off(chart):
     """What stands above the axes is inside the figure, and not on the axes."""
     figure = Figure((5, 4))

@@ -32,7 +32,7 @@ def crowded():
                                      relations=((gs.symbol("dU_1"), 0), (gs.symbol("dU_2"), 0))))
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("fragment", "limit"), [(False, LINE), (True, NARROW)])
 def test_every_equation_fits(e1, e3, crowded, fragment, limit):
     """No line of a display is wider than the column it is made for."""

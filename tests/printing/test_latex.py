@@ -63,6 +63,7 @@ def test_matrices_and_polynomials(e1):
         to_latex("I1")
 
 
+@pytest.mark.slow
 def test_a_report_is_a_document(e1, e2, e3):
     """A plain article; one document for several reports; only ASCII, balanced."""
     for document in (to_latex(e1), to_latex([e1, e2, e3])):

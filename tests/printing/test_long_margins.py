@@ -10,6 +10,7 @@ BODY = ["--inertia", "I1,I2,I3", "--gyrostatic-momentum", "l1,l2,l3", "--potenti
         "--set", "w=-1", "I1=3", "I2=5", "I3=4", "l1=1", "l2=0", "l3=2"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sigma, said, shown", [
     (-4, "unstable", {"t": 42, "s": -12, "p": 1402, "p² − 4q": 1974244}),
     (-40, "Lyapunov stable", {"t": 7170, "s": 129804})])
@@ -24,6 +25,7 @@ def test_long_margins_are_named_with_their_values(capsys, sigma, said, shown):
     assert list(margins.values()) == [str(v) for v in shown.values()] and min(map(len, margins)) > 200
 
 
+@pytest.mark.slow
 def test_in_latex(capsys):
     text = run(capsys, *BODY, "s0=-4", "--format", "latex")[1]
     assert r"\text{margin of }p^2 - 4q = 1974244" in text

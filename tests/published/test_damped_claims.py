@@ -38,7 +38,7 @@ def test_other_conditions_are_refuted(tmp_path, scene, printed):
     assert status(tmp_path, scene, DAMPED, printed) == "misprint"
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("scene, printed, expected", [
     (DUAL, LANDON.replace(">", ">="), "misprint"), (TOP, SLEEPS.replace(">", ">="), "misprint"),
     (TILT, D.replace(">", ">="), "misprint"),

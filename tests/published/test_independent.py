@@ -53,6 +53,7 @@ def test_derived_quantities_are_those_of_newton_and_euler(statement):
         assert abs((ours.subs(values) - value).evalf(25)) < 1e-15 * (1 + abs(value.evalf(25)))
 
 
+@pytest.mark.slow
 def test_independent_confirmation_uses_no_derivation():
     """Neither the bracket nor the linearisation nor the criteria stand behind a counterexample."""
     for name in ("independent", "independent_damping", "independent_kinematics", "independent_rotations",

@@ -64,6 +64,7 @@ def read_again(finding):
     return shown.is_true(given, table, example)
 
 
+@pytest.mark.slow
 def test_every_misprint_has_a_counterexample(found):
     """Values at which printed and derived differ, and a confirmation; every formula says what is right."""
     wrong = [f for rows in found.values() for f in rows if f.status == "misprint"]
@@ -95,11 +96,13 @@ def test_a_long_statement(source, key):
         assert read_again(finding)
 
 
+@pytest.mark.slow
 def test_every_unchecked_statement_says_why(found):
     """Nothing is left open without a reason."""
     assert all(f.statement.note for rows in found.values() for f in rows if f.status == "unchecked")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("key", "entry"), [("E3-b", (0, 2)), ("E3-c", (1, 2)), ("E3-matrix", (3, 5))])
 def test_entries_of_the_inclined_matrix_against_the_oracle(key, entry, found):
     """The differenced Euler-Poisson field has the derived entry at the counterexample, not the printed one.
@@ -115,6 +118,7 @@ def test_entries_of_the_inclined_matrix_against_the_oracle(key, entry, found):
     )
 
 
+@pytest.mark.slow
 def test_tilt_at_k3_zero_against_the_oracle(found):
     """Where the printed necessary condition for k3 = 0 fails, the field has no growing mode."""
     (f,) = (f for f in found["VV2003"] if f.statement.key == "k3-zero-necessary")
@@ -125,6 +129,7 @@ def test_tilt_at_k3_zero_against_the_oracle(found):
     assert not oracle.growth(field, x)
 
 
+@pytest.mark.slow
 def test_critical_top_against_the_oracle(found):
     """At equality in Rumiantsev's condition the reduced motion has its maximum at the pole.
 
@@ -141,6 +146,7 @@ def test_critical_top_against_the_oracle(found):
         assert g == -2 * v["I1"] * weight * x**3 < 0
 
 
+@pytest.mark.slow
 def test_progress(found):
     """Called once for each statement, with the total of the source."""
     seen = []
@@ -148,6 +154,7 @@ def test_progress(found):
     assert seen == [("AR", n, len(found["AR"])) for n in range(1, len(found["AR"]) + 1)]
 
 
+@pytest.mark.slow
 def test_second_variation_at_a_tilt_has_both_signs(found):
     """The form of the Casimirs alone, by numpy at the counterexample.
 
@@ -167,6 +174,7 @@ def test_second_variation_at_a_tilt_has_both_signs(found):
     assert values[0] < -1e-6 and abs(values[1]) < 1e-9 and values[2] > 1e-6
 
 
+@pytest.mark.slow
 def test_the_page_is_true(tmp_path, found):
     """Its example of a file is confirmed, and its table counts what is computed."""
     text = (Path(__file__).parents[2] / "docs/reference/published.md").read_text(encoding="utf-8")
@@ -187,6 +195,7 @@ def test_the_sources_agree_where_they_print_the_same():
     assert (rates[0] - rates[1][0]).expand() == 0
 
 
+@pytest.mark.slow
 def test_errata_of_odd_texts_compile(found):
     """Special characters of LaTeX and letters it does not know are set or replaced."""
     finding = next(f for f in found["AR"] if f.status == "misprint")

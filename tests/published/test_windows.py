@@ -46,7 +46,7 @@ def read_again(found):
     return shown.is_true(statement, dict(s.scene.table), data["counterexample"])
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("claim", ["necessary for stability", "necessary and sufficient for stability"])
 def test_energy_casimir_is_not_necessary(tmp_path, claim):
     """A point in the window where the condition fails, stable by Arnold's theorem; read again over Q."""
@@ -60,6 +60,7 @@ def test_energy_casimir_is_not_necessary(tmp_path, claim):
     assert report.verdict(values).notion == "Lyapunov (Arnold-Moser)"
 
 
+@pytest.mark.slow
 def test_a_maximum_is_not_unstable(tmp_path):
     """Both squares of the amended potential negative do not suffice for instability."""
     printed = A1.replace(" > 0", " < 0")
@@ -125,6 +126,7 @@ def test_a_parameter_with_the_name_of_a_quantity(tmp_path, name):
     assert finding(tmp_path, NAMED.format(name=name), "k3", "1").status == "confirmed"
 
 
+@pytest.mark.slow
 def test_an_unknown_function_beside_the_normal_form(tmp_path):
     """The functions are offered; names that need numbers are not derived for it."""
     with pytest.raises(ValueError, match="entyr is not a function of this scene"):

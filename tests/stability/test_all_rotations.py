@@ -72,6 +72,7 @@ def degenerate(rnd, kind):
     return moments, rotor, size
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cases", [6, pytest.param(500, marks=SLOW)])
 @pytest.mark.parametrize("kind", ["on an axis or in a plane", "two equal moments"])
 def test_degenerate_gyrostats(kind, cases, full):

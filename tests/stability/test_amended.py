@@ -144,6 +144,7 @@ def test_a_field_with_a_minimum_by_construction_is_stable_and_its_opposite_at_re
         assert decision.verdict.name == "UNSTABLE", decision
 
 
+@pytest.mark.slow
 @given(moments, moments, moments, numbers, numbers, numbers)
 @settings(max_examples=12)
 def test_a_pitchfork_of_a_turning_body_is_stable_where_the_amended_potential_has_a_minimum(
@@ -231,6 +232,7 @@ def test_a_name_that_the_leading_form_needs_is_asked_for():
         )
 
 
+@pytest.mark.slow
 def test_irrational_directions_are_expanded_exactly():
     """At (1, 1, 1)/√3."""
     k0 = (1 / sqrt(3),) * 3

@@ -21,7 +21,7 @@ def families():
     return {"linear": family(LINEAR), "quadratic": family(QUADRATIC), "unspecified": family()}
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["linear", "quadratic", "unspecified"])
 def test_p_and_q_are_those_of_the_matrix_and_t_and_s_its_signs(families, kind, full):
     """λ⁴ + p λ² + q of the linearisation; the second variation is definite where t, s > 0. Exact, any k."""
@@ -46,6 +46,7 @@ def test_p_and_q_are_those_of_the_matrix_and_t_and_s_its_signs(families, kind, f
     assert seen == {"STABLE", "UNSTABLE", "UNDECIDED"} or not full
 
 
+@pytest.mark.slow
 def test_verdicts_against_eigenvalues_in_doubles(families, full):
     """Of the Euler-Poisson equations and of D²(h + ν·C): nothing is shared."""
     rng = random.Random("doubles")
@@ -99,6 +100,7 @@ def decision_point(*numbers):
     return Point({gs.symbol(name): S(x) for name, x in zip(NAMES, numbers)})
 
 
+@pytest.mark.slow
 def test_a_tensor_and_a_claimed_family():
     """A body turned out of its principal axes, and one at rest in a family that is claimed."""
     turn = Matrix([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
@@ -133,7 +135,7 @@ def test_along_an_axis_it_is_the_upright_rotation():
             c.margin.xreplace(placed).expand() for c in other.alternatives[0]}
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["linear", "unspecified"])
 def test_the_definitions_in_json_are_the_conditions(families, kind):
     """Evaluated in turn in fractions, as they are written."""

@@ -46,6 +46,7 @@ def reduced(expression):
     return expand(rem(expand(in_a), m**2 - q, m))
 
 
+@pytest.mark.slow
 def test_the_weights_are_the_sum_of_the_forced_motions():
     """Frequencies 2ω1, 2ω2, ω1 ± ω2: each an answer times covariances, over q² (p² − 4q)(25q − 4p²)."""
     found = Counter()

@@ -17,7 +17,7 @@ from gyrostat.stability.meetings import bifurcation_points
 from gyrostat.stability.relative_equilibria import relative_equilibria
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("field", ["cubic", "oblate", *slow(("quartic",), ("quintic",))])
 def test_where_a_tilt_leaves_a_pole_the_pole_keeps_its_stability(quintic, e1, e2, field):
     """There P² − 4 s I1 U' = (l − s (2 I1 − I3) s ω)² ≥ 0: E1, E2 stable on both sides.

@@ -65,7 +65,7 @@ def every_case():
                            id=f"level-{field}-{name}")
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "values", "name"), list(cases(
     "rate-quartic-l", "rate-oblate-omega", "rate-quintic-I1", "level-cubic-C1", "level-cubic-a1")))
 def test_all_points_are_found(quintic, kind, values, name):

@@ -25,6 +25,7 @@ def test_no_total_momentum_and_no_slope(potential, expected):
     assert name(pole(potential.subs(k3, -k3), -1), {"I1": 2, "l": -3, "pi3_0": 3}) == expected
 
 
+@pytest.mark.slow
 def test_all_coefficients_vanish_at_a_pole():
     """U = −(P²/(2 I1)) (1 − z)/(1 + z): g = 0, every k3 is a motion, and E1 is unstable.
 

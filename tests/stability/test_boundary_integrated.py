@@ -25,7 +25,7 @@ def test_written_out_field_is_the_field():
         assert x[3:].dot(x[3:]) == 1
 
 
-@pytest.mark.few(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", INTEGRATED, ids=names)
 def test_integrated_motion_turns_where_g_says(kind):
     """Over a period of k3 the 6-dimensional motion from a point moved by ε = 10⁻² turns at the roots of g.

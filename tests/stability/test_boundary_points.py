@@ -93,6 +93,7 @@ def at_a_root(modulus, moments, rotor, w, rungs, last):
 QUARTIC, QUINTIC = 3 * k3**4 + k3**3 - 2 * k3 - 1, 5 * k3**5 - 10 * k3 + 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("modulus", "rungs", "last"), [
     (QUARTIC, 0, 1), (QUINTIC, 1, 0),
     *slow((QUINTIC, 0, -20), (QUARTIC, 1, 1), (QUARTIC, 2, -9), (QUARTIC, 2, 9))])

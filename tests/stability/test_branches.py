@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import mpmath
 import oracle
+import pytest
 from branching import FIELD, digits, fraction, k3, named, real, signs, tilted
 from draw import moments, nonzero, numbers, tilts
 from hypothesis import assume, given, settings
@@ -57,6 +58,7 @@ def in_their_order(branches):
     return keys == sorted(keys) and len(set(keys)) == len(keys)
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, potential=potentials)
 @settings(max_examples=6)
 def test_all_at_a_rate(polynomial, I1, I3, l, omega, potential):
@@ -86,6 +88,7 @@ def test_all_at_a_rate(polynomial, I1, I3, l, omega, potential):
     assert signs(mirrored) == signs(found)
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, pi3=numbers, v=numbers, pole=st.sampled_from([None, None, 1, -1]),
        potential=potentials)
 @settings(max_examples=6)
@@ -167,6 +170,7 @@ def test_rational_tilts_are_exact(polynomial, I1, I3, tilt, omega, l, potential)
     )
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, omega=nonzero, potential=st.lists(numbers, min_size=3, max_size=3))
 @settings(max_examples=3)
 def test_decisions_are_those_of_the_reports(e1, e2, e3, at_rest, polynomial, I1, I3, l, omega, potential):

@@ -43,6 +43,7 @@ def test_a_level_on_which_every_tilt_rests(l, pi3):
     assert signs(found) == [-1, -1, -1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("P", "v"), [(1, 0), (1, 1), *slow((3, Rational(-1, 2)), (2, -2))])
 def test_a_field_made_for_a_level(P, v):
     """U = −(v − P k3)²/(2 I1 (1 − k3²)): V is constant, g = 0.
@@ -126,7 +127,7 @@ def newtonian(moments, rotor):
     return gs.assemble(gs.Gyrostat(moments, (0, 0, rotor)), gs.newtonian_field(2))
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("motion", [{"omega": 1}, {"pi3_0": 1, "C1": "3/4"}, {"k3": "1/3", "pi3_0": 5}])
 def test_bodies_by_any_name(motion):
     """I = (2, 2, 3), l = 1 as symbols A, C, h, as numbers, as 2 I1, and with names in each other's places.

@@ -68,6 +68,7 @@ def test_rates_need_a_large_momentum(top):
     ] == [0, 1, 1, 2, 0]
 
 
+@pytest.mark.slow
 def test_every_tilt_turns_alike(top):
     """I1 = I3, ω l = m0; or U constant, ω = 0.
 

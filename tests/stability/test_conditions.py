@@ -165,6 +165,7 @@ def test_asymmetric_conditions(turning):
     assert turning.boundary is None
 
 
+@pytest.mark.slow
 @given(inertia=st.tuples(*[moments] * 3), l_=numbers, w=numbers, a=numbers, b=numbers)
 @settings(max_examples=12)
 def test_asymmetric_spectrum_is_euler_poisson(turning, inertia, l_, w, a, b):
@@ -179,6 +180,7 @@ def test_asymmetric_spectrum_is_euler_poisson(turning, inertia, l_, w, a, b):
     assert holds(turning.necessary, values, {}) == (not growth)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("U", [
     m0 * k3 + m1 * (I3 - I1) * k3**2 / 2, exp(m1 * k3) * m0,
     *slow((m0 * k3,), (k3**4 - 2 * m1 * k3**3 + k3,), (cos(k3) + m0 * k3**2,))])
@@ -202,6 +204,7 @@ def test_inserting_first_gives_the_same_margins(U):
     assert all(m == margins[0] for m in margins) and len(margins[0]) == 1
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("make", [gs.upright, gs.hanging, gs.inclined, gs.static_tilt])
 def test_margins_are_homogeneous(scene, make):
     """Change kilograms and seconds: every margin and every even factor scales by a power."""

@@ -57,7 +57,7 @@ def drawn(draw, names):
     return {name: numbers[name] for name in names}
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("family, seeds", [(kowalevski, range(1, 3)), (clebsch, range(4, 6)),
                                            *slow((kowalevski, range(3, 120)), (clebsch, range(6, 120)))])
 def test_where_some_pencil_is_definite(family, seeds):
@@ -102,6 +102,7 @@ def agree(report, values):
     return used
 
 
+@pytest.mark.slow
 def test_arrays_agree_with_verdicts():
     """At every point, on the curves too."""
     assert agree(kowalevski(), {"t": np.array([0.5, 0.75])[:, None], "w": 1.0,

@@ -12,6 +12,7 @@ def marks(U, ends, values, name="omega"):
     return [(m.kind, m.value, m.k3, m.changes) for m in continuation(scene, name, ends, values).marks]
 
 
+@pytest.mark.slow
 def test_marks_of_the_heavy_top():
     """E1 changes at I3² ω² = 4 I1 m0, E3 leaves it at ω² (I3 − I1) = m0; of a pendulum m0 < 0 it is E2."""
     top = {"I1": 1, "I3": "8/5", "l": 0}

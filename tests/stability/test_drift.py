@@ -2,6 +2,7 @@
 from fractions import Fraction
 
 import oracle
+import pytest
 from draw import moments, nonzero, numbers, tilts
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -25,6 +26,7 @@ def test_the_defect_is_the_one_of_the_theory(drift, at_rest):
     assert cancel(Drift(at_rest.equilibrium).defect / D.subs(omega, 0)) in (1, -1)
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers, semisimple=st.booleans())
 @settings(max_examples=15)
 def test_jordan_blocks_by_exact_ranks(e3, drift, I1, I3, l, omega, tilt, u2, semisimple):
@@ -64,6 +66,7 @@ def test_a_semisimple_example():
     assert "Jordan" in beside.reason and beside.verdict is Verdict.UNSTABLE
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, W=nonzero, tilt=tilts, near=tilts, u2=numbers)
 @settings(max_examples=15)
 def test_rates_are_those_of_the_precessions_beside_it(drift, I1, I3, l, W, tilt, near, u2):

@@ -43,6 +43,7 @@ def falls(A, whole, axial, rate, spin):
     return [momentum * (momentum - A * x) for x in (rate, rate + spin)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cases", [8, pytest.param(2000, marks=pytest.mark.slow)])
 def test_weak_dampers_in_both_bodies(cases, full):
     """With light spheres and weak dampers a mode grows where the condition fails, and only there."""

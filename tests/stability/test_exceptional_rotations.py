@@ -171,7 +171,7 @@ def test_many_of_a_kind(check, full):
         check(rng)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("pair", [(1, 4), (2, 3), (1, 5)], ids=str)
 def test_a_resonance_of_the_fifth_or_sixth_order(pair):
     """Nothing to D4; where D4 = 0 it is not decided."""
@@ -183,6 +183,7 @@ def test_a_resonance_of_the_fifth_or_sixth_order(pair):
     assert decision.reason.endswith(f"D4 = 0, and the resonance {pair[0]}:{pair[1]} holds")
 
 
+@pytest.mark.slow
 def test_a_twist_that_is_almost_0():
     """10⁻⁶⁰ and not 0: D4 decides, not D6."""
     rng = random.Random(2)

@@ -71,7 +71,7 @@ def test_a_general_gyrostat(arcs):
     assert sum(arc.low == -oo for arc in arcs) == sum(arc.high == oo for arc in arcs) == 6
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", [*DEFAULT, *slow(*((kind,) for kind in SPECIAL if kind not in DEFAULT))])
 def test_special_gyrostats(kind):
     assert check(random.Random(kind), arcs_of(*SPECIAL[kind]), *SPECIAL[kind]) >= 6
@@ -94,6 +94,7 @@ def test_many(full):
     assert sum(check(rng, arcs_of(*case), *case) for case in cases) >= 6 * count
 
 
+@pytest.mark.slow
 def test_ends_are_folds_and_axes(arcs):
     """At a fold k is that of two arcs, and a direction turns there about no rotation of its rate."""
     inertia, c, rotor = GENERAL
@@ -140,6 +141,7 @@ def test_the_verdict_changes_at_the_boundaries(arcs):
     assert changes >= 8
 
 
+@pytest.mark.slow
 def test_where_branches_cross(arcs):
     """At rest, and where two rotations have one sigma: each arc goes on with its own k."""
     for arc in arcs:

@@ -68,6 +68,7 @@ def test_what_is_refused():
         gs.relative_equilibria(linear, {"C1": sqrt(2)})
 
 
+@pytest.mark.slow
 def test_in_a_plane_of_symmetry_and_off_it():
     """c and l in the plane of axes 1 and 3: Newton's method finds the same number, Morse counts 2."""
     rotor, c = (Rational(-1), 0, Rational(5, 6)), (Rational(-5, 3), 0, Rational(-7, 2))

@@ -104,6 +104,7 @@ def test_several_rotations_of_one_rate_on_a_level():
     assert r.k == (2 * third, third, 2 * third)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("inertia, rotor, c, Q, level, count", [
     ((2, 2, 1), (1, 2, 1), (3, 1, 2), (0, 0, 0), 3, 4),    # two equal moments
     ((2, 2, 1), (1, 2, 1), (2, 4, 2), (0, 0, 0), 3, 8),    # a circle at omega = 2, two of it on the level

@@ -37,7 +37,7 @@ def check(rng, quadratic):
     return len(found)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("quadratic", [False, True])
 def test_all_are_found_and_rightly_decided(quadratic):
     rng = random.Random(f"heavy {quadratic}")
@@ -132,7 +132,7 @@ def test_staude():
     assert not gs.relative_equilibria(scene, {"k1": 1 / sqrt(19), "k2": 3 / sqrt(19), "k3": -3 / sqrt(19)})
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("cases", [1, pytest.param(20, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("quadratic", [False, True])
 def test_in_any_axes(quadratic, cases):

@@ -36,6 +36,7 @@ def assert_restriction(jacobian, linear, values=()):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("s", [1, -1])
 @given(I1=moments, I3=moments, l=numbers, pi3=numbers, u1=numbers, u2=numbers)
 @settings(max_examples=12)
@@ -63,6 +64,7 @@ def test_inclined_polynomial_is_euler_poisson(e3, I1, I3, l, omega, tilt, u2):
     assert list(map(R, oracle.characteristic(oracle.jacobian(f, x)))) == [1, 0, p, 0, 0, 0, 0]
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, tilt=tilts, u2=numbers)
 @settings(max_examples=10)
 def test_static_polynomial_is_euler_poisson(at_rest, I1, I3, l, tilt, u2):
@@ -79,6 +81,7 @@ def unit(a, b):
     return [2 * a / n, 2 * b / n, (n - 2) / n]
 
 
+@pytest.mark.slow
 @given(inertia=st.tuples(*[moments] * 3), rotor=THREE, a=numbers, b=numbers, w=numbers, mu=numbers,
        s=st.tuples(*[numbers] * 6))
 @settings(max_examples=8)
@@ -101,6 +104,7 @@ def test_general_body_at_a_claimed_point(inertia, rotor, a, b, w, mu, s):
     assert list(map(R, oracle.characteristic(jacobian))) == [1, 0, p, 0, q, 0, 0]
 
 
+@pytest.mark.slow
 @given(inertia=st.tuples(*[moments] * 3), l=numbers, w=nonzero, axis=st.sampled_from([1, 2, 3]))
 @settings(max_examples=15)
 def test_free_rotation_polynomial(inertia, l, w, axis):
@@ -195,6 +199,7 @@ def test_eigenvalues_are_the_roots(report, request):
                                  for z in (ours, theirs)), atol=1e-7)
 
 
+@pytest.mark.slow
 def test_eigenvalues_where_roots_nest(asymmetric, free):
     """An asymmetric body in a field, and a free one.
 
@@ -212,6 +217,7 @@ def test_eigenvalues_where_roots_nest(asymmetric, free):
                                                               LAMBDA).all_coeffs())
 
 
+@pytest.mark.slow
 def test_sleeping_top_eigenvalues(e1):
     """λ = ±i [ω3 − P/(2 I1) ± √(P² − 4 I1 U1)/(2 I1)], classical."""
     I1, I3, l, pi3, u = map(gs.symbol, ("I1", "I3", "l", "pi3_0", "dU"))
@@ -223,15 +229,10 @@ def test_sleeping_top_eigenvalues(e1):
 
 
 def test_singular_orbits_are_refused(scene):
-    """k = 0 is an equilibrium of the bracket on an orbit of lower dimension.
-
-    A clear error, with the reason.
-    """
+    """k = 0 is an equilibrium of the bracket on an orbit of lower dimension: an error, with the reason."""
     eq = gs.equilibrium(scene, (0, 0, gs.symbol("p"), 0, 0, 0), label="E0")
     for verb in (gs.linearize, gs.second_variation, gs.orbit_tangent, gs.symplectic_slice):
-        with pytest.raises(SingularOrbitError,
-                           match="E0 lies on a singular coadjoint orbit: the differentials of .* have rank "
-                                 "1, not 2"):
+        with pytest.raises(SingularOrbitError, match="E0 lies on .*: the differentials of .* rank 1, not 2"):
             verb(eq)
     free = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 2)))
     with pytest.raises(SingularOrbitError, match="M ≠ 0"):

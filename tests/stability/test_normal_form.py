@@ -26,6 +26,7 @@ CASES = [((3, 5, 4), (2, 1, 2), (0, 0, 0), (0, "2/3", "2/3"), -1, "691181/615600
          ((3, 4, 5), (1, 2, -2), (-1, 2, -1), ("4/3", "-2/3", -1), -1, "157719110778286087/5657877481052160")]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("inertia, k, rotor, slopes, omega, D4", CASES)
 def test_numbers_found_in_another_chart(inertia, k, rotor, slopes, omega, D4):
     """Exact rational numbers, the same in relabelled and reflected axes."""

@@ -68,7 +68,7 @@ def test_none_is_missing(kind, full):
         check(moments, rotor, F(rng.randint(1, 9), 4), seed)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("l", ["1/10", "2/5", "3/2", 3])
 def test_a_rotor_along_an_axis(l):
     """8 + 4 [L < w|a|] + 4 [L < w|b|] + 4 [L < 4w|a|] + 4 [L < 4w|b|]; E-C of each family by A, B, C."""
@@ -100,6 +100,7 @@ def test_equal_moments_are_refused():
         gs.relative_equilibria(gs.assemble(gs.Gyrostat(RIGID, (0, 0, 0)), gs.circular_orbit()), {})
 
 
+@pytest.mark.slow
 def test_the_rate_scales():
     """ω0 → 2 ω0 with l → 2 l: the same attitudes."""
     slow, fast = found(RIGID, ("3/10", "1/5", "1/10")), found(RIGID, ("3/5", "2/5", "1/5"), 2)

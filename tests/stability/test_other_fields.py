@@ -18,6 +18,7 @@ a, b = map(gs.symbol, "ab")
 PULL = -a * gs.symbol("k1") - b * gs.symbol("e2")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("first", "second"), [(1, 1), (1, -1), (-1, 1), (-1, -1)])
 def test_two_constant_fields(first, second):
     """K = diag(s2 b, s1 a, s1 a + s2 b), g = −l, whatever the body and its rotor."""

@@ -17,6 +17,7 @@ m0, p0, l, w = map(gs.symbol, ("m0", "p0", "l", "omega3_0"))
 ONE = Fraction(1)
 
 
+@pytest.mark.slow
 def test_rising_with_spin():
     """(Π3 + l)² > 4 I1* [p² (1/m3 − 1/m1) − m0], I1* = I1 − d²/m1; the number of the example."""
     scene = gs.underwater_vehicle((I1, I1, I3), (across, across, along), SHIFTED, weight=(0, 0, m0),
@@ -64,6 +65,7 @@ def test_a_rotor_holds_only_what_stays_parallel():
         assert decision.verdict.name == "UNDECIDED" and "nothing is proved" in decision.reason
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("axis", [(0, 0, 1), (1, 0, 0), (0, -1, 0), ("3/5", 0, "4/5"), ("2/3", "1/3", "2/3")])
 def test_rising_in_any_direction(axis):
     """The same vehicle in other axes: stable iff the weight exceeds 1 − 1/3."""
@@ -77,6 +79,7 @@ def test_rising_in_any_direction(axis):
         assert report.verdict({}).verdict.name == report.verdict({}, damped=True).verdict.name == name
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("damped", [False, True])
 @pytest.mark.parametrize("turning", [0, 1])
 def test_arrays(turning, damped):
@@ -107,7 +110,7 @@ def test_two_fields_that_pull_together(turning):
     assert gs.parallel_directions(opposite).system.potential.expression == -gs.symbol("k3")
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_random_parallel_directions(seed, full):
     """Nine eigenvalues are those of the motions that stay parallel, and five zeros; the minimum; a damper."""

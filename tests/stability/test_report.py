@@ -39,6 +39,7 @@ def test_vertical_verdicts_are_exact(e1, e2, s, I1, l, pi3, u, boundary):
     assert decision.verdict is SIGNS[oracle.verdict_vertical(I1, l, pi3, s, u)]
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers, boundary=st.booleans())
 @settings(max_examples=40)
 def test_inclined_verdicts_are_exact(e3, I1, I3, l, omega, tilt, u2, boundary):

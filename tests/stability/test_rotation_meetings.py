@@ -105,6 +105,7 @@ def test_each_is_a_degenerate_rotation():
         assert met.curvature == 0 and met.decision.verdict is gs.Verdict.of(held)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("body", "values", "kinds"), [
     (((1, 1, 2), (0, 0, "l")), {"M": 1}, [("circle leaves an axis", -1), ("circle leaves an axis", 1)]),
     (((1, 1, 2), ("l", 0, 0)), {"M": 1}, [("pitchfork", Rational(-1, 2)), ("circle at this value alone", 0),

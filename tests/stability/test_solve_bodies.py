@@ -17,6 +17,7 @@ from gyrostat.stability.solve import solve_condition
 from gyrostat.stability.stabilizing import stabilizing_set
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["l", "I2", "omega3_0"])
 def test_a_free_body_in_closed_form(name):
     """Rotation about axis 3 with l along it.
@@ -90,6 +91,7 @@ ASYMMETRIC = [((2, 1, 3), "omega3_0", {"m0": 1, "l": 0}), ((2, 3, 1), "l", {"m0"
               ((3, 4, 2), "l", {"m0": -2, "omega3_0": 1})]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wholly", [True, pytest.param(False, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("inertia", "name", "values"),
                          [ASYMMETRIC[1], *(pytest.param(*case, marks=pytest.mark.slow) for case in (

@@ -134,6 +134,7 @@ def test_a_number_between_two_that_are_very_near():
         assert a < between(a, b) < b
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("moment", "rotor"),
                          [(1, sqrt(3)), (sqrt(5), sqrt(2)), (2 ** Rational(1, 4), sqrt(2) + sqrt(3)),
                                                (sqrt(pi), sin(1)), (2 ** Rational(1, 12), sqrt(6))])

@@ -35,6 +35,7 @@ def test_about_axis_3():
     assert expand(form.q * I1 * I2 - a * b) == 0
 
 
+@pytest.mark.slow
 def test_in_a_plane_of_symmetry():
     """k2 = l2 = c2 = 0: one margin across the plane, one in it."""
     form, J = form_of((k1, 0, k3), (l1, 0, l3), sigma), I1 * k1**2 + I3 * k3**2

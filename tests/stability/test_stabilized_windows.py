@@ -42,7 +42,7 @@ def check(report, name, values=None):
     return ends, solution
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("values, name", [
     ({"I1": 5, "I2": 4, "I3": 3, "m0": 1, "l": 0}, "pi3_0"),
     ({"I1": 5, "I2": 4, "I3": "9/2", "m0": 1, "l": 2}, "pi3_0"),
@@ -56,6 +56,7 @@ def test_a_sleeping_body(values, name):
     assert {part.meaning for part in solution.parts} == {"stable"}
 
 
+@pytest.mark.slow
 def test_off_symmetry():
     """At 1:2 and 1:3 inside the window it is unstable, at equal frequencies stable, where q = 0 unstable."""
     report = gs.analyze(FAMILIES["off symmetry"]())
@@ -66,7 +67,7 @@ def test_off_symmetry():
     assert {report.verdict({"a": at}).verdict.name for at in inside} == {"UNSTABLE"}
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_where_D4_is_0(seed):
     """D4 is of degree 2 in a; where it vanishes D6 decides, and all numbers are stable."""
@@ -85,6 +86,7 @@ def test_where_D4_is_0(seed):
         assert decision.verdict is gs.Verdict.STABLE and "D6" in decision.reason
 
 
+@pytest.mark.slow
 def test_irrational_numbers_leave_the_window_open():
     """√2 for a moment: D4 is no rational function with rational coefficients, points are decided."""
     report = gs.analyze(FAMILIES["E1"]())

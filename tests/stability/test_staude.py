@@ -75,7 +75,7 @@ def test_all_are_on_the_arcs_and_rightly_decided():
     assert sum(check(rng, *drawn(rng)) for _ in range(2)) > 6
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("inertia", "c"), SPECIAL)
 def test_special_bodies(inertia, c):
     """c on an axis, in a principal plane, two equal moments."""
@@ -101,6 +101,7 @@ def test_the_cone_in_symbols():
     assert "k₂ k₃ (I₂ − I₃)" in str(cone) and r"\omega^{2} =" in gs.to_latex(cone)
 
 
+@pytest.mark.slow
 def test_equations_of_motion_in_symbols():
     """ω² Ik × k = ∇U × k, where k = n/ω²."""
     for inertia, c in [((1, 2, 3), (1, -2, 1)), *SPECIAL]:

@@ -35,7 +35,7 @@ def test_satellites(seed, full):
             assert damped.growing == minus
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_two_constant_fields(seed):
     """U = −(a k1 + b e2) and the general β."""

@@ -38,7 +38,7 @@ def test_damping_that_reaches_no_impulse():
         assert damped.growing is None and "goes on without a torque" in damped.reason
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_random_translations(seed, full):
     """The sextic, the signature of the second variation, the verdicts, and a damper inside."""
@@ -56,7 +56,7 @@ def test_random_translations(seed, full):
             assert report.verdict({}, damped=True).growing == minus == vehicle.growing(z)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_random_steady_rotations(seed, full):
     """Kirchhoff's body of any shape, turning about the impulse: p and q, and a damper inside."""

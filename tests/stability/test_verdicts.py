@@ -177,6 +177,7 @@ def test_no_wrong_verdict_in_1_000_000_points(reports, full):
     assert not wrong
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, omega=nonzero, tilt=tilts,
        B=st.lists(numbers, min_size=6, max_size=6))
 @settings(max_examples=15)

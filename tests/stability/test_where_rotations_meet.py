@@ -13,7 +13,7 @@ import gyrostat as gs
 from gyrostat.stability.permanent_rotations import permanent_rotations
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "cases"), [
     ("fold", 2), ("pitchfork", 4), ("umbilic", 2),
     *slow(("fold", 500), ("pitchfork", 500), ("umbilic", 500))])

@@ -49,6 +49,7 @@ def test_at_numbers_it_is_that_of_the_normal_form(family, full):
             assert (at == 0) == ((m, n) in form.resonances)
 
 
+@pytest.mark.slow
 def test_that_of_a_heavy_top_is_that_of_another_algorithm():
     """Of E1, 103 terms in its margin, at random moments and rates; no other is in the library's chart."""
     report = gs.analyze(FAMILIES["E1"]())
@@ -136,6 +137,7 @@ def test_the_command_line_prints_it_where_a_name_is_open(capsys):
     assert r"D_{4} = \frac{" in window._repr_latex_()
 
 
+@pytest.mark.slow
 def test_conditions_with_their_windows(capsys):
     """N has the sign of D4 at E2, whose product is printed; a body of revolution has no window."""
     body = ("--potential", "m0*k3", "--gyrostatic-momentum", "0,0,0", "--set", "m0=1", "--windows")

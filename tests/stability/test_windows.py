@@ -83,7 +83,7 @@ def scaled(rotation):
     return Rotation(tensor, [6 * x for x in rotation.rotor], rotation.k, 2 * rotation.omega, field)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("change, factor", [(relabelled, 1), (backwards, 1), (scaled, Rational(4, 3))])
 def test_what_changes_D4(change, factor):
     """Not the names of the axes, not the sense of time; its unit is frequency⁴ by energy."""

@@ -52,6 +52,7 @@ def asymmetric_report():
     return lambda spin: gs.analyze(gs.equilibrium(scene, (0, 0, spin, 0, 0, 1)))
 
 
+@pytest.mark.slow
 def test_a_sleeping_top_at_the_critical_spin(top):
     """I1 = m0 = 1, I3 ω3 = 2: stable, the distance goes with √ε.
 
@@ -71,6 +72,7 @@ def test_a_sleeping_top_at_the_critical_spin(top):
     assert below.agrees and below.expected == 0 and abs(below.slope) < 1e-2 and min(below.excursions) > 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("a, b, c, I1, pi3_0, verdict, slope", [
     (0, -2, 3, 1, 2, "UNSTABLE", 0), (-1, 0, 16, 3, 12, "STABLE", 1 / 4), (0, 1, -1, 1, 0, "STABLE", 1 / 2),
     *slow((1, -13, 10, 1, 2, "UNSTABLE", 0), ("1/16", "-7/4", "5/2", 1, 2, "STABLE", 1 / 6),
@@ -90,6 +92,7 @@ def test_boundary_at_a_pole(quartic, a, b, c, I1, pi3_0, verdict, slope):
     assert abs(found.slope - slope) < 0.02
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("a, b, c, verdict, slope", [
     (0, 1, 0, "STABLE", 1), (0, -2, 0, "UNSTABLE", 0), (0, -1, 0, "STABLE", 1 / 3),
     *slow((-1, -1, 0, "UNSTABLE", 0), (0, -2, 1, "UNSTABLE", 0), (0, -2, -1, "UNSTABLE", 0))])

@@ -11,6 +11,7 @@ from gyrostat.trajectories.confirmation import _rates, confirm
 few = pytest.fixture(autouse=True)(one_direction)
 
 
+@pytest.mark.slow
 def test_no_slope_is_expected_of_a_normal_form():
     """An asymmetric top spinning fast about its longest axis is stable by D4, its energy no extremum."""
     pytest.importorskip("heyoka")

@@ -14,6 +14,7 @@ def of_revolution(U):
     return gs.assemble(gs.Gyrostat((1, 1, 2), (0, 0, 0)), gs.axial_potential(U))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("scene", "state", "values", "route"), [
     (TOP, STATE, NUMBERS, "elliptic"), (TOP, (0, 0, 1, 0, 0, 1), NUMBERS, "equilibrium"),
     (of_revolution(exp), STATE, None, "quadrature"),
@@ -34,6 +35,7 @@ def test_routes(scene, state, values, route):
     assert (found.spin is None) == (len(found.state) == 3 or found.period is None)
 
 
+@pytest.mark.slow
 def test_what_is_integrated():
     """Three moments in a field, an asymmetric field, k = 0: integrated, in doubles.
 

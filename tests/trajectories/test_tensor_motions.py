@@ -19,6 +19,7 @@ def pair(inertia, rotor):
     return body, gs.Gyrostat(tensor.tolist(), list(R * Matrix(body.gyrostatic_momentum)))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("inertia", "rotor"), BODIES)
 def test_a_free_body_in_any_axes(inertia, rotor):
     """π, ω, period and attitude; the attitude up to the turn about M that makes φ = 0."""
@@ -81,7 +82,7 @@ def test_a_field_integrates_a_tensor(monkeypatch):
     np.testing.assert_allclose(two(2.0), turn @ one(2.0), atol=1e-9)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("rotor", [28, "9*pi"])
 def test_principal_axes_that_are_roots_of_a_cubic(rotor):
     """M turns as Euler's equations say."""

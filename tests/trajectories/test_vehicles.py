@@ -34,7 +34,7 @@ def scene_of(vehicle, weight):
     return gs.underwater_vehicle(J, M, D, weight=pull if weight else None, gyrostatic_momentum=rotor)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("weight", [True, False])
 @pytest.mark.parametrize("vehicle", [HULL, random_vehicle(Random("motion"))], ids=["round", "general"])
 def test_motion(vehicle, weight):

@@ -46,6 +46,7 @@ def test_published_flips():
     assert np.abs(quarters[:, 1] - [2, 0, -2, 0, 2]).max() < 1e-12
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("M", [
     (Fraction(3, 10), Fraction(-1, 5), Fraction(9, 10)), (Fraction(-1, 2), 0, Fraction(-1, 3)),
     *slow(((Fraction(-9, 10), Fraction(1, 5), Fraction(3, 10)),), ((0, 1, Fraction(-1, 2)),), ((1, -1, 0),))])
@@ -187,6 +188,7 @@ def test_shapes():
     assert (motion.state(many)[[5, 17000]] == motion.state(many[[5, 17000]])).all()
 
 
+@pytest.mark.slow
 def test_free_motion_refuses():
     """A potential, names, undecided motions, motions too close to a separatrix, and what is no state."""
     body = gs.Gyrostat((1, 2, 3), (1, 0, 0))

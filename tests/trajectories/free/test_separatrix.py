@@ -28,6 +28,7 @@ def test_momentum_near_the_separatrix_is_that_of_integration(d):
             assert abs(ours - arb(theirs.numerator) / theirs.denominator) < arb("1e-17")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gap", ["-1e-10", *slow(("1e-3",), ("1e-30",))])
 def test_gyrostat_near_a_separatrix(gap):
     """Next to a homoclinic motion the turn closes, on both sides, and doubles agree with enclosures to 10⁻¹⁴;

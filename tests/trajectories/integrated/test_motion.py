@@ -132,7 +132,7 @@ def test_error_covers_the_error(inertia, rotor, momentum, tilt, terms):
         assert np.abs(x - theirs).max() <= earlier < 1e-6
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_transcendental_field(kind):
     """U = exp(1 + k3), a body of revolution with irrational numbers: the state is the oracle's."""

@@ -11,6 +11,7 @@ from gyrostat.errors import AccuracyError, ValuesError
 from gyrostat.trajectories.integrated.motion import Integration
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("U", [lambda a, b, c: 2 * log(c), lambda a, b, c: -1 / c**2,
                                lambda a, b, c: sqrt(c)], ids=["log", "pole", "root"])

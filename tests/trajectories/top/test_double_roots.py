@@ -67,7 +67,7 @@ QUICK = [("degree 3", "-1e-6"), ("degree 3", "1e-14"), ("degree 6", "1e-2"), ("e
          ("exp", "-1e-14")]
 
 
-@pytest.mark.few(2)
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "gap"), [
     *QUICK, *slow(*((kind, gap) for kind in THIRD for gap in GAPS if (kind, gap) not in QUICK))])
 def test_roots_that_almost_meet(kind, gap):

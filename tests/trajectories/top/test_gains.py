@@ -96,6 +96,7 @@ def quadrature(inertia, l, U, state):
 POTENTIALS = {"exp": mpmath.exp, "log": lambda z: mpmath.log(z + 2), "pole": lambda z: 1 / (z + 2)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [
     "degree 4", "exp", "k of length 5",
     *slow(("degree 1",), ("degree 2 between",), ("negative l and pi3",))])
@@ -138,6 +139,7 @@ def test_period_of_degree_one_is_a_complete_integral():
         assert found.limits == pytest.approx((float(z[0].real), float(z[1].real)), rel=1e-15)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", CASES)
 def test_a_period_later_the_body_is_turned(name):
     """R(t + T) = Rz(Δφ) R(t) Rz(Δψ), and k3 is back."""

@@ -25,6 +25,7 @@ def test_state_is_that_of_taylor_series(name):
     assert max(found.drift(np.linspace(-20, 20, 40)).values()) < 4e-14
 
 
+@pytest.mark.slow
 @some
 @given(I1=draw.moments, I3=draw.moments, l=small, U=st.lists(small, min_size=1, max_size=5).filter(any),
        p=st.tuples(small, small, small),
@@ -40,6 +41,7 @@ def test_any_body_anywhere(I1, I3, l, U, p, tilt, turn, t):
     assert off(found(float(t)), theirs((I1, I3), l, U, state, t)) < 1e-14 * float(1 + speed * abs(t))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", MANY)
 def test_many_digits(name):
     """With precision=30 the state has 28 digits of the oracle's."""
@@ -61,6 +63,7 @@ def test_a_start_at_a_turning_point_has_its_digits(name):
             assert abs(ours - mpmath.mpf(F(given).numerator) / F(given).denominator) < 1e-29
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", [
     "degree 1", "degree 4", "at the lower turning point of degree 6", "from the upper pole, pair",
     "swinging", "swinging across k1",
@@ -109,6 +112,7 @@ def test_turning_the_body_frame(turn, t):
     np.testing.assert_allclose(turned, [*(R @ x[:3]), *(R @ x[3:])], atol=1e-14)
 
 
+@pytest.mark.slow
 @some
 @given(l=small, U=st.lists(small, min_size=1, max_size=4).filter(any), p=st.tuples(small, small, small),
        tilt=draw.tilts, t=small)

@@ -79,6 +79,7 @@ def test_published_cubic():
     assert len(roots.others) == 1 and float(roots.leading) == 200
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("precision", [128, 300])
 @pytest.mark.parametrize("U", [exp, lambda z: log(z + 2), lambda z: 1 / (z + 2)])
 def test_turning_points_of_a_function_are_enclosed(U, precision):
@@ -166,6 +167,7 @@ def test_double_roots_at_a_pole():
     assert function.contact == (0, 2) and found(function).double == (False, True)
 
 
+@pytest.mark.slow
 def test_a_root_of_third_order_is_out_of_scope():
     """P² = 4 I1 U′(1), U′ + U″ < 0, energy of E1.
 
