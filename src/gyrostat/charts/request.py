@@ -61,8 +61,9 @@ class Request:
 
     @property
     def windowed(self) -> bool:
-        """Whether gyroscopic forces may hold a maximum: of a body of revolution or without a field none."""
-        return self.report.boundary is None and self.report.equilibrium.system.potential is not None
+        """Whether a normal form may decide where gyroscopic forces hold a maximum: in one direction."""
+        scene = self.report.equilibrium.system
+        return self.report.boundary is None and scene.potential is not None and not scene.coupled
 
     def variables(self, arrays: Sequence[Array], threads: int = 1,
                   progress: Told | bool | None = False) -> dict[str, Array]:

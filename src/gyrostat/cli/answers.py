@@ -7,6 +7,7 @@ from sympy import Expr
 
 from ..algebra.exact import sign_of_constant
 from ..errors import ScopeError, ValuesError
+from ..mechanics.circular_orbit import in_orbit
 from ..mechanics.families import E3, FAMILIES, POLES
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
@@ -30,12 +31,12 @@ from .equilibria import (
     its_own,
     known_names,
     labels_of,
-    named,
     of_each,
     report_at,
     report_of,
     some,
 )
+from .labels import named
 
 # with these numbers of the motion all are found
 MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})
@@ -124,11 +125,13 @@ def _tilted(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]
 
 def _asks_for_all(scene: System, numbers: Mapping[str, Expr]) -> bool:
     """Whether the numbers ask for every equilibrium: of a free body on a sphere of the momentum, in a field
-    at a rate, on a level or at a tilt.
+    at a rate, on a level or at a tilt; of a satellite in orbit wherever they are enough.
     """
     own = numbers.keys() - {s.name for s in names_of_scene(scene)}
     if scene.potential is None:
         return "M" in own
+    if in_orbit(scene) and not scene.body.is_of_revolution():
+        return numbers.keys() >= {s.name for s in names_of_scene(scene)}
     return scene.potential.given and any(
         name in ("omega", "C1") or name[:1] == "k" and name[1:] in ("1", "2", "3", "c") for name in own)
 

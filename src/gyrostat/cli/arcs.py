@@ -13,7 +13,7 @@ from ..stability.gyrostat_arcs import GyrostatArc
 from ..stability.staude import staude_cone
 from ..stability.staude_arcs import StaudeArc
 from .asked import Asked, scene_of
-from .equilibria import named
+from .labels import named
 
 Arcs = Sequence[StaudeArc] | Sequence[GyrostatArc]
 
@@ -22,7 +22,9 @@ def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Arc
     """Every arc of permanent rotations; none where something else is asked, or U is not c·k."""
     scene = scene_of(asked)
     U = scene.potential
-    if named(asked, label and [label]) or U is None or not U.given or reducible(scene) or (
+    if named(asked, label and [label]) or U is None or scene.coupled or not U.given:
+        return []
+    if reducible(scene) or (
             numbers.keys() != {s.name for s in names_of_scene(scene)}):
         return []
     if any(x.free_symbols & set(scene.space.coordinates) for x in map(U.value, filter(None, U.gradient()))):

@@ -9,8 +9,7 @@ from sympy import Expr
 from ..algebra.grammar import parse
 from ..errors import ValuesError, brief
 from ..mechanics.directions import stereographic
-from ..mechanics.potential import Potential
-from ..mechanics.scene_tables import AXIAL, SceneTable
+from ..mechanics.scene_tables import AXIAL, NONE, SceneTable
 from ..mechanics.system import System
 from ..stability.values import names_in
 
@@ -32,6 +31,10 @@ class Asked:
         the name of the spin of E1 and E2; the name that the relation of E3 expresses
     direction : str or None
         of a permanent rotation: three expressions, or stereographic
+    orbit : str or None
+        its rate, or mu=…,radius=…
+    pointing : str or None
+        the body axes along roll, pitch and yaw
     integrals : tuple of str or None
         beside those that are found
     """
@@ -43,25 +46,28 @@ class Asked:
     spin: str | None = None
     eliminate: str | None = None
     direction: str | None = None
+    orbit: str | None = None
+    pointing: str | None = None
     integrals: tuple[str, ...] | None = None
 
     def of_body(self, names: Collection[str]) -> "Asked":
         """With a body, where none is given: that which the names belong to.
 
-        I1, I3, or with I2, or k1 and k2 in U, or without a field I1, I2, I3; l, or l1, l2, l3.
+        I1, I3, or with I2, or k1 and k2 in U, or without a field I1, I2, I3; l, in orbit along the axis of
+        pitch, or l1, l2, l3.
         """
-        potential = AXIAL if self.potential is None else self.potential
+        potential = self.potential or (AXIAL if self.orbit is None else NONE)
         inertia, momentum = self.inertia, self.gyrostatic_momentum
         if inertia is None:
-            field = _field(potential)
-            three = field is None or not field.axial or "I2" in names
+            three = self.orbit is not None or _of_three(potential) or "I2" in names
             inertia = f"I1,{'I2' if three else 'I1'},I3"
         if momentum is None:
             rotor = [name for name in ROTOR if name in names]
             if rotor and "l" in names:
                 raise ValuesError(f"both l and {rotor[0]} are given, l is the rotor along axis 3: give l, or "
                                   f"{', '.join(ROTOR)}")
-            momentum = ",".join(ROTOR) if rotor else "0,0,l"
+            axis = 3 if self.orbit is None else abs(pointing_of(self)[1])
+            momentum = ",".join(ROTOR if rotor else ("l" if n == axis else "0" for n in (1, 2, 3)))
         return replace(self, potential=potential, inertia=inertia, gyrostatic_momentum=momentum)
 
 
@@ -79,12 +85,16 @@ def scene_of(asked: Asked) -> System:
     rows = [entries(row) for row in str(asked.inertia).split(";")]
     body = {"inertia": rows if len(rows) > 1 else rows[0],
             "gyrostatic_momentum": entries(str(asked.gyrostatic_momentum))}
-    return SceneTable({"potential": asked.potential, **body, "integrals": list(asked.integrals or ())}).system
+    orbit = {} if asked.orbit is None else {"orbit": asked.orbit}
+    return SceneTable({"potential": asked.potential, **body, **orbit,
+                       "integrals": list(asked.integrals or ())}).system
 
 
 @lru_cache(maxsize=64)
-def _field(potential: str) -> Potential | None:
-    return SceneTable({"potential": potential}).potential
+def _of_three(potential: str) -> bool:
+    """Whether it is a field of a body of three moments."""
+    field = SceneTable({"potential": potential}).potential
+    return field is None or not field.axial
 
 
 def entries(text: str) -> list[str]:
@@ -101,9 +111,15 @@ def direction_of(asked: Asked) -> tuple[Expr, ...] | None:
     return tuple(map(parse, entries(asked.direction)))
 
 
+def pointing_of(asked: Asked) -> Sequence[int]:
+    """The body axes along roll, pitch and yaw."""
+    axes: Sequence[int] = SceneTable({"pointing": asked.pointing or "1,2,3"}).table["pointing"]
+    return axes
+
+
 def whole_scene(given: argparse.Namespace, names: Collection[str]) -> System:
     """The scene of a motion: every name in it has a number."""
-    if given.potential is None:
+    if given.potential is None and given.orbit is None:
         raise ValuesError('--potential is missing, and an unspecified U moves nothing: write --potential '
                           '"m0*k3", or none for a free body')
     scene = scene_of(asked_of(given, names))

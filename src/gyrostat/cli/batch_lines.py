@@ -13,7 +13,7 @@ from sympy import Expr
 from ..algebra.inputs import LINE, json_object, name_of
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError, brief
-from ..mechanics.families import called, in_a_field, in_words
+from ..mechanics.families import called, in_words, known_families
 from ..printing.files import moved, replaceable
 from .asked import Asked, asked_of
 from .options import one_spin, unless_given
@@ -87,10 +87,10 @@ def question(line: bytes, given: argparse.Namespace,
     own = json_object(line)
     point = None if "equilibrium" in own else given.point
     potential, label = own.pop("potential", given.potential), own.pop("equilibrium", given.equilibrium)
-    family = called(label, in_a_field()) if isinstance(label, str) else None
+    family = called(label, families := known_families()) if isinstance(label, str) else None
     if not isinstance(potential, str | None) or label is not None and family is None:
         raise ValuesError(f"potential = {brief(potential)}, equilibrium = {brief(label)}: a potential is a "
-                          f"text in the grammar of --potential, an equilibrium {in_words(in_a_field())}")
+                          f"text in the grammar of --potential, an equilibrium {in_words(families)}")
     if wrong := [name for name in own if not name_of(name)]:
         raise ValuesError(f"{brief(wrong[0])} is not a name: write {{\"I1\": 1.6}}")
     numbers = {name_of(name): exact_number(value, name) for name, value in own.items()}

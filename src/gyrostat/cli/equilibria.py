@@ -9,8 +9,9 @@ from sympy import Expr, ImmutableMatrix, Symbol
 
 from ..algebra.grammar import parse
 from ..errors import EquilibriumError, GyrostatError, ValuesError
+from ..mechanics.circular_orbit import in_orbit
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import E3, E3_AT_REST, FAMILIES, POLES, PRINCIPAL, in_a_field
+from ..mechanics.families import E3, E3_AT_REST, FAMILIES, PRINCIPAL
 from ..mechanics.reduction import reducible
 from ..mechanics.system import at_numbers, names_of_scene
 from ..notation import jet, symbol
@@ -18,43 +19,13 @@ from ..printing.blocks import Block, Heading, prose
 from ..stability.analysis import analyze
 from ..stability.report import Decision, Report, Verdict
 from ..stability.values import unknown
-from .asked import Asked, direction_of, one_for_each, scene_of
+from .asked import Asked, direction_of, one_for_each, pointing_of, scene_of
+from .labels import CLAIMED, by_point, labels, labels_in_words, likely, named, where
 from .options import spin_of
 
-CLAIMED = "E"                                          # the label of the point of --point
 AT_REST = E3_AT_REST.label
-BY_POINT = "--point PI1,PI2,PI3,K1,K2,K3"
 Names = Mapping[str, Expr | None]                      # numbers, None for a name that an axis gives
 Found = TypeVar("Found")
-
-
-def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
-    """The labels of --equilibrium in the order given, or that of --point; none where both are left out."""
-    if asked.point is not None:
-        if given:
-            raise ValuesError(f"--point and --equilibrium {given[0]} are both given: leave out one of the "
-                              "two")
-        return (CLAIMED,)
-    free, known = scene_of(asked).potential is None, {f.asked_for: f for f in FAMILIES.values()}
-    for text in given or ():
-        if free and not known[text].free:
-            raise ValuesError(f"--equilibrium {text} needs a field, --potential none has none: leave out one "
-                              "of the two")
-        if known[text].free and not free:
-            raise ValuesError(f"--equilibrium {text} is of a free body, --potential {asked.potential} is a "
-                              f"field: name {labels_in_words()}, or a point, {BY_POINT}")
-    return tuple(dict.fromkeys(known[text].label for text in given or ()))
-
-
-def labels() -> tuple[str, ...]:
-    """The labels of the equilibria of a body of revolution in U(k3)."""
-    return tuple(family.label for family in in_a_field() if family.pole or family.tilted)
-
-
-def labels_in_words() -> str:
-    """What the families in a field are asked for, as a list in words."""
-    *others, last = (family.asked_for for family in in_a_field())
-    return f"{', '.join(others)} or {last}"
 
 
 def labels_of(asked: Asked, given: Sequence[str] | None,
@@ -73,18 +44,19 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
     if scene.potential is None and principal and not any(scene.body.gyrostatic_momentum[:2]):
         return (PRINCIPAL[2].label,), []
     held, decide = [], ""
-    if scene.potential is None:
+    if in_orbit(scene):
+        decide = "; gyrostat decide finds all, where every name has a number"
+    elif scene.potential is None:
         decide = "; gyrostat decide finds all, where every name and M have a number"
     elif scene.potential.given:
         decide = ("; gyrostat decide finds those of a rate omega, a level C1 or a direction k1, k2, k3, "
                   "where every name has a number")
-    for family in POLES.values() if scene.potential else PRINCIPAL:
+    for family in likely(scene):
         with contextlib.suppress(EquilibriumError):
             held.append(report_at(asked, family.label, numbers).equilibrium.label)
-    by_point = BY_POINT if scene.potential else "--point PI1,PI2,PI3"
     others = "Other equilibria" if held else "Equilibria"
-    return held, [Missing(others, f"{others} of this scene are not looked for: name one, {by_point}, in "
-                          f"numbers or expressions{decide}")]
+    return held, [Missing(others, f"{others} of this scene are not looked for: name one, {by_point(scene)}, "
+                          f"in numbers or expressions{decide}")]
 
 
 def some(labels: Sequence[str], missing: Sequence["Missing"]) -> None:
@@ -122,7 +94,7 @@ def _equilibrium(asked: Asked, label: str, spin: str, known: Mapping[Symbol, Exp
         return Equilibrium(CLAIMED, scene, _point(asked), held)
     eliminate = asked.eliminate if label == E3.label else None
     here = at_numbers(scene, known) if known else scene
-    eq = FAMILIES[label].of(here, spin, eliminate, direction_of(asked))
+    eq = FAMILIES[label].of(here, spin, eliminate, direction_of(asked), pointing_of(asked))
     return replace(eq, system=scene, relations=(*eq.relations, *held)) if known else eq
 
 
@@ -177,10 +149,11 @@ def reports_of(asked: Asked, labels: Sequence[str], numbers: Names) -> tuple[lis
 
 def report_for(what: str, asked: Asked, given: str | None, numbers: Names) -> Report:
     """The report of the one equilibrium that a chart or a picture is of."""
-    if scene_of(asked).potential is not None and not named(asked, given and [given]):
-        raise ValuesError(f"--equilibrium is missing, a {what} is of one: name {labels_in_words()}, or a "
-                          f"point, {BY_POINT}")
+    scene = scene_of(asked)
     wanted, missing = labels_of(asked, given and [given], numbers)
+    if not named(asked, given and [given]) and (where(scene) == "field" or len(wanted) > 1):
+        raise ValuesError(f"--equilibrium is missing, a {what} is of one: name {labels_in_words(scene)}, or "
+                          f"a point, {by_point(scene)}")
     some(wanted, missing)
     (report, *_), _ = reports_of(asked, wanted, numbers)
     eq = report.equilibrium
@@ -198,7 +171,7 @@ def _tilted(asked: Asked, numbers: Names) -> list[Report]:
     scene = scene_of(asked)
     if not reducible(scene):
         raise ValuesError("E3 is a family of bodies of revolution in U(k3), and this scene is none of them: "
-                          f"name a point of it, {BY_POINT}")
+                          f"name a point of it, {by_point(scene)}")
     if scene.potential and scene.potential.given and asked.eliminate is None:
         free = [name for name in ("k3", *map(str, scene.potential.parameters)) if name not in numbers]
         for name in free if "l" in numbers else ():

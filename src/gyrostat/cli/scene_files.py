@@ -13,7 +13,8 @@ from .options import SPINS, numbers_of, unless_given
 # what a file means where it does not say it, as for a formula
 BODY: dict[str, Any] = {"inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "0"],
                         "potential": NONE}
-TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals")   # what an option of that name has too
+# what an option of that name has too
+TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals", "orbit", "pointing")
 REPEATED = ("integrals",)                              # texts of an option that may be repeated
 NAMING = frozenset({"equilibrium", "point"})           # one goes before the other
 SEVERAL = ("report", "conditions")                     # verbs that take more than one --equilibrium
@@ -90,7 +91,9 @@ def _text(value: Any) -> str:
     """As an option has it; the rows of a tensor with ; between them."""
     if isinstance(value, str):
         return value
-    return ";".join(map(_text, value)) if isinstance(value[0], list) else ",".join(value)
+    if isinstance(value, dict):
+        return ",".join(f"{name}={text}" for name, text in value.items())
+    return ";".join(map(_text, value)) if isinstance(value[0], list) else ",".join(map(str, value))
 
 
 def _names(texts: Iterable[Any]) -> set[str]:

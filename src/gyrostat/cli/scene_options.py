@@ -14,9 +14,14 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
                       "numbers in values; options go before what stands in it")
     verb.add_argument("--inertia", metavar="I1,I2,I3",
                       help=f"the principal moments, {THREE}, or a tensor, its rows with ; between them; "
-                      "left out: I1,I1,I3, or I1,I2,I3 with I2 set, k1 or k2 in U, or no field")
+                      "left out: I1,I1,I3, or I1,I2,I3 with I2 set, k1 or k2 in U, no field, or an orbit")
+    verb.add_argument("--orbit", metavar="RATE", help="of a circular orbit: a name or a number, omega0 or "
+                      "'0.0011 rad/s', or 'mu=398600.4418 km^3/s^2,radius=6778 km'; U is then that of "
+                      "the gravity gradient, and --potential what acts beside it, in n1, n2, n3, the "
+                      "normal, and r1, r2, r3, the vertical")
     verb.add_argument("--gyrostatic-momentum", metavar="L1,L2,L3",
-                      help=f"of the rotor, {THREE}; left out: 0,0,l, or l1,l2,l3 where one of them is set")
+                      help=f"of the rotor, {THREE}; left out: 0,0,l, in orbit l along the "
+                      "axis of pitch, or l1,l2,l3 where one of them is set")
 
 
 def integral(verb: argparse.ArgumentParser) -> None:
@@ -39,6 +44,10 @@ def claimed_point(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--direction", metavar="K1,K2,K3",
                       help=f"of a permanent rotation, {THREE}, a unit vector; or stereographic: by two "
                       "coordinates u1, u2; left out: any, with the names k1, k2, k3")
+    verb.add_argument("--pointing", metavar="ROLL,PITCH,YAW",
+                      help="of earth-pointing: the body axes along the velocity, the normal of the orbit and "
+                      "the vertical, 1, 2, 3 in some order, -2 for one that points the other way; left out: "
+                      "1,2,3")
 
 
 def an_equilibrium(verb: argparse.ArgumentParser, left_out: str, action: str = "store") -> None:

@@ -23,11 +23,12 @@ class Family:
     make : callable
         of a scene, and of what the family is made with
     made_with : str
-        the argument that its maker takes besides: "spin", "eliminate", "direction", or "" for none
+        the argument that its maker takes besides: "spin", "eliminate", "direction", "pointing", or "" for
+        none
     pole : int
         1 where k points upwards, −1 downwards, 0 at a tilt, and of a free body
-    free : bool
-        of a free body
+    where : str
+        what its scenes are: "field", of one direction, "free", or "orbit"
     asked_for : str
         what the command line and published files call it; "" if it is only found
     source : str
@@ -39,7 +40,7 @@ class Family:
     make: Callable[..., "Equilibrium"]
     made_with: str = ""
     pole: int = 0
-    free: bool = False
+    where: str = "field"
     asked_for: str = ""
     source: str = "Vera & Viguera 2003, §3"
 
@@ -49,7 +50,7 @@ class Family:
         return self.made_with == "eliminate"
 
     def of(self, scene: "System", spin: str = "pi3_0", eliminate: str | None = None,
-           direction: Sequence[Any] | None = None) -> "Equilibrium":
+           direction: Sequence[Any] | None = None, pointing: Sequence[int] | None = None) -> "Equilibrium":
         """The equilibrium of a scene, made with what its maker takes."""
-        given = {"spin": spin, "eliminate": eliminate, "direction": direction}
+        given = {"spin": spin, "eliminate": eliminate, "direction": direction, "pointing": pointing}
         return self.make(scene, given[self.made_with]) if self.made_with else self.make(scene)

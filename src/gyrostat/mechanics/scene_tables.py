@@ -13,6 +13,8 @@ from ..errors import PublishedError, brief
 from ..kept import cached_property
 from ..notation import symbol
 from .body import Gyrostat
+from .circular_orbit import circular_orbit
+from .coupled import CoupledPotential
 from .families import called, in_words, known_families
 from .family import Family
 from .potential import Potential
@@ -23,8 +25,9 @@ from .system import System, assemble
 LISTS = ("inertia", "gyrostatic_momentum", "point", "state", "integrals")    # of texts or numbers
 # of each rotor, texts or numbers but for the axis
 ROTOR = ("axis", "axial", "transverse", "rate", "momentum")
-KEYS = {*LISTS, "rotors", "lumped", "potential", "values", "equilibrium", "spin", "eliminate", "angles",
-        "vertical", "given", "parameters"}
+ORBIT = ("rate", "mu", "radius")                      # of an orbit, texts or numbers
+KEYS = {*LISTS, "rotors", "lumped", "orbit", "pointing", "potential", "values", "equilibrium", "spin",
+        "eliminate", "angles", "vertical", "given", "parameters"}
 NONE, AXIAL, GENERAL = "none", "U(k3)", "U(k1,k2,k3)"   # potentials that are no expressions
 
 
@@ -74,10 +77,18 @@ class SceneTable:
             for rotor in self.table.get("rotors", []))
 
     @cached_property
-    def potential(self) -> Potential | None:
-        """none, U(k3), U(k1, k2, k3), or an expression in k3, or in k1, k2, k3."""
+    def potential(self) -> Potential | CoupledPotential | None:
+        """none, U(k3), U(k1, k2, k3), or an expression in k3, or in k1, k2, k3; in orbit that of the gravity
+        gradient, with an expression in n1, …, r3 beside it.
+        """
         text = self.table.get("potential", NONE)
         bare = "".join(text.split())
+        if "orbit" in self.table:
+            if bare in (AXIAL, GENERAL):
+                raise PublishedError(f"potential = {bare} is unspecified, and in orbit the gravity gradient "
+                                     "acts: leave it out, or write an expression in n1, n2, n3, r1, r2, r3")
+            orbit = {name: in_si(x, name)[0] for name, x in self.table["orbit"].items()}
+            return circular_orbit(**orbit, potential=0 if bare == NONE else parse(text))
         if bare == NONE:
             return None
         if bare in (AXIAL, GENERAL):
@@ -122,6 +133,10 @@ def _read(name: str, value: Any) -> Any:
         return _values(value)
     if name == "rotors":
         return _rotors(value)
+    if name == "orbit":
+        return _orbit(value)
+    if name == "pointing":
+        return _pointing(value)
     if name == "lumped":
         if not isinstance(value, bool):
             raise PublishedError(f"lumped = {brief(value)}: write true or false")
@@ -163,6 +178,31 @@ def _rotors(value: Any) -> list[dict[str, Any]]:
                                  + ("[0, 1, 0]" if missing[0] == "axis" else '"0.05 kg m^2"'))
     return [{name: _texts(name, x) if name == "axis" else _texts(name, [x])[0] for name, x in rotor.items()}
             for rotor in value]
+
+
+def _orbit(value: Any) -> dict[str, str]:
+    """The rate, or mu and radius, of a table or of a text of an option: 0.0011 rad/s, mu=…, radius=…."""
+    if isinstance(value, str):
+        parts = [part.partition("=") for part in value.split(",")]
+        named = all(equals for _, equals, _ in parts)
+        value = {name.strip(): text.strip() for name, _, text in parts} if named else {"rate": value.strip()}
+    elif (text := _text(value)) is not None:
+        value = {"rate": text}
+    texts = {name: _text(x) for name, x in value.items()} if isinstance(value, dict) else {"": None}
+    if not texts or not texts.keys() <= set(ORBIT) or not all(texts.values()):
+        raise PublishedError(f'orbit = {brief(value)}: give its rate, orbit = "omega0" or "0.0011 rad/s", or '
+                             'mu and radius, orbit = { mu = "398600.4418 km^3/s^2", radius = "6778 km" }')
+    return {name: text for name, text in texts.items() if text is not None}
+
+
+def _pointing(value: Any) -> list[int]:
+    """The body axes of roll, pitch and yaw."""
+    axes = value.split(",") if isinstance(value, str) else value if isinstance(value, list) else []
+    texts = [str(_text(x)).strip() for x in axes]
+    if sorted(text.removeprefix("-") for text in texts) != ["1", "2", "3"]:
+        raise PublishedError(f"pointing = {brief(value)}: give the body axes along roll, pitch and yaw, 1, 2 "
+                             "and 3 in some order, negative for one that points the other way, [1, 2, 3]")
+    return [int(text) for text in texts]
 
 
 def _values(value: Any) -> dict[str, str]:

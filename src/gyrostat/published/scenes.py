@@ -39,7 +39,8 @@ class Scene(SceneTable):
                                  'write the point, ["w*I1*3/5", "0", "w*I3*4/5", "3/5", "0", '
                                  '"4/5"], and in U the slope that it has there')
         spin, eliminated = self.table.get("spin", "pi3_0"), self.table.get("eliminate")
-        return None if self.family is None else self.family.of(self.system, spin, eliminated)
+        return None if self.family is None else self.family.of(
+            self.system, spin, eliminated, pointing=self.table.get("pointing"))
 
     @cached_property
     def claimed(self) -> tuple[Expr, ...]:
