@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from .mechanics.potentials import axial_potential, general_potential
     from .mechanics.principal import principal_rotation
     from .mechanics.reduction import reduce
+    from .mechanics.release import release
     from .mechanics.rotors import Rotor, gyrostat_with_rotors
     from .mechanics.steady import steady_motion
     from .mechanics.system import System, assemble
@@ -92,18 +93,19 @@ __all__ = [
     "mechanics", "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent",
     "orbital_precession", "OrbitalEquilibrium", "own_precision", "parallel_directions", "permanent_rotation",
     "PermanentRotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
-    "relative_equilibria", "Report", "RotationContinuation", "Rotor", "second_variation", "SecondVariation",
-    "secular_criterion", "secular_variation", "Solution", "solve_condition", "SolvedCondition",
-    "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt", "staude_cone",
-    "StaudeArc", "StaudeCone", "steady_motion", "stereographic", "symbol", "symmetric_gyrostat",
-    "symplectic_slice", "System", "to_latex", "trajectories", "underwater_vehicle", "uniform_field",
-    "upright", "Verdict", "Window",
+    "relative_equilibria", "release", "Report", "RotationContinuation", "Rotor", "second_variation",
+    "SecondVariation", "secular_criterion", "secular_variation", "Solution", "solve_condition",
+    "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt",
+    "staude_cone", "StaudeArc", "StaudeCone", "steady_motion", "stereographic", "symbol",
+    "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "underwater_vehicle",
+    "uniform_field", "upright", "Verdict", "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
     "charts": "", "mechanics": "", "plotting": "", "published": "", "trajectories": "",
     "algebra.precision": "own_precision", "mechanics.body": "Gyrostat symmetric_gyrostat",
     "mechanics.circular_orbit": "circular_orbit earth_pointing",
+    "mechanics.release": "release",
     "mechanics.claimed": "equilibrium", "mechanics.coupled": "CoupledPotential coupled_potential",
     "mechanics.directions": "stereographic",
     "mechanics.equilibria": "Equilibrium",

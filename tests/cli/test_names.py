@@ -8,7 +8,7 @@ from gyrostat.cli.options import axis_of, numbers_of
 from gyrostat.cli.parser import main, parser
 from gyrostat.cli.scene_files import with_scene
 from gyrostat.errors import GyrostatError, ValuesError
-from gyrostat.mechanics.families import FAMILIES, called, in_a_field, in_words, named
+from gyrostat.mechanics.families import FAMILIES, called, in_words, known_where, named
 
 HEAVY = ["--potential", "m0*k3", "--equilibrium", "E1"]
 SPUN = ["I1=1", "I3=1.6", "l=0", "m0=1", "omega3_0=1.25"]
@@ -58,11 +58,11 @@ def test_equilibria_have_the_words_of_the_field(text, label):
 
 def test_the_words_are_those_of_the_families():
     """A word that several have names none of them."""
-    assert list(named(in_a_field())) == ["E1", "E2", "E3", "permanent-rotation", "upright", "hanging",
+    assert list(named(known_where("field"))) == ["E1", "E2", "E3", "permanent-rotation", "upright", "hanging",
                                          "inclined"]
-    assert in_words(in_a_field()) == (
+    assert in_words(known_where("field")) == (
         "E1 or upright, E2 or hanging, E3 or inclined, permanent-rotation")
-    free = [family for family in FAMILIES.values() if family.free]
+    free = known_where("free")
     assert called("Axis 2", free) is FAMILIES["rotation about axis 2"]
     assert called("principal rotation", free) is None
 

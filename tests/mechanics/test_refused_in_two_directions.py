@@ -33,7 +33,7 @@ REFUSED = {
     "draw_rotor_set": lambda scene: gs.plotting.draw_rotor_set(scene, {"l3": 0, "M": 1}),
     "draw_staude_cone": gs.plotting.draw_staude_cone, "draw_staude_plane": gs.plotting.draw_staude_plane}
 ANSWERED = {"equilibrium", "assemble", "earth_pointing", "relative_equilibria", "orbital_precession",
-            "steady_motion"}
+            "steady_motion", "release"}
 
 
 @pytest.mark.parametrize("scene", SCENES)

@@ -62,6 +62,10 @@ ANSWERED = {
     "stabilizing_set": lambda: gs.stabilizing_set(gs.analyze(gs.upright(HEAVY)), "pi3_0", {}),
     "verdicts": lambda: gs.charts.verdicts(gs.analyze(gs.upright(HEAVY)), {"pi3_0": [0, 20]}),
     "draw_eigenvalues": lambda: gs.plotting.draw_eigenvalues(gs.upright(HEAVY), "pi3_0", [0, 1], {}),
+    "release": lambda: gs.release(gs.assemble(
+        gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1)), (0, 0, 0)),
+    "draw_librations": lambda: gs.plotting.draw_librations(gs.trajectories.motion(gs.assemble(
+        gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1)), (0, 5, 0, 0, 1, 0, 0, 0, 1)), [0, 1]),
     "draw_nutation": lambda: gs.plotting.draw_nutation(
         gs.trajectories.motion(HEAVY, (1, 2, 3, "3/5", 0, "4/5")), [0, 0.5, 1]),
 }

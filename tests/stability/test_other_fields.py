@@ -129,7 +129,7 @@ def test_a_magnet_on_a_symmetric_satellite():
 
 def test_what_is_no_other_field():
     """Of k it is refused; an attitude that it turns is none."""
-    with pytest.raises(PotentialError, match="n1, n2, n3, r1, r2, r3"):
+    with pytest.raises(PotentialError, match="n1, n2, n3, the normal, and r1, r2, r3"):
         gs.circular_orbit(potential=gs.symbol("k3"))
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.circular_orbit(1, potential=N[0]))
     with pytest.raises(EquilibriumError, match="dpi3/dt"):

@@ -59,7 +59,7 @@ def test_the_quaternion_moves_with_omega():
                  {"I1": 1, "I3": "0.6", "l": "0.4", "m0": 1})
     t, h = np.linspace(0, 5, 6), 1e-4
     times = np.sort(np.concatenate([t - h, t, t + h]))
-    of = {c.name: c.values for c in columns(top.scene, top(times), top.attitude(times))}
+    of = {c.name: c.values for c in columns(top.scene, times, top(times), top.attitude(times))}
     q, omega = (np.stack([of[f"{x}{i}"] for i in r], axis=1)
                 for x, r in (("q", range(4)), ("omega", (1, 2, 3))))
     for n in range(1, len(times), 3):
@@ -71,11 +71,12 @@ def test_the_quaternion_moves_with_omega():
 def test_units():
     """Those of SI, of every column."""
     box = motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), (1, 2, 3))
-    found = {c.name: c.units for c in columns(box.scene, box(np.zeros(1)), box.attitude(np.zeros(1)))}
+    at = np.zeros(1)
+    found = {c.name: c.units for c in columns(box.scene, at, box(at), box.attitude(at))}
     assert found == {"pi1": "kg m2 s-1", "pi2": "kg m2 s-1", "pi3": "kg m2 s-1", "omega1": "s-1",
                      "omega2": "s-1", "omega3": "s-1",
                      "q0": "1", "q1": "1", "q2": "1", "q3": "1", "phi": "rad", "theta": "rad", "psi": "rad"}
-    assert [c.name for c in columns(box.scene, box(np.zeros(1)), None)][-1] == "omega3"
+    assert [c.name for c in columns(box.scene, np.zeros(1), box(np.zeros(1)), None)][-1] == "omega3"
 
 
 @pytest.mark.parametrize("given", ["10", "1/3", "sqrt(2)", "0.1"])

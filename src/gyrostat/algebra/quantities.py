@@ -37,7 +37,8 @@ _INERTIA, _MOMENTUM, _TORQUE = Dimension(1, 2, 0), Dimension(1, 2, -1), Dimensio
 _BESIDE = MappingProxyType({
     "inertia": _INERTIA, "gyrostatic_momentum": _MOMENTUM, "axial": _INERTIA, "transverse": _INERTIA,
     "rate": Dimension(0, 0, -1), "momentum": _MOMENTUM, "M": _MOMENTUM, "C1": _MOMENTUM,
-    "energy": _TORQUE, "axis": NONE,
+    "energy": _TORQUE, "axis": NONE, "orbit rate": Dimension(0, 0, -1), "orbit mu": Dimension(0, 3, -2),
+    "orbit radius": Dimension(0, 1, 0),
     "--momentum": _MOMENTUM, "--until": Dimension(0, 0, 1), "--step": Dimension(0, 0, 1)})
 _MASS, _LENGTH, _TIME, _FORCE = (Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1),
                                  Dimension(1, 1, -2))

@@ -7,6 +7,7 @@ import numpy as np
 from ..algebra.floats import Array
 from ..algebra.readable import readable
 from ..errors import optional
+from ..mechanics.circular_orbit import by_gradient_alone
 from ..mechanics.equilibria import Equilibrium
 from ..notation import NOTATION, dimension_of, jet, typeset, units
 from ..printing.latex import tex
@@ -102,7 +103,7 @@ def _attributes(eq: Equilibrium) -> dict[str, str]:
     return {"Conventions": "CF-1.11", "title": f"Stability of {eq.label}", "equilibrium": eq.label,
             "potential": str(potential.expression) if potential else "none",
             **({"potential_latex": tex(potential.expression, Names())}
-               if potential and potential.given else {}),
+               if potential and potential.given and not by_gradient_alone(eq.system) else {}),
             **relations,
             **({"eliminated": ", ".join(eq.eliminated)} if eq.eliminated else {}),
             "gyrostat_version": __version__}

@@ -56,7 +56,8 @@ class Asked:
         I1, I3, or with I2, or k1 and k2 in U, or without a field I1, I2, I3; l, in orbit along the axis of
         pitch, or l1, l2, l3.
         """
-        potential = self.potential or (AXIAL if self.orbit is None else NONE)
+        left_out = AXIAL if self.orbit is None else NONE
+        potential = left_out if self.potential is None else self.potential
         inertia, momentum = self.inertia, self.gyrostatic_momentum
         if inertia is None:
             three = self.orbit is not None or _of_three(potential) or "I2" in names
@@ -66,7 +67,7 @@ class Asked:
             if rotor and "l" in names:
                 raise ValuesError(f"both l and {rotor[0]} are given, l is the rotor along axis 3: give l, or "
                                   f"{', '.join(ROTOR)}")
-            axis = 3 if self.orbit is None else abs(pointing_of(self)[1])
+            axis = 3 if self.orbit is None else abs(pointing_of(self.pointing)[1])
             momentum = ",".join(ROTOR if rotor else ("l" if n == axis else "0" for n in (1, 2, 3)))
         return replace(self, potential=potential, inertia=inertia, gyrostatic_momentum=momentum)
 
@@ -111,9 +112,9 @@ def direction_of(asked: Asked) -> tuple[Expr, ...] | None:
     return tuple(map(parse, entries(asked.direction)))
 
 
-def pointing_of(asked: Asked) -> Sequence[int]:
+def pointing_of(text: str | None) -> Sequence[int]:
     """The body axes along roll, pitch and yaw."""
-    axes: Sequence[int] = SceneTable({"pointing": asked.pointing or "1,2,3"}).table["pointing"]
+    axes: Sequence[int] = SceneTable({"pointing": text or "1,2,3"}).table["pointing"]
     return axes
 
 

@@ -94,7 +94,7 @@ def _equilibrium(asked: Asked, label: str, spin: str, known: Mapping[Symbol, Exp
         return Equilibrium(CLAIMED, scene, _point(asked), held)
     eliminate = asked.eliminate if label == E3.label else None
     here = at_numbers(scene, known) if known else scene
-    eq = FAMILIES[label].of(here, spin, eliminate, direction_of(asked), pointing_of(asked))
+    eq = FAMILIES[label].of(here, spin, eliminate, direction_of(asked), pointing_of(asked.pointing))
     return replace(eq, system=scene, relations=(*eq.relations, *held)) if known else eq
 
 

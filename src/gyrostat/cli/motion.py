@@ -1,8 +1,7 @@
 """gyrostat motion: a body from a state on, as a table, as data, as a picture or as an animation."""
 import argparse
 import sys
-from collections.abc import Callable
-from decimal import Context, Decimal
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
@@ -11,21 +10,21 @@ from typing import Any
 
 import mpmath
 import numpy as np
-from sympy import Add, Expr, Rational, floor, sqrt
+from sympy import Add, sqrt
 
 from ..algebra.floats import Array
-from ..algebra.numbers import exact_number
 from ..charts.progress import telling
 from ..errors import ValuesError
+from ..mechanics.circular_orbit import in_orbit
 from ..notation import NOTATION
-from ..plotting import animate_top, draw_momentum_sphere, draw_nutation, save_animation
+from ..plotting import animate_top, draw_librations, draw_momentum_sphere, draw_nutation, save_animation
 from ..plotting.globe import curve_on, dots_on, towards
 from ..plotting.looks import BLUE, DARK, INK, axis, label, legend, named
 from ..printing.files import save_netcdf
-from ..trajectories import Motion, motion
+from ..trajectories import Motion
 from ..trajectories.columns import columns, dataset, turns_of
-from .asked import one_for_each, whole_scene
-from .options import LONGEST, numbers_of
+from .asked import pointing_of
+from .moving import motion_of, times_of
 from .output import FILMS, PICTURES, Output, file_of, printed_look, save_picture
 from .scene_files import with_scene
 
@@ -34,7 +33,6 @@ KINDS = ("a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .
 # times of a table, of a curve and of an animation where none are asked for
 ROWS, POINTS, FRAMES = 201, 2001, 150
 PARTS = 50                                             # of the times, between which the progress is shown
-LATEST = 10**300                                       # a time that is a double
 # above a table
 NUMBERS = ("inertia", "gyrostatic_momentum", "potential", "state", "route", "gyrostat_version")
 SPACE: dict[str, Any] = {"projection": "3d", "elev": 22, "azim": 40}
@@ -50,66 +48,16 @@ def run(given: argparse.Namespace, out: Output) -> int:
                           "write a .csv")
     times = times_of(given, {**dict.fromkeys(PICTURES, POINTS),
                              **dict.fromkeys(FILMS, FRAMES)}.get(kind, ROWS))
-    moving = motion_of(given)
+    moving, pointing = motion_of(given), pointing_of(given.pointing)
     if path is None or kind == ".csv":
-        drift = _table(moving, times, out, digits)
+        drift = _table(moving, times, out, digits, pointing)
     elif kind == ".nc":
-        drift = _data(moving, times, path)
+        drift = _data(moving, times, path, pointing)
     else:
-        drift = (_picture if kind in PICTURES else _film)(moving, times, path)
+        drift = (_picture(moving, times, path, pointing) if kind in PICTURES
+                 else _film(moving, times, path))
     print(_summary(moving, drift, digits), end="", file=sys.stderr)
     return 0
-
-
-def motion_of(given: argparse.Namespace) -> Motion:
-    """The motion that --potential, --set and --state name."""
-    numbers = numbers_of(given.values)
-    if given.state is None:
-        raise ValuesError("--state is missing, a motion starts from one: give PI1,PI2,PI3,K1,K2,K3, or of a "
-                          "free body PI1,PI2,PI3")
-    scene = whole_scene(given, numbers)
-    names, texts = scene.space.coordinates, one_for_each("--state", given.state, scene)
-    tolerance = None if given.tolerance is None else float(_positive("--tolerance", given.tolerance))
-    return motion(scene, [exact_number(text, str(name)) for text, name in zip(texts, names)], numbers,
-                  precision=given.precision,
-                  tolerance=tolerance)
-
-
-def times_of(given: argparse.Namespace, count: int) -> Array:
-    """The times from 0 to --until, doubles or decimals.
-
-    The states beside them are those at the times as they are written.
-    """
-    end = exact_number(given.until, "--until")
-    if not 0 < abs(end) < LATEST:
-        raise ValuesError(f"--until {given.until} is no end of a motion that starts at 0: give another "
-                          "time, before 0 to go back")
-    if given.step is None:
-        count = count if given.count is None else given.count
-        step = end / max(count - 1, 1)
-    else:
-        step = _positive("--step", given.step)
-        count = int(floor(abs(end) / step)) + 1
-        step = step if end > 0 else -step
-    if not 2 <= count <= LONGEST:
-        asked = f"--count {count}" if given.step is None else f"--step {given.step}"
-        raise ValuesError(f"--until {given.until} with {asked} is {count} times, which makes no table: "
-                          f"ask for 2 to {LONGEST}")
-    p, q = (step if isinstance(step, Rational)
-            else Rational(str(step.evalf(40 + (given.precision or 0))))).as_numer_denom()
-    p, q = int(p), int(q)
-    if given.precision is None:
-        return np.array([p * i / q for i in range(count)])
-    rounding = Context(prec=max(given.precision, 1))
-    return np.array([rounding.divide(Decimal(p * i), Decimal(q)) for i in range(count)], dtype=object)
-
-
-def _positive(option: str, text: str) -> Expr:
-    number = exact_number(text, option)
-    if not number > 0:
-        raise ValuesError(f"{option} {text} is not positive, and nothing else is meant by it: give, for "
-                          f"example, {option} 1e-3")
-    return number
 
 
 def _followed(moving: Motion, times: Array, at: Callable[[Array], Any],
@@ -125,14 +73,15 @@ def _followed(moving: Motion, times: Array, at: Callable[[Array], Any],
     return found, drift
 
 
-def _table(moving: Motion, times: Array, out: Output, digits: int | None) -> dict[str, float]:
+def _table(moving: Motion, times: Array, out: Output, digits: int | None,
+           pointing: Sequence[int]) -> dict[str, float]:
     """Comma-separated, after a # what is known of it.
 
     Doubles that are read back as they are, or all digits of the state.
     """
     if digits is None:
         states, turns, drift = _computed(moving, times)
-        found = columns(moving.scene, states, turns)
+        found = columns(moving.scene, times, states, turns, pointing)
         names, rows = [c.name for c in found], np.stack([c.values for c in found], axis=1)
         meaning = [f"{c.name} [{c.units}]: {c.meaning}" for c in found]
         write: Callable[[Any], str] = repr
@@ -163,22 +112,28 @@ def _computed(moving: Motion, times: Array) -> tuple[Array, Array | None, dict[s
     return np.concatenate(states), attitudes, drift
 
 
-def _data(moving: Motion, times: Array, path: Path) -> dict[str, float]:
+def _data(moving: Motion, times: Array, path: Path, pointing: Sequence[int]) -> dict[str, float]:
     """netCDF."""
     states, turns, drift = _computed(moving, times)
-    save_netcdf(dataset(columns(moving.scene, states, turns), times, moving.attributes), path)
+    found = columns(moving.scene, times, states, turns, pointing)
+    save_netcdf(dataset(found, times, moving.attributes), path)
     return drift
 
 
-def _picture(moving: Motion, times: Array, path: Path) -> dict[str, float]:
+def _picture(moving: Motion, times: Array, path: Path, pointing: Sequence[int]) -> dict[str, float]:
     """Left the sphere, of a free body with the path of M, of a body in a field with that of e3.
 
-    Right the components over the time.
+    Right the components over the time. Of a satellite in orbit roll, pitch and yaw.
     """
     from matplotlib.figure import Figure
 
     states, _, drift = _computed(moving, times)
     with printed_look():
+        if in_orbit(moving.scene):
+            figure = Figure(figsize=(5, 3.4))
+            draw_librations(moving, times, figure.subplots(), pointing=pointing)
+            save_picture(figure, path)
+            return drift
         figure = Figure(figsize=(7, 3.4))
         left, right = np.asarray(figure.subfigures(1, 2))
         sphere = left.add_subplot(**SPACE)

@@ -11,7 +11,7 @@ from .carried import carried_out
 from .completion import SHELLS, PrintCompletion
 from .help import KINDS, PROGRAM, VERBS, Formatter, examples
 from .output import standard_streams, told
-from .scene_options import a_scene, an_equilibrium, claimed_point, integral, numbers, scene_file
+from .scene_options import a_scene, an_equilibrium, claimed_point, integral, numbers, pointing, scene_file
 from .watch import signals
 
 LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
@@ -105,6 +105,10 @@ def _motion(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3",
                       help="at the time 0, exact; of a free body PI1,PI2,PI3; "
                       "pi is the momentum with the rotor locked, k the direction of the field in the body")
+    pointing(verb)
+    verb.add_argument("--release", metavar="ROLL,PITCH,YAW",
+                      help="of a satellite in orbit, in place of --state: at rest in the frame of the orbit, "
+                      "turned by these angles, '5 deg,0,0', by yaw first and by roll last")
     verb.add_argument("--until", metavar="T", required=True,
                       help="the last time; before 0 the motion goes back")
     among = verb.add_mutually_exclusive_group()

@@ -15,7 +15,8 @@ from ..notation import symbol
 from ..stability.notes import scene_note
 from .asked import Asked, asked_of, scene_of, whole_scene
 from .equilibria import report_for
-from .motion import POINTS, SPACE, motion_of, times_of
+from .motion import POINTS, SPACE
+from .moving import motion_of, times_of
 from .options import axis_of, numbers_of, one_spin
 from .output import PICTURES, Output, file_of, printed_look, save_picture
 from .scene_files import with_scene
@@ -132,6 +133,10 @@ def _unusual(scene: System, numbers: Numbers) -> str:
 
 def _in_a_field(given: argparse.Namespace, names: Collection[str]) -> System:
     """The scene that is given, with a field."""
+    if given.orbit is not None:
+        raise ValuesError(f"{given.kind} is of a body in a field fixed in space, and --orbit {given.orbit} "
+                          "is an orbit: leave it out; of a satellite plot eigenvalues draws the spectrum, "
+                          "chart the verdicts, motion how it moves")
     if given.potential is None or given.potential.strip() == "none":
         raise ValuesError(f'--potential is {given.potential or "missing"}, and {given.kind} is of a field: '
                           'write --potential "m0*k3"')

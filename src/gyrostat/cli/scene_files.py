@@ -6,7 +6,7 @@ from typing import Any
 
 from ..algebra.inputs import name_of, toml_of
 from ..algebra.spelling import names_in
-from ..errors import GyrostatError, PublishedError, brief
+from ..errors import GyrostatError, PublishedError, ValuesError, brief
 from ..mechanics.scene_tables import NONE, SceneTable, scene_tables
 from .options import SPINS, numbers_of, unless_given
 
@@ -14,9 +14,10 @@ from .options import SPINS, numbers_of, unless_given
 BODY: dict[str, Any] = {"inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "0"],
                         "potential": NONE}
 # what an option of that name has too
-TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals", "orbit", "pointing")
+TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals", "orbit", "pointing", "release")
 REPEATED = ("integrals",)                              # texts of an option that may be repeated
-NAMING = frozenset({"equilibrium", "point"})           # one goes before the other
+# of two one is given, and one goes before the other
+NAMING, STARTING = frozenset({"equilibrium", "point"}), frozenset({"state", "release"})
 SEVERAL = ("report", "conditions")                     # verbs that take more than one --equilibrium
 
 
@@ -29,9 +30,15 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
     if getattr(given, "scene", None) is None:
         return given
     options, table = vars(given), {**BODY, **_table(given.scene)}
+    if "orbit" in table and "orbit" not in options:
+        raise ValuesError(f"the scene {given.scene} is in orbit, and {given.kind} is of a free body: name "
+                          "another scene; of a satellite plot eigenvalues draws the spectrum, chart the "
+                          "verdicts")
     taken = {name for name, x in options.items() if x is not None}
     if options.get("equilibrium") or options.get("point"):
         taken |= NAMING
+    if STARTING & taken:
+        taken |= STARTING
     asked: dict[str, Any] = {name: table[name] if name in REPEATED else _text(table[name]) for name in TEXTS
                              if name in table and name in options.keys() | BODY and name not in taken}
     if "equilibrium" in table and not taken & NAMING:

@@ -15,10 +15,6 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--inertia", metavar="I1,I2,I3",
                       help=f"the principal moments, {THREE}, or a tensor, its rows with ; between them; "
                       "left out: I1,I1,I3, or I1,I2,I3 with I2 set, k1 or k2 in U, no field, or an orbit")
-    verb.add_argument("--orbit", metavar="RATE", help="of a circular orbit: a name or a number, omega0 or "
-                      "'0.0011 rad/s', or 'mu=398600.4418 km^3/s^2,radius=6778 km'; U is then that of "
-                      "the gravity gradient, and --potential what acts beside it, in n1, n2, n3, the "
-                      "normal, and r1, r2, r3, the vertical")
     verb.add_argument("--gyrostatic-momentum", metavar="L1,L2,L3",
                       help=f"of the rotor, {THREE}; left out: 0,0,l, in orbit l along the "
                       "axis of pitch, or l1,l2,l3 where one of them is set")
@@ -44,8 +40,13 @@ def claimed_point(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--direction", metavar="K1,K2,K3",
                       help=f"of a permanent rotation, {THREE}, a unit vector; or stereographic: by two "
                       "coordinates u1, u2; left out: any, with the names k1, k2, k3")
+    pointing(verb)
+
+
+def pointing(verb: argparse.ArgumentParser) -> None:
+    """The attitude of a satellite."""
     verb.add_argument("--pointing", metavar="ROLL,PITCH,YAW",
-                      help="of earth-pointing: the body axes along the velocity, the normal of the orbit and "
+                      help="in orbit: the body axes along the velocity, the normal of the orbit and "
                       "the vertical, 1, 2, 3 in some order, -2 for one that points the other way; left out: "
                       "1,2,3")
 
@@ -74,6 +75,10 @@ def a_scene(verb: argparse.ArgumentParser, meaning: str,
     verb.add_argument("--potential", metavar="EXPR",
                       help="U in k3, or k1, k2, k3, and parameters: names, numbers, + - * / ^, "
                       f"parentheses, sqrt, exp, log, sin, …; {potential}")
+    verb.add_argument("--orbit", metavar="RATE", help="of a circular orbit: a name or a number, omega0 or "
+                      "'0.0011 rad/s', or 'mu=398600.4418 km^3/s^2,radius=6778 km'; U is then that of "
+                      "the gravity gradient, and --potential what acts beside it, in n1, n2, n3, the "
+                      "normal, and r1, r2, r3, the vertical")
     scene_file(verb)
     numbers(verb, meaning)
 

@@ -11,6 +11,7 @@ from ..notation import symbol
 from .coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
 from .equilibria import Equilibrium
 from .liepoisson import hat
+from .potential import DIRECTIONS
 from .system import System
 
 NORMAL, VERTICAL = "n", "r"
@@ -74,9 +75,20 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
                     for i in (1, 2, 3) for j in (1, 2, 3)))
     U = Rational(3, 2) * omega0**2 * gravity - omega0 * Add(*(a * b for a, b in zip(n, l)))
     first, second, third = (-omega0 * x for x in n)
-    other = coupled_potential(potential, (NORMAL, VERTICAL)).expression
+    other = _beside(potential)
     return CircularOrbit((*n, *r), U + other, False, (first, second, third),
                          unit_and_orthogonal((NORMAL, VERTICAL)), other == 0)
+
+
+def _beside(potential: Any) -> Expr:
+    """Another energy in the directions of the orbit."""
+    fixed = sorted(str(k) for k in getattr(potential, "free_symbols", set()) & set(DIRECTIONS))
+    if fixed:
+        raise PotentialError(f"U = {potential} has {', '.join(fixed)}, a direction fixed in space, and "
+                             "in an orbit the directions turn: leave U out, the gravity gradient acts there "
+                             "anyway, or write what acts beside it in n1, n2, n3, the normal, and r1, r2, "
+                             "r3, the vertical")
+    return coupled_potential(potential, (NORMAL, VERTICAL)).expression
 
 
 def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
@@ -146,11 +158,17 @@ def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -
     require(scene, System, "the scene")
     if not in_orbit(scene):
         raise ScopeError("earth_pointing is of a satellite in orbit: assemble(body, circular_orbit())")
+    _, n, r = axes_of(roll, pitch, yaw)
+    return Equilibrium("Earth-pointing", scene, resting_at(scene, n, r))
+
+
+def axes_of(roll: int, pitch: int, yaw: int) -> list[list[int]]:
+    """t, n and r in body axes, of the body axes along them: t = n × r, whatever way roll points."""
     if sorted(map(abs, (roll, pitch, yaw))) != [1, 2, 3]:
         raise EquilibriumError(f"roll = {roll}, pitch = {pitch}, yaw = {yaw}: give the body axes 1, 2, 3 in "
                                "some order, negative for one that points the other way")
     n, r = ([abs(axis) // axis if i == abs(axis) else 0 for i in (1, 2, 3)] for axis in (pitch, yaw))
-    return Equilibrium("Earth-pointing", scene, resting_at(scene, n, r))
+    return [[int(x) for x in along_velocity(n, r)], n, r]
 
 
 def resting_at(scene: System, n: Any, r: Any) -> tuple[Expr, ...]:

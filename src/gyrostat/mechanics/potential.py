@@ -16,6 +16,7 @@ from ..shown import Shown
 
 _ANGLES, _HEIGHTS = ("theta", "Theta", "th"), ("z", "Z", "K3", "k_3", "kz", "k_z", "zeta", "gamma3",
                                                "gamma_3", "costheta", "cos_theta")
+_IN_ORBIT = {f"{direction}{n}" for direction in "nr" for n in (1, 2, 3)}
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
 U = Function("U", real=True)
 U.__module__ = __name__                                # pickle finds it by this name
@@ -184,6 +185,9 @@ def _derivative(expression: Expr, along: tuple[Symbol, ...]) -> Expr:
 
 def _meant(expression: Expr) -> str:
     """What is likely to have been meant: by a word, a formula; else a component of k."""
+    if _IN_ORBIT & {s.name for s in expression.free_symbols}:
+        return ("; n and r are the directions of a satellite in orbit: circular_orbit(potential=…), --orbit, "
+                "has the gravity gradient already")
     if expression.is_Symbol and expression.name not in _HEIGHTS:
         return ("; U is a formula, such as m0*k3 of a uniform field; those of fields with a name are in "
                 "docs/reference/fields.md")

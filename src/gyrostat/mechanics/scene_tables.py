@@ -22,7 +22,7 @@ from .potentials import axial_potential, general_potential
 from .rotors import Rotor, gyrostat_with_rotors
 from .system import System, assemble
 
-LISTS = ("inertia", "gyrostatic_momentum", "point", "state", "integrals")    # of texts or numbers
+LISTS = ("inertia", "gyrostatic_momentum", "point", "state", "release", "integrals")    # of texts or numbers
 # of each rotor, texts or numbers but for the axis
 ROTOR = ("axis", "axial", "transverse", "rate", "momentum")
 ORBIT = ("rate", "mu", "radius")                      # of an orbit, texts or numbers
@@ -62,6 +62,7 @@ class SceneTable:
         flat = [x for row in inertia for x in (row if isinstance(row, list) else [row])]
         not_mixed([*(("inertia", x) for x in flat), *(("gyrostatic_momentum", x) for x in momentum),
                    *((name, x) for rotor in rotors for name, x in rotor.items()),
+                   *((f"orbit {name}", x) for name, x in self.table.get("orbit", {}).items()),
                    *self.table.get("values", {}).items()])
         tensor = [[in_si(x, "inertia")[0] for x in row] if isinstance(row, list) else in_si(row, "inertia")[0]
                   for row in inertia]
@@ -87,7 +88,7 @@ class SceneTable:
             if bare in (AXIAL, GENERAL):
                 raise PublishedError(f"potential = {bare} is unspecified, and in orbit the gravity gradient "
                                      "acts: leave it out, or write an expression in n1, n2, n3, r1, r2, r3")
-            orbit = {name: in_si(x, name)[0] for name, x in self.table["orbit"].items()}
+            orbit = {name: in_si(x, f"orbit {name}")[0] for name, x in self.table["orbit"].items()}
             return circular_orbit(**orbit, potential=0 if bare == NONE else parse(text))
         if bare == NONE:
             return None

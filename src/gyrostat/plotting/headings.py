@@ -4,6 +4,7 @@ from typing import Any
 
 from ..algebra.numbers import exact_number
 from ..errors import optional
+from ..mechanics.circular_orbit import by_gradient_alone, orbital_rate
 from ..mechanics.potential import Potential
 from ..mechanics.system import System
 from ..notation import order, symbol, typeset
@@ -52,20 +53,22 @@ def field(latex: str) -> list[str]:
 
 
 def of_scene(scene: System, values: Mapping[str, Any]) -> tuple[list[str], list[str]]:
-    """U, and the numbers of the body and the values."""
+    """U, or that it is in orbit, and the numbers of the body and the values."""
     body, potential = scene.body, scene.potential
     names = MOMENTS if len(body.entries) == 3 else TENSOR
     entries = dict(zip(names, body.entries))
     if potential is not None and body.entries[0] == body.entries[1]:
         del entries[names[1]]
     across, along = body.gyrostatic_momentum[:2], body.gyrostatic_momentum[2]
+    orbit = by_gradient_alone(scene)
+    entries |= {"omega0": orbital_rate(scene)} if orbit else {}
     entries |= {"l": along} if not any(across) and along != symbol("l3") else dict(
         zip(("l1", "l2", "l3"), body.gyrostatic_momentum))
     known = {name: entry for name, entry in entries.items() if not entry.free_symbols and entry != 0}
     made = [f"${typeset(name)} = {tex(entry, Names())}$" for name, entry in entries.items()
             if entry.free_symbols and entry != symbol(name)]
     given = {name: exact_number(x, name) for name, x in values.items()}
-    return _of_field(potential), [*made, *numbers(known | given)]
+    return ["in orbit"] if orbit else _of_field(potential), [*made, *numbers(known | given)]
 
 
 def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[list[str], list[str]]:
@@ -85,9 +88,10 @@ def _of_field(potential: Potential | None) -> list[str]:
 def of_motion(motion: Motion) -> tuple[list[str], list[str]]:
     """U, and the numbers of the body and of the state at the time 0."""
     above, shown = of_scene(motion.scene, {})
-    for name, part in (("pi", motion.state[:3]), ("k", motion.state[3:])):
-        if part:
-            shown.append(rf"${typeset(name)}(0) = ({', '.join(map(number, part))})$")
+    potential = motion.scene.potential
+    for i, name in enumerate(("pi", *(potential.directions if potential else ()))):
+        part = motion.state[3 * i:3 * i + 3]
+        shown.append(rf"${typeset(name)}(0) = ({', '.join(map(number, part))})$")
     return above, shown
 
 

@@ -9,8 +9,10 @@ from sympy import ImmutableMatrix
 from ..algebra.floats import Array
 from ..errors import ValuesError, optional
 from ..mechanics.body import Gyrostat
+from ..mechanics.circular_orbit import in_orbit, orbital_rate
 from ..mechanics.system import System
 from ..notation import NOTATION, Entry, typeset, units
+from .librations import roll_pitch_yaw
 
 RATE = units(0, 1, 0)
 
@@ -26,16 +28,21 @@ class Column:
     values: Array
 
 
-def columns(scene: System, states: Array, turns: Array | None) -> list[Column]:
-    """The state, ω, and where there is an attitude the quaternion and Euler's angles.
+def columns(scene: System, times: Array, states: Array, turns: Array | None,
+            pointing: Sequence[int] = (1, 2, 3)) -> list[Column]:
+    """The state, ω, and where there is an attitude the quaternion and Euler's angles; in orbit roll, pitch
+    and yaw, and the orbits since the time 0.
 
     Parameters
     ----------
     scene : System
+    times : array, shape (m,)
     states : array, shape (m, n)
         doubles
     turns : array, shape (m, 3, 3)
         from the body to space, or to the frame of two directions; None where there is no vertical
+    pointing : sequence of three int
+        in orbit, the body axes along t, n and r where roll, pitch and yaw are 0
     """
     found = []
     for i, s in enumerate(scene.space.coordinates):
@@ -53,9 +60,21 @@ def columns(scene: System, states: Array, turns: Array | None) -> list[Column]:
         found.append(Column(f"q{i}", "1", f"q_{i}",
                             f"quaternion from the body to {where}, {'ijk'[i - 1] if i else 'scalar'} part",
                             values))
+    if in_orbit(scene):
+        return [*found, *_in_orbit(scene, times, turns, pointing)]
     for name, about, values in zip(("phi", "theta", "psi"), ("precession", "tilt", "spin"), euler(turns).T):
         found.append(Column(name, "rad", rf"\{name}", f"Euler angle (z-x-z) of the {about}", values))
     return found
+
+
+def _in_orbit(scene: System, times: Array, turns: Array, pointing: Sequence[int]) -> list[Column]:
+    """Roll, pitch, yaw and orbits."""
+    angles = roll_pitch_yaw(turns, pointing).T
+    turned = float(orbital_rate(scene)) * np.asarray(times, dtype=float) / (2 * np.pi)
+    return [Column("orbits", "1", r"\omega_0 t/2\pi", "orbits since the time 0", turned), *(
+        Column(name, "rad", rf"\mathrm{{{name}}}", f"{name} against the axes t, n, r of the orbit, of the "
+               "sequence yaw, pitch, roll", values)
+        for name, values in zip(("roll", "pitch", "yaw"), angles))]
 
 
 def _rates(body: Gyrostat, momentum: Array) -> list[Array]:

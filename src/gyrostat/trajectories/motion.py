@@ -1,4 +1,5 @@
 """Motion: the state, attitude, periods and invariants of a scene at any time."""
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -21,8 +22,7 @@ class Motion:
     """The state of a scene at any time: call it with times.
 
     motion(t) has the shape (..., n) for t [T] of any shape, in the order of scene.space.coordinates; in
-    doubles, or, with precision, of mpmath.mpf at exact numbers t. It is made by
-    gyrostat.trajectories.motion.
+    doubles, or, with precision, of mpmath.mpf at exact numbers t. It is made by trajectories.motion.
 
     Parameters
     ----------
@@ -219,15 +219,17 @@ class Motion:
         """What is known of the motion, in doubles, and the numbers that it is of, exact, as texts."""
         return attributes(self.scene, self.state, self._route, self.energy, self.note)
 
-    def to_xarray(self, t: Any) -> Any:
+    def to_xarray(self, t: Any, pointing: Sequence[int] = (1, 2, 3)) -> Any:
         """The motion as an xarray.Dataset.
 
-        State, ω, quaternion and Euler's angles over the times, with units; the rest as attributes.
+        State, ω, quaternion, Euler's angles or in orbit roll, pitch, yaw, with units; else as attributes.
 
         Parameters
         ----------
         t : array-like, shape (times,)
             [T]
+        pointing : sequence of three int
+            in orbit: the body axes of roll, pitch and yaw
 
         Returns
         -------
@@ -244,5 +246,5 @@ class Motion:
         times = finite_times(t)
         if times.ndim != 1:
             raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
-        table = columns(self.scene, np.asarray(self(t), dtype=float), turns_of(self.attitude, times))
-        return dataset(table, times, self.attributes)
+        states, turns = np.asarray(self(t), dtype=float), turns_of(self.attitude, times)
+        return dataset(columns(self.scene, times, states, turns, pointing), times, self.attributes)

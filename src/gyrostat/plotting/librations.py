@@ -1,0 +1,82 @@
+"""Roll, pitch and yaw of a satellite over its orbits."""
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..algebra.floats import Array
+from ..errors import ScopeError, require
+from ..mechanics.circular_orbit import in_orbit, orbital_rate
+from ..trajectories import Motion, roll_pitch_yaw
+from .headings import heading, of_motion
+from .looks import BLUE, DARK, INK, axes_of, legend, named
+
+STYLES: dict[str, dict[str, Any]] = {"roll": {"color": DARK, "linestyle": (0, (4, 2))},
+                                     "pitch": {"color": INK["undecided"], "linestyle": (0, (1, 1))},
+                                     "yaw": {"color": BLUE, "linestyle": "-"}}
+JUMP = 120                                             # degrees from one time to the next
+
+
+def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Sequence[int] = (1, 2, 3),
+                    **kwargs: Any) -> Any:
+    """Draw roll, pitch and yaw of a satellite, in degrees, over its orbits.
+
+    Where an angle jumps, at ±180° and where pitch is ±90°, its curve is broken.
+
+    Parameters
+    ----------
+    motion : Motion
+        of gyrostat.trajectories.motion, of a satellite in orbit
+    times : array, shape (n,)
+        increasing, close enough for a smooth curve [T]
+    ax : axes
+        new ones where they are left out
+    pointing : sequence of three int
+        the body axes along t, n and r where the angles are 0
+    **kwargs : Any
+        of the curves: of Axes.plot
+
+    Returns
+    -------
+    axes
+
+    Raises
+    ------
+    ArgumentError
+        no motion is given, or axes of three dimensions
+    ScopeError
+        the motion is that of no satellite in orbit
+    MissingExtraError
+        pip install "gyrostat[plot]"
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> import numpy as np
+    >>> from matplotlib.figure import Figure
+    >>> scene = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
+    >>> moving = gs.trajectories.motion(scene, gs.release(scene, ("5 deg", 0, 0)))
+    >>> ax = gs.plotting.draw_librations(moving, np.linspace(0, 12, 100), Figure().subplots())
+    >>> [text.get_text() for text in ax.get_legend().get_texts()], ax.get_xlabel(), ax.get_ylabel()
+    (['roll', 'pitch', 'yaw'], 'orbits', 'angle [°]')
+    """
+    require(motion, Motion, "the motion")
+    if not in_orbit(motion.scene):
+        raise ScopeError("librations are those of a satellite in orbit: assemble(body, circular_orbit())")
+    times = np.asarray(times, dtype=float)
+    ax = axes_of(ax)
+    orbits = float(orbital_rate(motion.scene)) * times / (2 * np.pi)
+    for values, style in zip(np.degrees(roll_pitch_yaw(motion.attitude(times), pointing)).T, STYLES.values()):
+        ax.plot(*_broken(orbits, values), **{"linewidth": 1.3, **style, **kwargs})
+    ax.set_xlabel("orbits")
+    ax.set_ylabel("angle [°]")
+    ax.margins(x=0)
+    legend(ax, [named({**style, **kwargs}, name) for name, style in STYLES.items()],
+           title=heading(ax, *of_motion(motion)))
+    return ax
+
+
+def _broken(x: Array, y: Array) -> tuple[Array, Array]:
+    """With a gap where the values jump, at ±180° and where pitch is ±90°."""
+    jumps = np.flatnonzero(abs(np.diff(y)) > JUMP) + 1
+    return np.insert(x, jumps, np.nan), np.insert(y, jumps, np.nan)

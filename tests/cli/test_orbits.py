@@ -1,0 +1,173 @@
+"""A satellite in orbit on the command line: each verb answers, or says in a sentence what does."""
+import csv
+import json
+
+import pytest
+from commands import run
+
+FILE = """
+[scene.pole]
+inertia = [60, 32, 35]
+gyrostatic_momentum = [0, 0, 0]
+orbit = "omega0"
+values = { omega0 = 0.0011 }
+equilibrium = "earth-pointing"
+release = ["1 deg", 0, 0]
+
+[scene.leo]
+inertia = ["60 kg m^2", "70 kg m^2", "35 kg m^2"]
+orbit = { mu = "398600.4418 km^3/s^2", radius = "6778 km" }
+equilibrium = "earth-pointing"
+
+[scene.all]
+orbit = 1
+inertia = [1, "5/4", "8/5"]
+gyrostatic_momentum = ["3/10", "1/5", "1/10"]
+"""
+BODY = ("--orbit", "1", "--inertia", "60,32,35", "--gyrostatic-momentum", "0,0,0")
+
+
+@pytest.fixture
+def file(tmp_path):
+    """The file of scenes."""
+    path = tmp_path / "orbits.toml"
+    path.write_text(FILE)
+    return str(path)
+
+
+def test_a_body_in_the_region_of_debra_and_delp(capsys, file):
+    """Spectrally stable, open, destroyed by damping: two growing modes."""
+    _, out, _ = run(capsys, "--scene", f"{file}#pole", "--format", "json", verb="decide")
+    (found,) = json.loads(out)["equilibria"]
+    assert found["label"] == "Earth-pointing" and found["decision"]["verdict"] == "UNDECIDED"
+    assert found["damped_decision"]["verdict"] == "UNSTABLE"
+    _, out, _ = run(capsys, "--scene", f"{file}#pole", verb="decide")
+    assert "no theorem decides with three degrees of freedom" in " ".join(out.split())
+    assert "2 growing modes" in out
+
+
+def test_the_report_has_the_frequencies_squared(capsys):
+    """(60, 32, 35) about roll, pitch and yaw, rate 1: x = −16/25, −1/4, and −75/32 of pitch."""
+    _, out, _ = run(capsys, *BODY, "--format", "json")
+    (equilibrium,) = json.loads(out)["equilibria"][:1]
+    assert equilibrium["stiffness"] == [["-12", "0", "0"], ["0", "75", "0"], ["0", "0", "-28"]]
+
+
+@pytest.mark.parametrize(("axes", "moments"), [
+    ("1,2,3", "60,32,35"), ("2,1,3", "32,60,35"), ("3,-1,2", "32,35,60"), ("-1,-2,3", "60,32,35")])
+def test_the_axes_of_roll_pitch_and_yaw(capsys, axes, moments):
+    """The same satellite in other body axes; its rotor is along that of pitch."""
+    _, out, _ = run(capsys, "--orbit", "1", "--inertia", moments, "--pointing", axes, "--equilibrium",
+                    "earth-pointing",
+                    "--set", "l=0", "--format", "json", verb="decide")
+    (found,) = json.loads(out)["equilibria"]
+    assert found["damped_decision"]["growing"] == 2
+
+
+def test_all_attitudes(capsys, file):
+    """16 of that gyrostat, 2 of them stable."""
+    _, out, _ = run(capsys, "--scene", f"{file}#all", "--format", "json", verb="decide")
+    found = json.loads(out)["equilibria"]
+    assert len(found) == 16 and sum(e["decision"]["verdict"] == "STABLE" for e in found) == 2
+    assert {"n1", "n2", "n3", "r1", "r2", "r3", "frequency_1"} <= found[0].keys()
+
+
+def test_a_symmetric_satellite(capsys):
+    """Its precessions by name, and all that the numbers name."""
+    disc = ("--orbit", "omega0", "--inertia", "I1,I1,I3", "--gyrostatic-momentum", "0,0,l")
+    _, out, _ = run(capsys, *disc, verb="conditions")
+    assert [word for word in out.split() if word in ("cylindrical", "hyperbolic", "conical")] == [
+        "cylindrical", "hyperbolic", "conical"]
+    _, out, _ = run(capsys, *disc, "--equilibrium", "conical", "--set", "I1=1", "I3=8/5", "omega0=1",
+                    "n3=3/4", verb="decide")
+
+    assert "Lyapunov stable modulo the flow of π₃" in out
+    assert "destroyed by internal damping: 2 growing" in out
+
+
+def test_which_rotors_hold_it(capsys):
+    """Numbers of the theory, to every digit that is shown."""
+    _, out, _ = run(capsys, "--orbit", "omega0", "--solve-for", "l", "--set", "I1=1", "I2=7/10", "I3=4/5",
+                    "omega0=1",
+                    verb="conditions")
+    assert "Stable: l > 2/5." in out and "l ≤ −1.41349598315…" in out and "0.0207629058831… ≤ l ≤ 3/10" in out
+
+
+def test_a_batch(capsys, tmp_path):
+    """A satellite in each line."""
+    lines = tmp_path / "satellites.jsonl"
+    lines.write_text('{"I1": 60, "I2": 70, "I3": 35, "l": 0}\n{"I1": 60, "I2": 32, "I3": 35, "l": 0}\n')
+    _, out, _ = run(capsys, "--orbit", "1", "--equilibrium", "earth-pointing", "--batch", str(lines),
+                    verb="decide")
+    assert [json.loads(line)["equilibria"][0]["decision"]["verdict"] for line in out.splitlines()] == [
+        "STABLE", "UNDECIDED"]
+
+
+def test_a_table_of_librations(capsys, file):
+    """Roll starts at a degree; n and r of each row are those of its angles."""
+    _, out, _ = run(capsys, "--scene", f"{file}#pole", "--until", "10800", "--count", "5", verb="motion")
+    rows = list(csv.DictReader(line for line in out.splitlines() if not line.startswith("#")))
+    assert float(rows[0]["roll"]) == pytest.approx(0.017453292519943295, abs=1e-15)
+    assert float(rows[0]["pitch"]) == float(rows[0]["yaw"]) == 0
+    assert float(rows[4]["orbits"]) == pytest.approx(0.0011 * 10800 / 6.283185307179586, rel=1e-14)
+    assert "phi" not in rows[0]
+
+
+@pytest.mark.slow
+def test_a_chart_and_its_data(capsys, file, tmp_path):
+    """Two names of the body, damped too."""
+    import xarray as xr
+    for name in ("chart.png", "chart.nc"):
+        status, _, _ = run(capsys, "--orbit", "1", "--x", "I2=0.5:1:20", "--y", "l=-1:1:15", "--set",
+                           "I1=1", "I3=4/5",
+                           "--damped", "--output", str(tmp_path / name), verb="chart")
+        assert status == 0
+    with xr.open_dataset(tmp_path / "chart.nc") as found:
+        code = dict(zip(found.verdict.flag_meanings.split(), found.verdict.flag_values))
+        here = found.sel(I2=0.5, l=1.0)
+        assert here.verdict == code["unstable"]           # l + 4 (I2 − I3) < 0
+        assert found.sel(I2=1.0, l=1.0).verdict == code["stable"]
+
+
+REFUSED = [
+    ("decide", ("--equilibrium", "earth-pointing"), "is of a satellite in orbit, and this body is in none"),
+    ("decide", ("--orbit", "1", "--equilibrium", "E1"), "is of a body in a field fixed in space"),
+    ("decide", ("--orbit", "1", "--equilibrium", "axis 1"), "is of a free body"),
+    ("decide", (*BODY, "--potential", "k1*k3"), "a direction fixed in space"),
+    ("report", (*BODY, "--potential", "U(k3)"), "unspecified"),
+    ("report", ("--potential", "3/2*w^2*(I1*r1^2 + I3*n3^2)"), "--orbit, has the gravity gradient"),
+    ("report", ("--orbit", "0"), "rate = 0"), ("report", ("--orbit", "-1"), "rate = -1"),
+    ("report", ("--orbit", "mu=1,radius=0"), "radius = 0"), ("report", ("--orbit", "mu=1"), "give both"),
+    ("report", ("--orbit", "rate=1,mu=3,radius=2"), "0.612372435696"),
+    ("report", ("--orbit", "speed=2"), "give its rate"), ("report", ("--orbit", ""), "give its rate"),
+    ("report", ("--orbit", "3 kg"), "rate"),
+    ("report", ("--orbit", "1", "--pointing", "1,1,2"), "in some order"),
+    ("report", ("--orbit", "1", "--pointing", "1,2"), "in some order"),
+    ("decide", (*BODY, "--equilibrium", "earth-pointing", "--normal-form", "4"), "normal form"),
+    ("motion", (*BODY, "--until", "1"), "--release"),
+    ("motion", (*BODY, "--until", "1", "--state", "0,0,0"), "9 coordinates"),
+    ("motion", (*BODY, "--until", "1", "--release", "0,0"), "2 angles"),
+    ("motion", ("--potential", "none", "--set", "I1=1", "I2=2", "I3=2", "l=0", "--until", "1", "--release",
+     "0,0,0"),
+     "add --orbit"),
+    ("motion", (*BODY, "--until", "1", "--release", "0,0,0", "--precision", "20"), "digits")]
+
+
+@pytest.mark.parametrize(("verb", "arguments", "why"), REFUSED)
+def test_refusals(capsys, verb, arguments, why):
+    """One sentence, exit 2."""
+    status, out, err = run(capsys, *arguments, verb=verb)
+    assert status == 2 and not out and why in err and err.count("\n") == 1 and "internal" not in err
+
+
+@pytest.mark.parametrize(("kind", "more"), [
+    ("momentum-sphere", ("--momentum", "1")), ("rotor-set", ("--momentum", "1")), ("staude-cone", ()),
+    ("effective-potential", ()), ("energy-momentum", ()), ("amended-potential", ()), ("staude-plane", ()),
+    ("bifurcations", ("--x", "l=0:1"))])
+def test_pictures_of_other_scenes(capsys, file, tmp_path, kind, more):
+    """Each says what it is of."""
+    status, _, err = run(capsys, kind, "--scene", f"{file}#leo", *more, "--output", str(tmp_path / "x.png"),
+                         verb="plot")
+
+    assert status == 2 and err.count("\n") == 1 and "internal" not in err
+    assert "orbit" in err or "direction" in err
