@@ -6,6 +6,7 @@ from fractions import Fraction as F
 
 import oracle
 import pytest
+from slow import sampled
 from sympy import Rational, exp, pi, sqrt
 from turns import OBLIQUE, TURNS, K, scene, turned
 
@@ -88,10 +89,10 @@ def test_verdicts_about_every_axis(name):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", TURNS)
-def test_many_verdicts_about_every_axis(name):
+def test_many_verdicts_about_every_axis(name, full):
     """The same, 60 of each axis."""
     draw = random.Random(f"14 {name}")
-    for _ in range(60):
+    for _ in range(sampled(60, full, 20)):
         checked(draw, name)
 
 

@@ -12,6 +12,7 @@ import pytest
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from mpmath import mp, mpc, mpf, workdps
+from slow import sampled
 from sympy import cos, exp
 
 import gyrostat as gs
@@ -221,10 +222,7 @@ def marked(ax, spectrum, expected, seed):
     assert len(claimed) == len(expected), (seed, claimed, expected)
     for ours, theirs in zip(sorted(claimed), sorted(expected)):
         assert ours[1:] == theirs[1:] and abs(ours[0] - theirs[0]) < 1e-3 * abs(theirs[0]) + 1e-9, (
-            seed,
-            ours,
-            theirs,
-        )
+            seed, ours, theirs)
     points = [(KINDS[line.get_marker()], complex(*xy)) for line in ax.lines if line.get_marker() in KINDS
               for xy in line.get_xydata()]
     where = []
@@ -244,7 +242,7 @@ def test_eigenvalues_that_are_drawn(seed):
 
 
 @pytest.mark.slow
-def test_many():
+def test_many(full):
     """The same for many."""
-    for seed in range(10, 70):
+    for seed in range(10, 10 + sampled(60, full, 20)):
         check(seed)

@@ -167,7 +167,7 @@ def test_two_of_a_kind(check):
 def test_many_of_a_kind(check, full):
     """460 in all."""
     rng = random.Random(f"{check.__name__} 2")
-    for _ in range(sampled(COUNTS[check], full, 10)):
+    for _ in range(sampled(COUNTS[check], full, 5)):
         check(rng)
 
 

@@ -57,7 +57,7 @@ def test_their_number_changes_there_alone(empty, number, full):
     rotor that are 0 is given.
     """
     rnd = random.Random(f"meetings {empty} {number}")
-    for _ in range(sampled(number, full, 40)):
+    for _ in range(sampled(number, full, 15)):
         name, values = drawn(rnd, empty)
         points = gs.bifurcation_points(BOX, name, values)
         at = list(dict.fromkeys(near(point.value) for point in points))

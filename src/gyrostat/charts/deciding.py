@@ -12,6 +12,7 @@ from ..algebra.polynomials import Ring
 from ..algebra.precision import ONE_AT_A_TIME
 from ..stability.boundary import Boundary
 from ..stability.conditions import Condition, Criterion
+from ..stability.in_frame import open_between
 from ..stability.report import Report
 from ..stability.truth import Relation, truth
 from .answers import answered, every, some
@@ -50,7 +51,7 @@ class Decided:
     def __init__(self, report: Report, grid: Grid, backend: str, damped: bool = False,
                  rungs: Array | None = None):
         self.report, self.grid, self.backend, self.damped = report, grid, backend, damped
-        self.rungs = rungs
+        self.rungs, self.stays_open = rungs, not damped and open_between(report.equilibrium)
         self.known: dict[Expr, ArraySigns] = {}
         demands = demands_of(report, grid, damped)
         self.positive = [self._signs(e) for e in demands.positive]
@@ -114,7 +115,7 @@ class Decided:
             between = np.broadcast_to((sufficient < 0) & (necessary > 0), out.shape)
         if nowhere is not None:
             between = between & ~nowhere
-        if between.any():
+        if not self.stays_open and between.any():
             rows, columns = places(between)
             for start in range(0, len(rows), TOGETHER):
                 at = rows[start:start + TOGETHER], columns[start:start + TOGETHER]

@@ -15,6 +15,11 @@ DEGENERATE = "the second variation is degenerate: terms of higher degree decide"
 AXIS = "the axis moves in the orbital frame as k of a spherical gyrostat in one field does: "
 
 
+def open_between(eq: Equilibrium) -> bool:
+    """Whether nothing decides between the two criteria, whatever the numbers."""
+    return eq.system.coupled and not eq.system.linear_integrals
+
+
 def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate: bool,
                     reduced: Callable[[Equilibrium], Finding]) -> Finding:
     """Of a symmetric satellite what its axis does; of any other undecided, with what is known of it.
