@@ -104,7 +104,7 @@ def legend(ax: Any, handles: Sequence[Any], columns: int | None = None, title: s
                           **where)
         size = found.get_texts()[0].get_fontsize()
         if ax.name != "3d":
-            rows = size * (1.5 * -(-len(handles) // columns) + pad)
+            rows = size * (1.65 * -(-len(handles) // columns) + pad)
     ax.set_title(title, pad=4 + rows, fontsize="medium", va="bottom")
 
 
