@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from .mechanics.directions import stereographic
     from .mechanics.equilibria import Equilibrium
     from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
+    from .mechanics.held_pointing import earth_pointing_gyrostat
     from .mechanics.liepoisson import LiePoisson, lie_poisson
     from .mechanics.orbit import orbit_tangent, symplectic_slice
     from .mechanics.orbital_precession import orbital_precession
@@ -86,19 +87,19 @@ __all__ = [
     "__version__", "amended_potential", "AmendedPotential", "analyze", "assemble", "augmented_hessian",
     "axial_potential", "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch",
     "Case", "charts", "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
-    "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "earth_pointing", "energy_sink_criterion",
-    "Equilibrium", "equilibrium", "errors", "formal_criterion", "general_potential", "Gyrostat",
-    "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyContinuation", "HeavyRotation", "ideal_fluid",
-    "inclined", "independent", "Interval", "lie_poisson", "LiePoisson", "Linearization", "linearize",
-    "mechanics", "multipliers", "newtonian_field", "NormalForm", "NOTATION", "orbit_tangent",
-    "orbital_precession", "OrbitalEquilibrium", "own_precision", "parallel_directions", "permanent_rotation",
-    "PermanentRotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
-    "relative_equilibria", "release", "Report", "RotationContinuation", "Rotor", "second_variation",
-    "SecondVariation", "secular_criterion", "secular_variation", "Solution", "solve_condition",
-    "SolvedCondition", "spectral_criterion", "Spectrum", "spectrum", "stabilizing_set", "static_tilt",
-    "staude_cone", "StaudeArc", "StaudeCone", "steady_motion", "stereographic", "symbol",
-    "symmetric_gyrostat", "symplectic_slice", "System", "to_latex", "trajectories", "underwater_vehicle",
-    "uniform_field", "upright", "Verdict", "Window",
+    "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "earth_pointing",
+    "earth_pointing_gyrostat", "energy_sink_criterion", "Equilibrium", "equilibrium", "errors",
+    "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging",
+    "HeavyContinuation", "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval",
+    "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field",
+    "NormalForm", "NOTATION", "orbit_tangent", "orbital_precession", "OrbitalEquilibrium", "own_precision",
+    "parallel_directions", "permanent_rotation", "PermanentRotation", "plotting", "Potential",
+    "principal_rotation", "published", "reduce", "relative_equilibria", "release", "Report",
+    "RotationContinuation", "Rotor", "second_variation", "SecondVariation", "secular_criterion",
+    "secular_variation", "Solution", "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum",
+    "spectrum", "stabilizing_set", "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "steady_motion",
+    "stereographic", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex",
+    "trajectories", "underwater_vehicle", "uniform_field", "upright", "Verdict", "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -110,6 +111,7 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.directions": "stereographic",
     "mechanics.equilibria": "Equilibrium",
     "mechanics.fields": "ideal_fluid newtonian_field uniform_field",
+    "mechanics.held_pointing": "earth_pointing_gyrostat",
     "mechanics.liepoisson": "LiePoisson lie_poisson", "mechanics.orbit": "orbit_tangent symplectic_slice",
     "mechanics.orbital_precession": "orbital_precession",
     "mechanics.parallel": "parallel_directions",

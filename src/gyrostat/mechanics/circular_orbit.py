@@ -1,4 +1,5 @@
 """A satellite in a circular orbit: the field of the gravity gradient in the frame that turns with it."""
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +13,7 @@ from .coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
 from .equilibria import Equilibrium
 from .liepoisson import hat
 from .potential import DIRECTIONS
+from .rotors import Rotor
 from .system import System
 
 NORMAL, VERTICAL = "n", "r"
@@ -20,13 +22,13 @@ RATE = symbol("omega0")
 
 @dataclass(frozen=True)
 class CircularOrbit(CoupledPotential):
-    """The field of a satellite in a circular orbit; alone: U is that of the gravity gradient alone."""
+    """The field of a satellite in a circular orbit; alone: U is that of the gravity gradient of I alone."""
 
     alone: bool = True
 
 
 def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
-                   potential: Any = 0) -> CoupledPotential:
+                   potential: Any = 0, rotors: Sequence[Rotor] = ()) -> CoupledPotential:
     """The field of a satellite in a circular orbit, in the frame that turns with the orbit.
 
     n is the normal of the orbit, r the local vertical, outwards, t = n × r along the velocity, all in body
@@ -44,6 +46,9 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     potential : Expr, or number 0
         another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient: −B n·μ of a magnet μ in a field
         B along the normal, F·(n × r) of a constant pressure along the path [M L²/T²]
+    rotors : sequence of Rotor
+        those of gyrostat_with_rotors: the tensor of the body is without the axial moments of the free ones,
+        on which gravity acts
 
     Returns
     -------
@@ -76,6 +81,11 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     U = Rational(3, 2) * omega0**2 * gravity - omega0 * Add(*(a * b for a, b in zip(n, l)))
     first, second, third = (-omega0 * x for x in n)
     other = _beside(potential)
+    for rotor in rotors:
+        require(rotor, Rotor, "a rotor")
+        if rotor.momentum is not None:
+            along = Add(*(x * y for x, y in zip(rotor.axis, r)))
+            other += Rational(3, 2) * omega0**2 * rotor.axial * along**2
     return CircularOrbit((*n, *r), U + other, False, (first, second, third),
                          unit_and_orthogonal((NORMAL, VERTICAL)), other == 0)
 
@@ -116,7 +126,7 @@ def in_orbit(scene: System) -> bool:
 
 
 def by_gradient_alone(scene: System) -> bool:
-    """Whether it is one on which nothing but the gravity gradient acts."""
+    """Whether it is one on which nothing but the gravity gradient acts, and no rotor is free."""
     return isinstance(scene.potential, CircularOrbit) and scene.potential.alone
 
 

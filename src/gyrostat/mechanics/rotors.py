@@ -87,7 +87,8 @@ def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lum
 
     l is the sum of the momenta of the rotors. The tensor is that of the locked body, and without axial · a aᵀ
     of each free rotor, which does not turn with the body about its axis. That is the tensor of the kinetic
-    energy: a potential of gravity, where there is one, keeps the full one.
+    energy: a potential of gravity, where there is one, keeps the full one, circular_orbit(rotors=...) that of
+    the gravity gradient.
 
     Parameters
     ----------

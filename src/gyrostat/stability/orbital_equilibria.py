@@ -26,8 +26,8 @@ def orbital_equilibria(scene: System, values: Mapping[str, Any]) -> list[Orbital
     r·l = 0 it is along a principal axis, and n turns about it.
     """
     if not by_gradient_alone(scene):
-        raise ScopeError("another field acts beside the gravity gradient, for which no complete list is "
-                         "proved: give an attitude, steady_motion(scene, n, r)")
+        raise ScopeError("another field acts beside the gravity gradient, or a rotor is free, for which no "
+                         "complete list is proved: give an attitude, steady_motion(scene, n, r)")
     needed = {s.name for s in names_of_scene(scene)}
     numbers = exact_point(scene, values, needed)
     if missing := sorted(needed - values.keys()):
