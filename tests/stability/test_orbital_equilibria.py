@@ -87,15 +87,73 @@ def test_the_curve_of_equilibria():
     """L² = 4 ω0² a b: the cubic vanishes, and a closed curve joins the tilted families."""
     equilibria = found(("3/2", "9/10", "6/5"), (0, 2 * sqrt(Rational(9, 50)), 0))
     on_curve = [e for e in equilibria if e.locus]
+    assert len(on_curve) == 8
     assert on_curve and all("closed curve" in e.locus for e in on_curve)
     assert all(e.decision.verdict is not gs.Verdict.STABLE for e in on_curve)
     assert len([e for e in equilibria if not e.locus]) == 8
 
 
-def test_equal_moments_are_refused():
-    """In one sentence that says where they are."""
-    with pytest.raises(gs.errors.ScopeError, match="orbital_precession"):
-        found((1, 1, 2), (0, 0, 1))
+def on_circles(moments, rotor, rate, seed):
+    """Newton's method ends on none but the circles found: the axis in (t, n, r) is that of one."""
+    equilibria = found(moments, rotor, rate)
+    axis = next(i for i in range(3) if moments[i - 1] == moments[i - 2])
+    here = np.array([[float(ball(x[axis], 128).mid()) for x in (e.t, e.n, e.r)] for e in equilibria])
+    assert len({tuple(np.round(z, 7)) for z in here}) == len(here)
+    for place in search(moments, rotor, rate, starts=100, seed=seed):
+        z = np.array([np.cross(place[:3], place[3:])[axis], place[axis], place[3 + axis]])
+        assert np.abs(here - z).max(1).min() < 1e-8, (moments, rotor)
+    return equilibria
+
+
+def test_circles_of_a_body_of_revolution():
+    """Two of each precession that exists; the verdicts are those of orbital_precession."""
+    L, w = Rational(1, 2), 2
+    equilibria = on_circles([F(2), F(1), F(1)], [F(1, 2), F(0), F(0)], F(2), 0)
+    assert sorted(e.locus.split(", ")[1] for e in equilibria) == sorted(
+        [f"{kind} precession" for kind in ("cylindrical", "conical", "hyperbolic")] * 2)
+    assert all("about axis 1" in e.locus for e in equilibria)
+    same = gs.assemble(gs.Gyrostat((1, 1, 2), (0, 0, L)), gs.circular_orbit(w))
+    for kind in ("hyperbolic", "conical"):
+        report = gs.analyze(gs.orbital_precession(same, kind))
+        for e in (e for e in equilibria if kind in e.locus):
+            assert e.decision.verdict is report.verdict({}).verdict
+            assert e.damped.verdict is report.verdict({}, damped=True).verdict
+            assert str(e.decision.modulo) == "(pi1,)"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["along its axis", "off its axis", "across its axis"])
+def test_none_is_missing_of_two_equal_moments(kind, full):
+    """Circles where the rotor is along the axis of symmetry, else points, against a search."""
+    rng = Random(kind)
+    for seed in range(sampled(100, full, 4)):
+        A, C = (F(n, 20) for n in rng.sample(range(12, 40), 2))
+        axis, rate = rng.randrange(3), F(rng.randint(1, 9), 4)
+        moments = [C if i == axis else A for i in range(3)]
+        rotor = [F(rng.randint(1, 40) * rng.choice((-1, 1)), rng.choice((20, 40, 400))) for _ in range(3)]
+        if kind == "along its axis":
+            rotor = [x * (i == axis) * (seed % 4 > 0) for i, x in enumerate(rotor)]
+            on_circles(moments, rotor, rate, seed)
+            continue
+        if kind == "across its axis":
+            rotor[axis] = F(0)
+        check(moments, rotor, rate, seed)
+
+
+@pytest.mark.parametrize("rotor", [(0, sqrt(2) / 10, 0), (0, 0, sqrt(2))])
+def test_irrational_rotors_along_an_axis(rotor):
+    """Each is an equilibrium, proved when it is built."""
+    equilibria = found(RIGID, rotor)
+    assert len(equilibria) == 24 - 12 * (rotor[2] == sqrt(2))
+    assert all(e.equilibrium for e in equilibria)
+
+
+def test_what_is_refused():
+    """In one sentence that says what there is instead."""
+    with pytest.raises(gs.errors.ScopeError, match="rational l/omega0, and here is sqrt.* decimals"):
+        found(RIGID, (0, sqrt(2) / 10, 1))
+    with pytest.raises(gs.errors.ScopeError, match="the three moments are 2, .* steady_motion"):
+        found((2, 2, 2), (0, 0, 1))
     with pytest.raises(gs.errors.ValuesError, match="needs omega0"):
         gs.relative_equilibria(gs.assemble(gs.Gyrostat(RIGID, (0, 0, 0)), gs.circular_orbit()), {})
 

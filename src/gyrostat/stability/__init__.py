@@ -25,5 +25,5 @@ cone (`staude`, `staude_arcs`), with a rotor the curves of `gyrostat_arcs` (`rat
 In the frame of two directions the second variation is a stiffness beside the momenta (`orientation_form`),
 the characteristic polynomial a `sextic`; damping (`secular_in_frame`) and what lies between (`in_frame`) are
 their own; of parallel directions there is a `parallel_report`; `orbital_equilibria` finds those of a
-satellite, each an `orbital_equilibrium`.
+satellite, each an `orbital_equilibrium`, some in closed form (`orbital_axial`).
 """

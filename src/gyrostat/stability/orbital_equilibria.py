@@ -1,8 +1,8 @@
 """Every equilibrium of a gyrostat satellite in a circular orbit."""
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from sympy import Add, Matrix, S, expand
+from sympy import Add, Expr, Matrix, Rational, S, expand, sqrt
 
 from ..algebra.exact import evaluate, proved_sign
 from ..algebra.matrices import cross
@@ -12,18 +12,19 @@ from ..mechanics.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbi
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
 from .asked import exact_point
+from .orbital_axial import along_an_axis, circles
 from .orbital_equilibrium import OrbitalEquilibrium
 
 N, R = (tuple(symbol(f"{x}{i}") for i in (1, 2, 3)) for x in (NORMAL, VERTICAL))
-CURVE = "a closed curve of equilibria, (l·r)² = 16 ω0² abs(r × Ir)²"
 
 
 def orbital_equilibria(scene: System, values: Mapping[str, Any]) -> list[OrbitalEquilibrium]:
     """All of them, as relative_equilibria says.
 
-    n and r are unit vectors at right angles with t·Ir = 0, t·(ω0 In + l) = 0 and r·(4 ω0 In + l) = 0. With
-    c = r × Ir and r·l ≠ 0, r lies on a cubic and a quartic, and n = (Ir − (r·Ir) r)/b, b = −r·l/(4 ω0); with
-    r·l = 0 it is along a principal axis, and n turns about it.
+    n and r are unit vectors at right angles with t·Ir = 0, t·(ω0 In + l) = 0 and r·(4 ω0 In + l) = 0. With l
+    along a principal axis they are in closed form. Else, with c = r × Ir and r·l ≠ 0, r lies on a cubic and a
+    quartic, and n = (Ir − (r·Ir) r)/b, b = −r·l/(4 ω0); with r·l = 0 it is along a principal axis, and n
+    turns about it.
     """
     if not by_gradient_alone(scene):
         raise ScopeError("another field acts beside the gravity gradient, or a rotor is free, for which no "
@@ -33,19 +34,33 @@ def orbital_equilibria(scene: System, values: Mapping[str, Any]) -> list[Orbital
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
     here = at_numbers(scene, dict(numbers))
-    moments = here.body.moments
-    if any(proved_sign(moments[i] - moments[i - 1]) == 0 for i in range(3)):
-        raise ScopeError(f"the satellite has equal moments, {', '.join(map(str, moments))}: its equilibria "
-                         "are not isolated; those with the rotor along its axis are orbital_precession")
-    return [*_tilted(here), *_principal(here)]
+    rotor = [evaluate(x / orbital_rate(here), {}) for x in here.body.gyrostatic_momentum]
+    along = [i for i, x in enumerate(rotor) if x != 0]
+    axis = _axis_of_symmetry(here.body.moments)
+    if axis is not None and along in ([], [axis]):
+        return list(circles(here, axis, rotor[axis]))
+    if len(along) < 2:
+        place = (along or [0])[0]
+        return list(along_an_axis(here, place, rotor[place]))
+    if irrational := [x for x in (*here.body.moments, *rotor) if not isinstance(x, Rational)]:
+        raise ScopeError(f"with a rotor along no principal axis all equilibria are found at rational moments "
+                         f"and rational l/omega0, and here is {irrational[0]}: round them to decimals")
+    return [*_tilted(here, rotor), *_principal(here, rotor, axis)]
 
 
-def _tilted(scene: System) -> Iterator[OrbitalEquilibrium]:
+def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
+    """The one whose moment the other two do not share; None where all are different."""
+    same = [i for i in range(3) if proved_sign(moments[i - 1] - moments[i - 2]) == 0]
+    if len(same) == 3:
+        raise ScopeError(f"the three moments are {moments[0]}, and no gravity gradient turns the satellite: "
+                         "it rests wherever l is along the normal n or against it, without a rotor in every "
+                         "attitude: steady_motion(scene, n, r) is each of these")
+    return same[0] if same else None
+
+
+def _tilted(scene: System, l: Sequence[Expr]) -> Iterator[OrbitalEquilibrium]:
     """Where r is along no principal axis."""
-    I, rate = scene.body.moments, orbital_rate(scene)
-    l = [evaluate(x / rate, {}) for x in scene.body.gyrostatic_momentum]
-    if not any(l):
-        return
+    I = scene.body.moments
     along = [moment * x for moment, x in zip(I, R)]
     c, level = cross(R, along), Add(*(x * y for x, y in zip(l, R)))
     cubic = expand(4 * (I[1] - I[0]) * (I[2] - I[0]) * (I[2] - I[1]) * R[0] * R[1] * R[2]
@@ -54,23 +69,24 @@ def _tilted(scene: System) -> Iterator[OrbitalEquilibrium]:
     mean = Add(*(x * y for x, y in zip(along, R)))
     normal = [expand(-4 * (a * Add(*(x**2 for x in R)) - mean * x)) for a, x in zip(along, R)]
     found = zeros_on_sphere([cubic, quartic], R, level, normal)
-    if found is not None:
-        yield from (OrbitalEquilibrium(scene, place[3:], place[:3]) for place in found)
-        return
-    for x in R:                                            # where the curve meets the principal planes
-        yield from (OrbitalEquilibrium(scene, place[3:], place[:3], CURVE)
-                    for place in zeros_on_sphere([quartic, x], R, level, normal) or ())
+    if found is None:
+        raise ScopeError("no finite number of equilibria is found: there may be curves of them; give an "
+                         "attitude, steady_motion(scene, n, r)")
+    yield from (OrbitalEquilibrium(scene, place[3:], place[:3]) for place in found)
 
 
-def _principal(scene: System) -> Iterator[OrbitalEquilibrium]:
+def _principal(scene: System, l: Sequence[Expr], axis: int | None) -> Iterator[OrbitalEquilibrium]:
     """Where r is along a principal axis across l: n on a circle, t·(ω0 In + l) = 0."""
-    rate, l = orbital_rate(scene), scene.body.gyrostatic_momentum
-    for axis in range(3):
-        if l[axis]:
-            continue
-        for side in (S.One, S.NegativeOne):
-            r = tuple(side if i == axis else S.Zero for i in range(3))
-            held = [rate * moment * x + y for moment, x, y in zip(scene.body.moments, N, l)]
-            across = expand(Matrix(cross(N, r)).dot(Matrix(held)))
-            for n in zeros_on_sphere([across, N[axis]], N) or ():
-                yield OrbitalEquilibrium(scene, n, r)
+    verticals = [[S.One if i == k else S.Zero for i in range(3)] for k in range(3) if l[k] == 0]
+    if axis is not None:                                   # any axis across that of symmetry is principal
+        first, second = ((axis + n) % 3 for n in (1, 2))
+        verticals = [v for v in verticals if v[axis]]
+        verticals.append([l[second] if i == first else -l[first] if i == second else S.Zero
+                          for i in range(3)])
+    for v in verticals:
+        held = Matrix([moment * x + y for moment, x, y in zip(scene.body.moments, N, l)])
+        across = expand(Matrix(cross(N, v)).dot(held))
+        length = sqrt(Add(*(x**2 for x in v)))
+        for n in zeros_on_sphere([across, Add(*(x * y for x, y in zip(v, N)))], N) or ():
+            for side in (S.One, S.NegativeOne):
+                yield OrbitalEquilibrium(scene, n, tuple(side * x / length for x in v))

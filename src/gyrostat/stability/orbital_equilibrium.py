@@ -43,7 +43,8 @@ class OrbitalEquilibrium(Shown, Stored):
     n, r : tuple of Expr, shape (3,)
         the normal of the orbit and the vertical in body axes, exact
     locus : str
-        "" for a point, else the curve of equilibria to which it belongs, in words
+        "" for a point, else the curve of equilibria to which it belongs, in words; of a body of revolution
+        the circle, and the verdict is modulo the turn about its axis
 
     Examples
     --------
@@ -77,6 +78,8 @@ class OrbitalEquilibrium(Shown, Stored):
     @cached_property
     def decision(self) -> Decision:
         """The verdict on the point itself."""
+        if self.scene.linear_integrals:
+            return Report(self.equilibrium).verdict({})
         trace_, second, whole, *spectrum = self.signs
         if self.locus:                                     # K is degenerate along the curve
             return LEAVES if -1 in spectrum[:2] else Decision(Verdict.UNDECIDED, "", (), self.locus, ())
@@ -94,6 +97,8 @@ class OrbitalEquilibrium(Shown, Stored):
     @cached_property
     def damped(self) -> Decision:
         """The verdict under internal damping."""
+        if self.scene.linear_integrals:
+            return Report(self.equilibrium).verdict({}, damped=True)
         trace_, second, whole, *_ = self.signs
         if self.locus:
             return Decision(Verdict.UNDECIDED, "", (), self.locus, ())

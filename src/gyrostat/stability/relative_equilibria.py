@@ -44,9 +44,10 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     Of a free body or gyrostat: numbers for the moments and the rotor, and M, the length of M = π + l: every
     permanent rotation on that momentum sphere.
 
-    Of a satellite in a circular orbit, with three different moments: numbers for the moments, the rotor and
-    omega0, if they are names: every attitude in which it rests in the frame of the orbit, 8 to 24, or a
-    closed curve of them.
+    Of a satellite in a circular orbit: numbers for the moments, the rotor and omega0, if they are names:
+    every attitude in which it rests in the frame of the orbit, 8 to 24 if its moments are different, or a
+    closed curve of them; of a body of revolution with the rotor along its axis a point of each circle of
+    them.
 
     Parameters
     ----------
