@@ -7,10 +7,8 @@ from flint import fmpq, fmpq_mat, fmpq_poly
 from sympy import Expr, S, Symbol
 
 from ..kept import cached_property
-from .balls import ball
-from .number_fields import at_root, divided
 from .polynomials import Ring
-from .roots import roots_of_factor
+from .real_fields import Conjugates, FieldNumbers
 
 Exponents = tuple[int, ...]
 Terms = Mapping[Exponents, fmpq]
@@ -19,7 +17,7 @@ SPHERE: Terms = {(2, 0, 0): fmpq(1), (0, 2, 0): fmpq(1), (0, 0, 2): fmpq(1), ONE
 
 
 def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
-                    but: Expr = S.One, over_it: Sequence[Expr] = ()) -> list[tuple[Expr, ...]] | None:
+                    but: Expr = S.One, over_it: Sequence[Expr] = ()) -> list[FieldNumbers] | None:
     """Every real common zero of polynomials with k·k = 1, exact; None where no finite number is found.
 
     Degree by degree the polynomials times monomials span part of their ideal. The monomials that lead no
@@ -47,7 +45,7 @@ def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
     --------
     >>> import gyrostat as gs
     >>> k1, k2, k3 = k = [gs.symbol(f"k{n}") for n in (1, 2, 3)]
-    >>> zeros_on_sphere([k1 * k2, k3 * k2, k1 * k3], k, but=k1 + k3)
+    >>> [tuple(x) for x in zeros_on_sphere([k1 * k2, k3 * k2, k1 * k3], k, but=k1 + k3)]
     [(0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0)]
     """
     ring = Ring([*polynomials, but, *over_it, *k])
@@ -116,7 +114,7 @@ class _Algebra:
         under = self.times(bottom, _identity(self.size))
         return [under.solve(self.times(top, self.one)) for top in tops]
 
-    def points(self, paired: bool = False, more: Sequence[fmpq_mat] = ()) -> Iterator[tuple[Expr, ...]]:
+    def points(self, paired: bool = False, more: Sequence[fmpq_mat] = ()) -> Iterator[FieldNumbers]:
         """The real zeros, with the values of more elements; paired, where −k is one of the same values."""
         for n in count(1):
             form = self.axes[0] + self.axes[1] * n + self.axes[2] * n**2
@@ -124,23 +122,22 @@ class _Algebra:
             apart = whole / whole.gcd(whole.derivative())
             if apart.degree() == self.size or apart.degree() == self.traced[0]:
                 break
-        place = self.monomials(self.one)
-        elements = [*(place(e) for e in (ONE, *AXES)), *more]
+        monomial = self.monomials(self.one)
+        elements = [*(monomial(e) for e in (ONE, *AXES)), *more]
         weights = fmpq_mat([[n % 7 + 1 for n in range(self.size)]])
         found = _numerators(apart, form, weights, elements)
         if apart.degree() < self.size or not found[0].gcd(apart).is_constant():
             found = _numerators(apart, form, self.traced[1], elements)
         under, *tops = found
+        places = range(len(tops))
         for factor, _ in apart.factor()[1]:
-            if roots := roots_of_factor(factor):
-                slope = factor.derivative()
-                parts = divided([top * slope for top in tops], under, factor)
-                for root in roots:
-                    if not paired or ball(root, 64) > 0:    # λ(−k) = −λ(k), and λ tells them apart
-                        point = tuple(at_root(x, root) / at_root(slope, root) for x in parts)
-                        yield point
-                        if paired:
-                            yield (*(-x for x in point[:3]), *point[3:])
+            values = Conjugates(factor, tops, under)
+            for n, root in enumerate(values.roots()):
+                if not paired:
+                    yield FieldNumbers(values, n, [(place, 1) for place in places])
+                elif root > 0:                             # λ(−k) = −λ(k), and λ tells them apart
+                    for sign in (1, -1):
+                        yield FieldNumbers(values, n, [(place, sign if place < 3 else 1) for place in places])
 
     @cached_property
     def traced(self) -> tuple[int, fmpq_mat]:

@@ -58,4 +58,4 @@ def _found(force: Matrix, k: Sequence[Expr], but: Expr, where: str) -> list[tupl
     if (found := zeros_on_sphere(cross(force, k), DIRECTION, but)) is None:
         raise ScopeError(f"at {where} no finite number of rotations is found: there may be circles of them; "
                          f"{INSTEAD}")
-    return found
+    return [tuple(k) for k in found]

@@ -2,7 +2,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from sympy import Add, Expr, Matrix, Rational, S, expand, sqrt
+from sympy import Add, Expr, Matrix, Rational, S, sqrt
 
 from ..algebra.exact import evaluate, proved_sign
 from ..algebra.matrices import cross
@@ -63,11 +63,11 @@ def _tilted(scene: System, l: Sequence[Expr]) -> Iterator[OrbitalEquilibrium]:
     I = scene.body.moments
     along = [moment * x for moment, x in zip(I, R)]
     c, level = cross(R, along), Add(*(x * y for x, y in zip(l, R)))
-    cubic = expand(4 * (I[1] - I[0]) * (I[2] - I[0]) * (I[2] - I[1]) * R[0] * R[1] * R[2]
-                   - level * Add(*(x * y for x, y in zip(l, c))))
-    quartic = expand(level**2 - 16 * Add(*(x**2 for x in c)))
+    cubic = (4 * (I[1] - I[0]) * (I[2] - I[0]) * (I[2] - I[1]) * R[0] * R[1] * R[2]
+             - level * Add(*(x * y for x, y in zip(l, c))))
+    quartic = level**2 - 16 * Add(*(x**2 for x in c))
     mean = Add(*(x * y for x, y in zip(along, R)))
-    normal = [expand(-4 * (a * Add(*(x**2 for x in R)) - mean * x)) for a, x in zip(along, R)]
+    normal = [-4 * (a * Add(*(x**2 for x in R)) - mean * x) for a, x in zip(along, R)]
     found = zeros_on_sphere([cubic, quartic], R, level, normal)
     if found is None:
         raise ScopeError("no finite number of equilibria is found: there may be curves of them; give an "
@@ -85,7 +85,7 @@ def _principal(scene: System, l: Sequence[Expr], axis: int | None) -> Iterator[O
                           for i in range(3)])
     for v in verticals:
         held = Matrix([moment * x + y for moment, x, y in zip(scene.body.moments, N, l)])
-        across = expand(Matrix(cross(N, v)).dot(held))
+        across = Matrix(cross(N, v)).dot(held)
         length = sqrt(Add(*(x**2 for x in v)))
         for n in zeros_on_sphere([across, Add(*(x * y for x, y in zip(v, N)))], N) or ():
             for side in (S.One, S.NegativeOne):

@@ -4,12 +4,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from flint import acb, acb_poly, arb
-from sympy import Expr, Float, Matrix
+from sympy import Expr, Float
 
 from ..algebra.balls import ball
 from ..algebra.exact import evaluate, proved_sign
 from ..algebra.matrices import adjugate, cross
 from ..algebra.precision import own_precision
+from ..algebra.real_fields import BITS, FieldNumbers
 from ..kept import cached_property
 from ..mechanics.circular_orbit import orbital_rate, resting_at
 from ..mechanics.claimed import equilibrium
@@ -23,7 +24,7 @@ from .in_frame import HELD
 from .report import Report
 from .secular import KEPT, LOST, modes
 
-PRECISION, DIGITS = 192, 30                                # bits that decide; digits of a rate
+PRECISION, DIGITS = BITS, 30                               # bits that decide; digits of a rate
 LEAST = Decision(Verdict.STABLE, "Lyapunov", (), "the energy has a minimum: K is positive definite", ())
 ODD = Decision(Verdict.UNSTABLE, "spectral", (), "K has an odd number of negative squares: an eigenvalue has "
                "a positive real part", ())
@@ -40,8 +41,8 @@ class OrbitalEquilibrium(Shown, Stored):
     ----------
     scene : System
         at its numbers
-    n, r : tuple of Expr, shape (3,)
-        the normal of the orbit and the vertical in body axes, exact
+    normal, vertical : sequence of Expr, shape (3,)
+        n and r in body axes, exact
     locus : str
         "" for a point, else the curve of equilibria to which it belongs, in words; of a body of revolution
         the circle, and the verdict is modulo the turn about its axis
@@ -56,9 +57,19 @@ class OrbitalEquilibrium(Shown, Stored):
     """
 
     scene: System
-    n: tuple[Expr, ...]
-    r: tuple[Expr, ...]
+    normal: Sequence[Expr]
+    vertical: Sequence[Expr]
     locus: str = ""
+
+    @cached_property
+    def n(self) -> tuple[Expr, ...]:
+        """The normal of the orbit in body axes."""
+        return tuple(self.normal)
+
+    @cached_property
+    def r(self) -> tuple[Expr, ...]:
+        """The vertical, outwards, in body axes."""
+        return tuple(self.vertical)
 
     @property
     def t(self) -> tuple[Expr, ...]:
@@ -143,18 +154,34 @@ class OrbitalEquilibrium(Shown, Stored):
 
     def _enclosed(self, precision: int) -> tuple[arb, ...]:
         """The invariants in balls."""
-        body = self.scene.body
-        given = (*body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r)
-        *tensor, rotor, n, r = ([ball(x, precision) for x in values] for values in given)
-        return invariants(tensor, rotor, n, r, ball(orbital_rate(self.scene), precision))
+        body, rate = self.scene.body, ball(orbital_rate(self.scene), precision)
+        *tensor, rotor, n, r = (balls(x, precision) for x in (
+            *body.tensor.tolist(), body.gyrostatic_momentum, self.normal, self.vertical))
+        return invariants(tensor, rotor, n, r, rate)
 
     @property
     def _reached(self) -> bool:
         """Whether internal damping reaches every motion: t·In and n·In − r·Ir do not both vanish."""
-        along = list(self.scene.body.tensor * Matrix(self.n))
-        vertical = list(self.scene.body.tensor * Matrix(self.r))
-        values = dot(cross(self.n, self.r), along), dot(self.n, along) - dot(self.r, vertical)
-        return any(proved_sign(evaluate(x, {})) for x in values)
+        rows = self.scene.body.tensor.tolist()
+        with own_precision(PRECISION):
+            found = unreached([balls(row, PRECISION) for row in rows], balls(self.normal, PRECISION),
+                              balls(self.vertical, PRECISION))
+            if any(not x.contains(0) for x in found):
+                return True
+        return any(proved_sign(evaluate(x, {})) for x in unreached(rows, self.n, self.r))
+
+
+def balls(numbers: Sequence[Expr], precision: int) -> list[arb]:
+    """Enclosures, of numbers in a field without their expressions."""
+    if isinstance(numbers, FieldNumbers):
+        return numbers.balls(precision)
+    return [ball(x, precision) for x in numbers]
+
+
+def unreached(tensor: Sequence[Sequence[Any]], n: Sequence[Any], r: Sequence[Any]) -> tuple[Any, Any]:
+    """t·In and n·In − r·Ir."""
+    along, vertical = ([dot(row, a) for row in tensor] for a in (n, r))
+    return dot(cross(n, r), along), dot(n, along) - dot(r, vertical)
 
 
 def _decimal(x: arb) -> Expr:

@@ -1,0 +1,28 @@
+"""Numbers in the field of a real root: enclosures without expressions, and the expressions."""
+import pickle
+
+from flint import fmpq_poly
+
+from gyrostat.algebra.balls import ball
+from gyrostat.algebra.real_fields import Conjugates, FieldNumbers
+
+
+def test_enclosures_are_those_of_the_expressions():
+    """Of a cubic with three real roots, and a surd whose formula gives them in the other order."""
+    for coefficients in ([1, -3, 0, 1], [-1, 1, 1], [1, 2, -3]):
+        tops, under = [fmpq_poly([0, 1]), fmpq_poly([5, 0, 1])], fmpq_poly([7, 2])
+        field = Conjugates(fmpq_poly(coefficients), tops, under)
+        last = None
+        for n, root in enumerate(field.roots()):
+            assert last is None or root > last
+            last, numbers = root, FieldNumbers(field, n, [(0, 1), (1, -1), (0, -1)])
+            for x, enclosed in zip(numbers, numbers.balls(192)):
+                assert ball(x, 256).overlaps(enclosed) and enclosed.rad() < 1e-40
+            assert len(numbers) == 3 and numbers[2] == -numbers[0] and numbers[1:][0] == numbers[1]
+
+
+def test_pickled_as_expressions():
+    """What python-flint has is not pickled."""
+    field = Conjugates(fmpq_poly([-2, 0, 1]), [fmpq_poly([0, 1])], fmpq_poly([1]))
+    numbers = FieldNumbers(field, 1, [(0, 1)])
+    assert pickle.loads(pickle.dumps(numbers)) == tuple(numbers)
