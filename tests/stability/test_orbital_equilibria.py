@@ -148,9 +148,27 @@ def test_irrational_rotors_along_an_axis(rotor):
     assert all(e.equilibrium for e in equilibria)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(("moments", "rotor"), [
+    (RIGID, ("1/20", "1/50", "1/30")), (RIGID, ("1/20", "1/50", 0)), (RIGID, (0, "1/20", "1/5")),
+    ((1, 1, "3/2"), ("1/10", "1/5", 0)), ((1, 1, "3/2"), ("1/10", 0, "1/5"))])
+def test_a_root_in_the_rate(moments, rotor):
+    """ω0 from μ and the radius: the attitudes are those at a rate that is as near as decimals are."""
+    scene = gs.assemble(gs.Gyrostat(moments, rotor), gs.circular_orbit(mu=2, radius=3))
+    equilibria = gs.relative_equilibria(scene, {})
+    others = found(moments, rotor, Rational(round(float(sqrt(Rational(2, 27))) * 10**12), 10**12))
+    near = places(others)
+    assert len(equilibria) == len(near)
+    for e, place in zip(equilibria, places(equilibria)):
+        same = np.abs(near - place).max(1).argmin()
+        assert np.abs(near[same] - place).max() < 1e-9
+        assert e.decision.verdict is others[same].decision.verdict
+        assert e.damped.verdict is others[same].damped.verdict
+
+
 def test_what_is_refused():
     """In one sentence that says what there is instead."""
-    with pytest.raises(gs.errors.ScopeError, match="rational l/omega0, and here is sqrt.* decimals"):
+    with pytest.raises(gs.errors.ScopeError, match=r"one square root .* is \(0, sqrt\(2\)/10, 1\): round"):
         found(RIGID, (0, sqrt(2) / 10, 1))
     with pytest.raises(gs.errors.ScopeError, match="the three moments are 2, .* steady_motion"):
         found((2, 2, 2), (0, 0, 1))

@@ -6,6 +6,7 @@ from flint import arb, arb_poly, fmpq_poly
 from sympy import Expr
 
 from ..kept import cached_property
+from .balls import ball
 from .number_fields import at_root, divided
 from .precision import own_precision
 from .roots import in_order, roots_of_factor
@@ -25,8 +26,9 @@ class Conjugates:
 
     Examples
     --------
+    >>> from sympy import S
     >>> halves = Conjugates(fmpq_poly([-2, 0, 1]), [fmpq_poly([1])], fmpq_poly([0, 1]))
-    >>> [tuple(FieldNumbers(halves, n, [(0, 1)])) for n in range(len(halves.roots()))]
+    >>> [tuple(FieldNumbers(halves, n, [(0, S.One)])) for n in range(len(halves.roots()))]
     [(-sqrt(2)/2,), (sqrt(2)/2,)]
     """
 
@@ -73,11 +75,11 @@ class FieldNumbers(Sequence[Expr]):
     conjugates : Conjugates
     root : int
         its place among the real ones
-    places : sequence of (int, int)
-        which of the tops, and a sign
+    places : sequence of (int, Expr)
+        which of the tops, and an exact factor
     """
 
-    def __init__(self, conjugates: Conjugates, root: int, places: Sequence[tuple[int, int]]):
+    def __init__(self, conjugates: Conjugates, root: int, places: Sequence[tuple[int, Expr]]):
         self.conjugates, self.root, self.places = conjugates, root, places
 
     def __len__(self) -> int:
@@ -92,9 +94,9 @@ class FieldNumbers(Sequence[Expr]):
     def __getitem__(self, n: int | slice) -> "Expr | FieldNumbers":
         if isinstance(n, slice):
             return FieldNumbers(self.conjugates, self.root, self.places[n])
-        (place, sign), root = self.places[n], self.conjugates.exact[self.root]
+        (place, factor), root = self.places[n], self.conjugates.exact[self.root]
         tops, under = self.conjugates.short
-        return sign * (at_root(tops[place], root) / at_root(under, root))
+        return factor * (at_root(tops[place], root) / at_root(under, root))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return tuple, (tuple(self),)                       # python-flint's polynomials are not pickled
@@ -103,4 +105,8 @@ class FieldNumbers(Sequence[Expr]):
         """Enclosures, without an expression."""
         values = self.conjugates.values(precision)[self.root]
         with own_precision(precision):
-            return [values[place] if sign > 0 else -values[place] for place, sign in self.places]
+            return [values[place] * ball(factor, precision) for place, factor in self.places]
+
+    def over(self, divisor: Expr) -> "FieldNumbers":
+        """Each over an exact number."""
+        return FieldNumbers(self.conjugates, self.root, [(place, x / divisor) for place, x in self.places])

@@ -134,10 +134,11 @@ class _Algebra:
             values = Conjugates(factor, tops, under)
             for n, root in enumerate(values.roots()):
                 if not paired:
-                    yield FieldNumbers(values, n, [(place, 1) for place in places])
+                    yield FieldNumbers(values, n, [(place, S.One) for place in places])
                 elif root > 0:                             # λ(−k) = −λ(k), and λ tells them apart
-                    for sign in (1, -1):
-                        yield FieldNumbers(values, n, [(place, sign if place < 3 else 1) for place in places])
+                    for sign in (S.One, S.NegativeOne):
+                        yield FieldNumbers(values, n, [(place, sign if place < 3 else S.One)
+                                                       for place in places])
 
     @cached_property
     def traced(self) -> tuple[int, fmpq_mat]:

@@ -2,7 +2,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from sympy import Add, Expr, Matrix, Rational, S, sqrt
+from sympy import Add, Expr, Rational, S, sqrt
 
 from ..algebra.exact import evaluate, proved_sign
 from ..algebra.matrices import cross
@@ -42,10 +42,15 @@ def orbital_equilibria(scene: System, values: Mapping[str, Any]) -> list[Orbital
     if len(along) < 2:
         place = (along or [0])[0]
         return list(along_an_axis(here, place, rotor[place]))
-    if irrational := [x for x in (*here.body.moments, *rotor) if not isinstance(x, Rational)]:
-        raise ScopeError(f"with a rotor along no principal axis all equilibria are found at rational moments "
-                         f"and rational l/omega0, and here is {irrational[0]}: round them to decimals")
-    return [*_tilted(here, rotor), *_principal(here, rotor, axis)]
+    scale = rotor[along[0]]
+    if isinstance(scale, Rational):
+        scale = S.One
+    direction = [evaluate(x / scale, {}) for x in rotor]
+    if not all(isinstance(x, Rational) for x in (*here.body.moments, *direction, evaluate(scale**2, {}))):
+        raise ScopeError("with a rotor along no principal axis all equilibria are found at rational moments "
+                         "and a rational l/omega0, or one square root times that, and l/omega0 is "
+                         f"({', '.join(map(str, rotor))}): round to decimals")
+    return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
 
 
 def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
@@ -58,25 +63,29 @@ def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
     return same[0] if same else None
 
 
-def _tilted(scene: System, l: Sequence[Expr]) -> Iterator[OrbitalEquilibrium]:
-    """Where r is along no principal axis."""
+def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalEquilibrium]:
+    """Where r is along no principal axis; the rotor is ω0 scale l."""
     I = scene.body.moments
     along = [moment * x for moment, x in zip(I, R)]
     c, level = cross(R, along), Add(*(x * y for x, y in zip(l, R)))
     cubic = (4 * (I[1] - I[0]) * (I[2] - I[0]) * (I[2] - I[1]) * R[0] * R[1] * R[2]
-             - level * Add(*(x * y for x, y in zip(l, c))))
-    quartic = level**2 - 16 * Add(*(x**2 for x in c))
+             - scale**2 * level * Add(*(x * y for x, y in zip(l, c))))
+    quartic = scale**2 * level**2 - 16 * Add(*(x**2 for x in c))
     mean = Add(*(x * y for x, y in zip(along, R)))
     normal = [-4 * (a * Add(*(x**2 for x in R)) - mean * x) for a, x in zip(along, R)]
     found = zeros_on_sphere([cubic, quartic], R, level, normal)
     if found is None:
         raise ScopeError("no finite number of equilibria is found: there may be curves of them; give an "
                          "attitude, steady_motion(scene, n, r)")
-    yield from (OrbitalEquilibrium(scene, place[3:], place[:3]) for place in found)
+    yield from (OrbitalEquilibrium(scene, place[3:].over(scale), place[:3]) for place in found)
 
 
-def _principal(scene: System, l: Sequence[Expr], axis: int | None) -> Iterator[OrbitalEquilibrium]:
-    """Where r is along a principal axis across l: n on a circle, t·(ω0 In + l) = 0."""
+def _principal(scene: System, l: Sequence[Expr], scale: Expr, axis: int | None
+               ) -> Iterator[OrbitalEquilibrium]:
+    """Where r is along a principal axis across l: n on a circle, t·(ω0 In + l) = 0.
+
+    With the scale a root, its square is taken, and of two opposite n one has the right sign.
+    """
     verticals = [[S.One if i == k else S.Zero for i in range(3)] for k in range(3) if l[k] == 0]
     if axis is not None:                                   # any axis across that of symmetry is principal
         first, second = ((axis + n) % 3 for n in (1, 2))
@@ -84,9 +93,11 @@ def _principal(scene: System, l: Sequence[Expr], axis: int | None) -> Iterator[O
         verticals.append([l[second] if i == first else -l[first] if i == second else S.Zero
                           for i in range(3)])
     for v in verticals:
-        held = Matrix([moment * x + y for moment, x, y in zip(scene.body.moments, N, l)])
-        across = Matrix(cross(N, v)).dot(held)
-        length = sqrt(Add(*(x**2 for x in v)))
-        for n in zeros_on_sphere([across, Add(*(x * y for x, y in zip(v, N)))], N) or ():
-            for side in (S.One, S.NegativeOne):
-                yield OrbitalEquilibrium(scene, n, tuple(side * x / length for x in v))
+        t, length = cross(N, v), sqrt(Add(*(x**2 for x in v)))
+        own = Add(*(moment * x * y for moment, x, y in zip(scene.body.moments, N, t)))
+        given = Add(*(x * y for x, y in zip(l, t)))
+        held = own + given if scale == 1 else own**2 - scale**2 * given**2
+        for n in zeros_on_sphere([held, Add(*(x * y for x, y in zip(v, N)))], N) or ():
+            if scale == 1 or proved_sign(evaluate(own * given * scale, dict(zip(N, n)))) != 1:
+                for side in (S.One, S.NegativeOne):
+                    yield OrbitalEquilibrium(scene, n, tuple(side * x / length for x in v))
