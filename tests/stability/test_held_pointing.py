@@ -8,6 +8,7 @@ from slow import sampled
 from sympy import Matrix, Rational
 
 import gyrostat as gs
+from gyrostat.mechanics.scene_tables import SceneTable
 from gyrostat.stability.orientation_form import orientation_form
 
 
@@ -113,3 +114,13 @@ def test_driven_rotors_are_in_the_tensor():
     assert gs.circular_orbit(1, rotors=[driven]) == gs.circular_orbit(1)
     with pytest.raises(gs.errors.ArgumentError, match="a rotor"):
         gs.circular_orbit(1, rotors=[3])
+
+
+def test_a_scene_file_with_a_free_wheel():
+    """Its gravity gradient is that of the whole satellite."""
+    table = {"inertia": [60, 70, 35], "lumped": True, "orbit": "1", "equilibrium": "earth-pointing",
+             "rotors": [{"axis": [0, 0, 1], "axial": "5", "momentum": "0"}]}
+    scene = SceneTable(table).system
+    assert scene.body.moments == (60, 70, 30)
+    K, *_ = orientation_form(gs.earth_pointing(scene))
+    assert K.is_diagonal() and K[1, 1] == 3 * (60 - 35)

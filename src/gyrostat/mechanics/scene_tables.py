@@ -89,7 +89,8 @@ class SceneTable:
                 raise PublishedError(f"potential = {bare} is unspecified, and in orbit the gravity gradient "
                                      "acts: leave it out, or write an expression in n1, n2, n3, r1, r2, r3")
             orbit = {name: in_si(x, f"orbit {name}")[0] for name, x in self.table["orbit"].items()}
-            return circular_orbit(**orbit, potential=0 if bare == NONE else parse(text))
+            other = 0 if bare == NONE else parse(text)
+            return circular_orbit(**orbit, potential=other, rotors=self.rotors)
         if bare == NONE:
             return None
         if bare in (AXIAL, GENERAL):
