@@ -25,6 +25,7 @@ from .report import Report
 from .secular import KEPT, LOST, modes
 
 PRECISION, DIGITS = BITS, 30                               # bits that decide; digits of a rate
+TIGHT = arb("1e-60")                                       # of its square
 LEAST = Decision(Verdict.STABLE, "Lyapunov", (), "the energy has a minimum: K is positive definite", ())
 ODD = Decision(Verdict.UNSTABLE, "spectral", (), "K has an odd number of negative squares: an eigenvalue has "
                "a positive real part", ())
@@ -93,7 +94,7 @@ class OrbitalEquilibrium(Shown, Stored):
             return Report(self.equilibrium).verdict({})
         trace_, second, whole, *spectrum = self.signs
         if self.locus:                                     # K is degenerate along the curve
-            return LEAVES if -1 in spectrum[:2] else Decision(Verdict.UNDECIDED, "", (), self.locus, ())
+            return LEAVES if -1 in spectrum else Decision(Verdict.UNDECIDED, "", (), self.locus, ())
         if whole == -1:
             return ODD
         if trace_ == second == whole == 1:
@@ -134,23 +135,35 @@ class OrbitalEquilibrium(Shown, Stored):
     @property
     def frequencies(self) -> tuple[Expr, ...]:
         """Of the librations, in increasing order, to 30 digits [1/T]."""
-        found = [(-root.real).sqrt() for root in self._squares if root.real < 0 and root.imag.contains(0)]
-        return tuple(_decimal(x) for x in sorted(found, key=lambda x: float(x.mid())))
+        with own_precision(2 * PRECISION):
+            found = [(-root.real).sqrt() for root in self._squares if root.real < 0 and root.imag.contains(0)]
+            return tuple(_decimal(x) for x in sorted(found, key=lambda x: float(x.mid())))
 
     @property
     def growth_rate(self) -> Expr | None:
         """The largest real part of an eigenvalue [1/T]; None where there is none that is positive."""
-        rates = [root.sqrt().real for root in self._squares if not (root.real < 0 and root.imag.contains(0))]
-        largest = max((x for x in rates if x > 0), key=lambda x: float(x.mid()), default=None)
-        return None if largest is None else _decimal(largest)
+        with own_precision(2 * PRECISION):
+            rates = [root.sqrt().real for root in self._squares
+                     if not (root.real < 0 and root.imag.contains(0))]
+            largest = max((x for x in rates if x > 0), key=lambda x: float(x.mid()), default=None)
+            return None if largest is None else _decimal(largest)
 
     @cached_property
     def _squares(self) -> list[acb]:
-        """λ², the roots of the sextic's cubic."""
+        """λ², the roots of the sextic's cubic; but one that is 0, where K is singular."""
         with own_precision(2 * PRECISION):
-            (a, b, c, _), d = self._enclosed(2 * PRECISION)[3:], ball(
+            (a, b, c, gap), d = self._enclosed(2 * PRECISION)[3:], ball(
                 self.scene.body.tensor.det(method="berkowitz"), 2 * PRECISION)
-            return list(acb_poly([c, b, a, d]).roots())
+            if self.locus or self.signs[2] == 0:
+                if (a**2 - 4 * b * d).contains(0):
+                    return [acb(-a / (2 * d))] * 2
+                return list(acb_poly([b, a, d]).roots(TIGHT))
+            if not gap.contains(0):
+                return list(acb_poly([c, b, a, d]).roots(TIGHT))
+            if (apart := a**2 - 3 * b * d).contains(0):
+                return [acb(-a / (3 * d))] * 3
+            double = (9 * d * c - a * b) / (2 * apart)
+            return [acb(x) for x in (double, double, -a / d - 2 * double)]
 
     def _enclosed(self, precision: int) -> tuple[arb, ...]:
         """The invariants in balls."""
