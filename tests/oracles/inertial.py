@@ -3,13 +3,15 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 
-def followed(moments, rotor, rate, omega, turn, times):
+def followed(moments, rotor, rate, omega, turn, times, wheels=0.0):
     """ω, and n and r in body axes, at times; ω0 = rate, ω and the matrix from body to space at t = 0.
 
     The centre of the Earth is at rest, the satellite at (cos ω0 t, sin ω0 t, 0) from it; the torque of the
-    gravity gradient is 3 ω0² r × Ir.
+    gravity gradient is 3 ω0² r × Ir. The axial moments of free wheels, along the axes, are in I there, not in
+    the moments.
     """
     moments, rotor = np.array(moments, float), np.array(rotor, float)
+    whole = moments + wheels
 
     def vertical(t):
         return np.array([np.cos(rate * t), np.sin(rate * t), 0.0])
@@ -17,7 +19,7 @@ def followed(moments, rotor, rate, omega, turn, times):
     def rates(t, y):
         w, R = y[:3], y[3:].reshape(3, 3)
         r = R.T @ vertical(t)
-        torque = np.cross(moments * w + rotor, w) + 3 * rate**2 * np.cross(r, moments * r)
+        torque = np.cross(moments * w + rotor, w) + 3 * rate**2 * np.cross(r, whole * r)
         # each row of R is a direction fixed in space, in body axes
         return np.concatenate([torque / moments, np.cross(R, w).ravel()])
 

@@ -47,6 +47,23 @@ def test_librations(full):
         assert np.abs(frame[:, 2] - normal).max() < 1e-10 and np.abs(frame[:, 0] - vertical).max() < 1e-10
 
 
+@pytest.mark.slow
+def test_a_free_wheel():
+    """Its axial momentum stays, and gravity acts on it: without that the motion is another."""
+    rng = Random("a free wheel")
+    moments, _, rate, omega, turn, _, n, r = librating(rng)
+    wheel = gs.Rotor((1, 0, 0), axial=0.3, momentum=0.2)
+    body = gs.gyrostat_with_rotors(tuple(moments), [wheel], lumped=True)
+    left, wheels = np.array([float(x) for x in body.moments]), np.array([0.3, 0, 0])
+    scene = gs.assemble(body, gs.circular_orbit(float(rate), rotors=[wheel]))
+    motion, times = gs.trajectories.motion(scene, (*(left * omega), *n, *r)), np.linspace(0, 10 / rate, 21)
+    w, normal, vertical = followed(left, (0.2, 0, 0), rate, omega, turn, times, wheels)
+    found = motion(times)
+    assert np.abs(found[:, 3:6] - normal).max() < 1e-10 and np.abs(found[:, 6:] - vertical).max() < 1e-10
+    _, other, _ = followed(left, (0.2, 0, 0), rate, omega, turn, times)
+    assert np.abs(found[:, 3:6] - other).max() > 1e-3
+
+
 def test_a_table_and_notes():
     """Columns of both directions; what is no frame is said."""
     scene = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
