@@ -6,6 +6,7 @@ from sympy import Expr, Symbol
 from ..algebra.exact import evaluate
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.orbital_precession import moving_axis
+from ..mechanics.parallel import parallel
 from .decision import Finding, settled
 
 HELD = ("gyroscopic forces hold it, the second variation has both signs: no theorem decides with three "
@@ -16,8 +17,8 @@ AXIS = "the axis moves in the orbital frame as k of a spherical gyrostat in one 
 
 
 def open_between(eq: Equilibrium) -> bool:
-    """Whether nothing decides between the two criteria, whatever the numbers."""
-    return eq.system.coupled and not eq.system.linear_integrals
+    """Whether nothing decides between the two criteria of its report, whatever the numbers."""
+    return eq.system.coupled and not eq.system.linear_integrals and not parallel(eq)
 
 
 def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate: bool,
