@@ -31,9 +31,10 @@ REFUSED = {
     "draw_energy_momentum": lambda scene: gs.plotting.draw_energy_momentum(scene, {"p_psi": 1}),
     "draw_momentum_sphere": lambda scene: gs.plotting.draw_momentum_sphere(scene, 2),
     "draw_rotor_set": lambda scene: gs.plotting.draw_rotor_set(scene, {"l3": 0, "M": 1}),
-    "draw_staude_cone": gs.plotting.draw_staude_cone, "draw_staude_plane": gs.plotting.draw_staude_plane}
+    "draw_staude_cone": gs.plotting.draw_staude_cone,
+    "draw_staude_plane": gs.plotting.draw_staude_plane}
 ANSWERED = {"equilibrium", "assemble", "earth_pointing", "relative_equilibria", "orbital_precession",
-            "steady_motion", "release"}
+            "steady_motion", "release", "draw_attitudes"}
 
 
 @pytest.mark.parametrize("scene", SCENES)

@@ -28,6 +28,8 @@ REFUSED = {
     "momentum_limits": lambda: gs.mechanics.momentum_limits(gs.Gyrostat(TENSOR, (0, 0, 0)), 1),
     "draw_effective_potential": lambda: gs.plotting.draw_effective_potential(HEAVY, LEVEL),
     "draw_energy_momentum": lambda: gs.plotting.draw_energy_momentum(HEAVY, {"p_psi": 1}),
+    "draw_attitudes": lambda: gs.plotting.draw_attitudes(gs.assemble(
+        gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1))),
     "draw_momentum_sphere": lambda: gs.plotting.draw_momentum_sphere(FREE, 2),
     "draw_rotor_set": lambda: gs.plotting.draw_rotor_set(gs.assemble(gs.Gyrostat(TENSOR)), {"l3": 0, "M": 1}),
     "draw_staude_cone": lambda: gs.plotting.draw_staude_cone(gs.assemble(

@@ -1,0 +1,100 @@
+"""The attitudes in which a satellite rests, on the sphere of the directions of its body."""
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from sympy import Expr
+
+from ..algebra.precision import own_precision
+from ..errors import ScopeError, require
+from ..mechanics.circular_orbit import in_orbit
+from ..mechanics.system import System
+from ..stability.orbital_equilibrium import OrbitalEquilibrium, balls
+from ..stability.relative_equilibria import relative_equilibria
+from ..stability.report import Verdict
+from .globe import circle, curve_on, dots_on, stage
+from .headings import heading, of_scene
+from .looks import GREY, axes_of, label, legend, marker, meaning, named
+
+LENGTH = 0.22                                              # of the line along n
+FIRST, WIDEST = 64, 1e-12                                  # bits of the first enclosure; of one that is drawn
+
+
+def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: Any = None,
+                   **kwargs: Any) -> Any:
+    """Draw every attitude in which a gyrostat satellite rests, by its vertical in the body.
+
+    From a dot at r, as it is seen from the body, a line goes along n, the normal of the orbit, to a marker
+    that says the verdict. Those with −r are on the other side. What is behind is faded.
+
+    Parameters
+    ----------
+    scene : System
+        of assemble(body, circular_orbit())
+    values : mapping of name to number
+        of the names in the scene
+    ax : axes of mplot3d
+        new ones where they are left out
+    **kwargs : Any
+        of the markers: of Axes3D.plot
+
+    Returns
+    -------
+    axes of mplot3d
+
+    Raises
+    ------
+    ArgumentError
+        no scene is given, or flat axes
+    ScopeError
+        the scene is in no orbit
+    ValuesError
+        a name has no number
+    MissingExtraError
+        pip install "gyrostat[plot]"
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> from matplotlib.figure import Figure
+    >>> satellite = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), ("3/10", "1/5", "1/10")), gs.circular_orbit(1))
+    >>> ax = gs.plotting.draw_attitudes(satellite, ax=Figure().add_subplot(projection="3d"))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['stable', 'unstable', '$n$ from $r$']
+    """
+    require(scene, System, "the scene")
+    if not in_orbit(scene):
+        raise ScopeError("attitudes are those of a satellite in orbit: assemble(body, circular_orbit())")
+    found = [e for e in relative_equilibria(scene, values or {}) if isinstance(e, OrbitalEquilibrium)]
+    ax = axes_of(ax, three=True)
+    eye = stage(ax, 1.0, [label(f"r{i}") for i in (1, 2, 3)])
+    for axis in np.eye(3):
+        curve_on(ax, circle(axis, 1.0), eye, color=GREY, linewidth=0.5)
+    looks: dict[Verdict, dict[str, Any]] = {}
+    for verdict in Verdict:
+        some = [e for e in found if e.decision.verdict is verdict]
+        if not some:
+            continue
+        looks[verdict] = {**marker(verdict), **kwargs}
+        r, n = (np.array(list(map(_doubles, parts))) for parts in (
+            [e.vertical for e in some], [e.normal for e in some]))
+        ends = np.stack([r, r + LENGTH * n, np.full_like(r, np.nan)], axis=1).reshape(-1, 3)
+        curve_on(ax, ends, eye, color=looks[verdict]["color"], linewidth=1.1)
+        dots_on(ax, r, eye, color=GREY, marker=".", linestyle="none", markersize=4)
+        dots_on(ax, r + LENGTH * n, eye, **looks[verdict])
+    decisions = [e.decision for e in found]
+    legend(ax, [*(named(look, meaning(verdict, decisions)) for verdict, look in looks.items()),
+                named({"color": GREY, "linewidth": 1.1}, f"{label('n')} from {label('r')}")],
+           title=heading(ax, *of_scene(scene, values or {})))
+    return ax
+
+
+def _doubles(numbers: Sequence[Expr]) -> list[float]:
+    """Numbers as they are drawn, from enclosures that are narrow enough."""
+    bits = FIRST
+    while True:
+        with own_precision(bits):
+            found = balls(numbers, bits)
+        if all(x.rad() < WIDEST for x in found):
+            return [float(x) for x in found]
+        bits *= 2
