@@ -130,7 +130,7 @@ def _asks_for_all(scene: System, numbers: Mapping[str, Expr]) -> bool:
     own = numbers.keys() - {s.name for s in names_of_scene(scene)}
     if scene.potential is None:
         return "M" in own
-    if in_orbit(scene) and not scene.body.is_of_revolution():
+    if in_orbit(scene):
         return numbers.keys() >= {s.name for s in names_of_scene(scene)}
     return scene.potential.given and any(
         name in ("omega", "C1") or name[:1] == "k" and name[1:] in ("1", "2", "3", "c") for name in own)
