@@ -23,6 +23,20 @@ equilibrium = "earth-pointing"
 orbit = 1
 inertia = [1, "5/4", "8/5"]
 gyrostatic_momentum = ["3/10", "1/5", "1/10"]
+
+[scene.wheels]
+inertia = ["60 kg m^2", "52 kg m^2", "35 kg m^2"]
+rotors = [{ axis = [0, 1, 0], axial = "0.0005 kg m^2", rate = "600 rpm" }]
+lumped = true
+orbit = { mu = "398600.4418 km^3/s^2", radius = "6778 km" }
+equilibrium = "earth-pointing"
+
+[scene.free]
+inertia = [60, 70, 35]
+rotors = [{ axis = [1, 0, 0], axial = 5, momentum = 0 }]
+lumped = true
+orbit = 1
+equilibrium = "earth-pointing"
 """
 BODY = ("--orbit", "1", "--inertia", "60,32,35", "--gyrostatic-momentum", "0,0,0")
 
@@ -83,6 +97,16 @@ def test_a_symmetric_satellite(capsys):
 
     assert "Lyapunov stable modulo the flow of π₃" in out
     assert "destroyed by internal damping: 2 growing" in out
+
+
+def test_wheels_of_a_file(capsys, file):
+    """A driven one holds a body that would turn over; a free one leaves K of roll with all of its moment."""
+    _, out, _ = run(capsys, "--scene", f"{file}#wheels", "--format", "json", verb="decide")
+    (found,) = json.loads(out)["equilibria"]
+    assert found["decision"]["verdict"] == found["damped_decision"]["verdict"] == "STABLE"
+    _, out, _ = run(capsys, "--scene", f"{file}#free", "--format", "json")
+    (equilibrium,) = json.loads(out)["equilibria"][:1]     # I_n − I_t, 70 − 60, and J more across n
+    assert [equilibrium["stiffness"][i][i] for i in range(3)] == ["140", "75", "15"]
 
 
 def test_which_rotors_hold_it(capsys):

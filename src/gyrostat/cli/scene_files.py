@@ -7,6 +7,7 @@ from typing import Any
 from ..algebra.inputs import name_of, toml_of
 from ..algebra.spelling import names_in
 from ..errors import GyrostatError, PublishedError, ValuesError, brief
+from ..mechanics.circular_orbit import orbital_rate
 from ..mechanics.scene_tables import NONE, SceneTable, scene_tables
 from .options import SPINS, numbers_of, unless_given
 
@@ -86,12 +87,23 @@ def scene_of_file(place: str) -> SceneTable:
 
 
 def _without_rotors(scene: SceneTable) -> dict[str, Any]:
-    """The table, the body with its rotors as a tensor and a momentum."""
+    """The table, the body with its rotors as a tensor and a momentum, in orbit the free ones in U too."""
     table = {name: value for name, value in scene.table.items() if name not in ("rotors", "lumped")}
     if "rotors" in scene.table:
         table["inertia"] = [[str(x) for x in row] for row in scene.body.tensor.tolist()]
         table["gyrostatic_momentum"] = list(map(str, scene.body.gyrostatic_momentum))
+        if "orbit" in table:                               # numbers of SI, as the tensor
+            table["orbit"] = {"rate": str(orbital_rate(scene.system))}
+            table["potential"] = _beside(scene, table["orbit"])
     return table
+
+
+def _beside(scene: SceneTable, orbit: Mapping[str, str]) -> str:
+    """What acts beside the gravity gradient of the tensor, none if nothing does."""
+    whole, gradient = scene.potential, SceneTable({"orbit": orbit}).potential
+    assert whole is not None and gradient is not None
+    other = (whole.expression - gradient.expression).expand()
+    return NONE if other == 0 else str(other)
 
 
 def _text(value: Any) -> str:
