@@ -33,6 +33,8 @@ CHANGED = [                 # what is put instead of what is written, and words 
     ("how-do-we-get", {'rate="540 rpm"': 'rate="450 rpm"', '"100 kg m^2"': '"90 kg m^2"'},
      ("wheel at 450 rpm", "at 183.00 rpm (pitchfork)", "period 28.10 s")),
     ("which-rotations", {'(0, "1/2", 1), 2': '(0, "1/3", 1), 3'}, ("$\\omega = 3$",)),
+    ("is-my", {'rate="600 rpm"': 'rate="300 rpm"', '"52 kg m^2"': '"53 kg m^2"'}, ("13.9 in the units",)),
+    ("which-are", {'("3/10", "1/5", "1/10")': '("1/50", "3/100", "1/25")'}, ("with the wheel 24",)),
     ("what-does-the", {'"l": "1/2"': '"l": "1/4"'}, ("$l = 1/4$",)),
 ]
 
