@@ -44,7 +44,8 @@ class SceneTable:
     table: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "table", {name: _read(name, value) for name, value in self.table.items()})
+        object.__setattr__(self, "table", {name: self.entry(name, value)
+                                           for name, value in self.table.items()})
         if {"point", "equilibrium"} <= self.table.keys():
             raise PublishedError("point and equilibrium are both given: leave out one of the two")
         if {"rotors", "gyrostatic_momentum"} <= self.table.keys():
@@ -52,6 +53,10 @@ class SceneTable:
         if ("rotors" in self.table) != ("lumped" in self.table):
             raise PublishedError("rotors and lumped go together: write lumped = true where the inertia "
                                  "includes that of the rotors, lumped = false where it does not")
+
+    def entry(self, name: str, value: Any) -> Any:
+        """What is kept of an entry of the file."""
+        return _read(name, value)
 
     @cached_property
     def body(self) -> Gyrostat:

@@ -4,7 +4,7 @@ from collections import ChainMap
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import Abs, Expr, MatrixBase, nan, oo, zoo
+from sympy import Abs, Expr, MatrixBase, Pow, S, nan, oo, zoo
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.spelling import RELATIONS
@@ -20,7 +20,8 @@ _HOLDING = {1: ("<", "<="), 0: ("<=", ">="), -1: (">", ">=")}
 def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool]]:
     """The comparisons of a text joined by "and", as (margin, strict): margin > 0, or margin ≥ 0.
 
-    A chain a < b < c says a < b, b < c and a < c; abs(x) < c says c² − x² > 0 and c > 0.
+    A chain a < b < c says a < b, b < c and a < c; abs(x) < c says c² − x² > 0 and c > 0, √x < c
+    that c² − x > 0, c > 0 and x ≥ 0.
 
     Examples
     --------
@@ -34,7 +35,7 @@ def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool
             for j in range(i + 1, len(sides)):
                 small, large = (sides[i], sides[j]) if signs[0][0] == "<" else (sides[j], sides[i])
                 strict = not all(sign.endswith("=") for sign in signs[i:j])
-                found += [(margin, strict) for margin in _margins(small, large)]
+                found += _margins(small, large, strict)
     return found
 
 
@@ -94,9 +95,14 @@ def _chains(printed: str, names: Mapping[str, Any]) -> list[tuple[list[Expr], li
     return found
 
 
-def _margins(small: Expr, large: Expr) -> list[Expr]:
+def _margins(small: Expr, large: Expr, strict: bool) -> list[tuple[Expr, bool]]:
+    factor, root = small.as_coeff_Mul()
     if isinstance(small, Abs):
-        return [large**2 - small.args[0] ** 2, *([] if large.is_positive else [large])]
-    if isinstance(large, Abs) and small.is_nonnegative:
-        return [large.args[0] ** 2 - small**2]
-    return [large - small]
+        found = [large**2 - small.args[0] ** 2, *([] if large.is_positive else [large])]
+    elif isinstance(large, Abs) and small.is_nonnegative:
+        found = [large.args[0] ** 2 - small**2]
+    elif factor.is_positive and isinstance(root, Pow) and root.exp == S.Half and not root.is_positive:
+        return [(large**2 - small**2, strict), (large, strict), (root.base, False)]
+    else:
+        found = [large - small]
+    return [(margin, strict) for margin in found]

@@ -60,14 +60,14 @@ def is_of_the_scene(r: Reading, values: Values) -> bool:
     """
     scene, claims_existence = r.scene, r.statement.quantity == "existence"
     # others are the source's own
-    drawn = {s for moment in scene.body.moments for s in moment.free_symbols} - r.at.keys()
+    drawn = {s for e in scene.body.positive for s in e.free_symbols} - r.at.keys()
     if (
         any(not v.is_number or v.is_real is False or not v.is_finite for v in values.values())
         or drawn
         and not is_a_body(scene, values)
     ):
         return False
-    positive = [*(s for s in values if s.is_positive), *scene.body.moments]
+    positive = [*(s for s in values if s.is_positive), *scene.body.positive]
     if scene.equilibrium and not claims_existence:
         positive += scene.equilibrium.existence()
     if any(sign_of_constant(e.xreplace(dict(values))) != 1

@@ -5,6 +5,7 @@ Nothing here uses the bracket, the second variation or the criteria of the libra
 from ..algebra.exact import sign_of_constant
 from ..notation import symbol
 from .independent import PI, K, Model
+from .independent_frames import InFrame
 
 
 def is_least(model: Model) -> bool | None:
@@ -13,6 +14,8 @@ def is_least(model: Model) -> bool | None:
     On so(3)* by its second order and fourth; of a body of revolution by what it is at least at each k3; else
     by the signs of its squares. None where these do not decide, or it is one point.
     """
+    if isinstance(model, InFrame):
+        return model.is_least()
     if len(model.point) == 3:
         signs = model.signs_on_sphere()
         return False if -1 in signs else True if signs == [1, 1] else None

@@ -9,7 +9,8 @@ import mpmath
 from sympy import Expr, Float, Integer, Matrix, MatrixBase, Rational, Symbol, diag
 
 from ..notation import jet, symbol
-from .independent import DIGITS, PI, K, Model, Values
+from .independent import DIGITS, PI, K, Values
+from .independent_frames import InFrame, frame_names_at_numbers, model_of
 from .independent_kinematics import turning
 from .independent_rotations import amended_names, cone_names
 from .independent_windows import normal_form_names
@@ -24,7 +25,7 @@ def names(scene: Scene, values: Values) -> Names:
     Functions of the motion differentiate along the field of Newton and Euler.
     """
     return Names(_functions() | (turning(scene, values) if "angles" in scene.table
-                                 else _moving(Model(scene, values), scene)), {})
+                                 else _moving(scene, values)), {})
 
 
 def _functions() -> dict[str, Callable[..., Any]]:
@@ -34,7 +35,10 @@ def _functions() -> dict[str, Callable[..., Any]]:
             **{name: (lambda u, m, i=i: _jacobi(u, m)[i]) for i, name in enumerate(("sn", "cn", "dn"))}}
 
 
-def _moving(model: Model, scene: Scene) -> dict[str, Any]:
+def _moving(scene: Scene, values: Values) -> dict[str, Any]:
+    model = model_of(scene, values)
+    if isinstance(model, InFrame):
+        return frame_names_at_numbers(model, scene)
     x, field = model.coordinates, model.field
     h = sum(p**2 / moment for p, moment in zip(PI, model.inertia)) / 2 + model.U
     named: dict[str, Any] = {str(s): v for s, v in model.values.items() if s not in x and not jet(s.name)}
@@ -140,7 +144,7 @@ def number(value: Expr, scene: Scene, values: Values) -> Any:
     place = (
         {Symbol("t"): Integer(0)}
         if "angles" in scene.table
-        else {s: v for s, v in values.items() if s in {*PI, *K}}
+        else {s: v for s, v in values.items() if s in {*PI, *K, *scene.system.space.coordinates}}
     )
     at = value.subs(place)
     return at if isinstance(at, Rational) or at.free_symbols else at.evalf(30)

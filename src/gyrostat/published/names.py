@@ -14,6 +14,7 @@ from ..mechanics.freebody import polhode_period
 from ..notation import jet, jet_name, symbol
 from ..stability.energy_casimir import multipliers
 from ..stability.linearization import linearize
+from .frames import frame_names, frame_names_at
 from .jacobi import cn, dn, sn
 from .kinematics import Later, turning
 from .rotations import amended_names, cone_names
@@ -82,14 +83,12 @@ FUNCTIONS: Mapping[str, Any] = {
 
 def _symbols(scene: Scene) -> dict[str, Any]:
     """Parameters: those of body and field, and those the file declares."""
-    found = {s for e in (*scene.body.moments, *scene.body.gyrostatic_momentum) for s in e.free_symbols}
-    found |= set(scene.potential.parameters) if scene.potential else set()
-    return {name: symbol(name) for name in {s.name for s in found} | set(scene.table.get("parameters", ()))
+    return {name: symbol(name) for name in {s.name for s in scene.parameters} | set(scene.table.get("parameters", ()))
             | {"t"}}
 
 
 def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:
-    """Names on so(3)* or e(3)*, all at the equilibrium where there is one."""
+    """Names on so(3)*, e(3)* or in two directions, all at the equilibrium where there is one."""
     system, body, potential = scene.system, scene.body, scene.potential
     coordinates, U = system.space.coordinates, symbol("U")
     slopes = (0, 0, 0, *(system.potential.gradient() if system.potential else ()))
@@ -109,7 +108,7 @@ def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:
         return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)
 
     pi, rotor = ImmutableMatrix(coordinates[:3]), ImmutableMatrix(body.gyrostatic_momentum)
-    omega = ImmutableMatrix([p / moment for p, moment in zip(pi, body.moments)])
+    omega = body.inverse * pi
     kinetic = body.kinetic_energy(coordinates[:3])
     found: dict[str, Any] = {str(x): x for x in coordinates}
     found |= {f"omega{i}": rate for i, rate in enumerate(omega, 1)}
@@ -117,10 +116,13 @@ def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:
               "B": system.space.tensor,
               "h": kinetic + (U if potential else 0), "T": kinetic, "field": system.jet_field,
               "state": ImmutableMatrix(coordinates)}
-    found |= dict(zip(("C1", "C2") if potential else ("C",), system.space.casimirs))
+    found |= dict(zip(("C1", "C2", "C3") if potential else ("C",), system.space.casimirs))
     # any functions, to first order
     found |= {f: sum(symbol(f"{f}{i}") * x for i, x in enumerate(coordinates, 1)) for f in "FG"}
-    if potential:
+    if system.coupled:
+        found = {**{name: x for name, x in found.items() if name not in ("T", "B", "F", "G")},
+                 **frame_names(system)}
+    elif potential:
         found |= {"U": U, "vector_k": ImmutableMatrix(coordinates[3:])}
         found |= {d: symbol(d) for d in ([jet_name(n) for n in (1, 2, 3)] if potential.axial
                                          else [jet_name(1, a) for a in "123"])}
@@ -128,6 +130,8 @@ def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:
         place = dict(zip(coordinates, scene.point))
         return {name: value.xreplace(place)
                 for name, value in found.items()} | _at_equilibrium(scene.equilibrium, place, at)
+    if system.coupled:
+        return found | {"dt": along(system.jet_field)}
     if potential:
         found |= cone_names(system)
     delta = ImmutableMatrix([symbol(f"delta_{x}") for x in coordinates])
@@ -148,6 +152,8 @@ def _at_equilibrium(eq: Equilibrium, place: Mapping[Symbol, Expr], at: Mapping[S
               "polynomial": Later(lambda: linearize(eq).characteristic_polynomial()),
               "q": Later(lambda: linearize(eq).coefficients[-1]),
               "identity": Later(lambda: eye(linearize(eq).matrix.rows))}
+    if eq.system.coupled:
+        return found | frame_names_at(eq)
     if eq.system.potential:
         nu = {f"nu{n + 1}": Later(lambda n=n: multipliers(eq, eq.system.space.casimirs)[n])  # type: ignore[misc]
               for n in (0, 1)}

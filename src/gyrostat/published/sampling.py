@@ -20,9 +20,7 @@ TRIALS = 400
 
 def unknowns(scene: Scene, expressions: Iterable[Expr]) -> list[Symbol]:
     """Every symbol that a point of the scene needs a number for."""
-    found = {s for e in (*expressions, *scene.body.moments, *scene.body.gyrostatic_momentum)
-             for s in e.free_symbols}
-    found |= set(scene.potential.parameters) if scene.potential else set()
+    found = {s for e in expressions for s in e.free_symbols} | scene.parameters
     eq = scene.equilibrium
     if "angles" in scene.table:
         found |= {*ANGLES, *([symbol(scene.table["vertical"])] if "vertical" in scene.table else [])}
@@ -77,10 +75,15 @@ def on_family(scene: Scene, values: dict[Symbol, Expr]) -> dict[Symbol, Expr]:
 
 
 def is_a_body(scene: Scene, values: Mapping[Symbol, Expr]) -> bool:
-    """Whether no moment exceeds the sum of the others, where the moments are drawn."""
-    moments = [moment.xreplace(dict(values)) for moment in scene.body.moments]
-    if any(m.free_symbols for m in moments) or not any(m.free_symbols for m in scene.body.moments):
+    """Whether no moment exceeds the sum of the others, where the moments are drawn; of a tensor, whose axes
+    are not principal, and of a vehicle, which moves a fluid, whether it is positive.
+    """
+    positive = [e.xreplace(dict(values)) for e in scene.body.positive]
+    if any(e.free_symbols for e in positive) or not any(e.free_symbols for e in scene.body.positive):
         return True
+    if "vehicle" in scene.table or len(scene.body.entries) > 3:
+        return all(sign_of_constant(e) == 1 for e in positive)
+    moments = [moment.xreplace(dict(values)) for moment in scene.body.moments]
     return all(sign_of_constant(sum(moments) - 2 * m) in (0, 1) for m in moments)
 
 

@@ -2,32 +2,84 @@
 
 A scene, and what the library derives for each of its names.
 """
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from ..algebra.grammar import parse
-from ..errors import PublishedError
+from ..algebra.inputs import is_name
+from ..errors import PublishedError, brief
 from ..kept import cached_property
+from ..mechanics.body import Gyrostat
 from ..mechanics.claimed import equilibrium
+from ..mechanics.coupled import CoupledPotential, coupled_potential
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import E3, PERMANENT
-from ..mechanics.scene_tables import SceneTable
+from ..mechanics.potential import Potential
+from ..mechanics.scene_tables import NONE, SceneTable
+from ..mechanics.system import System
+from ..mechanics.vehicles import underwater_vehicle
 from ..notation import jet, symbol
+
+VEHICLE = ("mass", "coupling", "weight")
 
 
 @dataclass(frozen=True)
 class Scene(SceneTable):
     """One [scene.NAME] table: a body, a field, perhaps an equilibrium or Euler angles.
 
-    A state and values are for the command line, no formula is about them.
+    A field in two directions, or a vehicle, is one of formulas alone. A state and values are for the command line, no formula is about them.
 
     Parameters
     ----------
     table : mapping
         as in the file
     """
+
+    def entry(self, name: str, value: Any) -> Any:
+        """As of a scene, and those of formulas alone."""
+        if name == "directions":
+            return _directions(value)
+        return _vehicle(value) if name == "vehicle" else super().entry(name, value)
+
+    @cached_property
+    def hull(self) -> Gyrostat:
+        """The body of the table; of a vehicle J, which is not the tensor of its momenta."""
+        return SceneTable({name: self.table[name] for name in ("inertia", "gyrostatic_momentum")
+                           if name in self.table}).body
+
+    @cached_property
+    def parameters(self) -> set[Symbol]:
+        """The names of the body and the field."""
+        potential = self.system.potential if "orbit" in self.table else self.potential
+        return self.body.symbols | self.hull.symbols | set(potential.parameters if potential else ())
+
+    @cached_property
+    def body(self) -> Gyrostat:
+        """The gyrostat."""
+        return self.system.body if "vehicle" in self.table else super().body
+
+    @cached_property
+    def potential(self) -> Potential | CoupledPotential | None:
+        """The field; in two directions an expression in their components."""
+        if "vehicle" in self.table:
+            return self.system.potential
+        if "directions" in self.table:
+            return coupled_potential(parse(self.table.get("potential", "0")), self.table["directions"])
+        return super().potential
+
+    @cached_property
+    def system(self) -> System:
+        """The Lie-Poisson system."""
+        if "vehicle" not in self.table:
+            return super().system
+        if self.table.get("potential", NONE) != NONE:
+            raise PublishedError("a vehicle has its weight, and no other potential: leave potential out")
+        given = {name: _parsed(value) for name, value in self.table["vehicle"].items()}
+        return underwater_vehicle(self.hull.tensor, **given,
+                                  gyrostatic_momentum=self.hull.gyrostatic_momentum)
 
     @cached_property
     def equilibrium(self) -> Equilibrium | None:
@@ -72,3 +124,27 @@ class Scene(SceneTable):
             for name, value in self.equilibrium.relations:
                 expression = expression.xreplace({name: value}) if jet(name.name) else expression
         return self.equilibrium.insert(expression)
+
+
+def _directions(value: Any) -> list[str]:
+    """The names of two directions."""
+    if not isinstance(value, list) or len(value) != 2 or not all(isinstance(x, str) and is_name(x)
+                                                                 for x in value):
+        raise PublishedError(f'directions = {brief(value)}: write two names, directions = ["k", "e"]')
+    return value
+
+
+def _vehicle(value: Any) -> Mapping[str, Any]:
+    """Texts by name: the masses, the coupling, the weight."""
+    rows = value.values() if isinstance(value, dict) else ()
+    if not rows or not {"mass", "weight"} <= set(value) <= {*VEHICLE} or not all(
+            isinstance(row, list) and all(isinstance(x, (str, list)) for x in row) for row in rows):
+        raise PublishedError(f"vehicle = {brief(value)}: write mass and weight, three texts each, and perhaps "
+                             'coupling, three rows of them, vehicle = { mass = ["m1", "m2", "m3"], '
+                             'weight = ["0", "0", "m0"] }')
+    return dict(value)
+
+
+def _parsed(value: Any) -> Any:
+    """An expression for each text of a list, or of rows."""
+    return [_parsed(x) for x in value] if isinstance(value, list) else parse(value)

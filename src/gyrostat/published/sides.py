@@ -7,7 +7,8 @@ from sympy import Expr, MatrixBase
 from ..algebra.exact import sign_of_constant
 from ..errors import PublishedError
 from ..notation import symbol
-from .independent import Model, Values
+from .independent import Values
+from .independent_frames import model_of
 from .independent_names import number
 from .language import decimal
 from .readings import Reading
@@ -102,7 +103,7 @@ def decimal_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
 
 def rest_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     """A printed point, at which a rate does not vanish."""
-    model = Model(r.scene, values)
+    model = model_of(r.scene, values)
     at = dict(zip(model.coordinates, r.independently(r.statement.printed, values)))
     name, rate = model.coordinates[doubt.place[0]], model.field.subs(at)[doubt.place[0]].subs(dict(values))
     if sign_of_constant(rate - doubt.sides[0].subs(dict(values))) != 0:

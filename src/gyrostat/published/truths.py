@@ -6,6 +6,7 @@ from .comparisons import holds_as_printed
 from .criteria import DAMPED
 from .independent import Model, Values
 from .independent_damping import is_least
+from .independent_frames import model_of
 from .independent_separatrix import separatrix_residual
 from .independent_windows import stability
 from .readings import Reading
@@ -15,7 +16,7 @@ from .statements import Doubt, Seen
 def model_at(r: Reading, values: Values) -> Model | None:
     """The scene at numbers; None where its equilibrium does not exist."""
     try:
-        return Model(r.scene, values)
+        return model_of(r.scene, values)
     except GyrostatError:
         return None
 
