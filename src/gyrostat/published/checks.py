@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..errors import PublishedError
-from . import claims, evidence, formulas
+from . import claims, counts, evidence, formulas
 from .readings import Reading
 from .sources import _HERE, SOURCES, Source, _at, load
 from .statements import Doubt, Outcome, Statement
@@ -12,7 +12,7 @@ from .statements import Doubt, Outcome, Statement
 _CHECKS: Mapping[str, Callable[[Reading], Outcome | Doubt]] = {
     "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium,
     "solution": formulas.solution,
-    "number": formulas.rounded, "condition": claims.condition, "statement": claims.statement}
+    "number": formulas.rounded, "condition": claims.condition, "count": counts.count, "statement": claims.statement}
 _STATUS = {True: "confirmed", False: "misprint", None: "unchecked"}
 
 

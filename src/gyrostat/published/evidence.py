@@ -9,6 +9,7 @@ from sympy import Expr
 from ..algebra.exact import sign_of_constant
 from ..errors import ExpressionError, GyrostatError
 from .comparisons import holds_as_printed
+from .counts import count_at
 from .independent import Values
 from .readings import Reading
 from .sampling import is_a_body, on_family
@@ -28,7 +29,7 @@ def decided(r: Reading, doubt: Doubt) -> Outcome:
     PublishedError
         the library and Newton and Euler's equations disagree at a point
     """
-    look = {"condition": condition_at, "statement": verdict_at, "number": decimal_at,
+    look = {"condition": condition_at, "statement": verdict_at, "number": decimal_at, "count": count_at,
             "equilibrium": rest_at}.get(r.statement.kind, formula_at)
     weaker = None
     for values in islice(doubt.points, MOST):

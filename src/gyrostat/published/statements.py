@@ -10,7 +10,7 @@ from sympy import Expr, Symbol
 
 from .scenes import Scene
 
-KINDS = ("identity", "family", "equilibrium", "solution", "condition", "number", "statement")
+KINDS = ("identity", "family", "equilibrium", "solution", "condition", "number", "count", "statement")
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Statement:
         the right-hand side, the condition, the verdict
     kind : str
         identity, family (an identity on the family of an equilibrium), equilibrium, solution (of the
-        equations of motion), condition, number, statement
+        equations of motion), condition, number, count, statement
     note : str
     scene : Scene
     let : mapping
