@@ -112,6 +112,11 @@ def mutants_of(text):
         )
 
 
+def other_counts(text):
+    """(kind, mutant) for a count that is four more, or one more."""
+    yield from (("count", str(int(text) + n)) for n in (1, 4))
+
+
 def placed(value, path=()):
     """Every text in a printed value, with its place."""
     if isinstance(value, str):
@@ -131,7 +136,7 @@ def mutants(statement):
     """(kind, label, mutated statement)."""
     nothing = set(re.findall(r"\w+", str(statement.quantity))) == {"0"}
     for path, text in placed(statement.printed):
-        for kind, changed in mutants_of(text):
+        for kind, changed in (other_counts if statement.kind == "count" else mutants_of)(text):
             whole = kind == "sign" and changed.strip("-()") == text.strip("-()")
             if not (whole and (nothing or text == "0")):   # −0 is 0
                 yield kind, changed, replace(statement, printed=put(statement.printed, path, changed))

@@ -4,7 +4,7 @@ from collections import ChainMap
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import Abs, Expr, MatrixBase, Pow, S, nan, oo, zoo
+from sympy import Abs, Expr, MatrixBase, Mul, Pow, S, nan, oo, zoo
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.spelling import RELATIONS
@@ -101,8 +101,9 @@ def _margins(small: Expr, large: Expr, strict: bool) -> list[tuple[Expr, bool]]:
         found = [large**2 - small.args[0] ** 2, *([] if large.is_positive else [large])]
     elif isinstance(large, Abs) and small.is_nonnegative:
         found = [large.args[0] ** 2 - small**2]
-    elif factor.is_positive and isinstance(root, Pow) and root.exp == S.Half and not root.is_positive:
-        return [(large**2 - small**2, strict), (large, strict), (root.base, False)]
+    elif factor.is_positive and not root.is_positive and all(
+            isinstance(x, Pow) and abs(x.exp) == S.Half for x in Mul.make_args(root)):
+        return [(large**2 - small**2, strict), (large, strict), (root**2, False)]
     else:
         found = [large - small]
     return [(margin, strict) for margin in found]

@@ -14,7 +14,7 @@ from ..mechanics.scene_tables import scene_tables
 from .scenes import Scene
 from .statements import KINDS, Statement
 
-SOURCES = ("VV2003", "N2025", "EA", "AR", "literature", "windows")
+SOURCES = ("VV2003", "N2025", "EA", "AR", "literature", "windows", "satellites")
 _HERE = resources.files(__package__)                     # a folder, or part of an archive
 MOST = 40                                              # abbreviations, values or constants of a formula
 _REQUIRED = ("key", "where", "quantity", "printed", "kind")
@@ -57,7 +57,7 @@ def load(source: str | Path) -> Source:
     Parameters
     ----------
     source : str or Path
-        VV2003, N2025, EA, AR, literature, windows; or a path ending in .toml
+        VV2003, N2025, EA, AR, literature, windows, satellites; or a path ending in .toml
 
     Returns
     -------
