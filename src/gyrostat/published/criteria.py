@@ -24,7 +24,8 @@ from .sign_patterns import sign_pattern
 K3 = symbol("k3")
 Margins = Sequence[tuple[Expr, bool]]
 DAMPED = "sufficient for stability under internal damping"
-CLAIMS = ("necessary for stability", "sufficient for stability", "sufficient for stability, Casimirs alone",
+SPECTRAL = "necessary and sufficient for spectral stability"
+CLAIMS = (SPECTRAL, "necessary for stability", "sufficient for stability", "sufficient for stability, Casimirs alone",
           DAMPED,
           "necessary and sufficient for stability", "sufficient for instability",
           "sufficient for stability on the boundary",
@@ -83,7 +84,7 @@ class Claim:
         PublishedError
             the claim is none of those that can be checked
         """
-        if claim == "necessary for stability":
+        if claim in ("necessary for stability", SPECTRAL):
             return self.report.necessary
         if claim in ("sufficient for stability", "necessary and sufficient for stability"):
             return self.report.sufficient

@@ -12,6 +12,7 @@ from ..notation import symbol
 from .language import decimal, read
 from .names import is_zero
 from .readings import Reading
+from .sampling import on_family
 from .statements import Doubt, Outcome
 
 
@@ -138,4 +139,5 @@ def rounded(r: Reading) -> Outcome | Doubt:
     excess = abs(derived.evalf(50) - printed)
     if excess <= half:
         return Outcome(True, s.printed, derived)
-    return Doubt([r.at], s.printed, derived, ((None, printed - derived.evalf(20)),))
+    at = on_family(r.scene, r.at)
+    return Doubt([at], s.printed, derived, ((None, printed - derived.evalf(20)),))

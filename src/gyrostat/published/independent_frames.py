@@ -56,8 +56,8 @@ class InFrame(Model):
         return dict(zip(self.coordinates, self.point))
 
     def number(self, value: Any) -> Any:
-        """A value of the parameters."""
-        return (Matrix(value) if isinstance(value, list) else value).subs(self.values)
+        """A value of the parameters, not of the coordinates."""
+        return value.subs({s: x for s, x in self.values.items() if s not in self.coordinates})
 
     def has_a_unit_k(self) -> bool:
         """Whether the directions are as the scene has them: construction checks it."""
@@ -124,8 +124,10 @@ class InFrame(Model):
         rows = Matrix([[f.diff(x) for x in self.coordinates] for f in (self.energy, *self.casimirs)])
         rows = rows.subs(self.place)
         force = rows[0, :] + Add(*(x * rows[n, :] for n, x in enumerate(names, 1)), evaluate=False).doit()
-        (nu,) = linsolve(list(force), names)
-        nu = [x.subs({s: far for s in names}) for x in nu]
+        found = list(linsolve(list(force), names))
+        if not found:                                      # parallel directions, and it turns about them
+            return None
+        nu = [x.subs({s: far for s in names}) for x in found[0]]
         form = hessian(self.energy + Add(*(x * c for x, c in zip(nu, self.casimirs))), self.coordinates)
         held = [list(rows.row(n)) for n in (1, 2, 3)] + [[0, 0, 1] + [0] * 6] * spin
         kernel = Matrix.hstack(*Matrix(held).nullspace())

@@ -15,7 +15,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import E3, FAMILIES
 from ..notation import symbol
 from ..stability.conditions import Criterion
-from .criteria import free_symbols, holds
+from .criteria import SPECTRAL, free_symbols, holds
 from .readings import Reading
 from .sampling import K, on_family
 
@@ -37,7 +37,7 @@ def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) ->
         return
     wanted = (
         None
-        if claim in ("existence", "necessary and sufficient for stability")
+        if claim in ("existence", "necessary and sufficient for stability", SPECTRAL)
         else claim.startswith("sufficient")
     )
     truths = [derived]

@@ -3,7 +3,7 @@ from ..algebra.exact import sign_of_constant
 from ..errors import GyrostatError, PublishedError
 from ..notation import symbol
 from .comparisons import holds_as_printed
-from .criteria import DAMPED
+from .criteria import DAMPED, SPECTRAL
 from .independent import Model, Values
 from .independent_damping import is_least
 from .independent_frames import model_of
@@ -34,7 +34,7 @@ def condition_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     truth, why = _truth(r, claim, model, values)
     if None in (says, truth) or says == truth:
         return None
-    either = claim in ("existence", "necessary and sufficient for stability")
+    either = claim in ("existence", "necessary and sufficient for stability", SPECTRAL)
     note = ", though two of the sides printed are equal" if equal else ""
     return Seen("holds" if says else "fails", _word(claim, bool(truth)), why + note,
                 either or says == claim.startswith("sufficient"))
@@ -46,6 +46,8 @@ def _word(claim: str, truth: bool) -> str:
         return "definite" if truth else "not definite"
     if claim == DAMPED:
         return "least" if truth else "not least"
+    if claim == SPECTRAL:
+        return "spectrally stable" if truth else "unstable"
     if claim in ("existence", "sufficient for periodic motion"):
         return ("" if truth else "not ") + ("an equilibrium" if claim == "existence" else "periodic")
     return "stable" if truth == ("instability" not in claim) else "unstable"
@@ -64,6 +66,10 @@ def _truth(r: Reading, claim: str, model: Model, values: Values) -> tuple[bool |
             "the squares of D²(h + ν·C) on the tangent space of the orbit, counted exactly, are "
             + ("of one sign" if definite else "not of one sign"),
         )
+    if claim == SPECTRAL:
+        grows = model.grows()
+        return not grows, ("the characteristic polynomial of the differenced field, its signs exact, has "
+                           + ("a root with a positive real part" if grows else "no root with one"))
     if claim == DAMPED:
         least = is_least(model)
         return least, ("the energy on the level of the Casimirs, its squares counted exactly, is "
