@@ -5,13 +5,13 @@ From the output alone. No gyrostat here.
 from fractions import Fraction
 
 import damped
-import framed
 import held
 import mpmath as mp
 import oracle
 import refuted
 import reread
 import rotating
+import shown_framed
 import turned
 
 
@@ -31,8 +31,8 @@ def is_true(statement, scene, shown, weaker=False):
         the claim does not fail there
     """
     values, kind = shown["values"], statement["kind"]
-    if framed.KEYS & scene.keys():
-        return framed.is_true(statement, scene, shown, weaker)
+    if shown_framed.KEYS & scene.keys():
+        return shown_framed.is_true(statement, scene, shown, weaker)
     if kind not in ("condition", "statement"):
         return (
             not weaker

@@ -56,11 +56,13 @@ def test_derived_quantities_are_those_of_newton_and_euler(statement):
 @pytest.mark.slow
 def test_independent_confirmation_uses_no_derivation():
     """Neither the bracket nor the linearisation nor the criteria stand behind a counterexample."""
-    for name in ("independent", "independent_damping", "independent_kinematics", "independent_rotations",
+    for name in ("independent", "independent_counts", "independent_damping", "independent_frames",
+                 "independent_kinematics", "independent_rotations",
                  "independent_oscillations", "independent_separatrix", "independent_series",
                  "independent_sphere", "independent_windows"):
         tree = ast.parse((HERE / f"{name}.py").read_text(encoding="utf-8"))
         ours = {n.module for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and n.level}
-        assert ours <= {"errors", "kept", "algebra.exact", "notation", "scenes", "independent",
+        assert ours <= {"errors", "kept", "algebra.exact", "algebra.grammar",
+                        "algebra.quantities", "notation", "scenes", "independent", "independent_frames",
                         "independent_sphere", "kinematics", "algebra.precision", "independent_oscillations",
                         "independent_series"}

@@ -77,8 +77,8 @@ def parser() -> argparse.ArgumentParser:
                        help="numba: faster, gyrostat[fast]")
     chart.add_argument("--output", metavar="FILE", help="chart.png, .pdf, .svg, .nc or .zarr")
     verify.add_argument("sources", nargs="*", metavar="SOURCE",
-                        help="VV2003, N2025, EA, AR, literature, windows, or a .toml file of your own; "
-                        "left out: the first six")
+                        help="VV2003, N2025, EA, AR, literature, windows, satellites, or a .toml file of "
+                        "your own; left out: the first seven")
     decide.add_argument("--format", choices=("text", "json"), help="left out: text, of a batch JSON")
     for verb in (report, conditions, verify):
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")

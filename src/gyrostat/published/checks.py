@@ -12,7 +12,8 @@ from .statements import Doubt, Outcome, Statement
 _CHECKS: Mapping[str, Callable[[Reading], Outcome | Doubt]] = {
     "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium,
     "solution": formulas.solution,
-    "number": formulas.rounded, "condition": claims.condition, "count": counts.count, "statement": claims.statement}
+    "number": formulas.rounded, "condition": claims.condition, "count": counts.count,
+    "statement": claims.statement}
 _STATUS = {True: "confirmed", False: "misprint", None: "unchecked"}
 
 

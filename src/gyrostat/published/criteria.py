@@ -25,8 +25,8 @@ K3 = symbol("k3")
 Margins = Sequence[tuple[Expr, bool]]
 DAMPED = "sufficient for stability under internal damping"
 SPECTRAL = "necessary and sufficient for spectral stability"
-CLAIMS = (SPECTRAL, "necessary for stability", "sufficient for stability", "sufficient for stability, Casimirs alone",
-          DAMPED,
+CLAIMS = ("necessary for stability", "sufficient for stability", "sufficient for stability, Casimirs alone",
+          DAMPED, SPECTRAL,
           "necessary and sufficient for stability", "sufficient for instability",
           "sufficient for stability on the boundary",
           "sufficient for instability on the boundary", "existence", "sufficient for periodic motion")

@@ -29,7 +29,7 @@ def frame_names(system: System) -> Mapping[str, Any]:
             "h": energy, "U": potential.expression}
 
 
-def frame_names_at(eq: Equilibrium) -> Mapping[str, Any]:
+def frame_names_at(eq: Equilibrium) -> dict[str, Any]:
     """Of I θ̈ + g × θ̇ + K θ = 0: K, g, the tensor I, and c2, c1, c0 of the sextic."""
     coefficients = {f"c{2 - n}": Later(lambda n=n: linearize(eq).coefficients[n])  # type: ignore[misc]
                     for n in range(3)}

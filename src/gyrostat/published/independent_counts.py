@@ -5,8 +5,8 @@ Nothing here uses the equilibria of the library, nor any published formula.
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mechanics.circular_orbit import orbital_rate
 from .independent import Values
+from .independent_frames import rate_of
 from .scenes import Scene
 
 STARTS, STEPS = 400, 60
@@ -15,11 +15,11 @@ Array = NDArray[np.float64]
 
 
 def found_by_search(scene: Scene, values: Values) -> list[int | None]:
-    """Of each critical point of V = (3/2) ω0² r·Ir − (1/2) ω0² n·In − ω0 n·l the number of negative squares of
-    D²V; None where it is degenerate.
+    """Of each critical point of V = (3/2) ω0² r·Ir − (1/2) ω0² n·In − ω0 n·l the number of negative squares
+    of D²V; None where it is degenerate.
     """
     at = dict(values)
-    rate = float(orbital_rate(scene.system).subs(at))
+    rate = float(rate_of(scene).subs(at))
     rotor = np.array([float(x.subs(at)) for x in scene.body.gyrostatic_momentum])
     tensor = np.array([[float(x.subs(at)) for x in row] for row in scene.body.tensor.tolist()])
     place = _directions(np.random.default_rng(1).normal(size=(STARTS, 4)))

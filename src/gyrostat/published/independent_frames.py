@@ -3,16 +3,16 @@
 Newton and Euler's of a satellite and of a body in two fields, Kirchhoff's of a vehicle. Nothing here uses the
 bracket, the linearisation or the criteria of the library, nor any published formula.
 """
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
-from sympy import Add, Expr, Integer, Matrix, MatrixBase, Poly, Rational, hessian, linsolve
+from sympy import Add, Expr, Integer, Matrix, MatrixBase, Poly, Rational, hessian, linsolve, sqrt
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.grammar import parse
+from ..algebra.quantities import in_si
 from ..errors import PublishedError
 from ..kept import cached_property
-from ..mechanics.circular_orbit import orbital_rate
 from ..notation import symbol
 from .independent import PI, Model, Values
 from .kinematics import Later
@@ -41,7 +41,7 @@ class InFrame(Model):
         tensor = Matrix(scene.hull.tensor).subs(self.values)
         kind = _vehicle if "vehicle" in scene.table else _orbit if "orbit" in scene.table else _two_fields
         turning, self.turned, self.omega, self.energy = kind(self, scene, tensor)
-        self.U = self.energy.subs({p: 0 for p in PI})
+        self.U = self.energy.subs(dict.fromkeys(PI, 0))
         self.field = Matrix([*turning, *self.a.cross(self.turned), *self.b.cross(self.turned)])
         self.casimirs = [self.a.dot(self.a), self.a.dot(self.b), self.b.dot(self.b)]
         self.point = [x.subs(self.values) for x in (scene.point or self.coordinates)]
@@ -127,7 +127,7 @@ class InFrame(Model):
         found = list(linsolve(list(force), names))
         if not found:                                      # parallel directions, and it turns about them
             return None
-        nu = [x.subs({s: far for s in names}) for x in found[0]]
+        nu = [x.subs(dict.fromkeys(names, far)) for x in found[0]]
         form = hessian(self.energy + Add(*(x * c for x, c in zip(nu, self.casimirs))), self.coordinates)
         held = [list(rows.row(n)) for n in (1, 2, 3)] + [[0, 0, 1] + [0] * 6] * spin
         kernel = Matrix.hstack(*Matrix(held).nullspace())
@@ -153,6 +153,12 @@ class InFrame(Model):
         return inertia, follows * turn - own * inertia, -(own * follows + along) * turn
 
 
+def rate_of(scene: Scene) -> Expr:
+    """ω0 of the orbit of a scene."""
+    given = {name: in_si(text, name)[0] for name, text in scene.table["orbit"].items()}
+    return given["rate"] if "rate" in given else sqrt(given["mu"] / given["radius"] ** 3)
+
+
 def _hat(v: Matrix) -> Matrix:
     return Matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
@@ -162,7 +168,7 @@ Equations = tuple[Matrix, Matrix, Matrix, Expr]
 
 def _orbit(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
     """π̇, the rate in the frame of the orbit, the absolute one, h."""
-    n, r, rate = model.a, model.b, model.number(orbital_rate(scene.system))
+    n, r, rate = model.a, model.b, model.number(rate_of(scene))
     other = model.number(parse(scene.table.get("potential", "0").replace("none", "0")))
     omega = tensor.inv() * PI
     turning = (PI + model.rotor).cross(omega) + 3 * rate**2 * r.cross(tensor * r) + _torque(model, other)
@@ -205,7 +211,7 @@ def frame_names_at_numbers(model: InFrame, scene: Scene) -> dict[str, Any]:
     named |= {str(s): s for s in x} | {f"omega{i}": model.omega[i - 1] for i in (1, 2, 3)}
     named |= {f"C{n}": c for n, c in enumerate(model.casimirs, 1)}
     named |= {f"vector_{str(v[0])[:-1]}": v for v in (model.a, model.b)}
-    at_rest = model.energy.subs({p: 0 for p in PI})
+    at_rest = model.energy.subs(dict.fromkeys(PI, 0))
     named |= {"vector_pi": PI, "vector_l": model.rotor, "vector_M": PI + model.rotor, "h": model.energy,
               "vector_omega": model.omega, "field": model.field, "state": Matrix(x), "U": at_rest}
     if not model.label:

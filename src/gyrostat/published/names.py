@@ -83,8 +83,8 @@ FUNCTIONS: Mapping[str, Any] = {
 
 def _symbols(scene: Scene) -> dict[str, Any]:
     """Parameters: those of body and field, and those the file declares."""
-    return {name: symbol(name) for name in {s.name for s in scene.parameters} | set(scene.table.get("parameters", ()))
-            | {"t"}}
+    known = {s.name for s in scene.parameters} | set(scene.table.get("parameters", ())) | {"t"}
+    return {name: symbol(name) for name in known}
 
 
 def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:

@@ -30,7 +30,8 @@ VEHICLE = ("mass", "coupling", "weight")
 class Scene(SceneTable):
     """One [scene.NAME] table: a body, a field, perhaps an equilibrium or Euler angles.
 
-    A field in two directions, or a vehicle, is one of formulas alone. A state and values are for the command line, no formula is about them.
+    A field in two directions, or a vehicle, is one of formulas alone. A state and values are for the command
+    line, no formula is about them.
 
     Parameters
     ----------
@@ -139,8 +140,8 @@ def _vehicle(value: Any) -> Mapping[str, Any]:
     rows = value.values() if isinstance(value, dict) else ()
     if not rows or not {"mass", "weight"} <= set(value) <= {*VEHICLE} or not all(
             isinstance(row, list) and all(isinstance(x, (str, list)) for x in row) for row in rows):
-        raise PublishedError(f"vehicle = {brief(value)}: write mass and weight, three texts each, and perhaps "
-                             'coupling, three rows of them, vehicle = { mass = ["m1", "m2", "m3"], '
+        raise PublishedError(f"vehicle = {brief(value)}: write mass and weight, three texts each, and "
+                             'perhaps coupling, three rows of them, vehicle = { mass = ["m1", "m2", "m3"], '
                              'weight = ["0", "0", "m0"] }')
     return dict(value)
 
