@@ -61,7 +61,9 @@ EQUIVALENT = (
     (r"literature:sleeping-damped-critical: .*>=", "at equality the energy is least, by its fourth order"),
     (r"windows:sleeping-1-3: -|satellites:(DeBra-Delp-\w+|rotor-limit-\w+|conical-window): -0.0+$",
      "−0 is 0"),
-    (r"satellites:(rotor|hyperbolic)-polynomial: [GP] = -", "the name enters squared"),
+    (r"satellites:\w+-polynomial: ([GP] = -|G = P$)", "the name enters squared"),
+    (r"satellites:held-tensor-point: -1", "r and −r are one vertical"),
+    (r"satellites:tilted-vertical-stable: \(I1 \+ I3\)", "another positive factor"),
     (r"satellites:(Lagrange(-\w+)?|rotor-(stable|damped)(-numbers)?|tilted-\w+-stable|cylindrical-stable|"
      r"hyperbolic-stable|conical-(stable|damped)|two-fields-stable|level-stable(-numbers)?|"
      r"rising-(stable|upside-down)): .*[<>]=",
@@ -71,6 +73,7 @@ EQUIVALENT = (
 UNCHECKED = (
     (r"satellites:DeBra-Delp(-ratios)?: .*1 \+ 3\*kR \+ kR\*kY > 4",
      "at equality no rational point was found"),
+    (r"satellites:DeBra-Delp: kY = \(I2 - I1\)/I1", "differs in a narrow region, no point was found"),
     (r"literature:(F1: rate = .*\(I1 - I2\)\*\(I2 - I1\)|F2-sphere: .*I3)", "a root that is real nowhere"),
     (r"literature:F2-sphere: .*2/I3", "no real point was found"),
     (r"\w+:(inverse-rate|M-rate-1): ", "a rate of the inverse of R"),
