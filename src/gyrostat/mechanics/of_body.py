@@ -1,5 +1,8 @@
 """What is written in I1, I2, I3, l or l1, l2, l3, of a body: its moments and its rotor are inserted."""
-from sympy import Expr
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from sympy import Expr, Symbol
 
 from ..errors import ScopeError
 from ..notation import symbol
@@ -7,13 +10,17 @@ from .body import Gyrostat
 from .potential import Potential
 
 
-def in_names_of(body: Gyrostat, expression: Expr) -> Expr:
-    """The expression with the moments and the gyrostatic momentum of the body in place of their names."""
+def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] = MappingProxyType({})
+                ) -> Expr:
+    """The expression with the moments and the gyrostatic momentum of the body in place of their names.
+
+    All at once with those of a tensor: what is inserted has names too.
+    """
     own = [symbol(f"I{i}") for i in (1, 2, 3)]
     # a tensor has none
     names = dict(zip(own, body.moments)) if expression.free_symbols & {*own} else {}
     names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
-    names |= {symbol("l"): body.gyrostatic_momentum[2]}
+    names |= {symbol("l"): body.gyrostatic_momentum[2], **tensor}
     return expression.xreplace({name: value for name, value in names.items() if name != value})
 
 
@@ -25,7 +32,7 @@ def potential_of_body(potential: Potential, body: Gyrostat) -> Potential:
                          "give its own U(k1, k2, k3) with general_potential")
     if potential.coupled:                                  # I11, I12, … too, in any axes
         tensor = {symbol(f"I{i}{j}"): body.tensor[i - 1, j - 1] for i in (1, 2, 3) for j in (1, 2, 3)}
-        return potential.changed(lambda e: in_names_of(body, e.xreplace(tensor)))
+        return potential.changed(lambda e: in_names_of(body, e, tensor))
     if in_names_of(body, potential.expression) == potential.expression:
         return potential
     return potential.changed(lambda e: in_names_of(body, e))
