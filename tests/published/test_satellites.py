@@ -4,6 +4,7 @@ from dataclasses import replace
 import pytest
 from written_sources import BY_KEY, status, written
 
+import gyrostat as gs
 from gyrostat.errors import PublishedError
 from gyrostat.mechanics.scene_tables import SceneTable
 from gyrostat.published import check
@@ -24,6 +25,8 @@ SAID = [
     (POINTING, "c2", "omega0**2", "identity", "misprint"),
     ('orbit = { mu = "mu", radius = "R" }\nequilibrium = "earth-pointing"\n', "entry(stiffness, 2, 2)",
      "3*mu/R**3*(I1 - I3)", "identity", "confirmed"),
+    (POINTING + 'rotors = [{ axis = [3, 0, 0], axial = "J", momentum = "0" }]\nlumped = true\n',
+     "entry(stiffness, 2, 2)", "3*omega0**2*(I1 - I3 - J)", "identity", "misprint"),
     ('orbit = "omega0"\n', "dt(vector_r)", "cross(vector_r, vector_omega)", "identity", "misprint"),
     (FIELDS, "dt(h)", "0", "identity", "confirmed"),
     (RESTING, "sufficient for stability", "a > 0 and b > 0 and a + b > 0", "condition", "confirmed"),
@@ -86,6 +89,14 @@ def test_what_cannot_be_read(tmp_path, scene, quantity, printed, kind, message):
     """One sentence with what to do."""
     with pytest.raises(PublishedError, match=message):
         status(tmp_path, scene, quantity, printed, kind)
+
+
+def test_moments_are_inserted_once():
+    """The moments of a body may be written in I1, I2, I3 in another order."""
+    I1, I2, I3 = map(gs.symbol, ("I1", "I2", "I3"))
+    scene = gs.assemble(gs.Gyrostat((I2, I1, I3 - I1), (0, 0, 0)), gs.circular_orbit())
+    assert scene.potential.gradient()[3:] == tuple(
+        3 * gs.symbol("omega0")**2 * I * gs.symbol(f"r{n}") for n, I in ((1, I2), (2, I1), (3, I3 - I1)))
 
 
 def test_vehicles_are_of_formulas_alone():

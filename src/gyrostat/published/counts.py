@@ -42,7 +42,7 @@ class Counted:
 
     def of(self, name: str) -> int | str:
         """How many there are, or why that is no number."""
-        if any(e.locus for e in self.found):
+        if any(e.locus or not e.signs[2] for e in self.found):
             return CURVE
         return len(self.found) if name == "equilibria" else self.indices.count(name)
 

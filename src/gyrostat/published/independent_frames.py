@@ -6,7 +6,7 @@ bracket, the linearisation or the criteria of the library, nor any published for
 from collections.abc import Callable
 from typing import Any
 
-from sympy import Add, Expr, Integer, Matrix, MatrixBase, Poly, Rational, hessian, linsolve, sqrt
+from sympy import Add, Expr, Integer, Matrix, MatrixBase, Poly, Rational, hessian, linsolve, sqrt, zeros
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.grammar import parse
@@ -155,7 +155,7 @@ class InFrame(Model):
 
 def rate_of(scene: Scene) -> Expr:
     """ω0 of the orbit of a scene."""
-    given = {name: in_si(text, name)[0] for name, text in scene.table["orbit"].items()}
+    given = {name: in_si(text, f"orbit {name}")[0] for name, text in scene.table["orbit"].items()}
     return given["rate"] if "rate" in given else sqrt(given["mu"] / given["radius"] ** 3)
 
 
@@ -167,13 +167,14 @@ Equations = tuple[Matrix, Matrix, Matrix, Expr]
 
 
 def _orbit(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
-    """π̇, the rate in the frame of the orbit, the absolute one, h."""
+    """π̇, the rate in the frame of the orbit, the absolute one, h; gravity has free rotors too."""
     n, r, rate = model.a, model.b, model.number(rate_of(scene))
     other = model.number(parse(scene.table.get("potential", "0").replace("none", "0")))
-    omega = tensor.inv() * PI
-    turning = (PI + model.rotor).cross(omega) + 3 * rate**2 * r.cross(tensor * r) + _torque(model, other)
+    omega, free = tensor.inv() * PI, [x for x in scene.rotors if x.momentum is not None]
+    mass = tensor + sum((model.number(Matrix(x.axial * x.along)) for x in free), zeros(3, 3))
+    turning = (PI + model.rotor).cross(omega) + 3 * rate**2 * r.cross(mass * r) + _torque(model, other)
     energy = (PI.dot(omega) / 2 - rate * n.dot(PI + model.rotor)
-              + Rational(3, 2) * rate**2 * r.dot(tensor * r) + other)
+              + Rational(3, 2) * rate**2 * r.dot(mass * r) + other)
     return turning, omega - rate * n, omega, energy
 
 

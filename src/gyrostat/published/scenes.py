@@ -23,6 +23,7 @@ from ..mechanics.system import System
 from ..mechanics.vehicles import underwater_vehicle
 from ..notation import jet, symbol
 
+BODY = ("inertia", "gyrostatic_momentum", "rotors", "lumped")
 VEHICLE = ("mass", "coupling", "weight")
 
 
@@ -48,8 +49,7 @@ class Scene(SceneTable):
     @cached_property
     def hull(self) -> Gyrostat:
         """The body of the table; of a vehicle J, which is not the tensor of its momenta."""
-        return SceneTable({name: self.table[name] for name in ("inertia", "gyrostatic_momentum")
-                           if name in self.table}).body
+        return SceneTable({name: self.table[name] for name in BODY if name in self.table}).body
 
     @cached_property
     def parameters(self) -> set[Symbol]:
