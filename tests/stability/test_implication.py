@@ -46,6 +46,22 @@ def test_what_does_not_follow_is_kept():
     assert [signs.ring.expression(i.margin) for i in reduced(given, signs)] == [x, y]
 
 
+def test_a_sum_of_two_others_adds_nothing():
+    """I2 > I3 beside I1 > I3 and I2 > I1; not where one of the two is missing, or not strict."""
+    x, y, z = (gs.symbol(f"I{n}") for n in (1, 2, 3))
+    signs, all_three = items((y - z, (), True), (x - z, (), True), (y - x, (), True))
+    left = reduced(all_three, signs)
+    assert [item.margin for item in left] == [item.margin for item in all_three[1:]]
+    (proof,) = [proof for item in left for proof in item.implies]
+    assert proof.margin == proof.square + proof.factor * proof.by
+    for some in (all_three[:2], all_three[1:]):
+        assert len(reduced(some, signs)) == 2
+    signs, weak = items((y - z, (), True), (x - z, (), False), (y - x, (), True))
+    assert len(reduced(weak, signs)) == 3
+    signs, opposite = items((y - z, (), True), (z - x, (), True), (y - x, (), True))
+    assert len(reduced(opposite, signs)) == 2              # y > x follows from the others
+
+
 def test_impossible_and_trivial_conjunctions():
     """A margin that is never positive kills its conjunction; one that always is leaves it."""
     x = gs.symbol("x")

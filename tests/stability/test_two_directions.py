@@ -77,6 +77,9 @@ def test_textbook_conditions():
     (conditions,) = report.sufficient.alternatives
     assert {c.margin.expand() for c in conditions} == {
         x.expand() for x in (l + 4 * w * (I2 - I3), I1 - I3, l + w * (I2 - I1))}
+    bare = gs.analyze(gs.earth_pointing(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)),
+                                                    gs.circular_orbit())))
+    assert {c.margin for (c,) in zip(*bare.sufficient.alternatives)} == {I1 - I3, I2 - I1}
     held = gs.analyze(gs.earth_pointing(gs.assemble(gs.Gyrostat((60, 32, 35), (0, 0, 0)),
                                                     gs.circular_orbit(1))))
     rates = {abs(x) for x in held.linearization.eigenvalues()}

@@ -72,7 +72,8 @@ def _implied(criterion: Criterion, at: Any) -> list[Block]:
     blocks: list[Block] = []
     for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
         name = source_word(proof.source)
-        identity = readable(proof.square), " + ", readable(proof.factor), " (", readable(proof.by), ")"
+        factor = () if proof.factor == 1 else (readable(proof.factor), " ")
+        identity = readable(proof.square), " + ", *factor, "(", readable(proof.by), ")"
         blocks.append(sentence("Here ", name, " is, up to a positive factor, ", *identity,
                                ": it adds nothing.", at=at))
     return blocks

@@ -93,6 +93,7 @@ def _once(item: Item, before: Sequence[Item]) -> Item:
 def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
     """Drop X where X = S + T Y with T > 0 and S a square, or X a square of Y: it follows from Y.
 
+    Of strict ones S may also be a positive multiple of a third: I2 − I3 = (I1 − I3) + (I2 − I1).
     A non-strict Y also holds where an even factor e of it vanishes. If e divides S, then X and Y together are
     Y's margin ≥ 0 alone: where e = 0, X has the sign of the margin.
     """
@@ -102,7 +103,9 @@ def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
                 continue
             if x.strict and _is_square(x.margin, y.margin, signs.ring):
                 return [item for item in items if item is not x]
-            parts = _parts(x.margin, y.margin, signs)
+            others = [z.margin for z in items if x.strict and z.strict and z not in (x, y)
+                      and not z.degenerate]
+            parts = _parts(x.margin, y.margin, signs, others)
             if parts is None or not y.strict and any(divmod(parts[0], e)[1] for e in y.degenerate):
                 continue
             proof = Implied(x.source, x.margin, *parts, y.margin)
@@ -131,15 +134,26 @@ def _is_square(x: fmpq_mpoly, y: fmpq_mpoly, ring: Ring) -> bool:
                for powers in {*ours, *squares})
 
 
-def _parts(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs) -> tuple[fmpq_mpoly, fmpq_mpoly] | None:
-    """S ≥ 0 and T > 0 with x = S + T y, where a generator enters both of them affinely and S not at all."""
+def _parts(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs, positive: Sequence[fmpq_mpoly]
+           ) -> tuple[fmpq_mpoly, fmpq_mpoly] | None:
+    """S ≥ 0 and T > 0 with x = S + T y, where a generator enters both of them affinely and S not at all.
+
+    S may be one of those that are positive, times a number.
+    """
     for index, (n, m) in enumerate(zip(x.degrees(), y.degrees())):
         if n == m == 1:
             quotient, rest = divmod(x.derivative(index), y.derivative(index))
             square = x - quotient * y
-            if not rest and signs.of(quotient) == 1 and signs.nonnegative(square):
+            if not rest and signs.of(quotient) == 1 and (
+                    signs.nonnegative(square) or any(_multiple(square, z) for z in positive)):
                 return square, quotient
     return None
+
+
+def _multiple(x: fmpq_mpoly, y: fmpq_mpoly) -> bool:
+    """Whether x is y times a positive number."""
+    quotient, rest = divmod(x, y)
+    return bool(not rest and quotient.is_constant() and quotient.leading_coefficient() > 0)
 
 
 def eliminate(items: list[Item], nu: Expr, signs: Signs) -> list[list[Item]]:
