@@ -1,4 +1,4 @@
-"""How long do all equilibria of a gyrostat satellite take, and is one missing?
+"""How long do satellites take: all equilibria, the Smelt plane, a verdict, the conditions; and what is wrong?
 
     python benchmarks/bench_orbit.py            all of it; prints the rows of RESULTS.md
     python benchmarks/bench_orbit.py --quick    few satellites, for breakage
@@ -6,7 +6,9 @@
 Random rational moments, rotors and rates; the time is that of `relative_equilibria` with every decision, the
 damped one too, warm. Each list is compared with Newton's method in doubles from many random starts
 (tests/oracles/orbital_search.py): what that finds and the list has not is missing. By Morse's theory the
-numbers of equilibria with an even and an odd index are the same.
+numbers of equilibria with an even and an odd index are the same. Points of the Smelt plane are compared with
+the inequalities of DeBra and Delp in fractions; the conditions of Lagrange's configuration are derived in
+turn with those of E1, E2 and E3.
 """
 import argparse
 import platform
@@ -56,6 +58,65 @@ def missing(found, moments, rotor, rate, seed, starts):
     return sum(x > 1e-8 for x in apart), odd != 0
 
 
+def smelt(size, checked):
+    """The verdicts over the plane, one thread: seconds, points that stay open, and how many are wrong."""
+    roll, yaw = gs.symbol("k_R"), gs.symbol("k_Y")
+    body = gs.Gyrostat((1 - yaw, 1 - roll * yaw, 1 - roll), (0, 0, 0))
+    report = gs.analyze(gs.earth_pointing(gs.assemble(body, gs.circular_orbit(1))))
+    axis = (2 * np.arange(size) + 1) / size - 1
+    times = []
+    for _ in range(10):
+        begin = time.perf_counter()
+        found = gs.charts.verdicts(report, {"k_R": axis[None, :], "k_Y": axis[:, None]})
+        times.append(1e3 * (time.perf_counter() - begin))
+    draw = random.Random(5)
+    places = [(draw.randrange(size), draw.randrange(size)) for _ in range(checked)]
+    wrong = sum(found[i, j] != debra_delp(Fraction(axis[j]), Fraction(axis[i])) for i, j in places)
+    return times[1:], int((found == 0).sum()), wrong
+
+
+def debra_delp(roll, yaw):
+    """1 stable, 0 held by gyroscopic forces, −1 unstable, without a rotor; on a boundary 0."""
+    if roll > yaw > 0:
+        return 1
+    trace, product = 1 + 3 * roll + roll * yaw, roll * yaw
+    return 0 if roll >= yaw and product >= 0 and trace >= 0 and trace**2 >= 16 * product else -1
+
+
+def verdicts_at_numbers(count):
+    """Seconds of a verdict of a pitch rotor at numbers, the names derived before."""
+    body = gs.Gyrostat(gyrostatic_momentum=(0, gs.symbol("l"), 0))
+    report = gs.analyze(gs.earth_pointing(gs.assemble(body, gs.circular_orbit())))
+    draw, times = random.Random(7), []
+    for _ in range(count):
+        values = {name: Fraction(draw.randint(5, 40), 10) for name in ("I1", "I2", "I3", "omega0", "l")}
+        begin = time.perf_counter()
+        report.verdict(values)
+        times.append(1e3 * (time.perf_counter() - begin))
+    return times[1:]
+
+
+def conditions():
+    """Seconds of Lagrange's configuration with a rotor, and of E1, E2 and E3 of any field, in turn."""
+    pairs = []
+    for _ in range(10):
+        begin = time.perf_counter()
+        body = gs.Gyrostat(gyrostatic_momentum=(0, gs.symbol("l"), 0))
+        report = gs.analyze(gs.earth_pointing(gs.assemble(body, gs.circular_orbit())))
+        report.necessary, report.sufficient, report.damped  # noqa: B018
+        middle = time.perf_counter()
+        scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+        for family in (gs.upright, gs.hanging, gs.inclined):
+            report = gs.analyze(family(scene))
+            report.necessary, report.sufficient, report.damped  # noqa: B018
+        pairs.append((middle - begin, time.perf_counter() - middle))
+    return pairs[1:]
+
+
+def shown(times):
+    return f"{statistics.median(times):.3g} ({min(times):.3g}–{max(times):.3g})"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -80,7 +141,14 @@ def main():
         failed += absent + unbalanced
         print(f"| {name} | {statistics.median(times):.0f} ({min(times):.0f}–{max(times):.0f}) | {count} "
               f"| {absent} | {unbalanced} |")
-    return 1 if failed else 0
+    times, still_open, wrong = smelt(100 if quick else 1000, 2000 if quick else 20_000)
+    print(f"\nSmelt plane, one thread: {shown(times)} ms, {still_open} points between the criteria, "
+          f"{wrong} wrong")
+    print(f"a verdict at numbers: {shown(verdicts_at_numbers(20 if quick else 1000))} ms")
+    pairs = conditions()
+    print(f"Lagrange's conditions with a rotor: {shown([1e3 * a for a, _ in pairs])} ms, "
+          f"E1, E2, E3: {shown([1e3 * b for _, b in pairs])} ms, ratio {shown([a / b for a, b in pairs])}")
+    return 1 if failed + wrong else 0
 
 
 if __name__ == "__main__":
