@@ -38,7 +38,7 @@ _BESIDE = MappingProxyType({
     "inertia": _INERTIA, "gyrostatic_momentum": _MOMENTUM, "axial": _INERTIA, "transverse": _INERTIA,
     "rate": Dimension(0, 0, -1), "momentum": _MOMENTUM, "M": _MOMENTUM, "C1": _MOMENTUM,
     "energy": _TORQUE, "axis": NONE, "orbit rate": Dimension(0, 0, -1), "orbit mu": Dimension(0, 3, -2),
-    "orbit radius": Dimension(0, 1, 0),
+    "orbit radius": Dimension(0, 1, 0), "angle of roll": NONE, "angle of pitch": NONE, "angle of yaw": NONE,
     "--momentum": _MOMENTUM, "--until": Dimension(0, 0, 1), "--step": Dimension(0, 0, 1)})
 _MASS, _LENGTH, _TIME, _FORCE = (Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1),
                                  Dimension(1, 1, -2))

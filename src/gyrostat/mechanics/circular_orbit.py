@@ -3,12 +3,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, sqrt
+from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, sqrt
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..errors import EquilibriumError, PotentialError, ScopeError, require
-from ..notation import symbol
+from ..notation import of_the_motion, symbol
 from .coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
 from .equilibria import Equilibrium
 from .liepoisson import hat
@@ -75,7 +75,7 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     (0, I2*omega0, 0, 0, 1, 0, 0, 0, 1)
     """
     omega0 = _rate(rate, mu, radius)
-    n, r, l = ([symbol(f"{x}{i}") for i in (1, 2, 3)] for x in (NORMAL, VERTICAL, "l"))
+    n, r, l = map(_components, (NORMAL, VERTICAL, "l"))
     gravity = Add(*(symbol(f"I{min(i, j)}{max(i, j)}") * r[i - 1] * r[j - 1]
                     for i in (1, 2, 3) for j in (1, 2, 3)))
     U = Rational(3, 2) * omega0**2 * gravity - omega0 * Add(*(a * b for a, b in zip(n, l)))
@@ -88,6 +88,11 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
             other += Rational(3, 2) * omega0**2 * rotor.axial * along**2
     return CircularOrbit((*n, *r), U + other, False, (first, second, third),
                          unit_and_orthogonal((NORMAL, VERTICAL)), other == 0)
+
+
+def _components(name: str) -> list[Symbol]:
+    """The three symbols of a vector."""
+    return [symbol(f"{name}{i}") for i in (1, 2, 3)]
 
 
 def _beside(potential: Any) -> Expr:
@@ -106,7 +111,11 @@ def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
     given = {name: exact_expression(x, name) for name, x in (("rate", rate), ("mu", mu), ("radius", radius))
              if x is not None}
     for name, value in given.items():
-        if not value.free_symbols and sign_of_constant(value) != 1:
+        directions = sorted(map(str, value.free_symbols & {*_components(NORMAL), *_components(VERTICAL)}))
+        if moving := [*of_the_motion(value.free_symbols), *directions]:
+            raise PotentialError(f"{name} = {shown(value)} depends on {', '.join(moving)}, a name of the "
+                                 "motion: give a number or another name")
+        if value.is_nonpositive or not value.free_symbols and sign_of_constant(value) != 1:
             raise PotentialError(f"{name} = {shown(value)}: the {name} of a circular orbit is positive; give "
                                  "a positive number")
     if ("mu" in given) != ("radius" in given):

@@ -53,7 +53,8 @@ def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 
         raise ScopeError("release is of a satellite in orbit: assemble(body, circular_orbit())")
     if len(angles) != 3:
         raise ValuesError(f"{len(angles)} angles are given: give those of roll, pitch and yaw")
-    roll, pitch, yaw = (exact_expression(x, name) for x, name in zip(angles, ("roll", "pitch", "yaw")))
+    names = "angle of roll", "angle of pitch", "angle of yaw"
+    roll, pitch, yaw = (exact_expression(x, name) for x, name in zip(angles, names))
     about_roll = ImmutableMatrix([[1, 0, 0], [0, cos(roll), -sin(roll)], [0, sin(roll), cos(roll)]])
     about_pitch = ImmutableMatrix([[cos(pitch), 0, sin(pitch)], [0, 1, 0], [-sin(pitch), 0, cos(pitch)]])
     about_yaw = ImmutableMatrix([[cos(yaw), -sin(yaw), 0], [sin(yaw), cos(yaw), 0], [0, 0, 1]])

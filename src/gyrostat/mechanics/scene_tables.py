@@ -191,7 +191,8 @@ def _orbit(value: Any) -> dict[str, str]:
     """The rate, or mu and radius, of a table or of a text of an option: 0.0011 rad/s, mu=…, radius=…."""
     if isinstance(value, str):
         parts = [part.partition("=") for part in value.split(",")]
-        named = all(equals for _, equals, _ in parts)
+        once = len(parts) == len({name.strip() for name, *_ in parts})
+        named = once and all(equals for _, equals, _ in parts)
         value = {name.strip(): text.strip() for name, _, text in parts} if named else {"rate": value.strip()}
     elif (text := _text(value)) is not None:
         value = {"rate": text}
