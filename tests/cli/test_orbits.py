@@ -78,6 +78,7 @@ def test_the_axes_of_roll_pitch_and_yaw(capsys, axes, moments):
     assert found["damped_decision"]["growing"] == 2
 
 
+@pytest.mark.slow
 def test_all_attitudes(capsys, file):
     """16 of that gyrostat, 2 of them stable."""
     _, out, _ = run(capsys, "--scene", f"{file}#all", "--format", "json", verb="decide")

@@ -18,7 +18,7 @@ from gyrostat.stability.orientation_form import orientation_form
 def test_satellites(seed, full):
     """The sextic, the signature of K beside three positive squares, the verdict and the damped one."""
     rng = Random(f"satellite {seed}")
-    for _ in range(sampled(1700, full, 20)):
+    for _ in range(sampled(1700, full, 12)):
         I, n, r, l = satellite(rng)
         scene, state = of_orbit(I, n, r, l)
         assert not any(scene.field(state))
