@@ -1,4 +1,5 @@
 """Reports as LaTeX articles and fragments: sentences, numbered equations that fit the line, references."""
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
@@ -148,6 +149,7 @@ def _words(text: str) -> str:
         text = text.replace(sign, rf"\{sign}")
     for sign in ("<", ">", *RELATIONS):
         text = text.replace(f" {sign} ", f" ${RELATIONS.get(sign, sign)}$ ")
+    text = re.sub(r"\S{30,}", lambda word: word[0].replace(",", r",\allowbreak "), text)    # a typed list
     return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}").replace("é", r"\'e")
 
 

@@ -215,12 +215,11 @@ def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
 
 
 def _readable_roots(expression: Expr) -> Expr:
-    """What is under roots as it reads best, and an expression without roots as a sum over its denominators.
-    """
+    """What is under roots as it reads best; an expression without roots as a sum over its denominators."""
     roots = [x for x in expression.atoms(Pow) if x.exp == S.Half]
-    return (
-        expression.xreplace({x: Pow(readable(x.base), x.exp) for x in roots}) if roots else split(expression)
-    )
+    if not roots:
+        return split(expression)
+    return expression.xreplace({x: Pow(readable(x.base), x.exp) for x in roots})
 
 
 def _second_variation(report: Report) -> list[Block]:
@@ -231,8 +230,9 @@ def _second_variation(report: Report) -> list[Block]:
     functions = [name for name, _ in zip(CASIMIRS, eq.system.space.casimirs)]
     functions += [function for function, _ in variation.multipliers[len(functions):]]
     values = [split(eq.insert_field(nu)) for _, nu in variation.multipliers]
-    multipliers = joined(", ", [(function, ": ", nu) for function, nu in zip(functions, values)])
-    blocks.append(sentence("Multipliers of ", *multipliers, ".", at=eq.at))
+    each = [(function, ": ", nu) for function, nu in zip(functions, values)]
+    many, groups = ("", [[one] for one in each]) if eq.system.coupled else ("s", [each])
+    blocks += [sentence(f"Multiplier{many} of ", *joined(", ", group), ".", at=eq.at) for group in groups]
     if variation.free:
         blocks.append(sentence("The first variation leaves ", variation.free[0], " free."))
     if variation.modulo:
