@@ -45,7 +45,7 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
         ω0² = mu/radius³
     potential : Expr, or number 0
         another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient: −B n·μ of a magnet μ in a field
-        B along the normal, F·(n × r) of a constant pressure along the path [M L²/T²]
+        B along the normal, f ρ·(n × r) of a constant drag f at the point ρ of the body [M L²/T²]
     rotors : sequence of Rotor
         those of gyrostat_with_rotors: the tensor of the body is without the axial moments of the free ones,
         on which gravity acts
