@@ -69,6 +69,16 @@ def test_a_product_of_roll_and_yaw_is_held_by_no_rotor():
         gs.earth_pointing_gyrostat(body, gs.circular_orbit(potential=gs.symbol("n1")))
 
 
+def test_what_turns_a_body_that_is_not_held():
+    """Each of the three that is not 0, in the axes of the orbit, and what to do; names may be 0."""
+    tensor = [[410, 5, 5], [5, 580, 5], [5, 5, 250]]
+    for rotor, why in (((0, 12, 0), "t·Ir = 5, l·t + ω0 t·In = 5, l·r + 4 ω0 r·In = 20, and"),
+                       ((-5, 12, -20), "t·Ir = 5, and")):
+        with pytest.raises(gs.errors.EquilibriumError) as error:
+            gs.earth_pointing(gs.assemble(gs.Gyrostat(tensor, rotor), gs.circular_orbit(1)))
+        assert f"of this body: {why} each has to be 0. In Python earth_pointing_gyrostat" in str(error.value)
+
+
 @pytest.mark.slow
 def test_freeing_a_rotor_adds_to_the_stiffness(full):
     """K_free = K_servo + ω0² J (n × a)(n × a)ᵀ at the same momentum, gravity on the full tensor."""

@@ -5,7 +5,7 @@ from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, sqrt
 
-from ..algebra.exact import sign_of_constant
+from ..algebra.exact import is_identically_zero, sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..errors import EquilibriumError, PotentialError, ScopeError, require
 from ..notation import of_the_motion, symbol
@@ -177,8 +177,22 @@ def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -
     require(scene, System, "the scene")
     if not in_orbit(scene):
         raise ScopeError("earth_pointing is of a satellite in orbit: assemble(body, circular_orbit())")
-    _, n, r = axes_of(roll, pitch, yaw)
-    return Equilibrium("Earth-pointing", scene, resting_at(scene, n, r))
+    axes = axes_of(roll, pitch, yaw)
+    if by_gradient_alone(scene):
+        _check_rotor(scene, *map(ImmutableMatrix, axes))
+    return Equilibrium("Earth-pointing", scene, resting_at(scene, *axes[1:]))
+
+
+def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: ImmutableMatrix) -> None:
+    """What turns the body is said in the axes of the orbit, with what would hold it."""
+    I, rate, l = scene.body.tensor, orbital_rate(scene), ImmutableMatrix(scene.body.gyrostatic_momentum)
+    torques = {"t·Ir": t.dot(I * r), "l·t + ω0 t·In": t.dot(l) + rate * t.dot(I * n),
+               "l·r + 4 ω0 r·In": r.dot(l) + 4 * rate * r.dot(I * n)}
+    left = [f"{name} = {shown(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
+    if left:
+        raise EquilibriumError(f"Earth-pointing is not an equilibrium of this body: {', '.join(left)}, and "
+                               "each has to be 0. In Python earth_pointing_gyrostat(body, orbit) gives the "
+                               "rotor that holds it, or says by which angle to turn the body first")
 
 
 def axes_of(roll: int, pitch: int, yaw: int) -> list[list[int]]:
