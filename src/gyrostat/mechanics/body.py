@@ -80,7 +80,8 @@ class Gyrostat(Shown, Stored):
         """
         if isinstance(self.inertia, ImmutableMatrix):
             raise ScopeError("this needs principal axes, and the inertia tensor has products of inertia: "
-                             "principal_axes(body) turns the body; state everything else in those axes")
+                             "in Python gyrostat.mechanics.principal_axes(body) turns the body; state "
+                             "everything else in those axes")
         return tuple(self.inertia)
 
     @cached_property

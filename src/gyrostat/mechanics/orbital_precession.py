@@ -61,8 +61,8 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
     require(scene, System, "the scene")
     I1, _, I3 = scene.body.moments
     if not in_orbit(scene) or not scene.body.is_of_revolution():
-        raise ScopeError("orbital_precession is of a body of revolution in orbit: assemble("
-                         "symmetric_gyrostat(), circular_orbit())")
+        raise ScopeError("orbital_precession is of a body of revolution in orbit, moments I1, I1, "
+                         "I3 and rotor 0, 0, l: assemble(symmetric_gyrostat(), circular_orbit())")
     if kind not in KINDS:
         raise EquilibriumError(f"kind = {kind!r}: give {', '.join(KINDS)}")
     if kind == "cylindrical":

@@ -199,7 +199,8 @@ def _orbit(value: Any) -> dict[str, str]:
     texts = {name: _text(x) for name, x in value.items()} if isinstance(value, dict) else {"": None}
     if not texts or not texts.keys() <= set(ORBIT) or not all(texts.values()):
         raise PublishedError(f'orbit = {brief(value)}: give its rate, orbit = "omega0" or "0.0011 rad/s", or '
-                             'mu and radius, orbit = { mu = "398600.4418 km^3/s^2", radius = "6778 km" }')
+                             'mu and radius, that of the Earth and the height, orbit = { mu = '
+                             '"398600.4418 km^3/s^2", radius = "6778 km" }')
     return {name: text for name, text in texts.items() if text is not None}
 
 
