@@ -7,8 +7,8 @@ from pkgutil import get_data
 from textwrap import wrap
 
 WIDEST = 100                                           # columns of a text that is read
-PROGRAM = ("Stability of a gyrostat of revolution in a field U(k3): from the Lie-Poisson bracket to the "
-           "inequalities, to verdicts at numbers, charts and motions. Verdicts are exact or proved.")
+PROGRAM = ("Stability of a gyrostat, free, in a field or in a circular orbit: from the Lie-Poisson bracket "
+           "to the inequalities, to verdicts at numbers, charts and motions. Verdicts are exact or proved.")
 # of each verb: the line in the list of verbs, and what its help begins with
 VERBS = {
     "report": (

@@ -103,8 +103,9 @@ def _motion(verb: argparse.ArgumentParser) -> None:
     a_scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U",
            "with k1 or k2 in it, U(k1, k2, k3); none for a free body")
     verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3",
-                      help="at the time 0, exact; of a free body PI1,PI2,PI3; "
-                      "pi is the momentum with the rotor locked, k the direction of the field in the body")
+                      help="at the time 0, exact; of a free body PI1,PI2,PI3, in orbit "
+                      "PI1,PI2,PI3,N1,N2,N3,R1,R2,R3; pi is the momentum with the rotor locked, k the "
+                      "direction of the field in the body")
     pointing(verb)
     verb.add_argument("--release", metavar="ROLL,PITCH,YAW",
                       help="of a satellite in orbit, in place of --state: at rest in the frame of the orbit, "

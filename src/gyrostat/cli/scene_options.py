@@ -31,7 +31,8 @@ def claimed_point(verb: argparse.ArgumentParser) -> None:
     """An equilibrium by its coordinates, and by which names a family is written."""
     verb.add_argument("--point", metavar="PI1,PI2,PI3,K1,K2,K3",
                       help="an equilibrium of any scene, in numbers or expressions, 0,0,I3*w,0,0,1; of a "
-                      "free body PI1,PI2,PI3; that it is one is checked")
+                      "free body PI1,PI2,PI3, in orbit PI1,PI2,PI3,N1,N2,N3,R1,R2,R3; that it is one is "
+                      "checked")
     verb.add_argument("--spin", choices=("pi3_0", "omega3_0"),
                       help="the name of the spin of E1 and E2; left out: that which is set, or pi3_0")
     verb.add_argument("--eliminate", metavar="NAME",
@@ -47,8 +48,8 @@ def pointing(verb: argparse.ArgumentParser) -> None:
     """The attitude of a satellite."""
     verb.add_argument("--pointing", metavar="ROLL,PITCH,YAW",
                       help="in orbit: the body axes along the velocity, the normal of the orbit and "
-                      "the vertical, 1, 2, 3 in some order, -2 for one that points the other way; left out: "
-                      "1,2,3")
+                      "the vertical, away from the Earth: 1, 2, 3 in some order, -2 for one that points the "
+                      "other way, as in 1,-2,-3; left out: 1,2,3")
 
 
 def an_equilibrium(verb: argparse.ArgumentParser, left_out: str, action: str = "store") -> None:
@@ -76,9 +77,9 @@ def a_scene(verb: argparse.ArgumentParser, meaning: str,
                       help="U in k3, or k1, k2, k3, and parameters: names, numbers, + - * / ^, "
                       f"parentheses, sqrt, exp, log, sin, …; {potential}")
     verb.add_argument("--orbit", metavar="RATE", help="of a circular orbit: a name or a number, omega0 or "
-                      "'0.0011 rad/s', or 'mu=398600.4418 km^3/s^2,radius=6778 km'; U is then that of "
-                      "the gravity gradient, and --potential what acts beside it, in n1, n2, n3, the "
-                      "normal, and r1, r2, r3, the vertical")
+                      "'0.0011 rad/s', or 'mu=398600.4418 km^3/s^2,radius=6778 km', the radius that of the "
+                      "Earth and the height; U is then that of the gravity gradient, and --potential what "
+                      "acts beside it, in n1, n2, n3, the normal, and r1, r2, r3, the vertical")
     scene_file(verb)
     numbers(verb, meaning)
 
