@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from sympy import exp
 
 import gyrostat as gs
-from gyrostat.errors import ArgumentError, ValuesError
+from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.plotting import draw_eigenvalues
 from gyrostat.stability.spectra import spectrum
 
@@ -48,6 +48,34 @@ def test_the_free_gyrostat():
         agree(ours, np.linalg.eigvals(J.astype(float)))
     assert [(c.kind, c.value, c.changes, c.eigenvalues.tolist()) for c in found.collisions] == [
         ("zero eigenvalue", -1, True, [0]), ("zero eigenvalue", 1, True, [0])]
+
+
+def test_a_satellite_with_a_pitch_wheel():
+    """All six, of I θ̈ + g × θ̇ + K θ = 0 with K and g as printed; they meet where roll and yaw change."""
+    I1, I2, I3 = 1, 0.7, 0.8
+    body = gs.Gyrostat((1, "7/10", "4/5"), (0, gs.symbol("l"), 0))
+    pointing = gs.earth_pointing(gs.assemble(body, gs.circular_orbit(1)))
+    found = spectrum(pointing, "l", np.linspace(2, -2, 41), {})
+    assert found.eigenvalues.shape == (45, 6) and np.abs(np.diff(found.eigenvalues, axis=0)).max() < 0.3
+    for l, ours in zip(found.parameter, found.eigenvalues):
+        K = np.diag([4 * (I2 - I3) + l, 3 * (I1 - I3), I2 - I1 + l])
+        turning = (I1 + I3 - I2 - l) * np.array([[0, 0, 1], [0, 0, 0], [-1, 0, 0]])
+        over = np.diag([1 / I1, 1 / I2, 1 / I3])
+        theirs = np.linalg.eigvals(np.block([[np.zeros((3, 3)), np.eye(3)], [-over @ K, -over @ turning]]))
+        agree(ours, theirs)
+    assert [(c.kind, c.changes) for c in found.collisions] == [("Hamiltonian Hopf", True)] * 2 + [
+        ("zero eigenvalue", True)] * 2
+    np.testing.assert_allclose([c.value for c in found.collisions], [
+        -1.4134959831540943713, 0.020762905883088805319, 0.3, 0.4], atol=1e-15)
+
+
+def test_six_that_are_in_no_factors():
+    """A refusal, not the roots of another polynomial."""
+    tensor = [["3/2", "1/10", 0], ["1/10", 2, "1/20"], [0, "1/20", 1]]
+    orbit = gs.circular_orbit(1)
+    held = gs.earth_pointing_gyrostat(gs.Gyrostat(tensor, (0, gs.symbol("l"), 0)), orbit)
+    with pytest.raises(ScopeError, match="degree six that does not factor"):
+        spectrum(gs.earth_pointing(gs.assemble(held, orbit)), "l", (0, 1), {})
 
 
 def test_the_collision_of_the_sleeping_top():

@@ -13,11 +13,14 @@ from ..algebra.numbers import exact_number
 from ..algebra.polynomials import Ring
 from ..algebra.roots import in_order
 from ..algebra.zeros import changes_of_sign, inner, zeros_inside, zeros_of
-from ..errors import ValuesError, require
+from ..errors import ScopeError, ValuesError, require
+from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
+from .conditions import Condition, condition_of
 from .criteria import spectral_criterion
-from .linearization import linearize
+from .linearization import Linearization, linearize
+from .sextic import factors_in_squares, items_of_factors
 from .values import check_names, names_in, refuse_any_direction
 
 
@@ -52,7 +55,7 @@ class Spectrum:
     parameter : array, shape (n,)
         the samples, and where eigenvalues meet
     eigenvalues : complex array, shape (n, d)
-        d = 2 or 4; each column is continuous
+        d = 2, 4 or 6; each column is continuous
     collisions : list of Collision
 
     Examples
@@ -74,9 +77,9 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     """The eigenvalues of an equilibrium at values of one parameter, and where they meet.
 
     They are the roots of λ⁴ + p λ² + q, or λ² + p; they collide where p² − 4q or q, or p where q is 0,
-    changes its sign. Between two collisions λ² = (−p ± √(p² − 4q))/2 are two continuous functions, as
-    p² − 4q keeps its sign;
-    at a collision each column goes on as the one that has its value there.
+    changes its sign. With three degrees of freedom they are those of such factors. Between two collisions
+    λ² = (−p ± √(p² − 4q))/2 are two continuous functions, as p² − 4q keeps its sign; at a collision each
+    column goes on as the one that has its value there.
 
     Parameters
     ----------
@@ -96,6 +99,8 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     ------
     ValuesError
         names are missing or unknown, or somewhere between the samples there is no such equilibrium
+    ScopeError
+        three degrees of freedom that do not part
 
     Examples
     --------
@@ -109,9 +114,8 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     require(eq, Equilibrium, "the equilibrium")
     refuse_any_direction(eq)
     linear = linearize(eq)
-    coefficients = [eq.insert(c) for c in linear.coefficients]
-    conditions = spectral_criterion(linear).alternatives[0]
-    check_names([*values, name], names_in([*coefficients, symbol(name)]),
+    parts = _parts(linear)
+    check_names([*values, name], names_in([*(c for part, _ in parts for c in part), symbol(name)]),
                 f"the spectrum of {eq.label}")
     at, free = np.asarray(samples, dtype=float), symbol(name)
     if at.ndim != 1 or len(at) < 2 or not (np.diff(at) * (at[-1] - at[0]) > 0).all():
@@ -119,23 +123,43 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
                           "decreasing")
     numbers = {symbol(name): exact_number(value, name) for name, value in values.items()}
     low, high = (exact_number(float(x), name) for x in (at.min(), at.max()))
-    placed = [c.xreplace(numbers) for c in coefficients]
-    _exists(eq, placed, numbers, free, low, high)
-    margins = {c.source: eq.insert(c.margin).xreplace(numbers)
-               for c in conditions if c.source != "p" or not coefficients[-1]}
-    zeros = {zero: source for source, margin in margins.items()
-             for zero in changes_of_sign(margin, free, low, high)}
-    touched = {zero for c in conditions if c.source in margins for factor in (c.margin, *c.degenerate)
-               for zero in zeros_inside(eq.insert(factor).xreplace(numbers), free, low, high)}
-    cuts = [low, *in_order(list({**zeros, **dict.fromkeys(touched)})), high]
+    placed = [[c.xreplace(numbers) for c in part] for part, _ in parts]
+    _exists(eq, [c for part in placed for c in part], numbers, free, low, high)
+    zeros: list[dict[Expr, str]] = []                      # of each part, with what changes its sign there
+    touched = dict[Expr, None]()
+    for part, conditions in parts:
+        told = [c for c in conditions if c.source != "p" or not part[-1]]
+        zeros.append({zero: c.source for c in told
+                      for zero in changes_of_sign(eq.insert(c.margin).xreplace(numbers), free, low, high)})
+        touched |= {zero: None for c in told for factor in (c.margin, *c.degenerate)
+                    for zero in zeros_inside(eq.insert(factor).xreplace(numbers), free, low, high)}
+    cuts = [low, *in_order(list(touched | {zero: None for of_part in zeros for zero in of_part})), high]
     stable = [all(sign_of_constant(evaluate(eq.insert(c.margin).xreplace(numbers), {free: inner(a, b)}))
-                  != -1 for c in conditions)
+                  != -1 for _, conditions in parts for c in conditions)
               for a, b in pairwise(cuts)]
-    collisions = [_collision(zeros[zero], zero, placed, free, before != after)
-                  for zero, before, after in zip(cuts[1:], stable, stable[1:]) if zero in zeros]
-    parameter_at, roots = _columns(placed, free, np.sort(at), cuts)
+    collisions = [_collision(of_part[zero], zero, part, free, before != after)
+                  for zero, before, after in zip(cuts[1:], stable, stable[1:])
+                  for part, of_part in zip(placed, zeros) if zero in of_part]
+    columns = [_columns(part, free, np.sort(at), cuts) for part in placed]
     order = slice(None) if at[0] < at[-1] else slice(None, None, -1)
-    return Spectrum(parameter_at[order], roots[order], collisions)
+    return Spectrum(columns[0][0][order], np.concatenate([roots for _, roots in columns], axis=1)[order],
+                    collisions)
+
+
+def _parts(linear: Linearization) -> list[tuple[list[Expr], Sequence[Condition]]]:
+    """p and q, or p, of each factor of the characteristic polynomial that is followed, and its conditions."""
+    eq = linear.equilibrium
+    if len(linear.coefficients) < 3:
+        return [([eq.insert(c) for c in linear.coefficients], spectral_criterion(linear).alternatives[0])]
+    factors = factors_in_squares(linear.coefficients)
+    if len(factors) == 1:
+        raise ScopeError(f"the eigenvalues of {eq.label} are the roots of a polynomial of degree six that "
+                         "does not factor, and these are not followed: linearize(eq).eigenvalues() has them "
+                         "at numbers")
+    signs = signs_over(eq, [c for factor in factors for c in factor])
+    return [([eq.insert(c / first) for c in others],
+             [condition_of(signs.ring, item, eq) for item in items_of_factors([(first, *others)], signs)])
+            for first, *others in factors]
 
 
 def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symbol, Expr], free: Symbol,
