@@ -109,7 +109,8 @@ def _motion(verb: argparse.ArgumentParser) -> None:
     pointing(verb)
     verb.add_argument("--release", metavar="ROLL,PITCH,YAW",
                       help="of a satellite in orbit, in place of --state: at rest in the frame of the orbit, "
-                      "turned by these angles, '5 deg,0,0', by yaw first and by roll last")
+                      "turned by these angles, '5 deg,0,0', without a unit in rad, by yaw first and by roll "
+                      "last")
     verb.add_argument("--until", metavar="T", required=True,
                       help="the last time; before 0 the motion goes back")
     among = verb.add_mutually_exclusive_group()
