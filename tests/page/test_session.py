@@ -1,0 +1,122 @@
+"""What the page of the site asks of the library: one function, JSON in, JSON out."""
+import contextlib
+import io
+import json
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+import session
+from fuzz_texts import drawn
+
+import gyrostat as gs
+from gyrostat.mechanics.scene_tables import SceneTable
+
+TRY = Path(session.__file__).parent
+EXAMPLES = json.loads((TRY / "examples.json").read_text(encoding="utf-8"))
+TOP = EXAMPLES[0]["scene"]
+VALUES = {"I1": "1", "I2": "1.2", "I3": "sqrt(2)", "l": "1/3", "k3": "1/2", "omega": "2", "omega2_0": "1",
+          "m": "1", "omega3_0": "3", "pi3_0": "3"}
+SCENES = [*(example["scene"] for example in EXAMPLES),
+          {"potential": "sqrt(2)*m/3*k3 + exp(k3)", "inertia": ["I1", "I1", "1/3"], "values": VALUES,
+           "gyrostatic_momentum": ["0", "0", "l"], "equilibrium": "E1", "spin": "omega3_0"},
+          {"potential": "none", "inertia": [["3", "0", "1/2"], ["0", "4", "0"], ["1/2", "0", "5"]],
+           "gyrostatic_momentum": ["0", "0", "0"], "equilibrium": "axis 2", "values": VALUES}]
+
+
+def answered(want, scene):
+    """The answer, which is JSON whatever is asked."""
+    return json.loads(session.answer(json.dumps({"want": want, "scene": scene})))
+
+
+def test_rumiantsevs_condition_is_what_the_first_example_shows():
+    """In LaTeX, with the names that a verdict needs."""
+    found = answered("analysed", TOP)
+    assert {"display": r"\left(I_3 \omega_3^0 + l\right)^{2} > 4 I_1 m_0"} in found["conditions"]
+    assert [name["name"] for name in found["names"]] == ["I1", "I3", "l", "m0", "omega3_0"]
+    assert [family["name"] for family in found["equilibria"]] == ["E1", "E2", "E3"]
+
+
+@pytest.mark.parametrize("spin, verdict", [("1.2499999", "UNSTABLE"), ("1.25", "STABLE"), ("5/4", "STABLE")])
+def test_a_verdict_is_exact(spin, verdict):
+    """On both sides of the boundary, and on it; with its reason."""
+    found = answered("decided", {**TOP, "values": {**TOP["values"], "omega3_0": spin}})
+    assert found["verdict"] == verdict
+    assert any("Reason" in str(block) for block in found["blocks"])
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=str)
+@pytest.mark.few(4)
+def test_every_example_is_answered(scene):
+    """Whatever is wanted, and its values are those that a verdict needs."""
+    for want in session.WANTED:
+        found = answered(want, scene)
+        assert "error" not in found, found
+        if want == "analysed":
+            assert {name["name"] for name in found["names"]} <= scene["values"].keys()
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=str)
+@pytest.mark.few(4)
+def test_what_is_copied_gives_the_same(scene):
+    """The program prints the verdict; the scene file reads as the scene; the LaTeX has the conditions."""
+    copied, verdict = answered("copied", scene), answered("decided", scene)["verdict"]
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        exec(copied["python"], {})                     # noqa: S102 (written by the page's own code)
+    asked = session.chosen(json.dumps({name: x for name, x in scene.items() if name != "values"}))
+    printed = out.getvalue().splitlines()
+    assert printed == [str(asked.report.necessary), str(asked.report.sufficient), verdict]
+    read = SceneTable(tomllib.loads(copied["scene"])["scene"]["mine"])
+    assert read.system == asked.scene and read.family == asked.family
+    assert gs.analyze(asked.report.equilibrium).verdict(read.table["values"]).verdict.name == verdict
+    shown = [block["display"] for block in answered("analysed", scene)["conditions"] if "display" in block]
+    assert any(formula in copied["latex"] for formula in shown) or not shown
+
+
+@pytest.mark.parametrize("change, said", [
+    ({"potential": "__import__('os')"}, "not part of the grammar"),
+    ({"potential": "m0"}, "does not depend on k3"),
+    ({"inertia": ["1", "2"]}, "inertia"),
+    ({"inertia": "x"}, "write a list"),
+    ({"colour": "red"}, "a scene has no entry colour"),
+    ({"values": {**TOP["values"], "I1": "abc("}}, "abc("),
+    ({"values": {"a b": "1"}}, "is not a name"),
+    ({"values": {"I1": "1"}}, "I3"),
+    ({"equilibrium": "E9"}, "E9"),
+    ({"spin": "speed"}, "speed"),
+])
+def test_what_is_refused_is_said_in_the_librarys_words(change, said):
+    """One sentence of its own, no traceback."""
+    found = answered("decided", {**TOP, **change})
+    assert said in found["error"] and "internal error" not in found["error"]
+
+
+def test_an_equilibrium_that_a_field_does_not_have_says_why():
+    """The others are listed beside it."""
+    found = answered("analysed", {"potential": "c1*k1 + c3*k3", "equilibrium": "E1"})
+    assert "E1 is not an equilibrium" in found["error"]
+    assert [bool(family["why"]) for family in found["equilibria"]] == [True, True, False]
+
+
+@pytest.mark.slow
+def test_hostile_texts_are_refused_or_answered():
+    """Those of the fuzz corpus in the place of a field, of a moment and of a number."""
+    for index in range(40):
+        text = drawn(index, "page")[0]
+        for scene in ({"potential": text}, {**TOP, "inertia": [text, text, "I3"]},
+                      {**TOP, "values": {**TOP["values"], "I1": text}}, {**TOP, "values": {text: "1"}}):
+            found = answered("decided", scene)
+            assert "internal error" not in found.get("error", ""), (text, found)
+
+
+@pytest.mark.slow
+def test_the_page_needs_no_numpy():
+    """It has no build of it for the browser."""
+    code = ("import sys; sys.path.insert(0, sys.argv[1]); sys.modules['numpy'] = None; import session, json; "
+            "print([session.answer(json.dumps({'want': w, 'scene': e['scene']})) for w in session.WANTED "
+            "for e in json.load(open(sys.argv[1] + '/examples.json', encoding='utf-8'))])")
+    run = subprocess.run([sys.executable, "-c", code, str(TRY)], capture_output=True, text=True, check=True)
+    assert "error" not in run.stdout
