@@ -1,7 +1,7 @@
 """The site: sphinx-build -W -b html docs build/site, with the extra docs."""
 import sys
 from pathlib import Path
-from shutil import copytree
+from shutil import copytree, ignore_patterns
 
 from sphinx.application import Sphinx
 
@@ -78,7 +78,15 @@ def schemas_beside_their_page(app: Sphinx, error: Exception | None) -> None:
         copytree(HERE / "reference" / "schema", Path(app.outdir) / "reference" / "schema", dirs_exist_ok=True)
 
 
+def page_to_try(app: Sphinx, error: Exception | None) -> None:
+    """The page that runs the library in a browser; what it loads is added by docs/try/build.py."""
+    if error is None:
+        copytree(HERE / "try", Path(app.outdir) / "try", dirs_exist_ok=True,
+                 ignore=ignore_patterns("*.py", "*.mjs", "*.toml", "__pycache__"))
+
+
 def setup(app: Sphinx) -> None:
     """What is done before and after the build."""
     pages_from_elsewhere()
     app.connect("build-finished", schemas_beside_their_page)
+    app.connect("build-finished", page_to_try)

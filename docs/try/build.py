@@ -1,0 +1,106 @@
+"""The page that runs the library in a browser, with all that it loads. Usage: build.py TARGET.
+
+It needs pip, npm and node. What is fetched has a name and a hash in sources.toml; what the page loads is
+listed with its hash in TARGET/files.json.
+"""
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import tomllib
+import zipfile
+from base64 import b64encode
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).parent
+MODULES = ("session.py", "copies.py", "examples.json")
+INTERPRETER = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm")
+
+
+def run(*command: str | Path, where: Path = HERE) -> None:
+    """A command that has to succeed."""
+    subprocess.run(command, cwd=where, check=True, stdout=subprocess.DEVNULL)
+
+
+def fetched(name: str, source: dict[str, Any], folder: Path) -> Path:
+    """The one file of a source, with the hash that it must have."""
+    place = folder / name
+    place.mkdir()
+    if "npm" in source:
+        run("npm", "pack", "--silent", source["npm"], where=place)
+    else:
+        run(sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--only-binary=:all:",
+            *source.get("options", ()), "--dest", place, source["pip"])
+    file, = place.iterdir()
+    if (found := hashlib.sha256(file.read_bytes()).hexdigest()) != source["sha256"]:
+        sys.exit(f"{file.name} has the hash {found}, sources.toml another: it is not what was tried")
+    return file
+
+
+def unpacked(files: dict[str, Path], stage: Path) -> None:
+    """The interpreter, KaTeX, and one folder of packages, the library and what asks it among them."""
+    for name in ("pyodide", "katex"):
+        with tarfile.open(files[name]) as archive:
+            archive.extractall(stage / name, filter="data")
+    run(sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", stage / "wheel",
+        HERE.parents[1])
+    for wheel in (*(files[name] for name in ("python-flint", "sympy", "mpmath")),
+                  *(stage / "wheel").iterdir()):
+        zipfile.ZipFile(wheel).extractall(stage / "packages")
+    for name in MODULES:
+        shutil.copy(HERE / name, stage / "packages")
+    zipfile.ZipFile(stage / "pyodide" / "package" / "python_stdlib.zip").extractall(stage / "python")
+
+
+def libraries(packages: Path, target: Path) -> None:
+    """python-flint as one archive, without its tests: a compiled part is loaded from a file."""
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for folder in ("flint", "python_flint.libs"):
+            for path in sorted((packages / folder).rglob("*")):
+                if path.suffix in (".so", ".py") and "test" not in path.parts:
+                    archive.writestr(zipfile.ZipInfo(path.relative_to(packages).as_posix()),
+                                     path.read_bytes(), zipfile.ZIP_DEFLATED)
+
+
+def built(target: Path, stage: Path) -> None:
+    """Fetch, compile, copy, list."""
+    sources = tomllib.loads((HERE / "sources.toml").read_text(encoding="utf-8"))
+    (stage / "fetched").mkdir()
+    unpacked({name: fetched(name, source, stage / "fetched") for name, source in sources.items()}, stage)
+    shutil.rmtree(target, ignore_errors=True)
+    runtime = target / "runtime"
+    runtime.mkdir(parents=True)
+    run("node", HERE / "compile.mjs", stage, HERE / "compiled.py")
+    for name in ("python.zip", "packages.zip"):
+        shutil.copy(stage / name, runtime)
+    libraries(stage / "packages", runtime / "libraries.zip")
+    for name in INTERPRETER:
+        shutil.copy(stage / "pyodide" / "package" / name, runtime)
+    lock = json.loads((stage / "pyodide" / "package" / "pyodide-lock.json").read_text(encoding="utf-8"))
+    (runtime / "pyodide-lock.json").write_text(json.dumps({**lock, "packages": {}}), encoding="utf-8")
+    katex = stage / "katex" / "package" / "dist"
+    (target / "katex" / "fonts").mkdir(parents=True)
+    for path in (katex / "katex.min.js", katex / "katex.min.css", *katex.glob("fonts/*.woff2")):
+        shutil.copy(path, target / "katex" / path.relative_to(katex))
+    for path in HERE.iterdir():
+        if path.suffix in (".html", ".css", ".js", ".json"):
+            shutil.copy(path, target)
+    listed = {path.relative_to(target).as_posix(): _listed(path)
+              for path in sorted(target.rglob("*")) if path.is_file()}
+    (target / "files.json").write_text(json.dumps(listed, indent=1), encoding="utf-8")
+    print(f"try: {len(listed)} files, {sum(entry['bytes'] for entry in listed.values()) / 1e6:.1f} MB")
+
+
+def _listed(path: Path) -> dict[str, str | int]:
+    """Size and hash of a file, as a browser compares it."""
+    data = path.read_bytes()
+    return {"bytes": len(data), "integrity": f"sha256-{b64encode(hashlib.sha256(data).digest()).decode()}"}
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as folder:
+        built(Path(sys.argv[1]).resolve(), Path(folder))

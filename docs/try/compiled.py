@@ -1,0 +1,68 @@
+"""Run by Pyodide itself, in build.py: Python and its packages as two archives of bytecode.
+
+A package stays where the examples load a module of it. Docstrings are left out, nobody reads them on the
+page; assertions stay.
+"""
+import ast
+import importlib
+import json
+import marshal
+import sys
+import zipfile
+from importlib.util import MAGIC_NUMBER
+from pathlib import Path
+
+STAGE = Path("/stage")
+# what SymPy loads when it meets some sums
+LATER = ("sympy.physics.units",)
+# of a module without a source, which is not looked for
+HEADER = MAGIC_NUMBER + (1).to_bytes(4, "little") + bytes(8)
+
+
+def without_docstrings(tree: ast.Module) -> ast.Module:
+    """The same code without its docstrings."""
+    for node in ast.walk(tree):
+        documented = isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef)
+        if documented and ast.get_docstring(node, clean=False):
+            node.body = node.body[1:] or [ast.copy_location(ast.Pass(), node.body[0])]
+    return tree
+
+
+def used() -> set[str]:
+    """The folders of the packages of which the examples load a module.
+
+    python-flint is not among them, it has an archive of its own.
+    """
+    sys.path.insert(0, f"{STAGE}/packages")
+    session = importlib.import_module("session")
+    for example in json.loads((STAGE / "packages" / "examples.json").read_text(encoding="utf-8")):
+        for want in session.WANTED:
+            said = json.loads(session.answer(json.dumps({"want": want, "scene": example["scene"]})))
+            if "error" in said:
+                sys.exit(f"{example['title']}, {want}: {said['error']}")
+    for name in LATER:
+        importlib.import_module(name)
+    loaded = {name if hasattr(module, "__path__") else name.rpartition(".")[0]
+              for name, module in sys.modules.items()}
+    return {name.replace(".", "/") for name in loaded if name.split(".")[0] != "flint"}
+
+
+def archive(folder: Path, packages: set[str], target: Path) -> None:
+    """Every module of the packages, compiled, and the other files beside them as they are."""
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as out:
+        for path in sorted(folder.rglob("*")):
+            name = path.relative_to(folder).as_posix()
+            if path.parent.relative_to(folder).as_posix().removeprefix(".") not in packages:
+                continue
+            if path.suffix == ".py":
+                tree = without_docstrings(ast.parse(path.read_text(encoding="utf-8")))
+                code = compile(tree, name, "exec", dont_inherit=True)
+                out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + marshal.dumps(code), zipfile.ZIP_DEFLATED)
+            elif path.is_file() and path.suffix not in (".so", ".pyi", ".pyx", ".pxd"):
+                out.writestr(zipfile.ZipInfo(name), path.read_bytes(), zipfile.ZIP_DEFLATED)
+
+
+if __name__ == "__main__":
+    kept = used() | {""}
+    archive(STAGE / "python", kept, STAGE / "python.zip")
+    archive(STAGE / "packages", kept, STAGE / "packages.zip")

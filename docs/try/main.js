@@ -1,0 +1,149 @@
+// The page: what is typed and picked goes to the analyser as the keys of a scene file; its answers are shown.
+import { Analyser, LIMIT } from "./analyser.js";
+import { element, shown, sliders, verdict } from "./page.js";
+
+const STEPS = ["interpreter", "packages", "library", "ready"];
+const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
+  library: "the library is loading", ready: "ready" };
+const TEXTS = ["potential", "inertia", "gyrostatic_momentum"];
+const at = (id) => document.getElementById(id);
+
+const state = { equilibrium: "", spin: "omega3_0", values: {} };
+const analyser = new Analyser(told);
+const examples = await (await fetch("examples.json")).json();
+
+function told({ step, ready, ended, broken, failed }) {
+  if (step || ready) {
+    at("progress").value = STEPS.indexOf(step ?? "ready");
+    at("status").textContent = SAID[step ?? "ready"];
+    at("starting").hidden = Boolean(ready);
+    if (ready && document.body.dataset.state !== "ready") performance.mark("ready");
+    document.body.dataset.state = ready ? "ready" : "starting";
+  }
+  if (ended) {
+    notice(`This took longer than ${LIMIT} s and was ended; the library starts again. Write it more simply, or `
+      + "use the library on your own machine, where nothing ends it.");
+  }
+  if (broken) notice(`The computation failed (${broken}); the library starts again. Write it more simply.`);
+  if (failed) {
+    at("starting").hidden = true;
+    notice(`The library could not be started (${failed}): its files are not beside this page, or the browser is `
+      + "too old. Build them with docs/try/build.py.");
+  }
+}
+
+function notice(text) {
+  at("notice").textContent = text;
+  at("notice").hidden = !text;
+}
+
+const entries = (text) => text.split(",").map((entry) => entry.trim());
+const list = (text) => text.includes(";") ? text.split(";").map(entries) : entries(text);
+const listed = (value) => value.map((row) => [row].flat().join(", ")).join(Array.isArray(value[0]) ? "; " : ", ");
+
+function scene() {
+  const table = { potential: at("potential").value, inertia: list(at("inertia").value),
+    gyrostatic_momentum: list(at("gyrostatic_momentum").value), spin: state.spin };
+  if (state.equilibrium) table.equilibrium = state.equilibrium;
+  return { ...table, values: { ...state.values } };
+}
+
+// What a link or an example says, into the fields; the library reads them as if they were typed.
+function filled(table) {
+  at("potential").value = table.potential ?? "U(k3)";
+  at("inertia").value = listed(table.inertia ?? ["I1", "I1", "I3"]);
+  at("gyrostatic_momentum").value = listed(table.gyrostatic_momentum ?? ["0", "0", "l"]);
+  state.equilibrium = table.equilibrium ?? "";
+  state.spin = at("spin").value = table.spin === "pi3_0" ? "pi3_0" : "omega3_0";
+  state.values = { ...table.values };
+}
+
+async function analyse() {
+  remember();
+  const found = await analyser.ask("analysed", scene());
+  if (!found) return;
+  if (found.equilibria) choices(found);
+  refused(found.error);
+  if (found.error) return;
+  shown(at("point"), found.point);
+  shown(at("conditions"), found.conditions);
+  at("spin-row").hidden = !["E1", "E2"].includes(found.chosen);
+  sliders(at("values"), found.names, state.values, decide);
+  await decide();
+  if (at("derivation").open) await derive();
+}
+
+async function decide() {
+  remember();
+  const found = await analyser.ask("decided", scene());
+  if (!found) return;
+  at("wrong").textContent = found.error ?? "";
+  at("verdict").classList.toggle("stale", Boolean(found.error));
+  if (!found.error) verdict(at("verdict"), found);
+  performance.mark("verdict");
+  document.body.dataset.answers = Number(document.body.dataset.answers ?? 0) + 1;
+}
+
+async function derive() {
+  const found = await analyser.ask("derived", scene());
+  if (found && !found.error) shown(at("blocks"), found.blocks);
+}
+
+function refused(error = "") {
+  at("error").textContent = error;
+  document.body.classList.toggle("refused", Boolean(error));
+  document.body.dataset.asked = Number(document.body.dataset.asked ?? 0) + 1;
+}
+
+function choices({ equilibria, chosen }) {
+  at("equilibria").replaceChildren(...equilibria.map(({ name, title, why }) => {
+    const input = element("input", { type: "radio", name: "equilibrium", value: name, checked: name === chosen });
+    input.onchange = () => { state.equilibrium = name; analyse(); };
+    return element("label", { title: why, className: why ? "none" : "" }, input, ` ${name}`,
+      element("small", {}, why ? "not in this field" : title === `rotation about ${name}` ? "" : title));
+  }));
+}
+
+// The address is a link that restores what is on the page.
+function remember() {
+  const table = scene(), pairs = TEXTS.map((name) => [name, at(name).value]);
+  if (table.equilibrium) pairs.push(["equilibrium", table.equilibrium]);
+  pairs.push(["spin", table.spin], ...Object.entries(table.values).map(([name, text]) => ["set", `${name}=${text}`]));
+  history.replaceState(null, "", `#${new URLSearchParams(pairs)}`);
+}
+
+function restored() {
+  const given = new URLSearchParams(location.hash.slice(1));
+  if (!given.has("potential")) return examples[0].scene;
+  const values = given.getAll("set").map((text) => [text.split("=", 1)[0], text.slice(text.indexOf("=") + 1)]);
+  const table = { potential: given.get("potential"), values: Object.fromEntries(values) };
+  for (const name of ["inertia", "gyrostatic_momentum"]) if (given.has(name)) table[name] = list(given.get(name));
+  for (const name of ["equilibrium", "spin"]) if (given.has(name)) table[name] = given.get(name);
+  return table;
+}
+
+async function copy(kind) {
+  const text = kind === "link" ? location.href : (await analyser.ask("copied", scene()))?.[kind];
+  if (!text) return;
+  at("copied").value = text;
+  at("copied").hidden = false;
+  at("copied").rows = Math.min(text.split("\n").length, 14);
+  at("said").textContent = await navigator.clipboard?.writeText(text).then(() => "copied", () => "") ?? "";
+}
+
+let typed;
+for (const name of TEXTS) {
+  at(name).oninput = () => {
+    clearTimeout(typed);
+    typed = setTimeout(() => { notice(""); analyse(); }, 300);
+  };
+}
+at("ask").onsubmit = () => false;
+at("spin").onchange = () => { state.spin = at("spin").value; analyse(); };
+at("derivation").ontoggle = () => { if (at("derivation").open) derive(); };
+at("example").append(...examples.map(({ title }, n) => element("option", { value: n }, title)));
+at("example").onchange = () => { filled(examples[at("example").value].scene); notice(""); analyse(); };
+for (const button of document.querySelectorAll("[data-copy]")) button.onclick = () => copy(button.dataset.copy);
+window.onhashchange = () => { filled(restored()); analyse(); };
+filled(restored());
+analyse();

@@ -1,0 +1,72 @@
+// What the library answers, shown: blocks of sentences and formulas, verdicts, numbers with their sliders.
+const WORDS = { STABLE: ["✓", "Stable"], UNSTABLE: ["✗", "Unstable"], UNDECIDED: ["?", "Undecided"] };
+const START = { I2: "1.2", I3: "1.6", l: "0", k3: "0.5" };
+
+export function element(name, attributes = {}, ...children) {
+  const made = Object.assign(document.createElement(name), attributes);
+  made.append(...children);
+  return made;
+}
+
+export function formula(latex, displayMode = false) {
+  const place = element(displayMode ? "div" : "span", { className: displayMode ? "display" : "" });
+  if (displayMode) place.tabIndex = 0;                  // what is wider than the page is scrolled by keys too
+  katex.render(latex, place, { displayMode, throwOnError: false });
+  return place;
+}
+
+const parts = (given) => given.map(({ text, tex }) => text ?? formula(tex));
+
+function block({ heading, level, sentence, display, title, rows }) {
+  if (heading !== undefined) return element(`h${level + 2}`, {}, heading);
+  if (display !== undefined) return formula(display, true);
+  if (sentence !== undefined) return element("p", {}, ...parts(sentence));
+  return element("table", {}, element("caption", {}, title),
+    ...rows.map(([symbol, meaning]) => element("tr", {}, element("th", { scope: "row" }, ...parts(symbol)),
+      element("td", {}, ...parts(meaning)))));
+}
+
+export function shown(place, blocks) {
+  place.replaceChildren(...blocks.map(block));
+}
+
+export function verdict(place, { verdict: found, damped, blocks }) {
+  const [sign, word] = WORDS[found];
+  place.className = found.toLowerCase();
+  place.replaceChildren(
+    element("p", { className: "badge" }, element("span", { ariaHidden: "true" }, sign), ` ${word}`),
+    element("p", { className: "damped" }, `under internal damping: ${damped.toLowerCase()}`));
+  const reasons = element("div", { className: "reasons" });
+  shown(reasons, blocks);
+  place.append(reasons);
+}
+
+// A number of a text, 1/2 too; NaN of what is none.
+function number(text) {
+  const [above, below = "1"] = text.split("/");
+  return text.trim() && Number(above) / Number(below);
+}
+
+function ends(name, value) {
+  if (/^k\d?$/.test(name)) return [-1, 1];
+  if (/^I\d+$/.test(name)) return [0.05, Math.max(5, 2 * value || 0)];
+  const most = Math.max(5, 2 * Math.abs(value) || 0);
+  return [-most, most];
+}
+
+// A row for each name: its symbol, a text that is exact, a slider. changed() after each change of values.
+export function sliders(place, names, values, changed) {
+  place.replaceChildren(...names.map(({ name, tex }) => {
+    values[name] ??= START[name] ?? "1";
+    const [min, max] = ends(name, number(values[name]));
+    const text = element("input", { id: `value-${name}`, value: values[name], size: 8, maxLength: 500,
+      spellcheck: false, autocomplete: "off" });
+    const slider = element("input", { type: "range", min, max, step: 0.01, ariaLabel: `${name}, slider` });
+    const follow = () => { if (Number.isFinite(number(text.value))) slider.value = number(text.value); };
+    follow();
+    text.oninput = () => { values[name] = text.value; follow(); changed(); };
+    slider.oninput = () => { values[name] = text.value = slider.value; changed(); };
+    const label = element("label", { htmlFor: text.id, title: name }, formula(tex));
+    return element("div", { className: "value" }, label, text, slider);
+  }));
+}
