@@ -8,7 +8,7 @@ const SAID = { interpreter: "Python is loading", packages: "SymPy and python-fli
 const TEXTS = ["potential", "inertia", "gyrostatic_momentum"];
 const at = (id) => document.getElementById(id);
 
-const state = { equilibrium: "", spin: "omega3_0", values: {} };
+const state = { equilibrium: "", spin: "", values: {} };
 const analyser = new Analyser(told);
 const examples = await (await fetch("examples.json")).json();
 
@@ -17,8 +17,6 @@ function told({ step, ready, ended, broken, failed }) {
     at("progress").value = STEPS.indexOf(step ?? "ready");
     at("status").textContent = SAID[step ?? "ready"];
     at("starting").hidden = Boolean(ready);
-    if (ready && document.body.dataset.state !== "ready") performance.mark("ready");
-    document.body.dataset.state = ready ? "ready" : "starting";
   }
   if (ended) {
     notice(`This took longer than ${LIMIT} s and was ended; the library starts again. Write it more simply, or `
@@ -27,9 +25,23 @@ function told({ step, ready, ended, broken, failed }) {
   if (broken) notice(`The computation failed (${broken}); the library starts again. Write it more simply.`);
   if (failed) {
     at("starting").hidden = true;
+    document.body.ariaBusy = "false";
     notice(`The library could not be started (${failed}): its files are not beside this page, or the browser is `
       + "too old. Build them with docs/try/build.py.");
   }
+}
+
+// aria-busy from the first key to the last answer.
+let open = 0;
+function busy(more) {
+  open += more;
+  document.body.ariaBusy = String(open > 0);
+}
+
+async function working(what) {
+  busy(1);
+  await what();
+  busy(-1);
 }
 
 function notice(text) {
@@ -54,11 +66,11 @@ function filled(table) {
   at("inertia").value = listed(table.inertia ?? ["I1", "I1", "I3"]);
   at("gyrostatic_momentum").value = listed(table.gyrostatic_momentum ?? ["0", "0", "l"]);
   state.equilibrium = table.equilibrium ?? "";
-  state.spin = at("spin").value = table.spin === "pi3_0" ? "pi3_0" : "omega3_0";
+  state.spin = at("spin").value = table.spin ?? "pi3_0";
   state.values = { ...table.values };
 }
 
-async function analyse() {
+const analyse = () => working(async () => {
   remember();
   const found = await analyser.ask("analysed", scene());
   if (!found) return;
@@ -71,28 +83,25 @@ async function analyse() {
   sliders(at("values"), found.names, state.values, decide);
   await decide();
   if (at("derivation").open) await derive();
-}
+});
 
-async function decide() {
+const decide = () => working(async () => {
   remember();
   const found = await analyser.ask("decided", scene());
   if (!found) return;
   at("wrong").textContent = found.error ?? "";
   at("verdict").classList.toggle("stale", Boolean(found.error));
   if (!found.error) verdict(at("verdict"), found);
-  performance.mark("verdict");
-  document.body.dataset.answers = Number(document.body.dataset.answers ?? 0) + 1;
-}
+});
 
-async function derive() {
+const derive = () => working(async () => {
   const found = await analyser.ask("derived", scene());
   if (found && !found.error) shown(at("blocks"), found.blocks);
-}
+});
 
 function refused(error = "") {
   at("error").textContent = error;
   document.body.classList.toggle("refused", Boolean(error));
-  document.body.dataset.asked = Number(document.body.dataset.asked ?? 0) + 1;
 }
 
 function choices({ equilibria, chosen }) {
@@ -122,20 +131,21 @@ function restored() {
   return table;
 }
 
-async function copy(kind) {
+const copy = (kind) => working(async () => {
   const text = kind === "link" ? location.href : (await analyser.ask("copied", scene()))?.[kind];
   if (!text) return;
   at("copied").value = text;
   at("copied").hidden = false;
   at("copied").rows = Math.min(text.split("\n").length, 14);
   at("said").textContent = await navigator.clipboard?.writeText(text).then(() => "copied", () => "") ?? "";
-}
+});
 
 let typed;
 for (const name of TEXTS) {
   at(name).oninput = () => {
+    if (!typed) busy(1);
     clearTimeout(typed);
-    typed = setTimeout(() => { notice(""); analyse(); }, 300);
+    typed = setTimeout(() => { typed = undefined; notice(""); analyse(); busy(-1); }, 300);
   };
 }
 at("ask").onsubmit = () => false;

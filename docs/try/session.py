@@ -6,6 +6,7 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 from copies import latex, program, scene_file
+from sympy import MatrixBase
 
 import gyrostat as gs
 from gyrostat.errors import GyrostatError
@@ -15,11 +16,12 @@ from gyrostat.mechanics.reduction import reducible
 from gyrostat.mechanics.scene_tables import SceneTable
 from gyrostat.mechanics.system import System
 from gyrostat.notation import symbol
-from gyrostat.printing.article import inline
+from gyrostat.printing.article import NARROW, inline
 from gyrostat.printing.blocks import Block, Display, Heading, Rows, Sentence, sentence
 from gyrostat.printing.decision import damped_block, decision_blocks
 from gyrostat.printing.document import conditions_blocks, point_blocks, report_blocks, whole_blocks
 from gyrostat.printing.latex import display, tex
+from gyrostat.printing.linebreaks import broken, width
 from gyrostat.printing.names import Names
 from gyrostat.stability.report import Decision, Report
 
@@ -157,11 +159,19 @@ def _block(block: Block, names: Names) -> Data:
     if isinstance(block, Heading):
         return {"heading": block.title, "level": block.level}
     if isinstance(block, Display):
-        return {"display": display(block, names)}
+        return {"display": _lines(block, names)}
     if isinstance(block, Rows):
         return {"title": block.title,
                 "rows": [[_parts(cell, None, names) for cell in row] for row in block.rows]}
     return {"sentence": _parts(block.parts, block.at, names)}
+
+
+def _lines(block: Display, names: Names) -> str:
+    """A display, broken where it is wider than a column."""
+    whole = display(block, names)
+    if isinstance(block.value, MatrixBase) or width(whole) <= NARROW:
+        return whole
+    return r"\begin{aligned} & " + r" \\ & \quad ".join(broken(whole, NARROW)) + r" \end{aligned}"
 
 
 def _parts(parts: Sequence[Any], at: Any, names: Names) -> list[dict[str, str]]:

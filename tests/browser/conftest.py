@@ -1,0 +1,47 @@
+"""The page in headless Chromium.
+
+Collected where GYROSTAT_PAGE names the folder that docs/try/build.py filled.
+"""
+import os
+
+FOLDER = os.environ.get("GYROSTAT_PAGE")
+if not FOLDER:
+    collect_ignore_glob = ["*"]
+else:
+    import pytest
+    from bench_page import profile, served
+    from playwright.sync_api import sync_playwright
+
+    @pytest.fixture(scope="session")
+    def address():
+        with served(FOLDER) as place:
+            yield place
+
+    @pytest.fixture(scope="session")
+    def context():
+        """A browser, with the addresses that it asked for and the errors of its pages."""
+        with sync_playwright() as playwright, profile(playwright) as browser:
+            browser.asked, browser.errors = [], []
+            browser.set_default_timeout(60_000)
+            browser.on("request", lambda request: browser.asked.append(request.url))
+            browser.on("weberror", lambda error: browser.errors.append(str(error.error)))
+            browser.on("console", lambda message: browser.errors.append(message.text)
+                       if message.type == "error" else None)
+            yield browser
+
+    @pytest.fixture(scope="session")
+    def started(context, address):
+        """The page with its first verdict."""
+        page = context.new_page()
+        page.goto(address)
+        page.wait_for_selector("body[aria-busy=false] .badge")
+        return page
+
+    @pytest.fixture
+    def page(started):
+        """The page with the first example."""
+        started.set_viewport_size({"width": 1280, "height": 900})
+        started.select_option("#example", "1")
+        started.select_option("#example", "0")
+        started.wait_for_selector("body[aria-busy=false]")
+        return started

@@ -1,0 +1,86 @@
+"""How the page behaves: hostile texts, what takes too long, no other host, keyboard, narrow screens."""
+import os
+from pathlib import Path
+from urllib.parse import quote
+
+import pytest
+from driving import picked, shown, typed
+from fuzz_texts import drawn
+
+SLOW = "+".join(f"a{n}*(1+b{n}*k3)^{n}" for n in range(1, 30))
+WORST = ["(" * 2500, "k3^" * 1600 + "2", "9" * 4900, "2^(2^(2^(2^k3)))", "k3**10**10**10",
+         "sqrt(" * 900 + "k3", "</textarea><script>alert(1)</script>", "\\href{javascript:alert(1)}{k3}",
+         "k3\u202e\u0000", "𝛼*k3", "∫k3", "__import__('js').fetch('/')", "'; DROP TABLE k3; --", "k3;k3",
+         ",,,", " "]
+KEYS = ("potential", "inertia", "gyrostatic_momentum", "equilibrium", "spin", "set")
+
+
+def test_hostile_texts_are_refused_and_the_page_goes_on(page, context):
+    """In a field, in the body, in a number: a sentence or an answer, and no error of the page."""
+    errors = len(context.errors)
+    for text in [*WORST, *(drawn(index, "browser")[0] for index in range(8))]:
+        for field in ("potential", "gyrostatic_momentum", "value-I1"):
+            before = page.input_value(f"#{field}")
+            _, refused = typed(page, field, text)
+            assert "internal error" not in refused, text
+            typed(page, field, before)
+    assert shown(page) == ("Stable", "") and context.errors[errors:] == []
+
+
+@pytest.mark.parametrize("text", WORST)
+def test_a_hostile_link_goes_through_the_same_gate(page, context, text):
+    """Refused as if it were typed; nothing of it becomes a part of the page."""
+    errors = len(context.errors)
+    page.evaluate("""hash => new Promise(done => {
+        addEventListener("hashchange", () => done(), { once: true });
+        location.hash = hash;
+    })""", "&".join(f"{name}={quote(text)}" for name in KEYS))
+    assert shown(page)[1]
+    assert page.evaluate("document.scripts.length") == 2 and context.errors[errors:] == []
+
+
+def test_what_takes_too_long_is_ended_and_the_library_starts_again(page):
+    """The page says so, stays usable meanwhile, and answers the next question."""
+    page.fill("#potential", SLOW)
+    page.wait_for_selector("#notice:not([hidden])")
+    assert "longer than 10 s" in page.inner_text("#notice")
+    page.wait_for_selector("#starting", state="hidden")
+    assert picked(page, 1)[1] == "" and page.is_hidden("#notice")
+
+
+def test_nothing_is_asked_of_another_host(started, context, address):
+    """All that the page loads comes from where it is served, the interpreter and the packages too."""
+    host = address.removesuffix("index.html")
+    asked = {url.split("?")[0] for url in context.asked if not url.startswith(("data:", "blob:"))}
+    loaded = ("pyodide.asm.wasm", "python.zip", "packages.zip", "libraries.zip")
+    assert {f"{host}runtime/{name}" for name in loaded} <= asked
+    assert all(url.startswith(host) for url in asked), asked
+
+
+def test_everything_has_a_name_and_is_reached_by_keys(page):
+    """Every control has a label; Tab reaches each from the first to the last."""
+    named = page.eval_on_selector_all("input, select, button, textarea", """all => all.map(one =>
+        one.ariaLabel || [...one.labels].map(label => label.textContent).join("") || one.textContent)""")
+    assert len(named) > 15 and all(name.strip() for name in named), named
+    page.focus("#example")
+    reached = set()
+    for _ in range(40):
+        reached.add(page.evaluate("document.activeElement.id || document.activeElement.textContent"))
+        page.keyboard.press("Tab")
+    assert {"potential", "inertia", "gyrostatic_momentum", "spin", "value-I1", "LaTeX"} <= reached
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", [360, 800, 1440])
+def test_no_page_is_wider_than_its_screen(page, width, theme):
+    """Formulas that are too wide scroll by themselves; GYROSTAT_SHOTS has the pictures."""
+    page.set_viewport_size({"width": width, "height": 900})
+    page.emulate_media(color_scheme=theme)
+    for number in (0, 2, 7):
+        picked(page, number)
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        if "GYROSTAT_SHOTS" in os.environ:
+            page.screenshot(path=Path(os.environ["GYROSTAT_SHOTS"]) / f"{width}-{theme}-{number}.png",
+                            full_page=True)
+    assert page.evaluate("getComputedStyle(document.body).backgroundColor") == (
+        "rgb(20, 24, 30)" if theme == "dark" else "rgb(255, 255, 255)")
