@@ -3,6 +3,7 @@
 It needs pip, npm and node. What is fetched has a name and a hash in sources.toml; what the page loads is
 listed with its hash in TARGET/files.json.
 """
+import gzip
 import hashlib
 import json
 import shutil
@@ -15,6 +16,8 @@ import zipfile
 from base64 import b64encode
 from pathlib import Path
 from typing import Any
+
+from linked import linked
 
 HERE = Path(__file__).parent
 MODULES = ("session.py", "copies.py", "examples.json")
@@ -56,14 +59,17 @@ def unpacked(files: dict[str, Path], stage: Path) -> None:
     zipfile.ZipFile(stage / "pyodide" / "package" / "python_stdlib.zip").extractall(stage / "python")
 
 
-def libraries(packages: Path, target: Path) -> None:
-    """python-flint as one archive, without its tests: a compiled part is loaded from a file."""
-    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for folder in ("flint", "python_flint.libs"):
-            for path in sorted((packages / folder).rglob("*")):
-                if path.suffix in (".so", ".py") and "test" not in path.parts:
-                    archive.writestr(zipfile.ZipInfo(path.relative_to(packages).as_posix()),
-                                     path.read_bytes(), zipfile.ZIP_DEFLATED)
+def libraries(packages: Path) -> bytes:
+    """python-flint without its tests as one stream.
+
+    It has the length of a list, the list of paths and sizes, the files.
+    """
+    files = {path.relative_to(packages).as_posix(): path.read_bytes()
+             for folder in ("flint", "python_flint.libs") for path in sorted((packages / folder).rglob("*"))
+             if path.suffix in (".so", ".py") and "test" not in path.parts}
+    files |= linked({name: data for name, data in files.items() if name.endswith(".so")})
+    listed = json.dumps([[name, len(data)] for name, data in files.items()]).encode()
+    return gzip.compress(len(listed).to_bytes(4, "little") + listed + b"".join(files.values()), mtime=0)
 
 
 def built(target: Path, stage: Path) -> None:
@@ -77,7 +83,7 @@ def built(target: Path, stage: Path) -> None:
     run("node", HERE / "compile.mjs", stage, HERE / "compiled.py")
     for name in ("python.zip", "packages.zip"):
         shutil.copy(stage / name, runtime)
-    libraries(stage / "packages", runtime / "libraries.zip")
+    (runtime / "libraries.bin").write_bytes(libraries(stage / "packages"))
     for name in INTERPRETER:
         shutil.copy(stage / "pyodide" / "package" / name, runtime)
     lock = json.loads((stage / "pyodide" / "package" / "pyodide-lock.json").read_text(encoding="utf-8"))

@@ -11,6 +11,7 @@ import sys
 import zipfile
 from importlib.util import MAGIC_NUMBER
 from pathlib import Path
+from types import CodeType
 
 STAGE = Path("/stage")
 # what SymPy loads when it meets some sums
@@ -26,6 +27,12 @@ def without_docstrings(tree: ast.Module) -> ast.Module:
         if documented and ast.get_docstring(node, clean=False):
             node.body = node.body[1:] or [ast.copy_location(ast.Pass(), node.body[0])]
     return tree
+
+
+def without_lines(code: CodeType) -> CodeType:
+    """The same code without the places of its instructions, which only a traceback shows."""
+    constants = tuple(without_lines(x) if isinstance(x, CodeType) else x for x in code.co_consts)
+    return code.replace(co_linetable=b"", co_consts=constants)
 
 
 def used() -> set[str]:
@@ -57,7 +64,8 @@ def archive(folder: Path, packages: set[str], target: Path) -> None:
             if path.suffix == ".py":
                 tree = without_docstrings(ast.parse(path.read_text(encoding="utf-8")))
                 code = compile(tree, name, "exec", dont_inherit=True)
-                out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + marshal.dumps(code), zipfile.ZIP_DEFLATED)
+                out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + marshal.dumps(without_lines(code)),
+                             zipfile.ZIP_DEFLATED)
             elif path.is_file() and path.suffix not in (".so", ".pyi", ".pyx", ".pxd"):
                 out.writestr(zipfile.ZipInfo(name), path.read_bytes(), zipfile.ZIP_DEFLATED)
 
