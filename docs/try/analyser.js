@@ -19,10 +19,10 @@ export class Analyser {
   }
 
   // The answer; null where a newer question of the same kind took its place, or there is none.
-  ask(want, scene) {
+  ask(want, scene, more = []) {
     this.waiting.get(want)?.resolve(null);
     return new Promise((resolve) => {
-      this.waiting.set(want, { resolve, question: JSON.stringify({ want, scene }) });
+      this.waiting.set(want, { resolve, question: JSON.stringify({ want, scene, more }) });
       this.next();
     });
   }

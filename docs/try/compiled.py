@@ -16,6 +16,8 @@ from types import CodeType
 STAGE = Path("/stage")
 # what SymPy loads when it meets some sums
 LATER = ("sympy.physics.units",)
+# what a question has beside its scene: the axes of a chart, and their ends
+MORE = {"charted": [["I1", "I3"]], "edges": [["I1", "I3"], [["1/2", "2"], ["1/2", "2"]]]}
 # of a module without a source, which is not looked for
 HEADER = MAGIC_NUMBER + (1).to_bytes(4, "little") + bytes(8)
 
@@ -44,7 +46,8 @@ def used() -> set[str]:
     session = importlib.import_module("session")
     for example in json.loads((STAGE / "packages" / "examples.json").read_text(encoding="utf-8")):
         for want in session.WANTED:
-            said = json.loads(session.answer(json.dumps({"want": want, "scene": example["scene"]})))
+            question = {"want": want, "scene": example["scene"], "more": MORE.get(want, ())}
+            said = json.loads(session.answer(json.dumps(question)))
             if "error" in said:
                 sys.exit(f"{example['title']}, {want}: {said['error']}")
     for name in LATER:

@@ -1,6 +1,8 @@
 // The page: what is typed and picked goes to the analyser as the keys of a scene file; its answers are shown.
 import { Analyser, LIMIT } from "./analyser.js";
-import { element, shown, sliders, verdict } from "./page.js";
+import { Chart } from "./chart.js";
+import { Nearby } from "./motion.js";
+import { element, number, shown, sliders, verdict } from "./page.js";
 
 const STEPS = ["interpreter", "packages", "library", "ready"];
 const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
@@ -10,6 +12,9 @@ const at = (id) => document.getElementById(id);
 
 const state = { equilibrium: "", spin: "", values: {} };
 const analyser = new Analyser(told);
+const ask = (want, more) => analyser.ask(want, scene(), more);
+const chart = new Chart(at("charted"), ask, changed);
+const nearby = new Nearby(at("nearby"), ask, () => state.values, number);
 const examples = await (await fetch("examples.json")).json();
 
 function told({ step, ready, ended, broken, failed }) {
@@ -80,10 +85,26 @@ const analyse = () => working(async () => {
   shown(at("point"), found.point);
   shown(at("conditions"), found.conditions);
   at("spin-row").hidden = !["E1", "E2"].includes(found.chosen);
-  sliders(at("values"), found.names, state.values, decide);
+  sliders(at("values"), found.names, state.values, follow);
   await decide();
+  chart.choose(found.axes, (name) => number(state.values[name] ?? ""));
+  nearby.choose(found.names.map(({ name }) => name));
   if (at("derivation").open) await derive();
 });
+
+// Pictures follow at once, the verdict when it is there.
+function follow() {
+  chart.follow();
+  nearby.restart();
+  decide();
+}
+
+// A number is set by a picture.
+function changed(name, text) {
+  const input = at(`value-${name}`);
+  input.value = text;
+  input.dispatchEvent(new Event("input"));
+}
 
 const decide = () => working(async () => {
   remember();

@@ -42,7 +42,7 @@ export function verdict(place, { verdict: found, damped, blocks }) {
 }
 
 // A number of a text, 1/2 too; NaN of what is none.
-function number(text) {
+export function number(text) {
   const [above, below = "1"] = text.split("/");
   return text.trim() && Number(above) / Number(below);
 }

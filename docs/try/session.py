@@ -6,6 +6,7 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 from copies import latex, program, scene_file
+from programs import charted, edges, moving
 from sympy import MatrixBase
 
 import gyrostat as gs
@@ -45,7 +46,7 @@ def answer(question: str) -> str:
         table = asked["scene"]
         given = SceneTable({"values": table.get("values", {})}).table["values"]
         without = json.dumps({name: value for name, value in table.items() if name != "values"})
-        return json.dumps(WANTED[asked["want"]](chosen(without), given))
+        return json.dumps(WANTED[asked["want"]](chosen(without), given, *asked.get("more", ())))
     except GyrostatError as error:
         return json.dumps({"error": str(error)})
     except Exception as error:                         # whatever is typed, the page goes on
@@ -118,7 +119,8 @@ def _analysed(asked: Chosen, _: Mapping[str, str]) -> Data:
     names = Names()
     return {**found, "point": _blocks(point_blocks(asked.report.equilibrium)),
             "conditions": _blocks(conditions_blocks(asked.report)[1:]),
-            "names": [{"name": name, "tex": tex(symbol(name), names)} for name in asked.names]}
+            "names": [{"name": name, "tex": tex(symbol(name), names)} for name in asked.names],
+            "axes": list(asked.report.required)}
 
 
 def _decided(asked: Chosen, given: Mapping[str, str]) -> Data:
@@ -142,7 +144,27 @@ def _copied(asked: Chosen, given: Mapping[str, str]) -> Data:
             "scene": scene_file({**asked.table, "equilibrium": asked.family.asked_for}, values)}
 
 
-WANTED = {"analysed": _analysed, "decided": _decided, "derived": _derived, "copied": _copied}
+def _charted(asked: Chosen, _: Mapping[str, str], axes: Sequence[str]) -> Data:
+    """What the page computes of a chart in two names."""
+    return charted(asked.report, axes)
+
+
+def _bounded(asked: Chosen, given: Mapping[str, str], axes: Sequence[str],
+             ends: Sequence[Sequence[str]]) -> Data:
+    """The boundary of that chart."""
+    values = {name: text for name, text in given.items() if name in asked.names}
+    return edges(asked.report, values, axes, ends)
+
+
+def _moving(asked: Chosen, _: Mapping[str, str]) -> Data:
+    """What the page computes of a motion, the numbers that it needs as they are written."""
+    found, names = moving(asked.report), Names()
+    listed = [{"name": name, "tex": tex(symbol(name), names)} for name in found.get("names", ())]
+    return {**found, "names": listed}
+
+
+WANTED = {"analysed": _analysed, "decided": _decided, "derived": _derived, "copied": _copied,
+          "charted": _charted, "edges": _bounded, "moving": _moving}
 
 
 def _reason(decision: Decision) -> Sentence:

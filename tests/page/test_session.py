@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 import session
+from compiled import MORE
 from fuzz_texts import drawn
 
 import gyrostat as gs
@@ -28,7 +29,7 @@ SCENES = [*(example["scene"] for example in EXAMPLES),
 
 def answered(want, scene):
     """The answer, which is JSON whatever is asked."""
-    return json.loads(session.answer(json.dumps({"want": want, "scene": scene})))
+    return json.loads(session.answer(json.dumps({"want": want, "scene": scene, "more": MORE.get(want, ())})))
 
 
 def test_rumiantsevs_condition_is_what_the_first_example_shows():

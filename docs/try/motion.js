@@ -1,0 +1,159 @@
+// A motion near the equilibrium, in doubles: the path of a vector on a sphere, as the body sees it.
+import { Motion } from "./integrator.js";
+import { sliders } from "./page.js";
+import { compiled } from "./programs.js";
+
+const SIZE = 400, LONG = 4000, FRAMES = 240;             // points of a path; frames to the longest period
+
+const rotated = ([x, y, z], axis, angle) => {
+  const c = Math.cos(angle), s = Math.sin(angle);
+  return [[x, c * y - s * z, s * y + c * z], [c * x + s * z, y, c * z - s * x], [c * x - s * y, s * x + c * y, z]][axis];
+};
+const short = (x) => x.toFixed(6).replace(/^-(0\.0+)$/, "$1");
+
+export class Nearby {
+  // place: the section; ask(want): of the library; values: of the page, by name
+  constructor(place, ask, values, number) {
+    Object.assign(this, { place, ask, values, number, view: [0.5, 0.4] });
+    const find = (name) => place.querySelector(name);
+    [this.canvas, this.push, this.button, this.more, this.why, this.state] = ["canvas", "#push", "button", "#more",
+      "#no-motion", "#state"].map(find);
+    this.push.oninput = () => this.restart();
+    this.button.onclick = () => this.run(!this.running);
+    this.canvas.onpointermove = ({ buttons, movementX, movementY }) => {
+      if (buttons) this.turn(movementX / 100, movementY / 100);
+    };
+    this.canvas.onkeydown = (event) => {
+      const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
+      if (!turns) return;
+      event.preventDefault();
+      this.turn(...turns);
+    };
+  }
+
+  // Another equilibrium: its equations; the numbers that a verdict does not need have their own sliders.
+  async choose(known) {
+    const found = await this.ask("moving");
+    if (!found) return;
+    this.refuse(found.why ?? found.error);
+    this.rates = this.motion = null;
+    if (!found.rates) return;
+    this.coordinates = found.coordinates;
+    this.names = found.names.map(({ name }) => name);
+    this.rates = compiled(found.rates);
+    this.equilibrium = compiled(found.state);
+    sliders(this.more, found.names.filter(({ name }) => !known.includes(name)), this.values(), () => this.restart());
+    this.restart();
+    this.run(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+  }
+
+  refuse(text = "") {
+    this.why.textContent = text;
+    this.place.classList.toggle("none", Boolean(text));
+  }
+
+  // From the equilibrium, its directions turned, or of a free body its momentum.
+  restart() {
+    if (!this.rates) return;
+    const values = this.values();
+    const numbers = Object.fromEntries(this.names.map((name) => [name, this.number(values[name] ?? "")]));
+    const start = this.equilibrium(numbers), last = start.length - 3;
+    const at = start.slice(last), quiet = at.map(Math.abs), axis = quiet.indexOf(Math.min(...quiet));
+    if (![...Object.values(numbers), ...start].every(Number.isFinite) || !Math.hypot(...at)) {
+      this.motion = null;
+      return this.refuse("a motion needs decimals or fractions, such as 1.25 or 5/4, of an equilibrium that exists");
+    }
+    this.refuse();
+    for (let n = last ? 3 : 0; n <= last; n += 3) {
+      start.splice(n, 3, ...rotated(start.slice(n, n + 3), axis, Number(this.push.value)));
+    }
+    const rates = this.rates, rate = (state) => rates(Object.assign(numbers, Object.fromEntries(
+      this.coordinates.map((name, n) => [name, state[n]]))));
+    this.centre = at;
+    this.motion = new Motion(rate, start);
+    this.pace = this.period(rate, start) / FRAMES;
+    this.path = [start.slice(last)];
+    this.run(this.running);
+  }
+
+  // About the time in which the fastest of what is near goes round.
+  period(rate, state) {
+    const here = rate(state), small = 1e-6;
+    const slopes = state.map((_, i) => Math.hypot(...rate(state.map((x, j) => x + (i === j) * small))
+      .map((r, j) => (r - here[j]) / small)));
+    return 2 * Math.PI / Math.max(...slopes, 1e-3);
+  }
+
+  step() {
+    this.path.push(this.motion.at(this.motion.time + this.pace).slice(-3));
+    if (this.path.length > LONG) this.path.shift();
+  }
+
+  // A step for each frame; of a motion that stands still as many as show its path, and no more.
+  run(on) {
+    this.running = on;
+    this.button.textContent = on ? "Pause" : "Go on";
+    cancelAnimationFrame(this.frame);
+    const next = () => {
+      if (!this.motion) return;
+      try {
+        if (!document.hidden) this.step();
+        this.draw();
+      } catch (error) {
+        this.motion = null;
+        return this.refuse(error.message);
+      }
+      if (this.running || this.path.length < FRAMES) this.frame = requestAnimationFrame(next);
+    };
+    this.frame = requestAnimationFrame(next);
+  }
+
+  turn(across, up) {
+    this.view = [this.view[0] + across, Math.max(-1.5, Math.min(1.5, this.view[1] + up))];
+    this.draw();
+  }
+
+  draw() {
+    if (!this.motion) return;
+    const context = this.canvas.getContext("2d"), radius = 0.45 * SIZE, size = Math.hypot(...this.path[0]);
+    const style = getComputedStyle(this.canvas), [turn, tilt] = this.view;
+    const seen = ([x, y, z]) => {
+      const a = x * Math.cos(turn) - y * Math.sin(turn), b = x * Math.sin(turn) + y * Math.cos(turn);
+      return [SIZE / 2 + radius * a, SIZE / 2 - radius * (z * Math.cos(tilt) + b * Math.sin(tilt)),
+        b * Math.cos(tilt) - z * Math.sin(tilt)];
+    };
+    const line = (points, front) => {
+      context.beginPath();
+      points.forEach((point, n) => {
+        const [x, y, depth] = seen(point);
+        if (n === 0 || (depth <= 0) !== front) context.moveTo(x, y);
+        else context.lineTo(x, y);
+      });
+      context.stroke();
+    };
+    context.clearRect(0, 0, SIZE, SIZE);
+    context.strokeStyle = style.getPropertyValue("border-color");
+    context.lineWidth = 1;
+    context.beginPath();
+    context.arc(SIZE / 2, SIZE / 2, radius, 0, 7);
+    context.stroke();
+    const round = Array.from({ length: 121 }, (_, n) => [Math.cos(n * Math.PI / 60), Math.sin(n * Math.PI / 60)]);
+    for (const circle of [([c, s]) => [c, s, 0], ([c, s]) => [c, 0, s], ([c, s]) => [0, c, s]]) line(round.map(circle), true);
+    const path = this.path.map((point) => point.map((x) => x / size));
+    context.strokeStyle = style.color;
+    context.globalAlpha = 0.25;
+    line(path, false);
+    context.globalAlpha = 1;
+    context.lineWidth = 1.5;
+    line(path, true);
+    context.fillStyle = style.color;
+    for (const [point, wide] of [[path.at(-1), 4], [this.centre.map((x) => x / size), 2]]) {
+      const [x, y] = seen(point);
+      context.beginPath();
+      context.arc(x, y, wide, 0, 7);
+      context.fill();
+    }
+    this.state.textContent = `t = ${short(this.motion.time)}: (${this.coordinates.slice(-3).join(", ")}) = `
+      + `(${this.path.at(-1).map(short).join(", ")})`;
+  }
+}

@@ -1,0 +1,151 @@
+// Programs of the library, as programs.py writes them, run in doubles; each result with a bound of its error.
+const UNIT = 2 ** -53, TINY = 2 ** -1074;
+
+// The bound of a step whose result is c, from those of its arguments (value a, error ea): Higham, Accuracy and
+// Stability of Numerical Algorithms, 2nd ed. (2002), §3.3. Of exp, log, sin, cos and powers that JavaScript
+// gives to 4 units.
+const around = (f, a, ea) => Math.max(Math.abs(f(a - ea)), Math.abs(f(a + ea)));
+const STEPS = {
+  add: (a, ea, b, eb) => [a + b, ea + eb],
+  subtract: (a, ea, b, eb) => [a - b, ea + eb],
+  multiply: (a, ea, b, eb) => [a * b, Math.abs(a) * eb + Math.abs(b) * ea + ea * eb + TINY],
+  divide: (a, ea, b, eb) => {
+    const least = Math.abs(b) - eb;
+    return [a / b, least > 0 ? (ea + Math.abs(a / b) * eb) / least + TINY : Infinity];
+  },
+  negative: (a, ea) => [-a, ea],
+  exp: (a, ea) => [Math.exp(a), Math.exp(a + ea) * Math.expm1(ea) * 2 + 8 * UNIT * Math.exp(a)],
+  log: (a, ea) => [Math.log(a), a > ea ? ea / (a - ea) + 8 * UNIT * Math.abs(Math.log(a)) : Infinity],
+  sin: (a, ea) => [Math.sin(a), ea + 8 * UNIT],
+  cos: (a, ea) => [Math.cos(a), ea + 8 * UNIT],
+  power: (a, ea, n) => [a ** n, a > ea
+    ? Math.abs(n) * around((x) => x ** (n - 1), a, ea) * ea + (8 + Math.abs(n * Math.log(a))) * UNIT * a ** n : Infinity],
+};
+
+const ROUNDED = new Set(["add", "subtract", "multiply", "divide"]);
+
+// One step over a row: into value and error, from arguments that are a row or one number.
+function over(operation, n, value, error, a, ea, b, eb) {
+  const sa = a?.length > 1 ? 1 : 0, sb = b?.length > 1 ? 1 : 0;
+  if (operation === "add" || operation === "subtract") {
+    const sign = operation === "add" ? 1 : -1;
+    for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) {
+      const c = a[p] + sign * b[q];
+      value[i] = c;
+      error[i] = ea[p] + eb[q] + UNIT * Math.abs(c);
+    }
+  } else if (operation === "multiply") {
+    for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) {
+      const c = a[p] * b[q];
+      value[i] = c;
+      error[i] = Math.abs(a[p]) * eb[q] + Math.abs(b[q]) * ea[p] + ea[p] * eb[q] + UNIT * Math.abs(c) + TINY;
+    }
+  } else {
+    for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) {
+      const [c, e] = STEPS[operation](a[p], ea[p], b?.[q], eb?.[q]);
+      value[i] = c;
+      error[i] = e + (ROUNDED.has(operation) ? UNIT * Math.abs(c) : 0);
+    }
+  }
+}
+
+// The same without errors, of the three operations of polynomials.
+function values(operation, n, value, a, b) {
+  const sa = a.length > 1 ? 1 : 0, sb = b?.length > 1 ? 1 : 0;
+  if (operation === "add") for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) value[i] = a[p] + b[q];
+  else if (operation === "subtract") for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) value[i] = a[p] - b[q];
+  else if (operation === "multiply") for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) value[i] = a[p] * b[q];
+  else for (let i = 0; i < n; i++) value[i] = -a[i];
+}
+
+const POLYNOMIAL = new Set(["add", "subtract", "multiply", "negative"]);
+const most = (row) => row.reduce((a, b) => Math.max(a, Math.abs(b)), 0);
+
+// Whether a step varies across (1), upwards (2), both (3), or not at all (0).
+function varying(steps, [across, upwards]) {
+  const kinds = [];
+  for (const [operation, a, b] of steps) {
+    if (operation === "name") kinds.push(a === across ? 1 : a === upwards ? 2 : 0);
+    else if (operation === "number") kinds.push(0);
+    else kinds.push(kinds[a] | (operation === "power" || b === undefined ? 0 : kinds[b]));
+  }
+  return kinds;
+}
+
+// The results of a program over the rows of a picture, each with its error; or, quickly, with one for all.
+export class Rows {
+  constructor(steps, axes, width) {
+    this.steps = steps;
+    this.kinds = varying(steps, axes);
+    const room = () => this.kinds.map((kind) => new Float64Array(kind & 1 ? width : 1));
+    this.values = room();
+    this.errors = room();
+    this.polynomial = steps.every(([operation], i) => this.kinds[i] < 2 || operation === "name" || POLYNOMIAL.has(operation));
+  }
+
+  // What does not vary upwards, where names have these numbers, an array that across; and the one error for all.
+  begin(numbers, upwards) {
+    this.numbers = numbers;
+    this.y = upwards;
+    this.take((kind) => kind < 2);
+    this.sizes = this.values.map(most);
+    this.bounds = this.errors.map(most);
+    this.steps.forEach(([operation, a, b], i) => {
+      if (this.kinds[i] < 2) return;
+      const [sizes, bounds] = [this.sizes, this.bounds];
+      if (operation === "name") [sizes[i], bounds[i]] = [upwards, UNIT * upwards];
+      else if (operation === "negative") [sizes[i], bounds[i]] = [sizes[a], bounds[a]];
+      else if (POLYNOMIAL.has(operation)) {
+        const product = operation === "multiply";
+        sizes[i] = product ? (sizes[a] + bounds[a]) * (sizes[b] + bounds[b]) : sizes[a] + sizes[b];
+        bounds[i] = (product ? STEPS.multiply(sizes[a], bounds[a], sizes[b], bounds[b])[1] : bounds[a] + bounds[b])
+          + UNIT * sizes[i];
+      }
+    });
+  }
+
+  // The rest, in the row where the name upwards is y, with an error of each or without.
+  row(y, errors) {
+    this.y = y;
+    this.take((kind) => kind > 1, errors);
+  }
+
+  take(wanted, errors = true) {
+    this.steps.forEach(([operation, a, b], i) => {
+      if (!wanted(this.kinds[i])) return;
+      const value = this.values[i], error = this.errors[i];
+      if (operation === "number" || operation === "name") {
+        const given = operation === "number" ? a : this.kinds[i] === 2 ? this.y : this.numbers[a];
+        for (let n = 0; n < value.length; n++) {
+          value[n] = given[n] ?? given;
+          error[n] = UNIT * Math.abs(value[n]);
+        }
+      } else if (!errors) {
+        values(operation, value.length, value, this.values[a], this.values[b]);
+      } else if (operation === "power") {
+        over(operation, value.length, value, error, this.values[a], this.errors[a], [b], [0]);
+      } else {
+        over(operation, value.length, value, error, this.values[a], this.errors[a], this.values[b], this.errors[b]);
+      }
+    });
+  }
+}
+
+// Results at numbers, without their errors.
+export function compiled({ steps, results }) {
+  const values = new Float64Array(steps.length);
+  return (numbers) => {
+    steps.forEach(([operation, a, b], i) => {
+      if (operation === "name") values[i] = numbers[a];
+      else if (operation === "number") values[i] = a;
+      else if (operation === "add") values[i] = values[a] + values[b];
+      else if (operation === "subtract") values[i] = values[a] - values[b];
+      else if (operation === "multiply") values[i] = values[a] * values[b];
+      else if (operation === "power") values[i] = values[a] ** b;
+      else if (operation === "divide") values[i] = values[a] / values[b];
+      else if (operation === "negative") values[i] = -values[a];
+      else values[i] = Math[operation](values[a]);
+    });
+    return results.map((place) => values[place]);
+  };
+}

@@ -1,0 +1,112 @@
+"""What the page computes itself: programs in fractions, and the boundary of a chart column by column."""
+import json
+import operator
+from fractions import Fraction
+from pathlib import Path
+from random import Random
+
+import pytest
+import session
+
+import gyrostat as gs
+
+EXAMPLES = [example["scene"] for example in json.loads(
+    (Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))]
+ARITHMETIC = {"add": operator.add, "subtract": operator.sub, "multiply": operator.mul,
+              "divide": operator.truediv, "negative": operator.neg}
+ENDS = ["1/20", "5"], ["-3", "3"]
+
+
+def asked(want, scene, *more):
+    return json.loads(session.answer(json.dumps({"want": want, "scene": scene, "more": more})))
+
+
+def chosen(scene):
+    return session.chosen(json.dumps({name: value for name, value in scene.items() if name != "values"}))
+
+
+def run(steps, numbers):
+    """The results of a program in fractions."""
+    found = []
+    for operation, *arguments in steps:
+        if operation in ARITHMETIC:
+            found.append(ARITHMETIC[operation](*(found[i] for i in arguments)))
+        else:
+            found.append(numbers[arguments[0]] if operation == "name" else Fraction(arguments[0]))
+    return found
+
+
+def said(alternatives, results):
+    """Whether a criterion holds."""
+    def holds(condition):
+        factors = [results[i] for i in condition["degenerate"]]
+        if condition["strict"]:
+            return results[condition["margin"]] > 0 and all(factors)
+        return results[condition["margin"]] >= 0 or not all(factors)
+    return any(all(map(holds, conditions)) for conditions in alternatives)
+
+
+@pytest.mark.parametrize("number", [0, 1, 3, 5, 7])
+def test_a_program_says_what_the_criteria_say(number):
+    """At random numbers, whatever the axes."""
+    rng, scene = Random(number), EXAMPLES[number]
+    report, told = chosen(scene).report, set()
+    for _ in range(20):
+        chart = asked("charted", scene, rng.sample(report.required, 2))
+        assert set(chart["names"]) <= set(report.required)
+        numbers = {name: Fraction(rng.randint(1, 40), 60 if name == "k3" else 20) for name in report.required}
+        results = run(chart["steps"], numbers)
+        verdict = report.verdict({name: str(x) for name, x in numbers.items()}).verdict.name
+        assert all(results[i] > 0 for i in chart["positive"])
+        sufficient, necessary = (said(chart[name], results) for name in ("sufficient", "necessary"))
+        assert verdict == "STABLE" if sufficient else necessary or verdict == "UNSTABLE"
+        told.add(verdict)
+    assert len(told) > 1
+
+
+@pytest.mark.parametrize("number", [0, 4, 6])
+def test_the_boundary_is_where_the_verdict_changes(number):
+    """On both sides of each point another verdict; as often in a column as along points close together."""
+    scene = EXAMPLES[number]
+    report = chosen(scene).report
+    axes = ["I1", report.required[-1]]
+    points = asked("edges", scene, axes, ENDS)["points"]
+    values = {name: text for name, text in scene["values"].items() if name in report.required}
+
+    def verdict(x, y):
+        return report.verdict({**values, axes[0]: x, axes[1]: y}).verdict
+
+    for x, y in points[::9]:
+        assert verdict(Fraction(x), Fraction(y) - 10**-9) != verdict(Fraction(x), Fraction(y) + 10**-9)
+    for n in (10, 60, 90):
+        x = Fraction(1, 20) + Fraction(99, 20) * Fraction(2 * n + 1, 192)
+        along = [verdict(x, Fraction(y, 20) + Fraction(1, 1000)) for y in range(-60, 60)]
+        changes = sum(a != b for a, b in zip(along, along[1:]))
+        assert sum(abs(p - x) < 1e-9 for p, _ in points) == changes
+    assert points
+
+
+def test_what_is_not_drawn_is_said():
+    """Numbers bound to each other, an axis that nothing depends on, a function that is not known here."""
+    assert "bound to each other" in asked("charted", EXAMPLES[8], ["k1", "I1"])["why"]
+    assert "I3 has no axis" in asked("charted", EXAMPLES[1], ["I3", "I1"])["why"]
+    curved = {**EXAMPLES[0], "potential": "m0*tan(k3)", "spin": "pi3_0", "equilibrium": "E3"}
+    assert "tan" in asked("charted", curved, ["I1", "omega"])["why"]
+    assert "needs a field that is given" in asked("moving", EXAMPLES[1])["why"]
+    assert asked("edges", {**EXAMPLES[0], "values": {**EXAMPLES[0]["values"], "m0": "sqrt(2)"}}, ["I1", "l"],
+                 ENDS)["points"] == []
+
+
+def test_a_motion_has_the_equations_of_the_scene():
+    """At a state off the equilibrium, and the state of the equilibrium itself, which stays."""
+    scene = EXAMPLES[3]
+    found = asked("moving", scene)
+    whole = chosen(scene).scene
+    values = {name: Fraction(text) for name, text in scene["values"].items()}
+    state = [Fraction(n, 7) for n in (1, -2, 3, 2, 3, 6)]
+    known = {gs.symbol(name): value for name, value in values.items()}
+    expected = [rate.subs({**known, **dict(zip(whole.space.coordinates, state))})
+                for rate in whole.vector_field()]
+    results = run(found["rates"]["steps"], {**values, **dict(zip(found["coordinates"], state))})
+    assert [results[i] for i in found["rates"]["results"]] == expected
+    assert {name["name"] for name in found["names"]} == {"I1", "I3", "l", "k3", "omega"}
