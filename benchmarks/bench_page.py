@@ -5,12 +5,15 @@ Usage: bench_page.py SITE, the folder that docs/try/build.py has filled; it need
 import argparse
 import contextlib
 import functools
+import gzip
 import http.server
 import shutil
 import statistics
 import tempfile
 import threading
 import time
+from pathlib import Path
+from urllib.parse import urlsplit
 
 from playwright.sync_api import sync_playwright
 
@@ -73,22 +76,31 @@ def first_verdict(context, address):
     return seconds, changed
 
 
+def compressed(path):
+    """Bytes of a file from a server that compresses what that makes smaller."""
+    data = path.read_bytes()
+    return min(len(data), len(gzip.compress(data)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("site")
     parser.add_argument("--quick", action="store_true")
     given = parser.parse_args()
-    cold, warm, changed = [], [], []
+    cold, warm, changed, sent = [], [], [], set()
     with sync_playwright() as playwright, served(given.site) as address:
         for _ in range(1 if given.quick else 5):
             with profile(playwright) as context:
+                context.on("request", lambda request: sent.add(urlsplit(request.url).path))
                 cold.append(first_verdict(context, address)[0])
                 seconds, milliseconds = first_verdict(context, address)
                 warm.append(seconds)
                 changed.append(milliseconds)
     print(f"first verdict: {statistics.median(cold):.2f} s cold, {statistics.median(warm):.2f} s warm; "
           f"another number: {statistics.median(changed):.0f} ms (medians of {len(cold)})")
+    files = [Path(given.site, path.lstrip("/")) for path in sent if path.startswith("/")]
+    print(f"transfer, each file as it is or as gzip has it: {sum(map(compressed, files)) / 1e6:.1f} MB")
 
 
 if __name__ == "__main__":

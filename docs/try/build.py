@@ -3,9 +3,9 @@
 It needs pip, npm and node. What is fetched has a name and a hash in sources.toml; what the page loads is
 listed with its hash in TARGET/files.json.
 """
-import gzip
 import hashlib
 import json
+import lzma
 import shutil
 import subprocess
 import sys
@@ -46,7 +46,7 @@ def fetched(name: str, source: dict[str, Any], folder: Path) -> Path:
 
 def unpacked(files: dict[str, Path], stage: Path) -> None:
     """The interpreter, KaTeX, and one folder of packages, the library and what asks it among them."""
-    for name in ("pyodide", "katex"):
+    for name in ("pyodide", "katex", "xz"):
         with tarfile.open(files[name]) as archive:
             archive.extractall(stage / name, filter="data")
     run(sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", stage / "wheel",
@@ -59,17 +59,27 @@ def unpacked(files: dict[str, Path], stage: Path) -> None:
     zipfile.ZipFile(stage / "pyodide" / "package" / "python_stdlib.zip").extractall(stage / "python")
 
 
-def libraries(packages: Path) -> bytes:
-    """python-flint without its tests as one stream.
+def stream(stage: Path) -> bytes:
+    """python-flint without its tests, and the archive of all other packages, as one stream.
 
     It has the length of a list, the list of paths and sizes, the files.
     """
+    packages = stage / "packages"
     files = {path.relative_to(packages).as_posix(): path.read_bytes()
              for folder in ("flint", "python_flint.libs") for path in sorted((packages / folder).rglob("*"))
              if path.suffix in (".so", ".py") and "test" not in path.parts}
     files |= linked({name: data for name, data in files.items() if name.endswith(".so")})
+    files["packages.zip"] = (stage / "packages.zip").read_bytes()
     listed = json.dumps([[name, len(data)] for name, data in files.items()]).encode()
-    return gzip.compress(len(listed).to_bytes(4, "little") + listed + b"".join(files.values()), mtime=0)
+    return lzma.compress(len(listed).to_bytes(4, "little") + listed + b"".join(files.values()))
+
+
+def module(script: str) -> str:
+    """A script that adds to `this`, as a module, in which there is none."""
+    found = script.replace("}(this,", "}(globalThis,")
+    if found == script:
+        sys.exit("xz-decompress is not the script that was tried")
+    return found
 
 
 def built(target: Path, stage: Path) -> None:
@@ -81,9 +91,10 @@ def built(target: Path, stage: Path) -> None:
     runtime = target / "runtime"
     runtime.mkdir(parents=True)
     run("node", HERE / "compile.mjs", stage, HERE / "compiled.py")
-    for name in ("python.zip", "packages.zip"):
-        shutil.copy(stage / name, runtime)
-    (runtime / "libraries.bin").write_bytes(libraries(stage / "packages"))
+    shutil.copy(stage / "python.zip", runtime)
+    (runtime / "packages.xz").write_bytes(stream(stage))
+    script = stage / "xz" / "package" / "dist" / "package" / "xz-decompress.min.js"
+    (runtime / "xz.js").write_text(module(script.read_text(encoding="utf-8")), encoding="utf-8")
     for name in INTERPRETER:
         shutil.copy(stage / "pyodide" / "package" / name, runtime)
     lock = json.loads((stage / "pyodide" / "package" / "pyodide-lock.json").read_text(encoding="utf-8"))

@@ -57,9 +57,9 @@ def used() -> set[str]:
     return {name.replace(".", "/") for name in loaded if name.split(".")[0] != "flint"}
 
 
-def archive(folder: Path, packages: set[str], target: Path) -> None:
+def archive(folder: Path, packages: set[str], target: Path, method: int) -> None:
     """Every module of the packages, compiled, and the other files beside them as they are."""
-    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as out:
+    with zipfile.ZipFile(target, "w", method, compresslevel=9) as out:
         for path in sorted(folder.rglob("*")):
             name = path.relative_to(folder).as_posix()
             if path.parent.relative_to(folder).as_posix().removeprefix(".") not in packages:
@@ -67,13 +67,12 @@ def archive(folder: Path, packages: set[str], target: Path) -> None:
             if path.suffix == ".py":
                 tree = without_docstrings(ast.parse(path.read_text(encoding="utf-8")))
                 code = compile(tree, name, "exec", dont_inherit=True)
-                out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + marshal.dumps(without_lines(code)),
-                             zipfile.ZIP_DEFLATED)
+                out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + marshal.dumps(without_lines(code)), method)
             elif path.is_file() and path.suffix not in (".so", ".pyi", ".pyx", ".pxd"):
-                out.writestr(zipfile.ZipInfo(name), path.read_bytes(), zipfile.ZIP_DEFLATED)
+                out.writestr(zipfile.ZipInfo(name), path.read_bytes(), method)
 
 
 if __name__ == "__main__":
     kept = used() | {""}
-    archive(STAGE / "python", kept, STAGE / "python.zip")
-    archive(STAGE / "packages", kept, STAGE / "packages.zip")
+    archive(STAGE / "python", kept, STAGE / "python.zip", zipfile.ZIP_DEFLATED)
+    archive(STAGE / "packages", kept, STAGE / "packages.zip", zipfile.ZIP_STORED)    # compressed as a whole

@@ -1,17 +1,27 @@
 // The library in a thread of its own: Python, its packages from the files that files.json lists, then answers.
 import { loadPyodide } from "./runtime/pyodide.mjs";
+import "./runtime/xz.js";
 
 const say = (step) => postMessage({ step });
 
-async function listed(files, name) {
-  const { integrity } = files[name];
-  const response = await fetch(`${name}?${integrity.slice(7, 15)}`, { integrity });
+// A file that is listed, decompressed; where the browser lets a page keep something, it is kept so.
+async function unpacked(files, name) {
+  const { integrity } = files[name], address = `${name}?${integrity.slice(7, 15)}`;
+  const store = await self.caches?.open("gyrostat").catch(() => undefined);
+  const kept = await store?.match(address);
+  if (kept) return kept.arrayBuffer();
+  const response = await fetch(address, { integrity });
   if (!response.ok) throw new Error(`${name}: ${response.status}`);
-  return response.arrayBuffer();
+  const { XzReadableStream } = self["xz-decompress"];
+  const data = await new Response(new XzReadableStream(response.body)).arrayBuffer();
+  keep(store, address, data.slice()).catch(() => {});   // a browser that is full starts without
+  return data;
 }
 
-async function inflated(data) {
-  return new Response(new Blob([await data]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+// One file, the newest.
+async function keep(store, address, data) {
+  for (const old of await store.keys()) await store.delete(old);
+  await store.put(address, new Response(data));
 }
 
 // The files of a stream that build.py wrote: the length of a list, the list of paths and sizes, their bytes.
@@ -27,14 +37,12 @@ function placed(FS, folder, stream) {
 
 async function started() {
   const files = await (await fetch("files.json", { cache: "no-cache" })).json();
-  const packages = listed(files, "runtime/packages.zip");
-  const libraries = inflated(listed(files, "runtime/libraries.bin"));
+  const packages = unpacked(files, "runtime/packages.xz");
   say("interpreter");
   const python = await loadPyodide({ stdLibURL: new URL("runtime/python.zip", self.location).href });
   say("packages");
-  placed(python.FS, "/libraries", await libraries);
-  python.FS.writeFile("/packages.zip", new Uint8Array(await packages));
-  python.runPython('import sys; sys.path[:0] = ["/libraries", "/packages.zip"]');
+  placed(python.FS, "/packages", await packages);
+  python.runPython('import sys; sys.path[:0] = ["/packages", "/packages/packages.zip"]');
   say("library");
   return python.pyimport("session").answer;
 }

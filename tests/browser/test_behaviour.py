@@ -52,7 +52,7 @@ def test_nothing_is_asked_of_another_host(started, context, address):
     """All that the page loads comes from where it is served, the interpreter and the packages too."""
     host = address.removesuffix("index.html")
     asked = {url.split("?")[0] for url in context.asked if not url.startswith(("data:", "blob:"))}
-    loaded = ("pyodide.asm.wasm", "python.zip", "packages.zip", "libraries.bin")
+    loaded = ("pyodide.asm.wasm", "python.zip", "packages.xz")
     assert {f"{host}runtime/{name}" for name in loaded} <= asked
     assert all(url.startswith(host) for url in asked), asked
 
