@@ -3,6 +3,7 @@ import random
 from fractions import Fraction as F
 
 import pytest
+from slow import sampled
 from sympy import ImmutableMatrix, Rational, S, cos, exp, log, sin, sqrt, symbols
 from turns import OBLIQUE, TURNS, K, scene
 
@@ -103,13 +104,14 @@ def test_names_of_the_moments_stay_those_of_the_scene():
 
 
 @pytest.mark.slow
-def test_random_fields_are_recognised_where_they_are_of_revolution():
-    """300 random polynomials of degree up to 7 about six axes, spelled with abs(k)² = 1.
+def test_random_fields_are_recognised_where_they_are_of_revolution(full):
+    """300 random polynomials of degree up to 7 about six axes, a third of them without --full, spelled with
+    abs(k)² = 1.
 
     A generic term more, and none is recognised.
     """
     draw = random.Random(20261122)
-    for n in range(300):
+    for n in range(sampled(300, full, 100)):
         name = draw.choice(list(TURNS))
         c = [F(draw.randint(-9, 9), draw.randint(1, 5)) for _ in range(draw.randint(1, 7))]
         c[-1] = c[-1] or F(1)

@@ -120,6 +120,7 @@ def basis(k):
 
 
 @pytest.mark.slow
+@settings(max_examples=10)
 @given(st.tuples(moments, moments, moments), st.tuples(numbers, numbers, numbers),
        st.sampled_from([2, 4, 6]), st.sampled_from([4, 6]),
        st.sampled_from([(2, 1, 2), (-1, 2, 2), (0, 0, -3), (3, 0, 0)]), numbers, st.sampled_from([1, -1]))
