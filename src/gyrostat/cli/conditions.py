@@ -1,22 +1,18 @@
 """gyrostat conditions: where each equilibrium exists, its two conditions, and what decides between them."""
 import argparse
-from collections.abc import Sequence
 
-from ..errors import ScopeError
 from ..notation import symbol
-from ..printing.blocks import Heading, prose
-from ..printing.boundary import undecided
+from ..printing.blocks import Heading
 from ..printing.conditions import criterion_blocks
 from ..printing.data import conditions_data, criterion_data, json_text
 from ..printing.document import conditions_blocks
-from ..printing.normal_form import window_blocks, window_data
+from ..printing.normal_form import window_data
 from ..printing.symbols import occurring, symbol_rows
 from ..printing.tables import conditions_table
 from ..printing.text import text
-from ..stability.report import Report
 from ..stability.stabilizing import inserted
-from ..stability.window_families import Window
 from .asked import asked_of
+from .between import between, between_blocks
 from .energy_sink import sink_of
 from .equilibria import known_names, labels_of, of_each, reports_of, some
 from .options import numbers_of
@@ -47,10 +43,9 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if sink:
         after += [Heading("Energy sink"), *criterion_blocks("Stable, to first order in weak dampers", sink,
                                                              symbol("k3"), "energy sink")]
-    held = _held(reports) if given.windows else {}
+    held = {r.equilibrium.label: found for r in reports if (found := between(r))} if given.windows else {}
     for label, found in held.items():
-        after += [Heading(f"{label}, between its two conditions"), *(
-            [prose(found)] if isinstance(found, str) else window_blocks(found))]
+        after += [Heading(f"{label}, between its two conditions"), *between_blocks(found)]
     if given.format == "json":
         data = {"equilibria": [*map(conditions_data, reports), *(m.data() for m in missing)]}
         windows = {label: {"open": found} if isinstance(found, str) else window_data(found)
@@ -64,15 +59,3 @@ def run(given: argparse.Namespace, out: Output) -> int:
         symbols = symbol_rows(reports[0].equilibrium.system, occurring(blocks))
         out(text([*blocks, *after, symbols], out.width))
     return 0
-
-
-def _held(reports: Sequence[Report]) -> dict[str, Window | str]:
-    """By label, what decides where gyroscopic forces may hold an equilibrium, or why there is no formula."""
-    found: dict[str, Window | str] = {}
-    for report in reports:
-        if undecided(report) and not report.between:
-            try:
-                found[report.equilibrium.label] = report.window()
-            except ScopeError as error:
-                found[report.equilibrium.label] = str(error)
-    return found

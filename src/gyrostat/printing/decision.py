@@ -42,6 +42,11 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
     return blocks
 
 
+def reason_block(decision: Decision) -> Sentence:
+    """The notion and the reason."""
+    return sentence(f"Reason{f' ({decision.notion})' if decision.notion else ''}: {decision.reason}.")
+
+
 def named_margins(decision: Decision) -> Iterator[tuple[Expr, str, Expr]]:
     """The margins that are not numbers, the name of each that is long, else "", and its value."""
     for n, (margin, value) in enumerate(decision.margins):
