@@ -195,7 +195,7 @@ def test_a_batch_of_a_scene(capsys, file, tmp_path):
 
 
 BAD = [
-    ("[scene.a]\nmass = 1", "a", "scene.a: a scene has no entry mass: its entries are angles, eliminate"),
+    ("[scene.a]\nmass = 1", "a", "scene.a: a scene has no entry mass: its entries are angles, direction"),
     ("[scene.a]\npotentail = 'k3'", "a", "did you mean potential?"),
     ("[scene.a]\ninertia = [1, 2]", "a", "inertia has 2 entries"),
     ("[scene.a]\ninertia = [1, 2, true]", "a", "write a list of numbers, or of texts in quotation marks"),

@@ -6,9 +6,8 @@ from functools import lru_cache
 
 from sympy import Expr
 
-from ..algebra.grammar import parse
 from ..errors import ValuesError, brief
-from ..mechanics.directions import stereographic
+from ..mechanics.directions import direction_in
 from ..mechanics.scene_tables import AXIAL, NONE, SceneTable
 from ..mechanics.system import System
 from ..stability.values import names_in
@@ -107,9 +106,7 @@ def direction_of(asked: Asked) -> tuple[Expr, ...] | None:
     """The direction of --direction; None where it is left out."""
     if asked.direction is None:
         return None
-    if asked.direction == "stereographic":
-        return stereographic()
-    return tuple(map(parse, entries(asked.direction)))
+    return direction_in(SceneTable({"direction": asked.direction}).table["direction"])
 
 
 def pointing_of(text: str | None) -> Sequence[int]:

@@ -15,7 +15,8 @@ from .options import SPINS, numbers_of, unless_given
 BODY: dict[str, Any] = {"inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "0"],
                         "potential": NONE}
 # what an option of that name has too
-TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals", "orbit", "pointing", "release")
+TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals", "orbit", "pointing",
+         "direction", "release")
 REPEATED = ("integrals",)                              # texts of an option that may be repeated
 # of two one is given, and one goes before the other
 NAMING, STARTING = frozenset({"equilibrium", "point"}), frozenset({"state", "release"})
@@ -40,8 +41,9 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
         taken |= NAMING
     if STARTING & taken:
         taken |= STARTING
-    asked: dict[str, Any] = {name: table[name] if name in REPEATED else _text(table[name]) for name in TEXTS
-                             if name in table and name in options.keys() | BODY and name not in taken}
+    asked: dict[str, Any] = {name: table[name] if name in REPEATED else option_text(table[name])
+                             for name in TEXTS if name in table and name in options.keys() | BODY
+                             and name not in taken}
     if "equilibrium" in table and not taken & NAMING:
         asked["equilibrium"] = [table["equilibrium"]] if given.verb in SEVERAL else table["equilibrium"]
     names = {*numbers_of(given.values), *_axes(given)}
@@ -106,18 +108,18 @@ def _beside(scene: SceneTable, orbit: Mapping[str, str]) -> str:
     return NONE if other == 0 else str(other)
 
 
-def _text(value: Any) -> str:
+def option_text(value: Any) -> str:
     """As an option has it; the rows of a tensor with ; between them."""
     if isinstance(value, str):
         return value
     if isinstance(value, dict):
         return ",".join(f"{name}={text}" for name, text in value.items())
-    return ";".join(map(_text, value)) if isinstance(value[0], list) else ",".join(map(str, value))
+    return ";".join(map(option_text, value)) if isinstance(value[0], list) else ",".join(map(str, value))
 
 
 def _names(texts: Iterable[Any]) -> set[str]:
     """What reads as a name in them."""
-    return {name for text in texts for name in names_in(_text(text))}
+    return {name for text in texts for name in names_in(option_text(text))}
 
 
 def _axes(given: argparse.Namespace) -> list[str]:

@@ -1,8 +1,13 @@
 """Unit vectors in parameters, and any unit vector."""
+from collections.abc import Sequence
+
 from sympy import Expr
 
+from ..algebra.grammar import parse
 from ..notation import symbol
 from .equilibria import Equilibrium
+
+STEREOGRAPHIC = "stereographic"                       # the word for it
 
 
 def stereographic() -> tuple[Expr, Expr, Expr]:
@@ -30,3 +35,8 @@ def stereographic() -> tuple[Expr, Expr, Expr]:
 def in_any_direction(eq: Equilibrium) -> bool:
     """Whether k1, k2, k3 are names of a family: any unit vector, and that it is one is checked at numbers."""
     return eq.system.potential is not None and eq.point[3:] == eq.system.space.coordinates[3:]
+
+
+def direction_in(texts: Sequence[str]) -> tuple[Expr, ...]:
+    """The direction that three expressions name, or that word."""
+    return stereographic() if list(texts) == [STEREOGRAPHIC] else tuple(map(parse, texts))

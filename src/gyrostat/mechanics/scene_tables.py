@@ -15,6 +15,7 @@ from ..notation import symbol
 from .body import Gyrostat
 from .circular_orbit import circular_orbit
 from .coupled import CoupledPotential
+from .directions import STEREOGRAPHIC
 from .families import called, in_words, known_families
 from .family import Family
 from .potential import Potential
@@ -26,8 +27,8 @@ LISTS = ("inertia", "gyrostatic_momentum", "point", "state", "release", "integra
 # of each rotor, texts or numbers but for the axis
 ROTOR = ("axis", "axial", "transverse", "rate", "momentum")
 ORBIT = ("rate", "mu", "radius")                      # of an orbit, texts or numbers
-KEYS = {*LISTS, "rotors", "lumped", "orbit", "pointing", "potential", "values", "equilibrium", "spin",
-        "eliminate", "angles", "vertical", "given", "parameters"}
+KEYS = {*LISTS, "rotors", "lumped", "orbit", "pointing", "direction", "potential", "values", "equilibrium",
+        "spin", "eliminate", "angles", "vertical", "given", "parameters"}
 NONE, AXIAL, GENERAL = "none", "U(k3)", "U(k1,k2,k3)"   # potentials that are no expressions
 
 
@@ -136,14 +137,8 @@ def _read(name: str, value: Any) -> Any:
         near = get_close_matches(name, sorted(KEYS), 1)
         raise PublishedError(f"a scene has no entry {name}: {f'did you mean {near[0]}? ' if near else ''}its "
                              f"entries are {', '.join(sorted(KEYS))}")
-    if name == "values":
-        return _values(value)
-    if name == "rotors":
-        return _rotors(value)
-    if name == "orbit":
-        return _orbit(value)
-    if name == "pointing":
-        return _pointing(value)
+    if name in _READ:
+        return _READ[name](value)
     if name == "lumped":
         if not isinstance(value, bool):
             raise PublishedError(f"lumped = {brief(value)}: write true or false")
@@ -214,6 +209,16 @@ def _pointing(value: Any) -> list[int]:
     return [int(text) for text in texts]
 
 
+def _direction(value: Any) -> list[str]:
+    """Three expressions, or the word for all directions by two coordinates."""
+    texts = [text.strip() for text in (value.split(",") if isinstance(value, str) else
+                                       _texts("direction", value))]
+    if len(texts) != 3 and texts != [STEREOGRAPHIC]:
+        raise PublishedError(f'direction = {brief(value)}: give three expressions that make a unit vector, '
+                             f'["sin(a)", 0, "cos(a)"], or "{STEREOGRAPHIC}"')
+    return texts
+
+
 def _values(value: Any) -> dict[str, str]:
     """Numbers by their names."""
     if not isinstance(value, dict):
@@ -236,3 +241,7 @@ def _text(value: Any) -> str | None:
     if isinstance(value, int) and not isinstance(value, bool):
         return str(value)
     return value if isinstance(value, str) else None
+
+
+_READ = {"values": _values, "rotors": _rotors, "orbit": _orbit, "pointing": _pointing,
+         "direction": _direction}
