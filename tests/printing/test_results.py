@@ -88,6 +88,14 @@ def test_branches_bifurcations_and_the_rest():
         result_blocks(3)
 
 
+def test_an_equilibrium_in_orbit_says_where_it_is():
+    """The normal and the vertical in body axes, and the verdict; typeset too."""
+    scene = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, 0, 0)), gs.circular_orbit(1))
+    found = relative_equilibria(scene, {})
+    assert str(found[0]) == "equilibrium in orbit at n = (1, 0, 0), r = (0, 0, 1): unstable"
+    assert r"r = \text{(}1" in found[5]._repr_latex_()
+
+
 def test_roots_of_polynomials_are_shown_as_decimals():
     """Twelve digits and an ellipsis; JSON has the exact root."""
     report = gs.analyze(gs.inclined(gs.assemble(BODY, gs.axial_potential(lambda z: z**5 - z**2 + z))))

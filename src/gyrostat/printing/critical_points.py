@@ -1,15 +1,17 @@
-"""Permanent rotations, and the amended potential of which they are critical points, as sentences."""
+"""Permanent rotations and the amended potential of which they are critical points; satellites in orbit."""
 from sympy import Add, Expr
 
 from ..algebra.readable import readable
 from ..notation import symbol
 from ..stability.amended_potential import AmendedPotential, CriticalPoint
 from ..stability.heavy_rotation import HeavyRotation
+from ..stability.orbital_equilibrium import OrbitalEquilibrium
 from ..stability.permanent_rotations import PermanentRotation
 from .blocks import Block, Display, Word, equations, listed, sentence
 from .ends import number
 
 AMENDED, DIRECTION, MOMENTUM = Word("U_c", "U_{c}"), Word("k", "⟨vector_k⟩"), Word("M", "⟨vector_M⟩")
+NORMAL, VERTICAL = Word("n", "n"), Word("r", "r")
 
 
 def free_rotation(rotation: PermanentRotation) -> list[Block]:
@@ -21,6 +23,13 @@ def free_rotation(rotation: PermanentRotation) -> list[Block]:
 def heavy_rotation(rotation: HeavyRotation) -> list[Block]:
     """Of a body in a field: the direction and the rate, and its verdict."""
     return [sentence("permanent rotation at ", *_place(rotation), _ended(rotation))]
+
+
+def orbital_equilibrium(found: OrbitalEquilibrium) -> list[Block]:
+    """Of a satellite: the normal of the orbit and the vertical, and its verdict."""
+    n, r = (listed(map(number, direction)) for direction in (found.n, found.r))
+    return [sentence("equilibrium in orbit at ", NORMAL, " = (", *n, "), ", VERTICAL, " = (", *r,
+                     f"){_ended(found)}")]
 
 
 def critical_point(point: CriticalPoint) -> list[Block]:
@@ -42,6 +51,6 @@ def _place(rotation: HeavyRotation) -> tuple[Word | Expr | str, ...]:
     return (DIRECTION, " = (", *listed(map(number, rotation.k)), "), ", *rate)
 
 
-def _ended(rotation: HeavyRotation | PermanentRotation) -> str:
+def _ended(rotation: HeavyRotation | PermanentRotation | OrbitalEquilibrium) -> str:
     circle = f", and on {rotation.locus}" if rotation.locus else ""
     return f"{circle}: {rotation.decision.verdict.name.lower()}"

@@ -22,6 +22,7 @@ from ..stability.kinds import KINDS
 from ..stability.linearization import rational_root
 from ..stability.meetings import BifurcationPoint
 from ..stability.normal_form import NormalForm
+from ..stability.orbital_equilibrium import OrbitalEquilibrium
 from ..stability.permanent_rotations import PermanentRotation
 from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
 from ..stability.staude import StaudeCone
@@ -30,7 +31,7 @@ from ..stability.window_families import Window
 from .blocks import Block, Display, Word, equations, joined, sentence
 from .boundary import ladder, rung_display
 from .conditions import existence
-from .critical_points import amended_potential, critical_point, free_rotation, heavy_rotation
+from .critical_points import amended_potential, critical_point, free_rotation, heavy_rotation, orbital_equilibrium
 from .drift import drift_displays
 from .ends import number, tidy
 from .normal_form import form_blocks, window_blocks
@@ -209,7 +210,8 @@ def _reduction(motion: Reduction) -> list[Block]:
 
 
 _OF_TYPE: dict[type, Callable[[Any], list[Block]]] = {
-    PermanentRotation: free_rotation, HeavyRotation: heavy_rotation, AmendedPotential: amended_potential,
+    PermanentRotation: free_rotation, HeavyRotation: heavy_rotation,
+    OrbitalEquilibrium: orbital_equilibrium, AmendedPotential: amended_potential,
     CriticalPoint: critical_point, NormalForm: form_blocks, StaudeCone: cone_blocks, StaudeArc: arc_blocks,
     GyrostatArc: gyrostat_arc_blocks, Drift: drift_displays, Window: window_blocks}
 for _type, _blocks in _OF_TYPE.items():

@@ -20,7 +20,7 @@ from .integrals import decide_by_integrals
 from .normal_form import NormalForm, normal_form
 from .notes import scene_note
 from .truth import holds
-from .values import exact_values
+from .values import exact_values, refuse_any_direction
 from .window_families import Window, window_of
 
 DEFINITE = settled(True, "the second variation is definite on the symplectic slice", rung="second variation")
@@ -164,6 +164,7 @@ class Report(Derived):
         >>> report.window({"m0": 1, "pi3_0": 9}).D4 == report.normal_form({"m0": 1, "pi3_0": 9}).twists[0]
         True
         """
+        refuse_any_direction(self.equilibrium)
         return window_of(self.equilibrium, exact_values(self.equilibrium, values or {}, (), self.parameters))
 
     def itself(self, values: Mapping[str, Any]) -> Decision:
