@@ -34,7 +34,7 @@ export class Chart {
   async load() {
     this.ready = false;
     this.axes = [this.across.value, this.upwards.value];
-    const same = this.axes[0] === this.axes[1];
+    const same = this.axes[0] && this.axes[0] === this.axes[1];
     const chart = same ? { why: "a chart has two different names" } : await this.ask("charted", [this.axes]);
     if (!chart) return;
     this.why.textContent = chart.why ?? chart.error ?? "";

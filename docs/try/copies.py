@@ -1,62 +1,101 @@
 """A scene and its equilibrium to take away: as LaTeX, as Python, as a scene file."""
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sympy import ImmutableMatrix
+from sympy import ImmutableMatrix, S
 from sympy.printing.str import StrPrinter
 
+from gyrostat.algebra.grammar import parse
+from gyrostat.mechanics.circular_orbit import orbital_rate
+from gyrostat.mechanics.directions import STEREOGRAPHIC
 from gyrostat.mechanics.family import Family
+from gyrostat.mechanics.scene_tables import NONE
 from gyrostat.mechanics.system import System
 from gyrostat.printing.article import article
-from gyrostat.printing.document import conditions_blocks
+from gyrostat.printing.blocks import Block
 from gyrostat.printing.names import Paper
-from gyrostat.stability.report import Report
 
 _PRINTER = StrPrinter({"sympy_integers": True})        # 1/3 is S(1)/3
 
 
-def latex(report: Report) -> str:
-    """The conditions as they stand in a paper."""
-    return article("", conditions_blocks(report), Paper(fragment=True))
+def latex(blocks: Sequence[Block]) -> str:
+    """Conditions, or equilibria, as they stand in a paper."""
+    return article("", blocks, Paper(fragment=True))
 
 
 def scene_file(table: Mapping[str, Any], values: Mapping[str, str]) -> str:
     """The table of a scene, as `--scene` and `verify` read it."""
-    lines = [f"{name} = {_quoted(value)}" for name, value in table.items()]
-    pairs = ", ".join(f"{name} = {_quoted(text)}" for name, text in values.items())
-    return "\n".join(["[scene.mine]", *lines, f"values = {{ {pairs} }}", ""])
+    lines = [f"{name} = {_toml(value)}" for name, value in {**table, "values": values}.items()]
+    return "\n".join(["[scene.mine]", *lines, ""])
 
 
-def program(scene: System, family: Family, table: Mapping[str, Any], values: Mapping[str, str]) -> str:
-    """A program that prints the conditions, and the verdict at the values."""
+def _toml(value: Any) -> str:
+    """Texts, lists, tables."""
+    if not isinstance(value, Mapping):
+        return _quoted(value)
+    return f"{{ {', '.join(f'{name} = {_quoted(text)}' for name, text in value.items())} }}"
+
+
+def program(scene: System, family: Family | None, table: Mapping[str, Any], values: Mapping[str, str]) -> str:
+    """A program that prints the conditions, and the verdict at the values; or all equilibria there."""
     body, potential = scene.body, scene.potential
     tensor = isinstance(body.inertia, ImmutableMatrix)
     parts = [f"gs.Gyrostat({_code(body.inertia.tolist() if tensor else list(body.moments))}, "
              f"{_code(list(body.gyrostatic_momentum))})"]
     names = set(body.symbols)
-    if potential is not None:
+    if "orbit" in table:
+        beside = parse(table["potential"]) if table.get("potential", NONE).strip() != NONE else S.Zero
+        rate = orbital_rate(scene)
+        names |= beside.free_symbols | rate.free_symbols
+        orbit = [f"rate={_code(rate)}", *([f"potential={_code(beside)}"] if beside else [])]
+        parts.append(f"gs.circular_orbit({', '.join(orbit)})")
+    elif potential is not None:
         names |= potential.expression.free_symbols if potential.given else set()
         made = "axial_potential" if potential.axial else "general_potential"
         parts.append(f"gs.{made}({_code(potential.expression) if potential.given else ''})")
+    made = _maker(family, table)
+    for name in ("point", "direction"):
+        if f"{name}=[" in made or name == "point":
+            names |= set().union(*(parse(text).free_symbols for text in table.get(name, ())))
     known = sorted(map(str, names))
-    words = set(re.findall(r"(?<![\w.])[A-Za-z_]\w*", " ".join(parts))) - {"gs", *known}
+    called = re.sub(r"\"[^\"]*\"|\w+=", "", " ".join([*parts, made]))
+    words = set(re.findall(r"(?<![\w.])[A-Za-z_]\w*", called)) - {"gs", "scene", *known}
     lines = [f"from sympy import {', '.join(sorted(words))}", ""] if words else []
     lines += ["import gyrostat as gs", ""]
     if known:
         lines += [f"{', '.join(known)}{'' if known[1:] else ','} = map(gs.symbol, {_quoted(known)})"]
     return "\n".join([*lines, f"scene = gs.assemble({', '.join(parts)})",
-                      f"report = gs.analyze({_maker(family, table)})",
-                      "print(report.necessary)", "print(report.sufficient)",
-                      f"print(report.verdict({_quoted(values)}).verdict.name)", ""])
+                      *_asked(made, _quoted(values)), ""])
 
 
-def _maker(family: Family, table: Mapping[str, Any]) -> str:
-    """The call that makes the equilibrium."""
+def _asked(made: str, values: str) -> list[str]:
+    """What is printed: of one equilibrium, or of all."""
+    if not made:
+        return [f"for found in gs.relative_equilibria(scene, {values}):",
+                "    print(found)"]
+    return [f"report = gs.analyze({made})", "print(report.necessary)", "print(report.sufficient)",
+            f"print(report.verdict({values}).verdict.name)"]
+
+
+def _maker(family: Family | None, table: Mapping[str, Any]) -> str:
+    """The call that makes the equilibrium; "" where all are asked for."""
+    if family is None:
+        return f"gs.equilibrium(scene, {_parsed(table['point'])})" if "point" in table else ""
+    if family.made_with == "pointing":
+        return f"gs.earth_pointing({', '.join(['scene', *map(str, table.get('pointing', []))])})"
     given = [f"{name}={_quoted(table[name])}" for name in (family.made_with,) if name in table]
-    given += [f"{name}={value}" for name, value in family.make.keywords.items()]
+    if family.made_with == "direction" and given:
+        texts = table["direction"]
+        given = [f"direction={'gs.stereographic()' if texts == [STEREOGRAPHIC] else _parsed(texts)}"]
+    given += [f"{name}={_quoted(value)}" for name, value in family.make.keywords.items()]
     return f"gs.{family.make.args[1]}({', '.join(['scene', *given])})"
+
+
+def _parsed(texts: Sequence[str]) -> str:
+    """Expressions that are given as texts."""
+    return _code(list(map(parse, texts)))
 
 
 def _code(value: Any) -> str:

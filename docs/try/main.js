@@ -1,16 +1,17 @@
 // The page: what is typed and picked goes to the analyser as the keys of a scene file; its answers are shown.
 import { Analyser, LIMIT } from "./analyser.js";
 import { Chart } from "./chart.js";
+import { asGiven, given, MADE, making } from "./made.js";
 import { Nearby } from "./motion.js";
 import { element, number, shown, sliders, verdict } from "./page.js";
 
 const STEPS = ["interpreter", "packages", "library", "ready"];
 const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
   library: "the library is loading", ready: "ready" };
-const TEXTS = ["potential", "inertia", "gyrostatic_momentum"];
+const TEXTS = ["potential", "orbit", "inertia", "gyrostatic_momentum"];
 const at = (id) => document.getElementById(id);
 
-const state = { equilibrium: "", spin: "", values: {} };
+const state = { equilibrium: "", spin: "", made: {}, values: {} };
 const analyser = new Analyser(told);
 const ask = (want, more) => analyser.ask(want, scene(), more);
 const chart = new Chart(at("charted"), ask, changed);
@@ -61,16 +62,19 @@ const listed = (value) => value.map((row) => [row].flat().join(", ")).join(Array
 function scene() {
   const table = { potential: at("potential").value, inertia: list(at("inertia").value),
     gyrostatic_momentum: list(at("gyrostatic_momentum").value), spin: state.spin };
-  if (state.equilibrium) table.equilibrium = state.equilibrium;
+  if (at("orbit").value.trim()) table.orbit = at("orbit").value;
+  Object.assign(table, given(state));
   return { ...table, values: { ...state.values } };
 }
 
 // What a link or an example says, into the fields; the library reads them as if they were typed.
 function filled(table) {
   at("potential").value = table.potential ?? "U(k3)";
+  at("orbit").value = asGiven(table.orbit);
   at("inertia").value = listed(table.inertia ?? ["I1", "I1", "I3"]);
   at("gyrostatic_momentum").value = listed(table.gyrostatic_momentum ?? ["0", "0", "l"]);
-  state.equilibrium = table.equilibrium ?? "";
+  state.equilibrium = table.point ? "point" : table.equilibrium ?? "";
+  state.made = Object.fromEntries(Object.keys(MADE).map((name) => [name, asGiven(table[name])]));
   state.spin = at("spin").value = table.spin ?? "pi3_0";
   state.values = { ...table.values };
 }
@@ -79,12 +83,17 @@ const analyse = () => working(async () => {
   remember();
   const found = await analyser.ask("analysed", scene());
   if (!found) return;
-  if (found.equilibria) choices(found);
+  if (found.equilibria) {
+    choices(found);
+    making(state, found);
+  }
   refused(found.error);
   if (found.error) return;
-  shown(at("point"), found.point);
-  shown(at("conditions"), found.conditions);
-  at("spin-row").hidden = !["E1", "E2"].includes(found.chosen);
+  state.place = found.place;
+  at("place").hidden = !found.point;
+  shown(at("point"), found.point ?? []);
+  shown(at("conditions"), found.conditions ?? []);
+  at("opened").hidden = !found.open;
   sliders(at("values"), found.names, state.values, follow);
   await decide();
   chart.choose(found.axes, (name) => number(state.values[name] ?? ""));
@@ -112,7 +121,14 @@ const decide = () => working(async () => {
   if (!found) return;
   at("wrong").textContent = found.error ?? "";
   at("verdict").classList.toggle("stale", Boolean(found.error));
-  if (!found.error) verdict(at("verdict"), found);
+  if (found.error) return;
+  verdict(at("verdict"), found);
+  if (at("opened").open && !at("opened").hidden) await openBetween();
+});
+
+const openBetween = () => working(async () => {
+  const found = await analyser.ask("opened", scene());
+  if (found) shown(at("between"), found.error ? [{ sentence: [{ text: found.error }] }] : found.blocks);
 });
 
 const derive = () => working(async () => {
@@ -128,7 +144,11 @@ function refused(error = "") {
 function choices({ equilibria, chosen }) {
   at("equilibria").replaceChildren(...equilibria.map(({ name, title, why }) => {
     const input = element("input", { type: "radio", name: "equilibrium", value: name, checked: name === chosen });
-    input.onchange = () => { state.equilibrium = name; analyse(); };
+    input.onchange = () => {
+      if (name === "point" && !state.made.point) state.made.point = state.place ?? "";
+      state.equilibrium = name;
+      analyse();
+    };
     return element("label", { title: why, className: why ? "none" : "" }, input, ` ${name}`,
       element("small", {}, why ? "not in this field" : title === `rotation about ${name}` ? "" : title));
   }));
@@ -137,18 +157,18 @@ function choices({ equilibria, chosen }) {
 // The address is a link that restores what is on the page.
 function remember() {
   const table = scene(), pairs = TEXTS.map((name) => [name, at(name).value]);
-  if (table.equilibrium) pairs.push(["equilibrium", table.equilibrium]);
+  pairs.push(...Object.entries(given(state)));
   pairs.push(["spin", table.spin], ...Object.entries(table.values).map(([name, text]) => ["set", `${name}=${text}`]));
   history.replaceState(null, "", `#${new URLSearchParams(pairs)}`);
 }
 
 function restored() {
-  const given = new URLSearchParams(location.hash.slice(1));
-  if (!given.has("potential")) return examples[0].scene;
-  const values = given.getAll("set").map((text) => [text.split("=", 1)[0], text.slice(text.indexOf("=") + 1)]);
-  const table = { potential: given.get("potential"), values: Object.fromEntries(values) };
-  for (const name of ["inertia", "gyrostatic_momentum"]) if (given.has(name)) table[name] = list(given.get(name));
-  for (const name of ["equilibrium", "spin"]) if (given.has(name)) table[name] = given.get(name);
+  const hash = new URLSearchParams(location.hash.slice(1));
+  if (!hash.has("potential")) return examples[0].scene;
+  const values = hash.getAll("set").map((text) => [text.split("=", 1)[0], text.slice(text.indexOf("=") + 1)]);
+  const table = { potential: hash.get("potential"), values: Object.fromEntries(values) };
+  for (const name of ["inertia", "gyrostatic_momentum"]) if (hash.has(name)) table[name] = list(hash.get(name));
+  for (const name of ["equilibrium", "spin", "orbit", ...Object.keys(MADE)]) if (hash.get(name)) table[name] = hash.get(name);
   return table;
 }
 
@@ -169,6 +189,8 @@ for (const name of TEXTS) {
     typed = setTimeout(() => { typed = undefined; notice(""); analyse(); busy(-1); }, 300);
   };
 }
+at("made").onchange = () => { state.made[at("made").name] = at("made").value; analyse(); };
+at("opened").ontoggle = () => { if (at("opened").open) openBetween(); };
 at("ask").onsubmit = () => false;
 at("spin").onchange = () => { state.spin = at("spin").value; analyse(); };
 at("derivation").ontoggle = () => { if (at("derivation").open) derive(); };

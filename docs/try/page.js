@@ -30,7 +30,13 @@ export function shown(place, blocks) {
   place.replaceChildren(...blocks.map(block));
 }
 
-export function verdict(place, { verdict: found, damped, blocks }) {
+export function verdict(place, { verdict: found, found: many, damped, blocks }) {
+  if (!found) {                                         // every equilibrium, each with its verdict
+    place.className = "every";
+    shown(place, blocks);
+    place.prepend(element("p", { className: "badge" }, `${many} equilibri${many === 1 ? "um" : "a"}`));
+    return;
+  }
   const [sign, word] = WORDS[found];
   place.className = found.toLowerCase();
   place.replaceChildren(
@@ -48,8 +54,8 @@ export function number(text) {
 }
 
 function ends(name, value) {
-  if (/^k\d?$/.test(name)) return [-1, 1];
-  if (/^I\d+$/.test(name)) return [0.05, Math.max(5, 2 * value || 0)];
+  if (/^[knr]\d?$/.test(name)) return [-1, 1];
+  if (/^(I\d+|M|omega0)$/.test(name)) return [0.05, Math.max(5, 2 * value || 0)];
   const most = Math.max(5, 2 * Math.abs(value) || 0);
   return [-most, most];
 }

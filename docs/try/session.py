@@ -1,32 +1,43 @@
 """What the page asks of the library: one function, JSON in, JSON out."""
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from importlib import import_module
+from itertools import chain
 from typing import Any
 
 from copies import latex, program, scene_file
 from programs import charted, edges, moving
-from sympy import MatrixBase
+from typeset import typeset
 
 import gyrostat as gs
+from gyrostat.algebra.grammar import parse
 from gyrostat.errors import GyrostatError
-from gyrostat.mechanics.families import E3, PERMANENT, POLES, PRINCIPAL
+from gyrostat.mechanics.circular_orbit import in_orbit
+from gyrostat.mechanics.directions import direction_in
+from gyrostat.mechanics.equilibria import Equilibrium
+from gyrostat.mechanics.families import E3, EARTH_POINTING, PERMANENT, POLES, PRECESSIONS, PRINCIPAL
 from gyrostat.mechanics.family import Family
 from gyrostat.mechanics.reduction import reducible
 from gyrostat.mechanics.scene_tables import SceneTable
-from gyrostat.mechanics.system import System
+from gyrostat.mechanics.system import System, names_of_scene
 from gyrostat.notation import symbol
-from gyrostat.printing.article import NARROW, inline
-from gyrostat.printing.blocks import Block, Display, Heading, Rows, Sentence, sentence
-from gyrostat.printing.decision import damped_block, decision_blocks
+from gyrostat.printing.boundary import undecided
+from gyrostat.printing.decision import damped_block, decision_blocks, reason_block
 from gyrostat.printing.document import conditions_blocks, point_blocks, report_blocks, whole_blocks
-from gyrostat.printing.latex import display, tex
-from gyrostat.printing.linebreaks import broken, width
+from gyrostat.printing.latex import tex
 from gyrostat.printing.names import Names
-from gyrostat.stability.report import Decision, Report
+from gyrostat.stability.report import Report
 
 Data = dict[str, Any]
+
+POINT = "point"                                        # an equilibrium by its coordinates
+EVERY = "every"                                        # all of a scene, at the numbers that the rest names
+ONE = "a picture is of one equilibrium: choose one"
+_LEVELS = {"M": "on a sphere of the angular momentum", "omega": "of a rate about the vertical",
+           "k3": "of a tilt", "pi3_0 C1": "on a level of the momenta", "C1": "on a level of the momentum",
+           "": "at rest in the frame of the orbit"}
 
 
 def answer(question: str) -> str:
@@ -64,24 +75,46 @@ class Chosen:
         of a scene file, without values
     scene : System
     families : sequence of Family
-    family : Family
-        one of them
+    name : str
+        of one of them, or POINT, or EVERY and what is given
     """
 
     table: Mapping[str, Any]
     scene: System
     families: Sequence[Family]
-    family: Family
+    name: str
+
+    @property
+    def family(self) -> Family | None:
+        """None of a point, and of all."""
+        return next((family for family in self.families if family.asked_for == self.name), None)
+
+    @property
+    def every(self) -> bool:
+        """Whether all are asked for."""
+        return self.name.startswith(EVERY)
+
+    @cached_property
+    def equilibrium(self) -> Equilibrium:
+        """Of the family, or the point."""
+        if self.family is None:
+            return gs.equilibrium(self.scene, list(map(parse, self.table[POINT])))
+        direction = self.table.get("direction")
+        return self.family.of(self.scene, self.table.get("spin", "pi3_0"), self.table.get("eliminate"),
+                              direction and direction_in(direction), self.table.get("pointing"))
 
     @cached_property
     def report(self) -> Report:
         """Of the equilibrium."""
-        return gs.analyze(self.family.of(self.scene, self.table.get("spin", "pi3_0"),
-                                         self.table.get("eliminate")))
+        return gs.analyze(self.equilibrium)
 
     @cached_property
     def names(self) -> list[str]:
-        """What a verdict needs, and that under internal damping."""
+        """What a verdict needs, and that under internal damping; or the list of all."""
+        if self.every:
+            level = self.name.split()[1:]
+            return [*sorted(str(name) for name in names_of_scene(self.scene) if str(name) not in level),
+                    *level]
         return list(dict.fromkeys((*self.report.required, *self.report.secular.required)))
 
     @cached_property
@@ -95,108 +128,116 @@ class Chosen:
                 found[family.asked_for] = str(error)
         return found
 
+    @cached_property
+    def levels(self) -> Sequence[str]:
+        """What may be given for all equilibria of the scene."""
+        U = self.scene.potential
+        if U is None:
+            return ("M",)
+        if in_orbit(self.scene):
+            return ("",)
+        if not U.given:
+            return ()
+        return ("omega", "k3", "pi3_0 C1") if reducible(self.scene) else ("omega", "C1")
+
 
 @lru_cache(maxsize=32)
 def chosen(without: str) -> Chosen:
     """What a scene without values names; the first of its families where it names none that it may have."""
     table = json.loads(without)
+    name = table.get("equilibrium")
+    if isinstance(name, str) and name.startswith(EVERY):
+        table.pop("equilibrium")
     read = SceneTable(table)
     scene = read.system
     families: Sequence[Family] = PRINCIPAL
-    if scene.potential is not None:
+    if in_orbit(scene):
+        families = (EARTH_POINTING, *(PRECESSIONS if scene.body.is_of_revolution() else ()))
+    elif scene.potential is not None:
         families = (*POLES.values(), E3 if reducible(scene) else PERMANENT)
-    return Chosen(table, scene, families, read.family if read.family in families else families[0])
+    first = read.family if read.family in families else families[0]
+    found = Chosen(read.table, scene, families, POINT if POINT in table else first.asked_for)
+    wanted = [f"{EVERY} {level}".strip() for level in found.levels]
+    return replace(found, name=name) if name in wanted else found
 
 
 def _analysed(asked: Chosen, _: Mapping[str, str]) -> Data:
     """The equilibria of a scene, and of the one that is chosen all that holds without numbers."""
-    name = asked.family.asked_for
-    found = {"chosen": name, "equilibria": [
-        {"name": family.asked_for, "title": family.title or family.label,
-         "why": asked.without.get(family.asked_for, "")} for family in asked.families]}
+    name, family, names = asked.name, asked.family, Names()
+    found: Data = {
+        "chosen": name, "made_with": POINT if name == POINT else family.made_with if family else "",
+        "equilibria": [{"name": f.asked_for, "title": f.title or f.label,
+                        "why": asked.without.get(f.asked_for, "")} for f in asked.families] + [
+            {"name": POINT, "title": "by its coordinates", "why": ""}] + [
+            {"name": f"{EVERY} {level}".strip(), "title": f"equilibrium {_LEVELS[level]}", "why": ""}
+            for level in asked.levels]}
     if name in asked.without:
         return {**found, "error": asked.without[name]}
-    names = Names()
-    return {**found, "point": _blocks(point_blocks(asked.report.equilibrium)),
-            "conditions": _blocks(conditions_blocks(asked.report)[1:]),
-            "names": [{"name": name, "tex": tex(symbol(name), names)} for name in asked.names],
-            "axes": list(asked.report.required)}
+    if not asked.every:
+        found |= {"place": ", ".join(map(str, asked.equilibrium.point)),
+                  "open": undecided(asked.report) and not asked.report.between,
+                  "point": typeset(point_blocks(asked.equilibrium)),
+                  "conditions": typeset(conditions_blocks(asked.report)[1:])}
+    return {**found, "names": [{"name": name, "tex": tex(symbol(name), names)} for name in asked.names],
+            "axes": [] if asked.every else list(asked.report.required)}
 
 
 def _decided(asked: Chosen, given: Mapping[str, str]) -> Data:
-    """The verdict at the values of the scene, with its reason, and under internal damping."""
-    values = {name: text for name, text in given.items() if name in asked.names}
+    """The verdict at the values of the scene, with its reason, and under internal damping; or all."""
+    values = _own(asked, given)
+    if asked.every:
+        found = import_module("every").listed(asked.scene, values)
+        return {"found": len(found), "blocks": typeset(chain(*found))}
     decision, damped = asked.report.verdict(values), asked.report.verdict(values, damped=True)
     return {"verdict": decision.verdict.name, "damped": damped.verdict.name,
-            "blocks": _blocks([*decision_blocks(decision, asked.report.equilibrium.at), _reason(decision),
+            "blocks": typeset([*decision_blocks(decision, asked.equilibrium.at), reason_block(decision),
                                damped_block(decision, damped)])}
 
 
 def _derived(asked: Chosen, _: Mapping[str, str]) -> Data:
     """The way to the conditions: bracket, equations of motion, linearisation, second variation."""
-    return {"blocks": _blocks(whole_blocks(asked.scene, report_blocks(asked.report)))}
+    return {"blocks": typeset(whole_blocks(asked.scene, [] if asked.every else report_blocks(asked.report)))}
+
+
+def _opened(asked: Chosen, given: Mapping[str, str]) -> Data:
+    """What decides between the conditions."""
+    return {"blocks": [] if asked.every else typeset(
+        import_module("every").open_between(asked.report, _own(asked, given)))}
 
 
 def _copied(asked: Chosen, given: Mapping[str, str]) -> Data:
     """The same as LaTeX, as Python, and as a scene file."""
-    values = {name: text for name, text in given.items() if name in asked.names}
-    return {"latex": latex(asked.report), "python": program(asked.scene, asked.family, asked.table, values),
-            "scene": scene_file({**asked.table, "equilibrium": asked.family.asked_for}, values)}
+    values = _own(asked, given)
+    table = {**asked.table, **({"equilibrium": asked.name} if asked.family else {})}
+    found = {"python": program(asked.scene, asked.family, asked.table, values),
+             "scene": scene_file(table, values)}
+    blocks = (chain(*import_module("every").listed(asked.scene, values)) if asked.every
+              else conditions_blocks(asked.report))
+    return {"latex": latex(list(blocks)), **found}
 
 
 def _charted(asked: Chosen, _: Mapping[str, str], axes: Sequence[str]) -> Data:
     """What the page computes of a chart in two names."""
-    return charted(asked.report, axes)
+    return {"why": ONE} if asked.every else charted(asked.report, axes)
 
 
 def _bounded(asked: Chosen, given: Mapping[str, str], axes: Sequence[str],
              ends: Sequence[Sequence[str]]) -> Data:
     """The boundary of that chart."""
-    values = {name: text for name, text in given.items() if name in asked.names}
-    return edges(asked.report, values, axes, ends)
+    return edges(asked.report, _own(asked, given), axes, ends)
 
 
 def _moving(asked: Chosen, _: Mapping[str, str]) -> Data:
     """What the page computes of a motion, the numbers that it needs as they are written."""
-    found, names = moving(asked.report), Names()
+    found, names = {"why": ONE} if asked.every else moving(asked.report), Names()
     listed = [{"name": name, "tex": tex(symbol(name), names)} for name in found.get("names", ())]
     return {**found, "names": listed}
 
 
-WANTED = {"analysed": _analysed, "decided": _decided, "derived": _derived, "copied": _copied,
-          "charted": _charted, "edges": _bounded, "moving": _moving}
+def _own(asked: Chosen, given: Mapping[str, str]) -> dict[str, str]:
+    """The values that the question takes."""
+    return {name: text for name, text in given.items() if name in asked.names}
 
 
-def _reason(decision: Decision) -> Sentence:
-    return sentence(f"Reason{f' ({decision.notion})' if decision.notion else ''}: {decision.reason}.")
-
-
-def _blocks(blocks: Sequence[Block]) -> list[Data]:
-    """Headings, sentences and displays, their formulas in LaTeX."""
-    names = Names()
-    return [_block(block, names) for block in blocks]
-
-
-def _block(block: Block, names: Names) -> Data:
-    if isinstance(block, Heading):
-        return {"heading": block.title, "level": block.level}
-    if isinstance(block, Display):
-        return {"display": _lines(block, names)}
-    if isinstance(block, Rows):
-        return {"title": block.title,
-                "rows": [[_parts(cell, None, names) for cell in row] for row in block.rows]}
-    return {"sentence": _parts(block.parts, block.at, names)}
-
-
-def _lines(block: Display, names: Names) -> str:
-    """A display, broken where it is wider than a column."""
-    whole = display(block, names)
-    if isinstance(block.value, MatrixBase) or width(whole) <= NARROW:
-        return whole
-    return r"\begin{aligned} & " + r" \\ & \quad ".join(broken(whole, NARROW)) + r" \end{aligned}"
-
-
-def _parts(parts: Sequence[Any], at: Any, names: Names) -> list[dict[str, str]]:
-    """Prose and formulas."""
-    return [{"text": part} if isinstance(part, str) else {"tex": inline(tex(part, names, at))}
-            for part in parts]
+WANTED = {"analysed": _analysed, "decided": _decided, "derived": _derived, "opened": _opened,
+          "copied": _copied, "charted": _charted, "edges": _bounded, "moving": _moving}

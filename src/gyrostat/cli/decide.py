@@ -1,18 +1,28 @@
 """gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
 import argparse
 
-from ..printing.data import json_text
+from sympy import Expr
+
+from ..notation import symbol
+from ..printing.blocks import Block, Display, Heading, Word, sentence
+from ..printing.data import double, json_text
+from ..printing.decision import damped_block, decision_blocks, reason_block
+from ..printing.ends import number as rounded
 from ..printing.normal_form import form_blocks, form_data, window_blocks, window_data
 from ..printing.text import text
 from ..stability.window_families import Window
-from .answer_blocks import answers_blocks
-from .answers import answers_at, answers_data, normal_form_of
+from .answers import Answer, answers_at, answers_data, normal_form_of
 from .arcs import arcs_at, arcs_blocks, arcs_data
 from .asked import asked_of
 from .batch import run as each
+from .equilibria import Missing
 from .options import numbers_of
 from .output import Output
 from .scene_files import with_scene
+
+LONG = 200                                                 # characters that nobody reads
+
+_NOWHERE = "No such relative equilibrium exists at these numbers."
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
@@ -39,5 +49,33 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.format == "json":
         out(json_text(answers_data(answers)))
     else:
-        out(text(answers_blocks(answers), out.width))
+        out(text([block for a in answers for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))]
+                 or [sentence(_NOWHERE)], out.width))
     return 0
+
+
+def _blocks(answer: Answer) -> list[Block]:
+    blocks: list[Block] = [Heading(answer.label)]
+    if answer.place:
+        blocks += [Display(symbol(name), _value(number)) for name, number in answer.place.items()]
+    blocks += [Display(symbol(name), rounded(rate)) for name, rate in answer.rates.items()]
+    blocks += [*decision_blocks(answer.decision, answer.at), reason_block(answer.decision),
+               damped_block(answer.decision, answer.damped)]
+    if answer.itself:
+        blocks += [*decision_blocks(answer.itself, answer.at, "The point itself"),
+                   reason_block(answer.itself)]
+    return blocks
+
+
+def _value(number: Expr | None) -> Word:
+    """A number exactly, and as a decimal where that says more; a long one as a decimal alone."""
+    if number is None:
+        return Word("any", "any")
+    if len(str(number)) > LONG:
+        return rounded(number)
+    text = (
+        str(number)
+        if number.is_Integer
+        else f"{number} ≈ {f'{value:.10g}' if (value := double(number)) else number.evalf(10)}"
+    )
+    return Word(text, text)

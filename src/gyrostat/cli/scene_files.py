@@ -41,7 +41,7 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
         taken |= NAMING
     if STARTING & taken:
         taken |= STARTING
-    asked: dict[str, Any] = {name: table[name] if name in REPEATED else option_text(table[name])
+    asked: dict[str, Any] = {name: table[name] if name in REPEATED else _text(table[name])
                              for name in TEXTS if name in table and name in options.keys() | BODY
                              and name not in taken}
     if "equilibrium" in table and not taken & NAMING:
@@ -108,18 +108,18 @@ def _beside(scene: SceneTable, orbit: Mapping[str, str]) -> str:
     return NONE if other == 0 else str(other)
 
 
-def option_text(value: Any) -> str:
+def _text(value: Any) -> str:
     """As an option has it; the rows of a tensor with ; between them."""
     if isinstance(value, str):
         return value
     if isinstance(value, dict):
         return ",".join(f"{name}={text}" for name, text in value.items())
-    return ";".join(map(option_text, value)) if isinstance(value[0], list) else ",".join(map(str, value))
+    return ";".join(map(_text, value)) if isinstance(value[0], list) else ",".join(map(str, value))
 
 
 def _names(texts: Iterable[Any]) -> set[str]:
     """What reads as a name in them."""
-    return {name for text in texts for name in names_in(option_text(text))}
+    return {name for text in texts for name in names_in(_text(text))}
 
 
 def _axes(given: argparse.Namespace) -> list[str]:

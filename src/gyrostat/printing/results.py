@@ -31,7 +31,13 @@ from ..stability.window_families import Window
 from .blocks import Block, Display, Word, equations, joined, sentence
 from .boundary import ladder, rung_display
 from .conditions import existence
-from .critical_points import amended_potential, critical_point, free_rotation, heavy_rotation, orbital_equilibrium
+from .critical_points import (
+    amended_potential,
+    critical_point,
+    free_rotation,
+    heavy_rotation,
+    orbital_equilibrium,
+)
 from .drift import drift_displays
 from .ends import number, tidy
 from .normal_form import form_blocks, window_blocks

@@ -1,0 +1,42 @@
+"""Blocks of a document as the page shows them: prose, and formulas in LaTeX."""
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from sympy import MatrixBase
+
+from gyrostat.printing.article import NARROW, inline
+from gyrostat.printing.blocks import Block, Display, Heading, Rows
+from gyrostat.printing.latex import display, tex
+from gyrostat.printing.linebreaks import broken, width
+from gyrostat.printing.names import Names
+
+
+def typeset(blocks: Iterable[Block]) -> list[dict[str, Any]]:
+    """Headings, sentences and displays, their formulas in LaTeX."""
+    names = Names()
+    return [_block(block, names) for block in blocks]
+
+
+def _block(block: Block, names: Names) -> dict[str, Any]:
+    if isinstance(block, Heading):
+        return {"heading": block.title, "level": block.level}
+    if isinstance(block, Display):
+        return {"display": _lines(block, names)}
+    if isinstance(block, Rows):
+        return {"title": block.title,
+                "rows": [[_parts(cell, None, names) for cell in row] for row in block.rows]}
+    return {"sentence": _parts(block.parts, block.at, names)}
+
+
+def _lines(block: Display, names: Names) -> str:
+    """A display, broken where it is wider than a column."""
+    whole = display(block, names)
+    if isinstance(block.value, MatrixBase) or width(whole) <= NARROW:
+        return whole
+    return r"\begin{aligned} & " + r" \\ & \quad ".join(broken(whole, NARROW)) + r" \end{aligned}"
+
+
+def _parts(parts: Sequence[Any], at: Any, names: Names) -> list[dict[str, str]]:
+    """Prose and formulas."""
+    return [{"text": part} if isinstance(part, str) else {"tex": inline(tex(part, names, at))}
+            for part in parts]

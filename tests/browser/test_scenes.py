@@ -1,0 +1,94 @@
+"""Satellites, points, every equilibrium, windows; and that the answers are the library's, scene by scene."""
+import json
+
+import pytest
+import session
+from drawn_scenes import drawn_scene
+from driving import latex, picked, shown, typed
+
+TITLES = {"satellite": "Satellite in a circular orbit, Earth-pointing", "every": "Free gyrostat, every",
+          "point": "A point of one's own", "asymmetric": "Heavy asymmetric body, upright"}
+
+
+def example(page, start):
+    """The example whose title begins so."""
+    titles = page.eval_on_selector_all("#example option", "all => all.map(one => one.textContent)")
+    return picked(page, next(n for n, title in enumerate(titles) if title.startswith(start)))
+
+
+def test_a_satellite_is_earth_pointing_and_turned(page):
+    """Its conditions; with its axes exchanged another verdict, and the list of all its attitudes."""
+    assert example(page, TITLES["satellite"]) == ("Stable", "") and page.is_visible("#made-row")
+    conditions = latex(page, "conditions")
+    assert any(r"\omega_0" in formula for formula in conditions)
+    page.fill("#made", "2, 1, 3")
+    page.keyboard.press("Enter")
+    assert shown(page)[0] == "Unstable" and latex(page, "conditions") != conditions
+    assert "give the body axes along roll, pitch and yaw" in typed_in(page, "1, 1, 3")[1]
+    assert typed_in(page, "1, 2, 3") == ("Stable", "")
+    page.check("input[value=every]")
+    assert shown(page) == ("equilibria", "") and page.inner_text(".badge") == "24 equilibria"
+    assert page.inner_text("#verdict").count("equilibrium in orbit at") == 24
+
+
+def typed_in(page, text):
+    """What the equilibrium is made with."""
+    page.fill("#made", text)
+    page.keyboard.press("Enter")
+    return shown(page)
+
+
+def test_a_point_begins_where_the_last_equilibrium_was(page):
+    """And what is none is refused by its derivatives."""
+    page.check("input[value=point]")
+    assert shown(page) == ("Stable", "") and page.input_value("#made") == "0, 0, I3*omega3_0, 0, 0, 1"
+    assert "is not an equilibrium" in typed_in(page, "1, 0, w, 0, 0, 1")[1]
+    assert typed_in(page, "0, 0, I3*w, 0, 0, 1")[1] == "" and page.is_visible("#value-w")
+
+
+def test_every_rotation_follows_the_sliders(page):
+    """Six on a large sphere of the momentum, two on a small one."""
+    assert example(page, TITLES["every"])[1] == "" and page.inner_text(".badge") == "6 equilibria"
+    assert typed(page, "value-M", "1/100")[1] == "" and page.inner_text(".badge") == "2 equilibria"
+    assert page.is_hidden("#place") and page.is_hidden("#opened")
+
+
+def test_what_lies_between_the_conditions(page):
+    """The normal form and D4; nothing is offered where nothing is open."""
+    assert page.is_hidden("#opened")
+    example(page, TITLES["asymmetric"])
+    page.click("#opened summary")
+    page.wait_for_selector("#between .katex")
+    shown(page)
+    assert "Arnold" in page.inner_text("#between") and "h_{0}" in latex(page, "between")[1]
+    page.click("#opened summary")
+
+
+def test_links_keep_what_an_equilibrium_is_made_with(page, context):
+    """Orbit and axes."""
+    example(page, TITLES["satellite"])
+    typed_in(page, "2, 1, 3")
+    verdict, conditions = shown(page), latex(page, "conditions")
+    other = context.new_page()
+    other.goto(page.url)
+    other.wait_for_selector("body[aria-busy=false] .badge")
+    assert shown(other) == verdict and latex(other, "conditions") == conditions
+    assert other.input_value("#orbit") == "omega0" and other.input_value("#made") == "2, 1, 3"
+    other.close()
+
+
+@pytest.mark.parametrize("count", [60, pytest.param(200, marks=pytest.mark.slow)])
+def test_random_scenes_have_the_librarys_answers(page, count):
+    """Character by character; most of them are answers, not refusals."""
+    questions = [{"want": want, "scene": drawn_scene(n)} for n in range(count)
+                 for want in ("analysed", "decided")]
+    found = page.evaluate("""async (questions) => {
+        window.other ??= new (await import("./analyser.js")).Analyser(() => {});
+        const answers = [];
+        for (const { want, scene } of questions) answers.push(await window.other.ask(want, scene));
+        return answers.map(JSON.stringify);
+    }""", questions)
+    expected = [json.loads(session.answer(json.dumps(question))) for question in questions]
+    for question, here, there in zip(questions, expected, found):
+        assert json.loads(there) == here, question
+    assert sum("error" in answer for answer in expected) < len(expected) / 5
