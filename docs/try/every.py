@@ -13,9 +13,10 @@ from gyrostat.printing.results import result_blocks
 from gyrostat.stability.report import Report
 
 
-def listed(scene: System, values: Mapping[str, Any]) -> list[list[Block]]:
-    """Where each equilibrium of a scene is, with its verdict, its reason, and what damping makes of it."""
-    return [[*result_blocks(found), reason_block(found.decision), damped_block(found.decision, found.damped)]
+def listed(scene: System, values: Mapping[str, Any]) -> list[tuple[str, list[Block]]]:
+    """The verdict of each equilibrium; where it is, the reason, and what internal damping makes of it."""
+    return [(found.decision.verdict.name, [*result_blocks(found), reason_block(found.decision),
+                                           damped_block(found.decision, found.damped)])
             for found in gs.relative_equilibria(scene, values)]
 
 

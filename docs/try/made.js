@@ -14,7 +14,7 @@ export function asGiven(value = "") {
 // Those entries of the scene that name its equilibrium.
 export function given({ equilibrium, made }) {
   const table = equilibrium && equilibrium !== "point" ? { equilibrium } : {};
-  if (equilibrium === "point") table.point = made.point.split(",").map((entry) => entry.trim());
+  if (equilibrium === "point") table.point = (made.point ?? "").split(",").map((entry) => entry.trim());
   for (const name of ["eliminate", "direction", "pointing"]) if (made[name]?.trim()) table[name] = made[name];
   return table;
 }
@@ -26,5 +26,5 @@ export function making(state, { made_with: name }) {
   if (!(name in MADE)) return;
   at("made-label").textContent = MADE[name];
   at("made").name = name;
-  at("made").value = state.made[name] || (EMPTY[name] ?? "");
+  at("made").value = state.made[name] ?? EMPTY[name] ?? "";
 }

@@ -60,9 +60,9 @@ const list = (text) => text.includes(";") ? text.split(";").map(entries) : entri
 const listed = (value) => value.map((row) => [row].flat().join(", ")).join(Array.isArray(value[0]) ? "; " : ", ");
 
 function scene() {
-  const table = { potential: at("potential").value, inertia: list(at("inertia").value),
+  const table = { inertia: list(at("inertia").value),
     gyrostatic_momentum: list(at("gyrostatic_momentum").value), spin: state.spin };
-  if (at("orbit").value.trim()) table.orbit = at("orbit").value;
+  for (const name of ["potential", "orbit"]) if (at(name).value.trim()) table[name] = at(name).value;
   Object.assign(table, given(state));
   return { ...table, values: { ...state.values } };
 }
@@ -74,7 +74,8 @@ function filled(table) {
   at("inertia").value = listed(table.inertia ?? ["I1", "I1", "I3"]);
   at("gyrostatic_momentum").value = listed(table.gyrostatic_momentum ?? ["0", "0", "l"]);
   state.equilibrium = table.point ? "point" : table.equilibrium ?? "";
-  state.made = Object.fromEntries(Object.keys(MADE).map((name) => [name, asGiven(table[name])]));
+  state.made = Object.fromEntries(Object.keys(MADE).filter((name) => name in table)
+    .map((name) => [name, asGiven(table[name])]));
   state.spin = at("spin").value = table.spin ?? "pi3_0";
   state.values = { ...table.values };
 }
@@ -182,14 +183,15 @@ const copy = (kind) => working(async () => {
 });
 
 let typed;
-for (const name of TEXTS) {
+for (const name of [...TEXTS, "made"]) {
   at(name).oninput = () => {
+    if (name === "made") state.made[at(name).name] = at(name).value;
+    at("example").selectedIndex = -1;                   // what is typed is another scene
     if (!typed) busy(1);
     clearTimeout(typed);
     typed = setTimeout(() => { typed = undefined; notice(""); analyse(); busy(-1); }, 300);
   };
 }
-at("made").onchange = () => { state.made[at("made").name] = at("made").value; analyse(); };
 at("opened").ontoggle = () => { if (at("opened").open) openBetween(); };
 at("ask").onsubmit = () => false;
 at("spin").onchange = () => { state.spin = at("spin").value; analyse(); };
@@ -197,6 +199,11 @@ at("derivation").ontoggle = () => { if (at("derivation").open) derive(); };
 at("example").append(...examples.map(({ title }, n) => element("option", { value: n }, title)));
 at("example").onchange = () => { filled(examples[at("example").value].scene); notice(""); analyse(); };
 for (const button of document.querySelectorAll("[data-copy]")) button.onclick = () => copy(button.dataset.copy);
-window.onhashchange = () => { filled(restored()); analyse(); };
+window.onhashchange = () => {
+  at("example").selectedIndex = -1;
+  filled(restored());
+  analyse();
+};
+if (location.hash) at("example").selectedIndex = -1;
 filled(restored());
 analyse();

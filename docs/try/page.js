@@ -30,13 +30,21 @@ export function shown(place, blocks) {
   place.replaceChildren(...blocks.map(block));
 }
 
-export function verdict(place, { verdict: found, found: many, damped, blocks }) {
-  if (!found) {                                         // every equilibrium, each with its verdict
-    place.className = "every";
-    shown(place, blocks);
-    place.prepend(element("p", { className: "badge" }, `${many} equilibri${many === 1 ? "um" : "a"}`));
-    return;
-  }
+// A list that scrolls by itself, each equilibrium in the colour of its verdict.
+function every(place, all) {
+  const list = element("ol", { className: "reasons", tabIndex: 0, ariaLabel: "equilibria" });
+  list.append(...all.map(({ verdict: found, blocks }) => {
+    const item = element("li", { className: found.toLowerCase() });
+    shown(item, blocks);
+    return item;
+  }));
+  place.className = "every";
+  place.replaceChildren(
+    element("p", { className: "badge" }, `${all.length} equilibri${all.length === 1 ? "um" : "a"}`), list);
+}
+
+export function verdict(place, { verdict: found, found: all, damped, blocks }) {
+  if (all) return every(place, all);
   const [sign, word] = WORDS[found];
   place.className = found.toLowerCase();
   place.replaceChildren(

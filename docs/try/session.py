@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from importlib import import_module
-from itertools import chain
 from typing import Any
 
 from copies import latex, program, scene_file
@@ -143,7 +142,7 @@ class Chosen:
 
 @lru_cache(maxsize=32)
 def chosen(without: str) -> Chosen:
-    """What a scene without values names; the first of its families where it names none that it may have."""
+    """What a scene without values names; its first equilibrium where it names none that it may have."""
     table = json.loads(without)
     name = table.get("equilibrium")
     if isinstance(name, str) and name.startswith(EVERY):
@@ -155,10 +154,13 @@ def chosen(without: str) -> Chosen:
         families = (EARTH_POINTING, *(PRECESSIONS if scene.body.is_of_revolution() else ()))
     elif scene.potential is not None:
         families = (*POLES.values(), E3 if reducible(scene) else PERMANENT)
-    first = read.family if read.family in families else families[0]
-    found = Chosen(read.table, scene, families, POINT if POINT in table else first.asked_for)
-    wanted = [f"{EVERY} {level}".strip() for level in found.levels]
-    return replace(found, name=name) if name in wanted else found
+    found = Chosen(read.table, scene, families, POINT)
+    if POINT in table:
+        return found
+    if name in [f"{EVERY} {level}".strip() for level in found.levels]:
+        return replace(found, name=name)
+    first = next((f for f in families if f.asked_for not in found.without), families[0])
+    return replace(found, name=(read.family if read.family in families else first).asked_for)
 
 
 def _analysed(asked: Chosen, _: Mapping[str, str]) -> Data:
@@ -187,7 +189,7 @@ def _decided(asked: Chosen, given: Mapping[str, str]) -> Data:
     values = _own(asked, given)
     if asked.every:
         found = import_module("every").listed(asked.scene, values)
-        return {"found": len(found), "blocks": typeset(chain(*found))}
+        return {"found": [{"verdict": verdict, "blocks": typeset(blocks)} for verdict, blocks in found]}
     decision, damped = asked.report.verdict(values), asked.report.verdict(values, damped=True)
     return {"verdict": decision.verdict.name, "damped": damped.verdict.name,
             "blocks": typeset([*decision_blocks(decision, asked.equilibrium.at), reason_block(decision),
@@ -211,9 +213,9 @@ def _copied(asked: Chosen, given: Mapping[str, str]) -> Data:
     table = {**asked.table, **({"equilibrium": asked.name} if asked.family else {})}
     found = {"python": program(asked.scene, asked.family, asked.table, values),
              "scene": scene_file(table, values)}
-    blocks = (chain(*import_module("every").listed(asked.scene, values)) if asked.every
-              else conditions_blocks(asked.report))
-    return {"latex": latex(list(blocks)), **found}
+    blocks = ([block for _, its in import_module("every").listed(asked.scene, values) for block in its]
+              if asked.every else conditions_blocks(asked.report))
+    return {"latex": latex(blocks), **found}
 
 
 def _charted(asked: Chosen, _: Mapping[str, str], axes: Sequence[str]) -> Data:

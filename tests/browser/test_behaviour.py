@@ -21,14 +21,13 @@ KEYS = ("potential", "orbit", "inertia", "gyrostatic_momentum", "equilibrium", "
 def test_hostile_texts_are_refused_and_the_page_goes_on(page, context):
     """In field, orbit, body, point, number: a sentence or an answer, and no error of the page."""
     errors = len(context.errors)
-    for number, text in enumerate(TEXTS):
-        field = FIELDS[number % len(FIELDS)]
+    for number, field in enumerate(FIELDS):
         page.check(f"input[value={'point' if field == 'made' else 'E1'}]")
         shown(page)
         before = page.input_value(f"#{field}")
-        _, refused = typed(page, field, text)
-        assert "internal error" not in refused, text
-        assert typed(page, field, before) == ("Stable", ""), text
+        for text in TEXTS[number::len(FIELDS)]:
+            assert "internal error" not in typed(page, field, text)[1], text
+        assert typed(page, field, before) == ("Stable", "")
     assert shown(page) == ("Stable", "") and context.errors[errors:] == []
 
 
@@ -47,7 +46,7 @@ def _followed(page, text):
     page.evaluate("""hash => new Promise(done => {
         addEventListener("hashchange", () => done(), { once: true });
         location.hash = hash;
-    })""", "&".join(f"{name}={quote(text)}" for name in KEYS))
+    })""", "&".join(f"{name}={quote(text, errors='surrogatepass')}" for name in KEYS))
 
 
 def test_what_takes_too_long_is_ended_and_the_library_starts_again(page):

@@ -21,29 +21,28 @@ def test_a_satellite_is_earth_pointing_and_turned(page):
     assert example(page, TITLES["satellite"]) == ("Stable", "") and page.is_visible("#made-row")
     conditions = latex(page, "conditions")
     assert any(r"\omega_0" in formula for formula in conditions)
-    page.fill("#made", "2, 1, 3")
-    page.keyboard.press("Enter")
-    assert shown(page)[0] == "Unstable" and latex(page, "conditions") != conditions
-    assert "give the body axes along roll, pitch and yaw" in typed_in(page, "1, 1, 3")[1]
-    assert typed_in(page, "1, 2, 3") == ("Stable", "")
+    assert typed(page, "made", "3, 2, 1")[0] == "Unstable" and latex(page, "conditions") != conditions
+    assert "the body axes along roll, pitch and yaw" in typed(page, "made", "1, 1, 3")[1]
+    assert typed(page, "made", "1, 2, 3") == ("Stable", "")
     page.check("input[value=every]")
     assert shown(page) == ("equilibria", "") and page.inner_text(".badge") == "24 equilibria"
     assert page.inner_text("#verdict").count("equilibrium in orbit at") == 24
 
 
-def typed_in(page, text):
-    """What the equilibrium is made with."""
-    page.fill("#made", text)
-    page.keyboard.press("Enter")
-    return shown(page)
+def test_what_is_typed_is_no_example_any_more(page):
+    """An empty potential is none; the example can be picked again."""
+    assert page.input_value("#example") == "0"
+    assert typed(page, "potential", "")[1] == "" and page.is_visible("input[value='axis 1']")
+    assert page.input_value("#example") == ""
+    assert picked(page, 0) == ("Stable", "") and page.input_value("#potential") == "m0*k3"
 
 
 def test_a_point_begins_where_the_last_equilibrium_was(page):
     """And what is none is refused by its derivatives."""
     page.check("input[value=point]")
     assert shown(page) == ("Stable", "") and page.input_value("#made") == "0, 0, I3*omega3_0, 0, 0, 1"
-    assert "is not an equilibrium" in typed_in(page, "1, 0, w, 0, 0, 1")[1]
-    assert typed_in(page, "0, 0, I3*w, 0, 0, 1")[1] == "" and page.is_visible("#value-w")
+    assert "is not an equilibrium" in typed(page, "made", "1, 0, w, 0, 0, 1")[1]
+    assert typed(page, "made", "0, 0, I3*w, 0, 0, 1")[1] == "" and page.is_visible("#value-w")
 
 
 def test_every_rotation_follows_the_sliders(page):
@@ -67,13 +66,13 @@ def test_what_lies_between_the_conditions(page):
 def test_links_keep_what_an_equilibrium_is_made_with(page, context):
     """Orbit and axes."""
     example(page, TITLES["satellite"])
-    typed_in(page, "2, 1, 3")
+    typed(page, "made", "3, 2, 1")
     verdict, conditions = shown(page), latex(page, "conditions")
     other = context.new_page()
     other.goto(page.url)
     other.wait_for_selector("body[aria-busy=false] .badge")
     assert shown(other) == verdict and latex(other, "conditions") == conditions
-    assert other.input_value("#orbit") == "omega0" and other.input_value("#made") == "2, 1, 3"
+    assert other.input_value("#orbit") == "omega0" and other.input_value("#made") == "3, 2, 1"
     other.close()
 
 
@@ -86,7 +85,7 @@ def test_random_scenes_have_the_librarys_answers(page, count):
         window.other ??= new (await import("./analyser.js")).Analyser(() => {});
         const answers = [];
         for (const { want, scene } of questions) answers.push(await window.other.ask(want, scene));
-        return answers.map(JSON.stringify);
+        return answers.map((answer) => JSON.stringify(answer));
     }""", questions)
     expected = [json.loads(session.answer(json.dumps(question))) for question in questions]
     for question, here, there in zip(questions, expected, found):

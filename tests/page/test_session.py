@@ -75,7 +75,8 @@ def test_what_is_copied_gives_the_same(scene):
     read = SceneTable(tomllib.loads(copied["scene"])["scene"]["mine"])
     assert read.system == asked.scene and read.family == asked.family
     if asked.every:
-        assert out.getvalue().count("equilibrium" if "orbit" in scene else "rotation at") == decided["found"]
+        place = "equilibrium in orbit" if "orbit" in scene else "rotation at"
+        assert out.getvalue().count(place) == len(decided["found"])
         return
     verdict = decided["verdict"]
     assert out.getvalue() == f"{asked.report.necessary}\n{asked.report.sufficient}\n{verdict}\n"
@@ -107,6 +108,16 @@ def test_an_equilibrium_that_a_field_does_not_have_says_why():
     found = answered("analysed", {"potential": "c1*k1 + c3*k3", "equilibrium": "E1"})
     assert "E1 is not an equilibrium" in found["error"]
     assert [bool(family["why"]) for family in found["equilibria"]] == [True, True, *[False] * 4]
+
+
+@pytest.mark.parametrize("table, first", [
+    ({"potential": "none", "inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "l"]}, "axis 3"),
+    ({"potential": "c1*k1 + c3*k3"}, "permanent-rotation"),
+    ({"orbit": "omega0", "equilibrium": "E1"}, "earth-pointing"),
+    ({"orbit": "omega0", "equilibrium": "every"}, "every"), ({"equilibrium": "every omega"}, "axis 1")])
+def test_the_first_equilibrium_that_a_scene_has_is_chosen(table, first):
+    """Where it names none, or one of another kind of scene."""
+    assert answered("analysed", table)["chosen"] == first
 
 
 @pytest.mark.slow
