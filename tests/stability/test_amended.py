@@ -125,8 +125,7 @@ def basis(k):
        st.sampled_from([2, 4, 6]), st.sampled_from([4, 6]),
        st.sampled_from([(2, 1, 2), (-1, 2, 2), (0, 0, -3), (3, 0, 0)]), numbers, st.sampled_from([1, -1]))
 def test_a_field_with_a_minimum_by_construction_is_stable_and_its_opposite_at_rest_is_not(
-    inertia, rotor, p, q, axis, tilt, side
-):
+        inertia, rotor, p, q, axis, tilt, side):
     """U = ±((a·k)ᵖ + (b·k + tilt (a·k)²)^q (2 + k1)), a and b across k0.
 
     0 at k0 alone nearby. No number of it is special to our chart.
