@@ -226,7 +226,7 @@ def _charted(asked: Chosen, _: Mapping[str, str], axes: Sequence[str]) -> Data:
 def _bounded(asked: Chosen, given: Mapping[str, str], axes: Sequence[str],
              ends: Sequence[Sequence[str]]) -> Data:
     """The boundary of that chart."""
-    return edges(asked.report, _own(asked, given), axes, ends)
+    return {"points": []} if asked.every else edges(asked.report, _own(asked, given), axes, ends)
 
 
 def _moving(asked: Chosen, _: Mapping[str, str]) -> Data:
