@@ -8,7 +8,7 @@ from sympy import Expr
 from ..algebra.exact import sign_of_constant
 from ..errors import ScopeError, ValuesError
 from ..mechanics.circular_orbit import in_orbit
-from ..mechanics.families import E3, FAMILIES, POLES
+from ..mechanics.families import E3, EARTH_POINTING, FAMILIES, POLES
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
@@ -169,7 +169,15 @@ def _answer(asked: Asked, label: str, numbers: Mapping[str, Expr]) -> Answer:
 def _decided(report: Report, numbers: Mapping[str, Expr]) -> Answer:
     decision, damped = both_verdicts(report, numbers)
     return Answer(report.equilibrium.label, report.equilibrium.at, decision, damped,
-                  report.itself(numbers) if decision.modulo else None)
+                  report.itself(numbers) if decision.modulo else None, rates=_librations(report, numbers))
+
+
+def _librations(report: Report, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
+    """The frequencies of an Earth-pointing satellite, every name of which has a number."""
+    eq, known = report.equilibrium, {symbol(name): x for name, x in numbers.items()}
+    if eq.label != EARTH_POINTING.label or not names_of_scene(eq.system) <= known.keys():
+        return {}
+    return _orbital(OrbitalEquilibrium(at_numbers(eq.system, known), eq.point[3:6], eq.point[6:])).rates
 
 
 def _found(branch: Branch) -> Answer:
