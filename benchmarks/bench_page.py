@@ -1,4 +1,5 @@
-"""How long the page of the site takes to its first verdict, cold and warm, and to that of another number.
+"""How long the page of the site takes to its first verdict, cold and warm, and to that of another number; how
+many pictures of a chart it draws in a second.
 
 Usage: bench_page.py SITE, the folder that docs/try/build.py has filled; it needs Playwright and Chromium.
 """
@@ -19,6 +20,7 @@ from playwright.sync_api import sync_playwright
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 NO_OTHER_HOST = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
+CHARTS = {"one margin": (0, ("m0", "omega3_0")), "five margins": (7, ("I2", "omega3_0"))}   # of examples.json
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
@@ -76,6 +78,33 @@ def first_verdict(context, address):
     return seconds, changed
 
 
+def pictures(context, address, example, axes):
+    """Pictures of a chart in a second, while I3 moves with every frame of the screen for three seconds."""
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_selector("body[aria-busy=false] .badge", timeout=60_000)
+    page.select_option("#example", str(example))
+    page.wait_for_selector("body[aria-busy=false]")
+    for place, name in zip(("#across", "#upwards"), axes):
+        page.select_option(place, name)
+    page.wait_for_timeout(1000)
+    found = page.evaluate("""async () => {
+        const pen = OffscreenCanvasRenderingContext2D.prototype, put = pen.putImageData;
+        const slider = document.querySelector(".value:has(#value-I3) [type=range]");
+        const start = performance.now();
+        let count = 0;
+        pen.putImageData = function (...given) { count++; put.apply(this, given); };
+        for (let n = 0; performance.now() - start < 3000; n++) {
+            slider.value = 1 + n % 100 / 100;
+            slider.dispatchEvent(new Event("input"));
+            await new Promise(requestAnimationFrame);
+        }
+        return count * 1000 / (performance.now() - start);
+    }""")
+    page.close()
+    return found
+
+
 def compressed(path):
     """Bytes of a file from a server that compresses what that makes smaller."""
     data = path.read_bytes()
@@ -89,6 +118,7 @@ def main():
     parser.add_argument("--quick", action="store_true")
     given = parser.parse_args()
     cold, warm, changed, sent = [], [], [], set()
+    drawn = {each: [] for each in CHARTS}
     with sync_playwright() as playwright, served(given.site) as address:
         for _ in range(1 if given.quick else 5):
             with profile(playwright) as context:
@@ -97,8 +127,12 @@ def main():
                 seconds, milliseconds = first_verdict(context, address)
                 warm.append(seconds)
                 changed.append(milliseconds)
+                for each, (example, axes) in CHARTS.items():
+                    drawn[each].append(pictures(context, address, example, axes))
     print(f"first verdict: {statistics.median(cold):.2f} s cold, {statistics.median(warm):.2f} s warm; "
           f"another number: {statistics.median(changed):.0f} ms (medians of {len(cold)})")
+    for each, found in drawn.items():
+        print(f"chart of 400 x 400, {each}: {statistics.median(found):.0f} pictures a second")
     files = [Path(given.site, path.lstrip("/")) for path in sent if path.startswith("/")]
     print(f"transfer, each file as it is or as gzip has it: {sum(map(compressed, files)) / 1e6:.1f} MB")
 

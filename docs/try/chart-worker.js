@@ -1,18 +1,28 @@
-// Pictures of charts in a thread of their own: a program once, then numbers as often as they change.
+// Pictures of charts in a thread of their own: a program once, then numbers as often as they change; of those
+// that have come while a picture was drawn the newest.
 import { Regions } from "./regions.js";
 
-let regions, size;
+let regions, size, newest, due;
 
-onmessage = ({ data: { chart, axes, width, numbers, ends, colours } }) => {
-  if (chart) {
-    size = width;
-    regions = new Regions(chart, axes, size);
+onmessage = ({ data }) => {
+  if (data.chart) {
+    clearTimeout(due);                                  // numbers of the chart before
+    due = undefined;
+    size = data.width;
+    regions = new Regions(data.chart, data.axes, size);
+  } else {
+    newest = data;
+    due ??= setTimeout(draw);
   }
-  if (!numbers) return;
+};
+
+function draw() {
+  due = undefined;
+  const { numbers, ends, colours, load } = newest;
   const codes = regions.drawn(numbers, ends), pixels = new Uint8ClampedArray(4 * size * size);
   const inks = new Uint32Array(new Uint8Array(colours.flat()).buffer), out = new Uint32Array(pixels.buffer);
   for (let y = 0; y < size; y++) {                      // the highest row first
     for (let x = 0; x < size; x++) out[(size - 1 - y) * size + x] = inks[codes[y * size + x]];
   }
-  postMessage(pixels, [pixels.buffer]);
-};
+  postMessage({ pixels, ends, load }, [pixels.buffer]);
+}

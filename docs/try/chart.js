@@ -8,7 +8,7 @@ const COLOURS = ["unknown", "stable", "unstable", "open", "nowhere"];
 export class Chart {
   // place: the section; ask(want, more): of the library; set(name, text): a number of the page
   constructor(place, ask, set) {
-    Object.assign(this, { place, ask, set });
+    Object.assign(this, { place, ask, set, loads: 0 });
     const find = (name) => place.querySelector(name);
     [this.canvas, this.across, this.upwards, this.why] = ["canvas", "#across", "#upwards", "#no-chart"].map(find);
     this.picture = new OffscreenCanvas(SIZE, SIZE);
@@ -17,7 +17,11 @@ export class Chart {
     this.across.onchange = this.upwards.onchange = () => this.load();
     this.canvas.onpointerdown = (event) => this.pointed(event);
     this.canvas.onkeydown = (event) => this.moved(event);
-    matchMedia("(prefers-color-scheme: dark)").onchange = () => this.follow();
+    this.inks();
+    matchMedia("(prefers-color-scheme: dark)").onchange = () => {
+      this.inks();
+      this.follow();
+    };
   }
 
   // Another equilibrium: its names, the first two chosen where the old ones are none of them.
@@ -41,6 +45,7 @@ export class Chart {
     this.place.classList.toggle("none", Boolean(this.why.textContent));
     if (this.why.textContent) return;
     this.names = chart.names;
+    this.loads += 1;
     this.worker.postMessage({ chart, axes: this.axes, width: SIZE });
     this.ready = true;
     this.follow();
@@ -54,23 +59,18 @@ export class Chart {
     });
   }
 
-  // Numbers have changed: a picture, or after the one that is drawn now the newest.
+  // Numbers have changed.
   follow() {
     if (!this.ready) return;
     this.drawnEdges = [];
-    if (this.waiting) {
-      this.again = true;
-      return;
-    }
     const numbers = Object.fromEntries(this.names.map((name) => [name, this.values(name)]));
     if (this.names.some((name) => !this.axes.includes(name) && !Number.isFinite(numbers[name]))) {
       this.why.textContent = "a picture needs decimals or fractions, such as 1.25 or 5/4; the verdict does not";
       return;
     }
     this.why.textContent = "";
-    this.waiting = this.ends();
-    this.worker.postMessage({ numbers, ends: this.waiting.map((pair) => pair.map(Number)),
-      colours: COLOURS.map((name) => this.colour(name)) });
+    this.worker.postMessage({ numbers, load: this.loads, ends: this.ends().map((pair) => pair.map(Number)),
+      colours: this.colours });
     clearTimeout(this.late);
     this.late = setTimeout(() => this.bound(), 60);
   }
@@ -81,29 +81,28 @@ export class Chart {
     this.draw();
   }
 
-  come(pixels) {
-    this.shown = this.waiting;
-    this.waiting = null;
-    if (this.again) {
-      this.again = false;
-      this.follow();
-    }
+  come({ pixels, ends, load }) {
+    if (load !== this.loads) return;                    // of another chart
+    this.shown = ends;
     this.picture.getContext("2d").putImageData(new ImageData(pixels, SIZE), 0, 0);
     this.draw();
   }
 
-  // Red, green, blue and 255 of a swatch.
-  colour(name) {
-    const style = getComputedStyle(this.place.querySelector(`.key .${name}`));
-    return [...style.backgroundColor.match(/\d+/g).slice(0, 3).map(Number), 255];
+  // Red, green, blue and 255 of each swatch; the colour of what is drawn over the picture.
+  inks() {
+    this.colours = COLOURS.map((name) => {
+      const style = getComputedStyle(this.place.querySelector(`.key .${name}`));
+      return [...style.backgroundColor.match(/\d+/g).slice(0, 3).map(Number), 255];
+    });
+    this.ink = getComputedStyle(this.canvas).color;
   }
 
   draw() {
     if (!this.shown) return;
-    const context = this.canvas.getContext("2d"), [[left, right], [low, high]] = this.shown.map((e) => e.map(Number));
+    const context = this.canvas.getContext("2d"), [[left, right], [low, high]] = this.shown;
     const place = ([x, y]) => [(x - left) / (right - left) * SIZE, SIZE - (y - low) / (high - low) * SIZE];
     context.drawImage(this.picture, 0, 0);
-    context.fillStyle = context.strokeStyle = getComputedStyle(this.canvas).color;
+    context.fillStyle = context.strokeStyle = this.ink;
     for (const point of this.drawnEdges) {
       const [x, y] = place(point);
       context.fillRect(x - 1, y - 1, 2, 2);
@@ -133,7 +132,7 @@ export class Chart {
     if (!step || !this.shown) return;
     event.preventDefault();
     const share = this.axes.map((name, n) => {
-      const [from, to] = this.shown[n].map(Number);
+      const [from, to] = this.shown[n];
       return (this.values(name) - from) / (to - from) + step[n] / STEPS;
     });
     this.to(...share);
@@ -143,7 +142,7 @@ export class Chart {
   to(...shares) {
     if (!this.shown) return;
     this.axes.forEach((name, n) => {
-      const [from, to] = this.shown[n].map(Number), share = Math.min(1, Math.max(0, shares[n]));
+      const [from, to] = this.shown[n], share = Math.min(1, Math.max(0, shares[n]));
       this.set(name, String(Number((from + (to - from) * share).toFixed(3))));
     });
   }

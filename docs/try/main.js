@@ -155,12 +155,21 @@ function choices({ equilibria, chosen }) {
   }));
 }
 
-// The address is a link that restores what is on the page.
+// The address is a link that restores what is on the page. Browsers take a new one some hundred times in half a
+// minute, then refuse; a slider moves oftener.
+let remembering;
 function remember() {
+  remembering ??= setTimeout(() => {
+    remembering = undefined;
+    history.replaceState(null, "", `#${restoring()}`);
+  }, 400);
+}
+
+function restoring() {
   const table = scene(), pairs = TEXTS.map((name) => [name, at(name).value]);
   pairs.push(...Object.entries(given(state)));
   pairs.push(["spin", table.spin], ...Object.entries(table.values).map(([name, text]) => ["set", `${name}=${text}`]));
-  history.replaceState(null, "", `#${new URLSearchParams(pairs)}`);
+  return new URLSearchParams(pairs);
 }
 
 function restored() {
@@ -174,7 +183,7 @@ function restored() {
 }
 
 const copy = (kind) => working(async () => {
-  const text = kind === "link" ? location.href : (await analyser.ask("copied", scene()))?.[kind];
+  const text = kind === "link" ? new URL(`#${restoring()}`, location).href : (await analyser.ask("copied", scene()))?.[kind];
   if (!text) return;
   at("copied").value = text;
   at("copied").hidden = false;

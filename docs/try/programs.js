@@ -51,11 +51,18 @@ function over(operation, n, value, error, a, ea, b, eb) {
 
 // The same without errors, of the three operations of polynomials.
 function values(operation, n, value, a, b) {
-  const sa = a.length > 1 ? 1 : 0, sb = b?.length > 1 ? 1 : 0;
-  if (operation === "add") for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) value[i] = a[p] + b[q];
-  else if (operation === "subtract") for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) value[i] = a[p] - b[q];
-  else if (operation === "multiply") for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) value[i] = a[p] * b[q];
-  else for (let i = 0; i < n; i++) value[i] = -a[i];
+  if (operation === "negative") for (let i = 0; i < n; i++) value[i] = -a[i];
+  else if (operation === "multiply") {
+    if (a.length === 1) [a, b] = [b, a];
+    const y = b[0];
+    if (b.length < n || n === 1) for (let i = 0; i < n; i++) value[i] = a[i] * y;
+    else for (let i = 0; i < n; i++) value[i] = a[i] * b[i];
+  } else {
+    const sign = operation === "add" ? 1 : -1, x = a[0], y = sign * b[0];
+    if (b.length < n || n === 1) for (let i = 0; i < n; i++) value[i] = a[i] + y;
+    else if (a.length < n) for (let i = 0; i < n; i++) value[i] = x + sign * b[i];
+    else for (let i = 0; i < n; i++) value[i] = a[i] + sign * b[i];
+  }
 }
 
 const POLYNOMIAL = new Set(["add", "subtract", "multiply", "negative"]);

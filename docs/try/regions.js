@@ -4,36 +4,15 @@ import { Rows } from "./programs.js";
 export const STABLE = 1, UNSTABLE = 2, OPEN = 3, NOWHERE = 4, UNKNOWN = 0;
 const SLACK = 1 + 2 ** -20;                             // what the errors themselves lose by rounding
 
-// Answers are 1, -1, and 0 for unknown: of a margin whether it is positive, of a factor whether it is not 0.
-function answers({ values, errors, bounds }, place, each, nonzero, out) {
-  const value = values[place], error = errors[place], step = value.length > 1 ? 1 : 0;
-  for (let i = 0, p = 0; i < out.length; i++, p += step) {
-    const bound = (each ? error[p] : bounds[place]) * SLACK;
-    const sign = value[p] > bound ? 1 : value[p] < -bound ? -1 : 0;
-    out[i] = nonzero ? Math.abs(sign) : sign;
-  }
-}
-
-// A disjunction of conjunctions of conditions, a strict one with its even factors, one that is not without.
-function criterion(rows, alternatives, each, width) {
-  const some = new Int8Array(width).fill(-1), every = new Int8Array(width), one = new Int8Array(width);
-  const held = new Int8Array(width);
-  for (const conditions of alternatives) {
-    every.fill(1);
-    for (const { margin, strict, degenerate } of conditions) {
-      answers(rows, margin, each, false, held);
-      for (const factor of degenerate) {
-        answers(rows, factor, each, true, one);
-        for (let i = 0; i < width; i++) {
-          if (strict) held[i] = Math.min(held[i], one[i]);
-          else if (!one[i]) held[i] = Math.max(held[i], 0);
-        }
-      }
-      for (let i = 0; i < width; i++) every[i] = Math.min(every[i], held[i]);
-    }
-    for (let i = 0; i < width; i++) some[i] = Math.max(some[i], every[i]);
-  }
-  return some;
+// A disjunction of conjunctions of conditions: 1, -1, or 0 for unknown. signs: of each place 1, -1, 0; a strict
+// condition needs its even factors too, one that is not is met where one of them may be 0.
+function criterion(alternatives, signs) {
+  return Math.max(-1, ...alternatives.map((conditions) => Math.min(1, ...conditions.map(
+    ({ margin, strict, degenerate }) => {
+      const factors = degenerate.map((place) => Math.abs(signs.get(place)));
+      return strict ? Math.min(signs.get(margin), ...factors)
+        : factors.includes(0) ? Math.max(signs.get(margin), 0) : signs.get(margin);
+    }))));
 }
 
 // One code for each pixel, the lowest row first; ends are those of the pixels' centres.
@@ -42,7 +21,11 @@ export class Regions {
     Object.assign(this, { chart, axes, size });
     this.rows = new Rows(chart.steps, axes, size);
     this.codes = new Uint8Array(size * size);
-    this.sign = new Int8Array(size);
+    const asked = [...chart.sufficient, ...chart.necessary].flat().flatMap((c) => [c.margin, ...c.degenerate]);
+    this.places = [...new Set([...chart.positive, ...asked])];
+    this.next = [-1, -1, -1];                           // a tree of the signs met: after node n, of -1, 0 and 1
+    this.meaning = [];                                  // of its leaves the codes
+    this.node = new Int32Array(size);
   }
 
   drawn(numbers, [[left, right], [low, high]]) {
@@ -65,19 +48,42 @@ export class Regions {
 
   // The codes of a row, from an error of each value or from one of all.
   coded(row, each) {
-    const { rows, size, chart, sign } = this;
-    const sufficient = criterion(rows, chart.sufficient, each, size);
-    const necessary = criterion(rows, chart.necessary, each, size);
-    for (let i = 0; i < size; i++) {
-      row[i] = sufficient[i] === 1 ? STABLE : necessary[i] === -1 ? UNSTABLE
-        : sufficient[i] === -1 && necessary[i] === 1 ? OPEN : UNKNOWN;
-    }
-    for (const margin of chart.positive) {
-      answers(rows, margin, each, false, sign);
-      for (let i = 0; i < size; i++) {
-        if (sign[i] === -1) row[i] = NOWHERE;
-        else if (sign[i] === 0 && row[i] !== NOWHERE) row[i] = UNKNOWN;
+    const { node, places, meaning } = this;
+    node.fill(0);
+    for (const place of places) this.follow(place, each);
+    for (let i = 0; i < row.length; i++) row[i] = meaning[node[i]] ?? (meaning[node[i]] = this.code(node[i]));
+  }
+
+  // One step down the tree, by the sign at a place.
+  follow(place, each) {
+    const { rows: { values, errors, bounds }, node, next } = this;
+    const value = values[place], error = each ? errors[place] : [bounds[place]];
+    const step = value.length > 1 ? 1 : 0, along = error.length > 1 ? 1 : 0;
+    for (let i = 0, p = 0, q = 0; i < node.length; i++, p += step, q += along) {
+      const bound = error[q] * SLACK, sign = value[p] > bound ? 2 : value[p] < -bound ? 0 : 1;
+      const branch = 3 * node[i] + sign;
+      if (next[branch] < 0) {
+        next[branch] = next.length / 3;
+        next.push(-1, -1, -1);
       }
+      node[i] = next[branch];
     }
+  }
+
+  // What a leaf means, whose signs are those on the way to it.
+  code(leaf) {
+    const { chart, places, next } = this, signs = new Map();
+    for (const place of places.toReversed()) {
+      const branch = next.indexOf(leaf);
+      signs.set(place, branch % 3 - 1);
+      leaf = Math.floor(branch / 3);
+    }
+    const positive = chart.positive.map((place) => signs.get(place));
+    if (positive.includes(-1)) return NOWHERE;
+    const sufficient = criterion(chart.sufficient, signs), necessary = criterion(chart.necessary, signs);
+    if (positive.includes(0)) return UNKNOWN;
+    if (sufficient === 1) return STABLE;
+    if (necessary === -1) return UNSTABLE;
+    return sufficient === -1 && necessary === 1 ? OPEN : UNKNOWN;
   }
 }

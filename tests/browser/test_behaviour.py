@@ -49,6 +49,27 @@ def _followed(page, text):
     })""", "&".join(f"{name}={quote(text, errors='surrogatepass')}" for name in KEYS))
 
 
+def test_a_link_has_the_newest_numbers_however_fast_they_change(page):
+    """Where a browser takes 100 addresses and then refuses: address and copied link have the last."""
+    page.evaluate("""() => {
+        let taken = 0;
+        history.replaceState = function (...given) {
+            if (++taken > 100) throw new Error("too many addresses");
+            History.prototype.replaceState.apply(this, given);
+        };
+        const text = document.getElementById("value-I3");
+        for (let n = 1; n <= 300; n++) {
+            text.value = String(1 + n / 1000);
+            text.dispatchEvent(new Event("input"));
+        }
+    }""")
+    assert shown(page) == ("Unstable", "")
+    page.click("[data-copy=link]")
+    assert "set=I3%3D1.3&" in page.input_value("#copied")
+    page.wait_for_url(page.input_value("#copied"), timeout=5000)
+    page.evaluate("delete history.replaceState")
+
+
 def test_what_takes_too_long_is_ended_and_the_library_starts_again(page):
     """The page says so, stays usable meanwhile, and answers the next question."""
     page.fill("#potential", SLOW)

@@ -69,7 +69,8 @@ def test_links_keep_what_an_equilibrium_is_made_with(page, context):
     typed(page, "made", "3, 2, 1")
     verdict, conditions = shown(page), latex(page, "conditions")
     other = context.new_page()
-    other.goto(page.url)
+    page.click("[data-copy=link]")
+    other.goto(page.input_value("#copied"))
     other.wait_for_selector("body[aria-busy=false] .badge")
     assert shown(other) == verdict and latex(other, "conditions") == conditions
     assert other.input_value("#orbit") == "omega0" and other.input_value("#made") == "3, 2, 1"
