@@ -1,10 +1,13 @@
 // Programs of the library, as programs.py writes them, run in doubles; each result with a bound of its error.
 const UNIT = 2 ** -53, TINY = 2 ** -1074;
+export const SLACK = 1 + 2 ** -20;                      // what errors lose by rounding themselves
 
 // The bound of a step whose result is c, from those of its arguments (value a, error ea): Higham, Accuracy and
-// Stability of Numerical Algorithms, 2nd ed. (2002), §3.3. Of exp, log, sin, cos and powers that JavaScript
-// gives to 4 units.
-const around = (f, a, ea) => Math.max(Math.abs(f(a - ea)), Math.abs(f(a + ea)));
+// Stability of Numerical Algorithms, 2nd ed. (2002), §3.3. Of functions, which JavaScript gives to 4 units, by the
+// mean value theorem: `steepest` is the largest slope between a - ea and a + ea, Infinity where there is none.
+const near = (c, steepest, ea) => [c, steepest * ea + 8 * UNIT * Math.abs(c) + TINY];
+const where = (inside, slope) => inside > 0 ? slope(inside) : Infinity;
+const left = (a, ea) => 1 - (Math.abs(a) + ea) ** 2 - 8 * UNIT;         // of 1, for asin, acos and atanh
 const STEPS = {
   add: (a, ea, b, eb) => [a + b, ea + eb],
   subtract: (a, ea, b, eb) => [a - b, ea + eb],
@@ -14,12 +17,25 @@ const STEPS = {
     return [a / b, least > 0 ? (ea + Math.abs(a / b) * eb) / least + TINY : Infinity];
   },
   negative: (a, ea) => [-a, ea],
-  exp: (a, ea) => [Math.exp(a), Math.exp(a + ea) * Math.expm1(ea) * 2 + 8 * UNIT * Math.exp(a)],
-  log: (a, ea) => [Math.log(a), a > ea ? ea / (a - ea) + 8 * UNIT * Math.abs(Math.log(a)) : Infinity],
-  sin: (a, ea) => [Math.sin(a), ea + 8 * UNIT],
-  cos: (a, ea) => [Math.cos(a), ea + 8 * UNIT],
-  power: (a, ea, n) => [a ** n, a > ea
-    ? Math.abs(n) * around((x) => x ** (n - 1), a, ea) * ea + (8 + Math.abs(n * Math.log(a))) * UNIT * a ** n : Infinity],
+  power: (a, ea, n) => {
+    const slope = (x) => Math.abs(n) * x ** (n - 1), [c, error] = near(a ** n, where(a - ea, (low) =>
+      Math.max(slope(low), slope(a + ea))), ea);
+    return [c, error + Math.abs(n * Math.log(a)) * UNIT * c];           // n is rounded too
+  },
+  exp: (a, ea) => near(Math.exp(a), Math.exp(a + ea), ea),
+  log: (a, ea) => near(Math.log(a), where(a - ea, (low) => 1 / low), ea),
+  sin: (a, ea) => near(Math.sin(a), 1, ea),
+  cos: (a, ea) => near(Math.cos(a), 1, ea),
+  tan: (a, ea) => near(Math.tan(a), where(Math.abs(Math.cos(a)) - ea - 8 * UNIT, (least) => 1 / least ** 2), ea),
+  asin: (a, ea) => near(Math.asin(a), where(left(a, ea), (least) => 1 / Math.sqrt(least)), ea),
+  acos: (a, ea) => near(Math.acos(a), where(left(a, ea), (least) => 1 / Math.sqrt(least)), ea),
+  atan: (a, ea) => near(Math.atan(a), 1, ea),
+  sinh: (a, ea) => near(Math.sinh(a), Math.cosh(Math.abs(a) + ea), ea),
+  cosh: (a, ea) => near(Math.cosh(a), Math.sinh(Math.abs(a) + ea), ea),
+  tanh: (a, ea) => near(Math.tanh(a), 1, ea),
+  asinh: (a, ea) => near(Math.asinh(a), 1, ea),
+  acosh: (a, ea) => near(Math.acosh(a), where(a - ea - 1, (over) => 1 / Math.sqrt(2 * over)), ea),
+  atanh: (a, ea) => near(Math.atanh(a), where(left(a, ea), (least) => 1 / least), ea),
 };
 
 const ROUNDED = new Set(["add", "subtract", "multiply", "divide"]);
@@ -42,7 +58,7 @@ function over(operation, n, value, error, a, ea, b, eb) {
     }
   } else {
     for (let i = 0, p = 0, q = 0; i < n; i++, p += sa, q += sb) {
-      const [c, e] = STEPS[operation](a[p], ea[p], b?.[q], eb?.[q]);
+      const [c, e] = STEPS[operation](a[p], ea[p] * SLACK, b?.[q], eb?.[q] * SLACK);
       value[i] = c;
       error[i] = e + (ROUNDED.has(operation) ? UNIT * Math.abs(c) : 0);
     }

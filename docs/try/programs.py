@@ -7,18 +7,18 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from flint import fmpq, fmpq_poly
-from sympy import Expr, Function, NumberSymbol, Pow, Rational, Symbol, exp, log
+from sympy import Expr, NumberSymbol, Pow, Rational, Symbol, exp, log
 
 from gyrostat.algebra.exact import compiled
-from gyrostat.algebra.numbers import exact_number
+from gyrostat.algebra.numbers import exact_number, shown
 from gyrostat.charts.straightline import Axes, program_of
 from gyrostat.errors import GyrostatError, ScopeError
+from gyrostat.mechanics.directions import in_any_direction
 from gyrostat.notation import symbol
 from gyrostat.stability.conditions import Criterion
 from gyrostat.stability.report import Report
 from gyrostat.stability.truth import Relation, truth
 
-FUNCTIONS = ("exp", "log", "sin", "cos")
 COLUMNS = 96
 
 Data = dict[str, Any]
@@ -47,14 +47,15 @@ class Writer:
             return self._place("divide", self.number(Rational(1)), self.write(leaf.base**-leaf.exp))
         if isinstance(leaf, Pow):
             return self.write(exp(leaf.exp * log(leaf.base), evaluate=False))
-        if isinstance(leaf, Function) and leaf.func.__name__ in FUNCTIONS:
-            return self._place(leaf.func.__name__, self.write(leaf.args[0]))
-        raise ScopeError(f"{leaf}: the page computes with powers, exp, log, sin and cos by itself; the "
-                         "verdict at numbers is not concerned")
+        return self._place(leaf.func.__name__, self.write(leaf.args[0]))     # a function of the grammar
 
     def number(self, value: Rational) -> int:
         """A constant."""
-        return self._place("number", int(value.p) / int(value.q))
+        try:
+            return self._place("number", int(value.p) / int(value.q))
+        except OverflowError:
+            raise ScopeError(f"{shown(value)} is larger than any double, and pictures are computed in "
+                             "doubles: write it in other units; the verdict is not concerned") from None
 
     def add(self, a: int, b: int) -> int:
         """A sum."""
@@ -200,6 +201,9 @@ def _refuse(report: Report, axes: Sequence[str]) -> None:
     """Refuse what is no chart of free names."""
     margins = [*_expressions(report.sufficient), *_expressions(report.necessary)]
     names = {s.name for e in margins for s in e.free_symbols}
+    if in_any_direction(report.equilibrium):
+        raise ScopeError("no chart of k1, k2, k3, which are bound to each other: write stereographic as the "
+                         "direction, and k is any unit vector by two numbers, u1 and u2")
     if report.equilibrium.constraints or not names <= set(report.required):
         raise ScopeError("no chart here: the numbers of this equilibrium are bound to each other, or its "
                          "conditions are of what is made of them")

@@ -1,8 +1,7 @@
 // What the criteria say in each pixel of a chart, proved from values and their errors.
-import { Rows } from "./programs.js";
+import { Rows, SLACK } from "./programs.js";
 
 export const STABLE = 1, UNSTABLE = 2, OPEN = 3, NOWHERE = 4, UNKNOWN = 0;
-const SLACK = 1 + 2 ** -20;                             // what the errors themselves lose by rounding
 
 // A disjunction of conjunctions of conditions: 1, -1, or 0 for unknown. signs: of each place 1, -1, 0; a strict
 // condition needs its even factors too, one that is not is met where one of them may be 0.

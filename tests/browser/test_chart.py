@@ -1,12 +1,15 @@
 """The chart: the colours of its pixels against the library's verdicts, its point, its keys."""
 import json
+from collections import Counter
 from fractions import Fraction
+from math import isfinite
 from pathlib import Path
 from random import Random
 
 import pytest
 import session
 from driving import picked, shown, typed
+from mpmath import mp, mpf
 
 import gyrostat as gs
 
@@ -28,6 +31,20 @@ DRAWN = """places => new Promise(done => setTimeout(() => {
 AGREE = {"stable": {"STABLE"}, "unstable": {"UNSTABLE"}, "open": {"STABLE", "UNSTABLE", "UNDECIDED"}}
 
 
+BOUNDS = """async (questions) => {
+    const { Rows } = await import("./programs.js");
+    return questions.map(([steps, numbers]) => {
+        const rows = new Rows(steps, [], 1);
+        rows.begin(numbers, 0);
+        return [rows.values.at(-1)[0], rows.errors.at(-1)[0]].map(String);
+    });
+}"""
+WITHIN = {"exp": (-30, 30), "log": (0, 9), "sin": (-9, 9), "cos": (-9, 9), "tan": (-9, 9), "asin": (-1, 1),
+          "acos": (-1, 1), "atan": (-9, 9), "sinh": (-9, 9), "cosh": (-9, 9), "tanh": (-9, 9),
+          "asinh": (-9, 9), "acosh": (1, 9), "atanh": (-1, 1), "power": (0, 9)}
+BOUNDED = ("log", "power", "asin", "acos", "acosh", "atanh")         # what is undefined at one end, or both
+
+
 def report_of(number):
     table = {name: value for name, value in EXAMPLES[number]["scene"].items() if name != "values"}
     return session.chosen(json.dumps(table)).report
@@ -42,11 +59,16 @@ def test_the_colour_of_each_pixel(page, number, axes):
     page.select_option("#across", axes[0])
     page.select_option("#upwards", axes[1])
     shown(page)
-    rng, seen = Random(str(axes)), set()
+    rng = Random(str(axes))
     places = [(rng.randrange(400), rng.randrange(400)) for _ in range(150)]
     drawn = page.evaluate(DRAWN, places)
     assert [name for name, *_ in drawn["ranges"]] == list(axes)
-    words, report = dict(drawn["key"]), report_of(number)
+    assert pixels_agree(report_of(number), places, drawn)
+
+
+def pixels_agree(report, places, drawn):
+    """How often each colour was seen, and the library says what it says."""
+    words, seen = dict(drawn["key"]), Counter()
     for place, colour in zip(places, drawn["colours"], strict=True):
         word = words.get(colour, "unknown")              # else the cross, or a dot
         if word == "unknown":
@@ -61,8 +83,57 @@ def test_the_colour_of_each_pixel(page, number, axes):
             assert word == "nowhere", values
         else:
             assert verdict in AGREE[word], (word, verdict, values)
-        seen.add(word)
-    assert seen
+        seen[word] += 1
+    return seen
+
+
+@pytest.mark.parametrize("name", WITHIN)
+def test_each_function_has_a_bound_of_its_error(page, name):
+    """Of a difference that loses digits, at numbers that are no doubles, near the ends of its domain too."""
+    rng, (low, high) = Random(name), WITHIN[name]
+    questions, exact = [], []
+    for n in range(200):
+        big = Fraction(rng.randint(1, 10**20), rng.randint(1, 10**20)) * 10**rng.choice([0, 0, 6])
+        x = low + (high - low) * Fraction(rng.randint(1, 10**9), 10**9)
+        if n % 4 == 0:
+            x = rng.choice([low, high]) + (low + high - 2 * x) / 10**rng.randint(1, 16)
+        power = Fraction(rng.choice(["1/2", "1/3", "-2/3", "5/2"]))
+        steps = [["name", "a"], ["name", "b"], ["subtract", 0, 1],
+                 [name, 2, float(power)] if name == "power" else [name, 2]]
+        questions.append([steps, {"a": float(big + x), "b": float(big)}])
+        with mp.workdps(60):
+            x = mpf(x.numerator) / x.denominator
+            inside = low < x and (high == 9 or x < high) or name not in BOUNDED
+            exponent = mpf(power.numerator) / power.denominator
+            value = x**exponent if name == "power" else getattr(mp, name)(x)
+            exact.append(value if inside else None)
+    known = 0
+    for (value, error), truth in zip(page.evaluate(BOUNDS, questions), exact, strict=True):
+        if not isfinite(bound := float(error.replace("Infinity", "inf"))):
+            continue
+        known += 1
+        with mp.workdps(60):
+            assert truth is not None and abs(mpf(value) - truth) <= bound, (value, error, truth)
+    assert known > 120
+
+
+@pytest.mark.parametrize("field", [
+    "-4*tan(k3)^2 - asin(k3)/3", "4*acos(k3)*k3 - atan(2*k3)", "-3*cosh(2*k3) + acosh(k3 + 2)",
+    "4*tanh(3*k3)^2 - asinh(k3)", "-3*sinh(k3)^2 - atanh(k3/2)", "m0/(2 - k3) - 9*k3^3"])
+def test_fields_of_every_function_have_a_chart(page, field):
+    """The colours of an inclined rotation are the library's verdicts, and most pixels have one."""
+    picked(page, 3)
+    assert typed(page, "potential", field)[1] == ""
+    page.select_option("#across", "k3")
+    page.select_option("#upwards", "omega")
+    shown(page)
+    rng = Random(field)
+    places = [(rng.randrange(400), rng.randrange(400)) for _ in range(60)]
+    drawn = page.evaluate(DRAWN, places)
+    scene = {**EXAMPLES[3]["scene"], "potential": field}
+    scene.pop("values")
+    agreed = pixels_agree(session.chosen(json.dumps(scene)).report, places, drawn)
+    assert sum(agreed.values()) > 50 and {"stable", "unstable"} <= set(agreed)
 
 
 def test_a_click_sets_the_point_and_keys_move_it(page):

@@ -87,11 +87,13 @@ def test_the_boundary_is_where_the_verdict_changes(number):
 
 
 def test_what_is_not_drawn_is_said():
-    """Numbers bound to each other, an axis that nothing depends on, a function that is not known here."""
+    """Numbers bound to each other, an axis that nothing depends on, a number beyond doubles."""
     assert "bound to each other" in asked("charted", EXAMPLES[8], ["k1", "I1"])["why"]
+    directed = {**EXAMPLES[8], "direction": ["stereographic"]}
+    assert {"u1", "u2"} <= set(asked("charted", directed, ["u1", "u2"])["names"])
     assert "I3 has no axis" in asked("charted", EXAMPLES[1], ["I3", "I1"])["why"]
-    curved = {**EXAMPLES[0], "potential": "m0*tan(k3)", "spin": "pi3_0", "equilibrium": "E3"}
-    assert "tan" in asked("charted", curved, ["I1", "omega"])["why"]
+    large = {**EXAMPLES[0], "potential": "1e400*k3"}
+    assert "larger than any double" in asked("charted", large, ["I1", "l"])["why"]
     assert "needs a field that is given" in asked("moving", EXAMPLES[1])["why"]
     assert asked("edges", {**EXAMPLES[0], "values": {**EXAMPLES[0]["values"], "m0": "sqrt(2)"}}, ["I1", "l"],
                  ENDS)["points"] == []
