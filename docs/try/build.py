@@ -20,7 +20,7 @@ from typing import Any
 from linked import linked
 
 HERE = Path(__file__).parent
-MODULES = ("session.py", "copies.py", "every.py", "programs.py", "typeset.py", "examples.json")
+MODULES = ("session.py", "copies.py", "every.py", "programs.py", "edges.py", "typeset.py", "examples.json")
 INTERPRETER = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm")
 
 

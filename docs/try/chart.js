@@ -8,13 +8,14 @@ const COLOURS = ["unknown", "stable", "unstable", "open", "nowhere"];
 export class Chart {
   // place: the section; ask(want, more): of the library; set(name, text): a number of the page
   constructor(place, ask, set) {
-    Object.assign(this, { place, ask, set, loads: 0 });
+    Object.assign(this, { place, ask, set, loads: 0, axes: ["", ""], wanted: [], decided: [{}, ""] });
     const find = (name) => place.querySelector(name);
     [this.canvas, this.across, this.upwards, this.why] = ["canvas", "#across", "#upwards", "#no-chart"].map(find);
     this.picture = new OffscreenCanvas(SIZE, SIZE);
     this.worker = new Worker("chart-worker.js", { type: "module" });
     this.worker.onmessage = ({ data }) => this.come(data);
-    this.across.onchange = this.upwards.onchange = () => this.load();
+    this.across.onchange = () => this.turned(0);
+    this.upwards.onchange = () => this.turned(1);
     this.canvas.onpointerdown = (event) => this.pointed(event);
     this.canvas.onkeydown = (event) => this.moved(event);
     this.inks();
@@ -24,22 +25,34 @@ export class Chart {
     };
   }
 
+  // The names are those of another equilibrium, until it is chosen.
+  leave() {
+    this.ready = false;
+  }
+
   // Another equilibrium: its names, the first two chosen where the old ones are none of them.
   async choose(names, values) {
     this.values = values;
     for (const [n, select] of [this.across, this.upwards].entries()) {
-      const old = select.value;
+      const old = this.wanted[n] ?? select.value;
       select.replaceChildren(...names.map((name) => new Option(name, name)));
       select.value = names.includes(old) ? old : names.at(n - 2) ?? "";
     }
+    this.wanted = [];
     await this.load();
   }
 
+  // Another axis; the name of the other one changes places with it.
+  turned(n) {
+    const selects = [this.across, this.upwards];
+    if (selects[n].value === this.axes[1 - n]) selects[1 - n].value = this.axes[n];
+    this.load();
+  }
+
   async load() {
-    this.ready = false;
+    this.leave();
     this.axes = [this.across.value, this.upwards.value];
-    const same = this.axes[0] && this.axes[0] === this.axes[1];
-    const chart = same ? { why: "a chart has two different names" } : await this.ask("charted", [this.axes]);
+    const chart = await this.ask("charted", [this.axes]);
     if (!chart) return;
     this.why.textContent = chart.why ?? chart.error ?? "";
     this.place.classList.toggle("none", Boolean(this.why.textContent));
@@ -59,13 +72,20 @@ export class Chart {
     });
   }
 
+  // What the library decides, where the cross is.
+  say(values, word) {
+    this.decided = [values, word];
+    if (!this.shown) return;
+    this.place.querySelector("#here").textContent = `${this.axes.map((n) => `${n} = ${values[n]}`).join(", ")}: ${word}`;
+  }
+
   // Numbers have changed.
   follow() {
     if (!this.ready) return;
     this.drawnEdges = [];
     const numbers = Object.fromEntries(this.names.map((name) => [name, this.values(name)]));
     if (this.names.some((name) => !this.axes.includes(name) && !Number.isFinite(numbers[name]))) {
-      this.why.textContent = "a picture needs decimals or fractions, such as 1.25 or 5/4; the verdict does not";
+      this.why.textContent = "a picture needs numbers";
       return;
     }
     this.why.textContent = "";
@@ -84,6 +104,7 @@ export class Chart {
   come({ pixels, ends, load }) {
     if (load !== this.loads) return;                    // of another chart
     this.shown = ends;
+    this.say(...this.decided);
     this.picture.getContext("2d").putImageData(new ImageData(pixels, SIZE), 0, 0);
     this.draw();
   }

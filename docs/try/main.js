@@ -3,11 +3,12 @@ import { Analyser, LIMIT } from "./analyser.js";
 import { Chart } from "./chart.js";
 import { asGiven, given, MADE, making } from "./made.js";
 import { Nearby } from "./motion.js";
-import { element, number, shown, sliders, verdict } from "./page.js";
+import { element, heard, number, placed, shown, sliders, verdict, word } from "./page.js";
 
 const STEPS = ["interpreter", "packages", "library", "ready"];
 const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
   library: "the library is loading", ready: "ready" };
+const PLAIN = /^-?[\d.]+([*/][\d.]+)*$/;
 const TEXTS = ["potential", "orbit", "inertia", "gyrostatic_momentum"];
 const at = (id) => document.getElementById(id);
 
@@ -46,8 +47,11 @@ function busy(more) {
 
 async function working(what) {
   busy(1);
-  await what();
-  busy(-1);
+  try {
+    await what();
+  } finally {
+    busy(-1);
+  }
 }
 
 function notice(text) {
@@ -78,7 +82,14 @@ function filled(table) {
     .map((name) => [name, asGiven(table[name])]));
   state.spin = at("spin").value = table.spin ?? "pi3_0";
   state.values = { ...table.values };
+  at("example").selectedIndex = examples.findIndex((example) => described(example.scene) === described(table));
+  at("source").textContent = examples[at("example").selectedIndex]?.source ?? "";
 }
+
+// A scene without its values, to tell whether two are the same.
+const described = ({ potential, orbit, inertia, gyrostatic_momentum, equilibrium, spin, ...made }) => JSON.stringify([potential,
+  asGiven(orbit), asGiven(inertia), asGiven(gyrostatic_momentum), equilibrium, spin ?? "pi3_0",
+  ...Object.keys(MADE).map((name) => asGiven(made[name]))]);
 
 const analyse = () => working(async () => {
   remember();
@@ -95,6 +106,8 @@ const analyse = () => working(async () => {
   shown(at("point"), found.point ?? []);
   shown(at("conditions"), found.conditions ?? []);
   at("opened").hidden = !found.open;
+  chart.leave();
+  nearby.leave();
   sliders(at("values"), found.names, state.values, follow);
   await decide();
   chart.choose(found.axes, (name) => number(state.values[name] ?? ""));
@@ -109,6 +122,15 @@ function follow() {
   decide();
 }
 
+// The same spin by its momentum, or by its rate: pi3_0 = I3 omega3_0.
+function spun(values) {
+  const { I3, omega3_0: rate, pi3_0: momentum } = values;
+  const plain = (...texts) => texts.every((text) => PLAIN.test(text));
+  if (rate === `${momentum}/${I3}` || momentum === `${rate}*${I3}`) return;
+  if (state.spin === "omega3_0" && plain(momentum, I3)) values.omega3_0 = `${momentum}/${I3}`;
+  if (state.spin === "pi3_0" && plain(rate, I3)) values.pi3_0 = `${rate}*${I3}`;
+}
+
 // A number is set by a picture.
 function changed(name, text) {
   const input = at(`value-${name}`);
@@ -118,12 +140,18 @@ function changed(name, text) {
 
 const decide = () => working(async () => {
   remember();
-  const found = await analyser.ask("decided", scene());
+  const asked = scene(), found = await analyser.ask("decided", asked);
   if (!found) return;
   at("wrong").textContent = found.error ?? "";
   at("verdict").classList.toggle("stale", Boolean(found.error));
   if (found.error) return;
-  verdict(at("verdict"), found);
+  verdict(at("verdict"), at("reasons"), found);
+  if (found.verdict) chart.say(asked.values, word(found.verdict));
+  if (heard(asked.values, found.doubles)) {
+    placed(at("values"));
+    chart.follow();
+    nearby.restart();
+  }
   if (at("opened").open && !at("opened").hidden) await openBetween();
 });
 
@@ -168,7 +196,7 @@ function remember() {
 function restoring() {
   const table = scene(), pairs = TEXTS.map((name) => [name, at(name).value]);
   pairs.push(...Object.entries(given(state)));
-  pairs.push(["spin", table.spin], ...Object.entries(table.values).map(([name, text]) => ["set", `${name}=${text}`]));
+  pairs.push(["axes", chart.axes.join()], ["spin", table.spin], ...Object.entries(table.values).map(([name, text]) => ["set", `${name}=${text}`]));
   return new URLSearchParams(pairs);
 }
 
@@ -179,6 +207,7 @@ function restored() {
   const table = { potential: hash.get("potential"), values: Object.fromEntries(values) };
   for (const name of ["inertia", "gyrostatic_momentum"]) if (hash.has(name)) table[name] = list(hash.get(name));
   for (const name of ["equilibrium", "spin", "orbit", ...Object.keys(MADE)]) if (hash.get(name)) table[name] = hash.get(name);
+  if (hash.get("axes")) chart.wanted = hash.get("axes").split(",");
   return table;
 }
 
@@ -188,7 +217,9 @@ const copy = (kind) => working(async () => {
   at("copied").value = text;
   at("copied").hidden = false;
   at("copied").rows = Math.min(text.split("\n").length, 14);
-  at("said").textContent = await navigator.clipboard?.writeText(text).then(() => "copied", () => "") ?? "";
+  at("copied").scrollIntoView({ block: "nearest" });
+  const done = `${document.querySelector(`[data-copy=${kind}]`).textContent}: copied`;
+  at("said").textContent = await navigator.clipboard?.writeText(text).then(() => done, () => "") ?? "";
 });
 
 let typed;
@@ -196,6 +227,7 @@ for (const name of [...TEXTS, "made"]) {
   at(name).oninput = () => {
     if (name === "made") state.made[at(name).name] = at(name).value;
     at("example").selectedIndex = -1;                   // what is typed is another scene
+    at("source").textContent = "";
     if (!typed) busy(1);
     clearTimeout(typed);
     typed = setTimeout(() => { typed = undefined; notice(""); analyse(); busy(-1); }, 300);
@@ -203,16 +235,14 @@ for (const name of [...TEXTS, "made"]) {
 }
 at("opened").ontoggle = () => { if (at("opened").open) openBetween(); };
 at("ask").onsubmit = () => false;
-at("spin").onchange = () => { state.spin = at("spin").value; analyse(); };
+at("spin").onchange = () => { state.spin = at("spin").value; spun(state.values); analyse(); };
 at("derivation").ontoggle = () => { if (at("derivation").open) derive(); };
 at("example").append(...examples.map(({ title }, n) => element("option", { value: n }, title)));
 at("example").onchange = () => { filled(examples[at("example").value].scene); notice(""); analyse(); };
 for (const button of document.querySelectorAll("[data-copy]")) button.onclick = () => copy(button.dataset.copy);
 window.onhashchange = () => {
-  at("example").selectedIndex = -1;
   filled(restored());
   analyse();
 };
-if (location.hash) at("example").selectedIndex = -1;
 filled(restored());
 analyse();

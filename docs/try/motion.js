@@ -18,7 +18,10 @@ export class Nearby {
     const find = (name) => place.querySelector(name);
     [this.canvas, this.push, this.button, this.more, this.why, this.state] = ["canvas", "#push", "button", "#more",
       "#no-motion", "#state"].map(find);
-    this.push.oninput = () => this.restart();
+    this.push.oninput = () => {
+      find("#turned").textContent = this.push.value;
+      this.restart();
+    };
     this.button.onclick = () => this.run(!this.running);
     this.canvas.onpointermove = ({ buttons, movementX, movementY }) => {
       if (buttons) this.turn(movementX / 100, movementY / 100);
@@ -29,6 +32,11 @@ export class Nearby {
       event.preventDefault();
       this.turn(...turns);
     };
+  }
+
+  // The names are those of another equilibrium, until it is chosen.
+  leave() {
+    this.rates = null;
   }
 
   // Another equilibrium: its equations; the numbers that a verdict does not need have their own sliders.
@@ -61,7 +69,7 @@ export class Nearby {
     const at = start.slice(last), quiet = at.map(Math.abs), axis = quiet.indexOf(Math.min(...quiet));
     if (![...Object.values(numbers), ...start].every(Number.isFinite) || !Math.hypot(...at)) {
       this.motion = null;
-      return this.refuse("a motion needs decimals or fractions, such as 1.25 or 5/4, of an equilibrium that exists");
+      return this.refuse("a motion needs numbers, and an equilibrium that exists there");
     }
     this.refuse();
     for (let n = last ? 3 : 0; n <= last; n += 3) {

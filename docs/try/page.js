@@ -31,7 +31,7 @@ export function shown(place, blocks) {
 }
 
 // A list that scrolls by itself, each equilibrium in the colour of its verdict.
-function every(place, all) {
+function every(place, reasons, all) {
   const list = element("ol", { className: "reasons", tabIndex: 0, ariaLabel: "equilibria" });
   list.append(...all.map(({ verdict: found, blocks }) => {
     const item = element("li", { className: found.toLowerCase() });
@@ -40,25 +40,36 @@ function every(place, all) {
   }));
   place.className = "every";
   place.replaceChildren(
-    element("p", { className: "badge" }, `${all.length} equilibri${all.length === 1 ? "um" : "a"}`), list);
+    element("p", { className: "badge" }, `${all.length} equilibri${all.length === 1 ? "um" : "a"}`));
+  reasons.replaceChildren(list);
 }
 
-export function verdict(place, { verdict: found, found: all, damped, blocks }) {
-  if (all) return every(place, all);
+// The word in its place, why in another.
+export function verdict(place, reasons, { verdict: found, found: all, damped, blocks }) {
+  if (all) return every(place, reasons, all);
   const [sign, word] = WORDS[found];
   place.className = found.toLowerCase();
   place.replaceChildren(
     element("p", { className: "badge" }, element("span", { ariaHidden: "true" }, sign), ` ${word}`),
     element("p", { className: "damped" }, `under internal damping: ${damped.toLowerCase()}`));
-  const reasons = element("div", { className: "reasons" });
   shown(reasons, blocks);
-  place.append(reasons);
 }
 
-// A number of a text, 1/2 too; NaN of what is none.
+export const word = (found) => WORDS[found][1].toLowerCase();
+
+// The double nearest to a text; of another text than 1.25 or 1/2 what the library has said. NaN of what is none.
+const said = new Map();
 export function number(text) {
-  const [above, below = "1"] = text.split("/");
-  return text.trim() && Number(above) / Number(below);
+  const [above, below = "1", more] = text.split("/");
+  const value = text.trim() && !more ? Number(above) / Number(below) : NaN;
+  return Number.isNaN(value) ? said.get(text) ?? value : value;
+}
+
+// What the library says of texts; whether it tells anything.
+export function heard(values, doubles) {
+  const told = Object.entries(doubles).filter(([name]) => Number.isNaN(number(values[name])));
+  for (const [name, value] of told) said.set(values[name], value);
+  return told.length > 0;
 }
 
 function ends(name, value) {
@@ -70,17 +81,24 @@ function ends(name, value) {
 
 // A row for each name: its symbol, a text that is exact, a slider. changed() after each change of values.
 export function sliders(place, names, values, changed) {
-  place.replaceChildren(...names.map(({ name, tex }) => {
+  place.replaceChildren(...names.map(({ name, tex, meaning }) => {
     values[name] ??= START[name] ?? "1";
     const [min, max] = ends(name, number(values[name]));
     const text = element("input", { id: `value-${name}`, value: values[name], size: 8, maxLength: 500,
       spellcheck: false, autocomplete: "off" });
     const slider = element("input", { type: "range", min, max, step: 0.01, ariaLabel: `${name}, slider` });
-    const follow = () => { if (Number.isFinite(number(text.value))) slider.value = number(text.value); };
-    follow();
-    text.oninput = () => { values[name] = text.value; follow(); changed(); };
+    text.oninput = () => { values[name] = text.value; placed(place); changed(); };
     slider.oninput = () => { values[name] = text.value = slider.value; changed(); };
     const label = element("label", { htmlFor: text.id, title: name }, formula(tex));
-    return element("div", { className: "value" }, label, text, slider);
+    return element("div", { className: "value" }, label, text, slider, element("small", {}, meaning));
   }));
+  placed(place);
+}
+
+// Sliders where their texts are.
+export function placed(place) {
+  for (const row of place.querySelectorAll(".value")) {
+    const value = number(row.querySelector("[id]").value);
+    if (Number.isFinite(value)) row.querySelector("[type=range]").value = value;
+  }
 }

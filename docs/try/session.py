@@ -7,8 +7,9 @@ from importlib import import_module
 from typing import Any
 
 from copies import latex, program, scene_file
-from programs import charted, edges, moving
-from typeset import typeset
+from edges import edges
+from programs import charted, doubles, moving
+from typeset import named, typeset
 
 import gyrostat as gs
 from gyrostat.algebra.grammar import parse
@@ -21,11 +22,9 @@ from gyrostat.mechanics.family import Family
 from gyrostat.mechanics.reduction import reducible
 from gyrostat.mechanics.scene_tables import SceneTable
 from gyrostat.mechanics.system import System, names_of_scene
-from gyrostat.notation import symbol
 from gyrostat.printing.boundary import undecided
 from gyrostat.printing.decision import damped_block, decision_blocks, reason_block
 from gyrostat.printing.document import conditions_blocks, point_blocks, report_blocks, whole_blocks
-from gyrostat.printing.latex import tex
 from gyrostat.printing.names import Names
 from gyrostat.stability.report import Report
 
@@ -180,7 +179,7 @@ def _analysed(asked: Chosen, _: Mapping[str, str]) -> Data:
                   "open": undecided(asked.report) and not asked.report.between,
                   "point": typeset(point_blocks(asked.equilibrium)),
                   "conditions": typeset(conditions_blocks(asked.report)[1:])}
-    return {**found, "names": [{"name": name, "tex": tex(symbol(name), names)} for name in asked.names],
+    return {**found, "names": [named(name, names) for name in asked.names],
             "axes": [] if asked.every else list(asked.report.required)}
 
 
@@ -189,9 +188,10 @@ def _decided(asked: Chosen, given: Mapping[str, str]) -> Data:
     values = _own(asked, given)
     if asked.every:
         found = import_module("every").listed(asked.scene, values)
-        return {"found": [{"verdict": verdict, "blocks": typeset(blocks)} for verdict, blocks in found]}
+        return {"found": [{"verdict": verdict, "blocks": typeset(blocks)} for verdict, blocks in found],
+                "doubles": doubles(values)}
     decision, damped = asked.report.verdict(values), asked.report.verdict(values, damped=True)
-    return {"verdict": decision.verdict.name, "damped": damped.verdict.name,
+    return {"verdict": decision.verdict.name, "damped": damped.verdict.name, "doubles": doubles(values),
             "blocks": typeset([*decision_blocks(decision, asked.equilibrium.at), reason_block(decision),
                                damped_block(decision, damped)])}
 
@@ -232,8 +232,7 @@ def _bounded(asked: Chosen, given: Mapping[str, str], axes: Sequence[str],
 def _moving(asked: Chosen, _: Mapping[str, str]) -> Data:
     """What the page computes of a motion, the numbers that it needs as they are written."""
     found, names = {"why": ONE} if asked.every else moving(asked.report), Names()
-    listed = [{"name": name, "tex": tex(symbol(name), names)} for name in found.get("names", ())]
-    return {**found, "names": listed}
+    return {**found, "names": [named(name, names) for name in found.get("names", ())]}
 
 
 def _own(asked: Chosen, given: Mapping[str, str]) -> dict[str, str]:

@@ -4,11 +4,18 @@ from typing import Any
 
 from sympy import MatrixBase
 
+from gyrostat.notation import NOTATION, symbol
 from gyrostat.printing.article import NARROW, inline
 from gyrostat.printing.blocks import Block, Display, Heading, Rows
 from gyrostat.printing.latex import display, tex
 from gyrostat.printing.linebreaks import broken, width
 from gyrostat.printing.names import Names
+
+
+def named(name: str, names: Names) -> dict[str, str]:
+    """A symbol, how it is set, and what it is."""
+    return {"name": name, "tex": tex(symbol(name), names),
+            "meaning": NOTATION[name].meaning if name in NOTATION else ""}
 
 
 def typeset(blocks: Iterable[Block]) -> list[dict[str, Any]]:

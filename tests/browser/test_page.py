@@ -14,8 +14,11 @@ def test_the_first_verdict_stands_below_rumiantsevs_condition(page):
     """Typeset, with its reason; what loads is said no more."""
     assert shown(page) == ("Stable", "")
     assert r"\left(I_3 \omega_3^0 + l\right)^{2} > 4 I_1 m_0" in latex(page, "conditions")
-    assert "on the boundary" in page.inner_text("#verdict")
-    assert "2 growing modes" in page.inner_text("#verdict")
+    assert "the second variation is definite" in page.inner_text("#reasons")
+    assert "Rumiantsev 1961" in page.inner_text("#source")
+    assert typed(page, "value-omega3_0", "1.25") == ("Stable", "")
+    reasons = page.inner_text("#reasons")
+    assert "on the boundary" in reasons and "2 growing modes" in reasons
     assert page.is_hidden("#starting") and page.is_hidden("#notice")
 
 
@@ -46,13 +49,36 @@ def test_a_slider_changes_the_verdict_and_its_reason(page):
     """By the mouse's events, and by keys; the text beside it follows."""
     slider = page.locator(".value:has(#value-omega3_0) input[type=range]")
     slider.evaluate(TWO_NUMBERS % "1.2")
-    assert shown(page)[0] == "Unstable" and "positive real part" in page.inner_text("#verdict")
+    assert shown(page)[0] == "Unstable" and "positive real part" in page.inner_text("#reasons")
     assert page.input_value("#value-omega3_0") == "1.2"
     slider.focus()
     for _ in range(6):
         page.keyboard.press("ArrowRight")
     assert shown(page)[0] == "Stable" and page.input_value("#value-omega3_0") == "1.26"
     assert typed(page, "value-omega3_0", "5/4") == ("Stable", "") and slider.input_value() == "1.25"
+
+
+def test_a_number_that_is_no_fraction_has_its_place(page):
+    """Slider, chart and motion follow roots and pi; on the boundary too."""
+    for text, place in (("sqrt(2)", "1.41"), ("pi", "3.14"), ("sqrt(25/16)", "1.25"), ("5/2/2", "1.25")):
+        assert typed(page, "value-omega3_0", text) == ("Stable", "")
+        slider = page.locator(".value:has(#value-omega3_0) input[type=range]")
+        assert slider.input_value() == place
+        page.wait_for_selector(f"#chart[aria-label*='omega3_0 = {place[:3]}']")
+        assert page.inner_text("#no-chart") == page.inner_text("#no-motion") == ""
+        assert page.inner_text("#here").endswith(f"omega3_0 = {text}: stable")
+
+
+def test_another_way_to_give_the_spin_keeps_it(page):
+    """π3 = I3 ω3, as it is written; there and back."""
+    assert typed(page, "value-omega3_0", "1.2") == ("Unstable", "")
+    for spin, name, text in (("pi3_0", "pi3_0", "1.2*1.6"), ("omega3_0", "omega3_0", "1.2")):
+        page.select_option("#spin", spin)
+        assert shown(page) == ("Unstable", "") and page.input_value(f"#value-{name}") == text
+    typed(page, "value-I3", "2")
+    page.select_option("#spin", "pi3_0")
+    shown(page)
+    assert page.input_value("#value-pi3_0") == "1.2*2"
 
 
 def test_a_field_of_ones_own(page):
@@ -95,13 +121,17 @@ def test_a_link_restores_what_is_on_the_page(page, context):
     """In another tab: scene, equilibrium, numbers as they were typed, verdict."""
     picked(page, 3)
     typed(page, "value-omega", "sqrt(2)/3")
+    page.select_option("#across", "I1")
+    page.select_option("#upwards", "k3")
+    shown(page)
     page.click("[data-copy=link]")
     verdict = shown(page)
     other = context.new_page()
     other.goto(page.input_value("#copied"))
     other.wait_for_selector("body[aria-busy=false] .badge")
     assert shown(other) == verdict
-    for field in ("potential", "inertia", "gyrostatic_momentum", "value-omega", "value-k3"):
+    for field in ("potential", "inertia", "gyrostatic_momentum", "value-omega", "value-k3", "example",
+                  "across", "upwards"):
         assert other.input_value(f"#{field}") == page.input_value(f"#{field}")
     assert latex(other, "conditions") == latex(page, "conditions") and other.is_checked("input[value=E3]")
     other.close()

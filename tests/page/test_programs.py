@@ -91,6 +91,7 @@ def test_what_is_not_drawn_is_said():
     assert "bound to each other" in asked("charted", EXAMPLES[8], ["k1", "I1"])["why"]
     directed = {**EXAMPLES[8], "direction": ["stereographic"]}
     assert {"u1", "u2"} <= set(asked("charted", directed, ["u1", "u2"])["names"])
+    assert "two different names" in asked("charted", EXAMPLES[0], ["I1", "I1"])["why"]
     assert "I3 has no axis" in asked("charted", EXAMPLES[1], ["I3", "I1"])["why"]
     large = {**EXAMPLES[0], "potential": "1e400*k3"}
     assert "larger than any double" in asked("charted", large, ["I1", "l"])["why"]
