@@ -26,7 +26,7 @@ def test_a_satellite_is_earth_pointing_and_turned(page):
     assert typed(page, "made", "1, 2, 3") == ("Stable", "")
     page.check("input[value=every]")
     assert shown(page) == ("equilibria", "") and page.inner_text(".badge") == "24 equilibria"
-    assert page.inner_text("#verdict").count("equilibrium in orbit at") == 24
+    assert page.inner_text("#reasons").count("equilibrium in orbit at") == 24
 
 
 def test_what_is_typed_is_no_example_any_more(page):
