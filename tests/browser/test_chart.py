@@ -11,7 +11,7 @@ import session
 from driving import picked, shown, typed
 from mpmath import mp, mpf
 
-import gyrostat as gs
+from gyrostat.errors import GyrostatError
 
 EXAMPLES = json.loads((Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))
 DRAWN = """places => new Promise(done => setTimeout(() => {
@@ -79,7 +79,7 @@ def pixels_agree(report, places, drawn):
             values[name] = str(Fraction(float(low) + (float(high) - float(low)) * share))
         try:
             verdict = report.verdict(values).verdict.name
-        except gs.GyrostatError:
+        except GyrostatError:
             assert word == "nowhere", values
         else:
             assert verdict in AGREE[word], (word, verdict, values)
