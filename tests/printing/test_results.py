@@ -5,6 +5,7 @@ from sympy import Rational, oo
 import gyrostat as gs
 from gyrostat.mechanics.reduction import reduce
 from gyrostat.printing.article import to_latex
+from gyrostat.printing.decision import decision_blocks
 from gyrostat.printing.results import result_blocks
 from gyrostat.stability.bifurcations import bifurcations
 from gyrostat.stability.kinds import KINDS
@@ -108,3 +109,14 @@ def test_what_is_long_under_a_root_has_a_name():
     report = gs.analyze(gs.inclined(gs.assemble(BODY, gs.newtonian_field(2))))
     text = " ".join(str(stabilizing_set(report, "omega")).split())
     assert "ω < −√R₄ or −√R₅ < ω < √R₅ or ω > √R₄" in text and "There: R₁ = " in text and "√R₃/(2 I₁)" in text
+
+
+@pytest.mark.parametrize("spin, said", [
+    ("1.5", "stable; a sufficient condition for stability is proved to hold"),
+    ("1.25", "stable; it is proved where the two conditions do not decide"),
+    ("1.2", "unstable; a necessary condition for stability is proved to fail")])
+def test_a_verdict_says_whether_a_condition_proves_it(spin, said):
+    """Not on the boundary, where the sufficient one fails and the necessary one holds."""
+    report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0"))
+    decision = report.verdict({"I1": 1, "I3": "1.6", "l": 0, "m0": 1, "omega3_0": spin})
+    assert said in "".join(map(str, decision_blocks(decision, report.equilibrium.at)[0].parts))

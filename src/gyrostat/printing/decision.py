@@ -12,6 +12,7 @@ from .conditions import source_word
 
 LONG = 200                                                 # characters of a margin that is shown by its name
 OF = "margin of "
+BY_CONDITION = ("second variation", "integral", "spectrum")  # rungs at which a condition holds, or fails
 
 _IN_WORDS = {Verdict.STABLE: "Stable", Verdict.UNSTABLE: "Unstable", Verdict.UNDECIDED: "Undecided"}
 _DAMPED = {(Verdict.STABLE, Verdict.STABLE): "Stable, and stays so under internal damping",
@@ -26,7 +27,7 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
     """The verdict at the numbers given."""
     modulo = (" ", *modulo_flow(decision.modulo)) if decision.modulo and decision.notion else ()
     blocks: list[Block] = [sentence(f"{of}: {_TITLES[decision.verdict]}", *modulo,
-                                    f"; {decision.verdict.value}.")]
+                                    f"; {_proved(decision)}.")]
     for margin, name, value in named_margins(decision):
         left = source_word(name, OF) if name else readable(margin)
         blocks.append(Display(left, Word(shown(value), shown(value)), at, label="value"))
@@ -40,6 +41,13 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
     if decision.note:
         blocks.append(sentence(f"Note: {decision.note}."))
     return blocks
+
+
+def _proved(decision: Decision) -> str:
+    """What is proved: one of the two conditions, or more than they say."""
+    if decision.verdict is Verdict.UNDECIDED or decision.notion == "secular" or decision.rung in BY_CONDITION:
+        return decision.verdict.value
+    return "it is proved where the two conditions do not decide"
 
 
 def reason_block(decision: Decision) -> Sentence:

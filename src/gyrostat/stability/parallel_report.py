@@ -80,7 +80,7 @@ class ParallelReport(Report):
 
     def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[Finding, tuple[Expr, ...]]:
         if holds(self.sufficient, numbers, margins):
-            return settled(True, MINIMUM), ()
+            return settled(True, MINIMUM, rung="second variation"), ()
         found, _ = self.along._decided(numbers, margins)
         if found.stable:
             return settled(None, f"where the directions stay parallel it is stable; {OTHERS}"), ()
