@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 import session
-from driving import picked, shown, typed
+from driving import picked, typed
 from programs import steps_to
 
 import gyrostat as gs

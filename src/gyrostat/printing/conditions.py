@@ -12,6 +12,7 @@ from ..stability.report import Report
 from .blocks import Block, Display, Word, modulo_flow, sentence
 from .order import inequality
 
+POLYNOMIAL = Word("λ⁴ + p λ² + q", r"⟨lamda⟩^4 + ⟨p⟩\,⟨lamda⟩^2 + ⟨q⟩")
 
 def existence(domain: Expr, at: Any) -> Display:
     """Where a family exists: abs(x) < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
@@ -74,8 +75,9 @@ def _implied(criterion: Criterion, at: Any) -> list[Block]:
         name = source_word(proof.source)
         factor = () if proof.factor == 1 else (readable(proof.factor), " ")
         identity = readable(proof.square), " + ", *factor, "(", readable(proof.by), ")"
-        blocks.append(sentence("Here ", name, " is, up to a positive factor, ", *identity,
-                               ": it adds nothing.", at=at))
+        of = (", in ", POLYNOMIAL, ",") if "p" in proof.source else ()
+        blocks.append(sentence("The condition on ", name, *of, " adds nothing: up to a positive factor it ",
+                               "is ", *identity, ".", at=at))
     return blocks
 
 

@@ -28,7 +28,7 @@ from .blocks import (
     sentence,
 )
 from .boundary import boundary_blocks
-from .conditions import criterion_blocks, existence, integral_blocks
+from .conditions import POLYNOMIAL, criterion_blocks, existence, integral_blocks
 from .drift import drift_blocks
 from .in_frame import CASIMIRS, coupling, frame_blocks, held_blocks, motion_form, parallel_blocks, space_of
 from .rotations import definition_blocks, family_blocks
@@ -191,8 +191,7 @@ def _linearization(report: Report) -> list[Block]:
         return [*blocks, sentence("Characteristic polynomial ", Word("λ² + q", r"⟨lamda⟩^2 + ⟨q⟩"), " with"),
                 Display(q, readable(values[0]), eq.at, label="q"), *_eigenvalues(linear, eq.at)]
     (p, q), (a, b) = values, (symbol("p"), symbol("q"))
-    polynomial = Word("λ⁴ + p λ² + q", r"⟨lamda⟩^4 + ⟨p⟩\,⟨lamda⟩^2 + ⟨q⟩")
-    return [*blocks, sentence("Characteristic polynomial ", polynomial, " with"),
+    return [*blocks, sentence("Characteristic polynomial ", POLYNOMIAL, " with"),
             Display(a, readable(p), eq.at, label="p"), Display(b, readable(q), eq.at, label="q"),
             Display(a**2 - 4 * b, readable(p**2 - 4 * q), eq.at, label="discriminant"),
             *_eigenvalues(linear, eq.at)]

@@ -8,12 +8,12 @@ from ..notation import symbol
 from ..stability.report import Report
 from ..stability.rotation_report import RotationReport
 from .blocks import Block, Display, Word, sentence
+from .conditions import POLYNOMIAL
 
 EQUATION = Word("∇U = ω² I k + ω l + σ k",
                 r"\nabla ⟨U⟩ = ⟨omega⟩^2 I ⟨vector_k⟩ + ⟨omega⟩ ⟨vector_l⟩ + ⟨sigma⟩ ⟨vector_k⟩")
 AMENDED = Word("U + (C₁ − l·k)²/(2 k·Ik)",
                r"⟨U⟩ + (⟨C1⟩ - ⟨vector_l⟩\cdot ⟨vector_k⟩)^2/(2\, ⟨vector_k⟩\cdot I ⟨vector_k⟩)")
-POLYNOMIAL = Word("λ⁴ + p λ² + q", r"⟨lamda⟩^4 + ⟨p⟩\,⟨lamda⟩^2 + ⟨q⟩")
 
 
 def family_blocks(eq: Equilibrium) -> list[Block]:
