@@ -211,3 +211,14 @@ def test_at_rest_no_damping_reaches_the_spin(curvature, verdict):
                          (0, 0, 0), floats([Fraction(8, 17), Fraction(0), Fraction(-15, 17)]), (0, 0, 0),
                          mp.diag(axial(Fraction(curvature)))) == 0
     assert gs.charts.verdicts(TILT, values, damped=True) == (curvature > 0)
+
+
+def test_names_that_only_the_modes_need_are_asked_for():
+    """The inertias say that a satellite is at no minimum; the count of its modes needs omega0."""
+    scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)), gs.circular_orbit())
+    report = gs.analyze(gs.earth_pointing(scene, 2, 3, 1))
+    inertias = {"I1": "3/2", "I2": 1, "I3": 1}
+    assert "omega0" not in report.secular.required
+    decision = report.verdict(inertias, damped=True)
+    assert (decision.verdict.name, decision.reason) == ("UNDECIDED", "give omega0 to decide")
+    assert report.verdict({**inertias, "omega0": 1}, damped=True).reason != decision.reason

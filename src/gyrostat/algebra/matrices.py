@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from flint import fmpq, fmpq_mpoly
+from sympy import Expr
 
 from .polynomials import Ring, Row, cancel, lcm
 
@@ -43,6 +44,14 @@ def characteristic_coefficients(ring: Ring, matrix: Sequence[Row]) -> list[fmpq_
         for i in range(size):
             power[i][i] += c
     return coefficients
+
+
+def characteristic(form: Sequence[Sequence[Expr]]) -> tuple[Expr, ...]:
+    """e1, …, en of det(λ + A) = λⁿ + e1 λⁿ⁻¹ + … + en."""
+    ring = Ring([entry for row in form for entry in row])
+    rows, bottom = ring.matrix(form)
+    return tuple(ring.quotient((-1) ** n * c, bottom**n)
+                 for n, c in enumerate(characteristic_coefficients(ring, rows), 1))
 
 
 def row_reduce(ring: Ring, rows: Sequence[Row], key: Key, columns: int) -> list[tuple[int, Row]]:

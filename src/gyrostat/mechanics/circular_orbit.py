@@ -191,8 +191,10 @@ def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: Immut
     left = [f"{name} = {shown(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
     if left:
         raise EquilibriumError(f"Earth-pointing is not an equilibrium of this body: {', '.join(left)}, and "
-                               "each has to be 0. In Python earth_pointing_gyrostat(body, orbit) gives the "
-                               "rotor that holds it, or says by which angle to turn the body first")
+                               "each has to be 0: in principal axes a rotor lies along the one that pitches, "
+                               "0, l, 0 where that is the second. In Python earth_pointing_gyrostat(body, "
+                               "orbit) gives the rotor that holds it, or the angle by which to turn the body "
+                               "first")
 
 
 def axes_of(roll: int, pitch: int, yaw: int) -> list[list[int]]:

@@ -11,8 +11,8 @@ from sympy import Add, Expr, Matrix, S, Symbol, eye
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.margins import Signs
-from ..algebra.matrices import characteristic_coefficients, cross
-from ..algebra.polynomials import Ring, lowest_terms
+from ..algebra.matrices import characteristic, cross
+from ..algebra.polynomials import lowest_terms
 from ..kept import cached_property
 from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
@@ -39,7 +39,7 @@ NO_SIGN = "a margin has no proved sign"
 class Secular:
     """The second variation with the Casimirs alone, and what it says under internal damping.
 
-    Positive definite: stable, asymptotically on its orbit if the damping reaches every motion (is pervasive).
+    Positive definite: stable, asymptotically on its orbit if the damping reaches all motions (is pervasive).
     Not degenerate, not positive, and the damping pervasive: unstable, with as many growing modes as the
     second variation has negative squares (Kelvin, Tait, Chetaev). Damping by all three components of ω
     reaches every motion but in two cases. The body turns about k with M along k, and no torque acts to first
@@ -83,9 +83,7 @@ class Secular:
     def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
         """Where the criterion is not necessary: where one of the first vanishes the second variation is
         degenerate, or the body is at rest and free to spin; where one of each of the others does, the damping
-        does not reach every motion of k.
-
-        In normal form, () for what vanishes nowhere.
+        does not reach every motion of k. In normal form, () for what vanishes nowhere.
         """
         singular = self._coefficients[-1] if self._coefficients else S.One
         values = (singular * self._rest if self.variation.modulo else singular, *self._torques)
@@ -109,12 +107,21 @@ class Secular:
         """
         known = seen(self.equilibrium) or seen_at(self.equilibrium, numbers)
         if known is None:
-            return *self._decided(numbers, margins), self.criterion.modulo
+            return *self._counted(numbers, margins), self.criterion.modulo
         standard = secular_of(known.equilibrium)
         if missing := ", ".join(name for name in standard.required if symbol(name) not in numbers):
             return None, known.worded(f"give {missing} to decide"), None, known.modulo
-        stable, why, growing = standard._decided(numbers, margins)
+        stable, why, growing = standard._counted(numbers, margins)
         return stable, known.worded(why), growing, known.modulo
+
+    def _counted(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Growing:
+        """As far as the numbers go: modes may need names that the criterion does not."""
+        try:
+            return self._decided(numbers, margins)
+        except KeyError as lacking:
+            if not isinstance(lacking.args[0], Symbol):
+                raise
+            return None, f"give {lacking.args[0]} to decide", None
 
     def _decided(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Growing:
         least = holds(self.criterion, numbers, margins)
@@ -227,14 +234,6 @@ class Secular:
 def secular_of(eq: Equilibrium) -> Secular:
     """What internal damping makes of an equilibrium, derived once."""
     return Secular(eq)
-
-
-def characteristic(form: Sequence[Sequence[Expr]]) -> tuple[Expr, ...]:
-    """e1, …, en of det(λ + A) = λⁿ + e1 λⁿ⁻¹ + … + en."""
-    ring = Ring([entry for row in form for entry in row])
-    rows, bottom = ring.matrix(form)
-    return tuple(ring.quotient((-1) ** n * c, bottom**n)
-                 for n, c in enumerate(characteristic_coefficients(ring, rows), 1))
 
 
 def _changes(signs: Sequence[int | None]) -> int:

@@ -3,6 +3,7 @@ from collections.abc import Mapping
 
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
+from ..algebra.matrices import characteristic
 from ..algebra.polynomials import lowest_terms
 from ..kept import cached_property
 from ..mechanics.circular_orbit import in_orbit, orbital_rate
@@ -11,7 +12,7 @@ from ..mechanics.liepoisson import hat
 from .criteria import stiffness
 from .orientation_form import orientation_form, rests_in_frame
 from .secular import OUT_OF_REACH as UNMOVED
-from .secular import Growing, Secular, characteristic
+from .secular import Growing, Secular
 
 OUT_OF_REACH = ("the damping does not reach every motion: the body may turn about an axis that is tilted "
                 "against the normal of the orbit, its rate constant in its axes")
