@@ -16,13 +16,14 @@ from gyrostat.mechanics.system import System
 from gyrostat.printing.article import article
 from gyrostat.printing.blocks import Block
 from gyrostat.printing.names import Paper
+from gyrostat.printing.symbols import occurring, symbol_rows
 
 _PRINTER = StrPrinter({"sympy_integers": True})        # 1/3 is S(1)/3
 
 
-def latex(blocks: Sequence[Block]) -> str:
-    """Conditions, or equilibria, as they stand in a paper."""
-    return article("", blocks, Paper(fragment=True))
+def latex(scene: System, blocks: Sequence[Block]) -> str:
+    """Conditions, or equilibria, as they stand in a paper, and what their symbols are."""
+    return article("", [*blocks, symbol_rows(scene, occurring(blocks))], Paper(fragment=True))
 
 
 def scene_file(table: Mapping[str, Any], values: Mapping[str, str]) -> str:

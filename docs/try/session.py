@@ -215,7 +215,7 @@ def _copied(asked: Chosen, given: Mapping[str, str]) -> Data:
              "scene": scene_file(table, values)}
     blocks = ([block for _, its in import_module("every").listed(asked.scene, values) for block in its]
               if asked.every else conditions_blocks(asked.report))
-    return {"latex": latex(blocks), **found}
+    return {"latex": latex(asked.scene, blocks), **found}
 
 
 def _charted(asked: Chosen, _: Mapping[str, str], axes: Sequence[str]) -> Data:

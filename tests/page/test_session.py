@@ -35,6 +35,13 @@ def answered(want, scene):
     return json.loads(session.answer(json.dumps({"want": want, "scene": scene, "more": MORE.get(want, ())})))
 
 
+def test_the_latex_says_what_its_symbols_are():
+    """The field, its letters, the rate."""
+    copied = answered("copied", TOP)["latex"]
+    for said in ("potential, $U$ = $m_0 k_3$", "$m_0$ & weight times height", r"$\omega_3^0$ & body rate"):
+        assert said in copied
+
+
 def test_rumiantsevs_condition_is_what_the_first_example_shows():
     """In LaTeX, with the names that a verdict needs."""
     found = answered("analysed", TOP)
