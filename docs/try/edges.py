@@ -1,4 +1,4 @@
-"""The boundary of a chart: the real zeros of its margins, column by column, in exact polynomials."""
+"""The boundary of a chart: the real zeros of its margins along columns and rows, in exact polynomials."""
 from collections.abc import Mapping, Sequence
 
 from flint import fmpq, fmpq_poly
@@ -11,12 +11,12 @@ from gyrostat.notation import symbol
 from gyrostat.stability.report import Report
 from gyrostat.stability.truth import Relation, truth
 
-COLUMNS = 96
+LINES = 64                                             # each way
 
 
 def edges(report: Report, values: Mapping[str, str], axes: Sequence[str],
           ends: Sequence[Sequence[str]]) -> Data:
-    """Where the verdict changes in some columns of a chart: the real zeros of the margins along each.
+    """Where the verdict changes along some columns and rows of a chart: the real zeros of the margins there.
 
     Parameters
     ----------
@@ -35,34 +35,44 @@ def edges(report: Report, values: Mapping[str, str], axes: Sequence[str],
     margins = dict.fromkeys((*demands(report), *expressions(report.sufficient),
                              *expressions(report.necessary)))
     numbers = {symbol(name): exact_number(text, name) for name, text in values.items() if name not in axes}
-    planes = {margin: _plane(margin.xreplace(numbers), *map(symbol, axes)) for margin in margins}
+    known = [margin.xreplace(numbers) for margin in margins]
+    across, upwards = ([_rational(exact_number(end, "end")) for end in pair] for pair in ends)
+    x, y = map(symbol, axes)
+    columns = _along(report, dict(zip(margins, (_plane(margin, x, y) for margin in known))), across, upwards)
+    rows = _along(report, dict(zip(margins, (_plane(margin, y, x) for margin in known))), upwards, across)
+    return {"points": [*columns, *([x, y] for y, x in rows)]}
+
+
+def _along(report: Report, planes: Mapping[Expr, list[fmpq_poly] | None], ends: Sequence[fmpq],
+           within: Sequence[fmpq]) -> list[list[float]]:
+    """The points on lines of one name, which comes first; none where a margin is no polynomial."""
     if None in planes.values():
-        return {"points": []}
-    (left, right), (low, high) = ([_rational(exact_number(end, "end")) for end in pair] for pair in ends)
+        return []
+    first, last = ends
     points = []
-    for n in range(COLUMNS):
-        x = left + (right - left) * fmpq(2 * n + 1, 2 * COLUMNS)
-        column = {margin: fmpq_poly([p(x) for p in plane]) for margin, plane in planes.items()}
-        points += [[_near(x), y] for y in _changes(report, column, low, high)]
-    return {"points": points}
+    for n in range(LINES):
+        x = first + (last - first) * fmpq(2 * n + 1, 2 * LINES)
+        line = {margin: fmpq_poly([p(x) for p in plane or ()]) for margin, plane in planes.items()}
+        points += [[_near(x), y] for y in _changes(report, line, *within)]
+    return points
 
 
-def _changes(report: Report, column: Mapping[Expr, fmpq_poly], low: fmpq, high: fmpq) -> list[float]:
+def _changes(report: Report, line: Mapping[Expr, fmpq_poly], low: fmpq, high: fmpq) -> list[float]:
     """The zeros between which the criteria do not say the same."""
-    zeros = sorted({float(root.real.mid()) for p in column.values() if p.degree() > 0
+    zeros = sorted({float(root.real.mid()) for p in line.values() if p.degree() > 0
                     for root, _ in p.complex_roots() if root.imag == 0 and low < root.real < high})
     between = [_near(low), *zeros, _near(high)]
-    said = [_said(report, column, (fmpq(*a.as_integer_ratio()) + fmpq(*b.as_integer_ratio())) / 2)
+    said = [_said(report, line, (fmpq(*a.as_integer_ratio()) + fmpq(*b.as_integer_ratio())) / 2)
             for a, b in zip(between, between[1:])]
     return [y for y, below, above in zip(zeros, said, said[1:]) if below != above]
 
 
-def _said(report: Report, column: Mapping[Expr, fmpq_poly], y: fmpq) -> tuple[bool, ...]:
+def _said(report: Report, line: Mapping[Expr, fmpq_poly], y: fmpq) -> tuple[bool, ...]:
     """Whether the equilibrium exists, and what the two criteria say."""
     def compare(margin: Expr, relation: Relation) -> bool:
-        return bool(relation(column[margin](y), 0))
+        return bool(relation(line[margin](y), 0))
 
-    return (all(column[e](y) > 0 for e in demands(report)),
+    return (all(line[e](y) > 0 for e in demands(report)),
             *(truth(criterion, compare, all, any) for criterion in (report.sufficient, report.necessary)))
 
 

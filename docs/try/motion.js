@@ -22,6 +22,7 @@ export class Nearby {
       find("#turned").textContent = this.push.value;
       this.restart();
     };
+    new IntersectionObserver((entries) => { this.seen = entries.at(-1).isIntersecting; }).observe(this.canvas);
     this.button.onclick = () => this.run(!this.running);
     this.canvas.onpointermove = ({ buttons, movementX, movementY }) => {
       if (buttons) this.turn(movementX / 100, movementY / 100);
@@ -105,8 +106,10 @@ export class Nearby {
     const next = () => {
       if (!this.motion) return;
       try {
-        if (!document.hidden) this.step();
-        this.draw();
+        if (this.seen) {
+          this.step();
+          this.draw();
+        }
       } catch (error) {
         this.motion = null;
         return this.refuse(error.message);

@@ -65,6 +65,7 @@ def test_motions_are_those_of_the_library(page):
 def test_what_is_read_is_on_the_path(page, number, state):
     """The vector that is shown is that of the library at the time that is shown."""
     picked(page, number)
+    page.locator("#motion").scroll_into_view_if_needed()
     page.evaluate("""() => { const push = document.getElementById("push");
         push.value = 0.1; push.dispatchEvent(new Event("input")); }""")
     page.wait_for_timeout(1500)

@@ -66,7 +66,7 @@ def test_a_program_says_what_the_criteria_say(number):
 
 @pytest.mark.parametrize("number", [0, 4, 6])
 def test_the_boundary_is_where_the_verdict_changes(number):
-    """On both sides of each point another verdict; as often in a column as along points close together."""
+    """On both sides of each point another verdict; as often on a line as along points close together."""
     scene = EXAMPLES[number]
     report = chosen(scene).report
     axes = ["I1", report.required[-1]]
@@ -76,14 +76,21 @@ def test_the_boundary_is_where_the_verdict_changes(number):
     def verdict(x, y):
         return report.verdict({**values, axes[0]: x, axes[1]: y}).verdict
 
+    small = Fraction(1, 10**9)
     for x, y in points[::9]:
-        assert verdict(Fraction(x), Fraction(y) - 10**-9) != verdict(Fraction(x), Fraction(y) + 10**-9)
-    for n in (10, 60, 90):
-        x = Fraction(1, 20) + Fraction(99, 20) * Fraction(2 * n + 1, 192)
-        along = [verdict(x, Fraction(y, 20) + Fraction(1, 1000)) for y in range(-60, 60)]
-        changes = sum(a != b for a, b in zip(along, along[1:]))
-        assert sum(abs(p - x) < 1e-9 for p, _ in points) == changes
-    assert points
+        assert any(verdict(Fraction(x) - dx, Fraction(y) - dy) != verdict(Fraction(x) + dx, Fraction(y) + dy)
+                   for dx, dy in ((0, small), (small, 0)))
+    changes = 0
+    for n in (6, 40, 60):
+        share = Fraction(2 * n + 1, 128)
+        x, y = Fraction(1, 20) + Fraction(99, 20) * share, -3 + 6 * share
+        column = [verdict(x, Fraction(i, 20) + Fraction(1, 1000)) for i in range(-60, 60)]
+        row = [verdict(Fraction(i, 20) + Fraction(1, 1000), y) for i in range(1, 100)]
+        for axis, place, line in ((0, x, column), (1, y, row)):
+            there = sum(a != b for a, b in zip(line, line[1:]))
+            assert sum(abs(point[axis] - place) < 1e-9 for point in points) == there
+            changes += there
+    assert changes
 
 
 def test_what_is_not_drawn_is_said():
