@@ -47,7 +47,7 @@ def test_random_gyrostats(cases, full):
     """As many as Sturm's theorem counts, where Newton's method finds them, each decided as its spectrum says.
     """
     rnd, numbers = random.Random(f"all {cases}"), set()
-    for _ in range(sampled(cases, full, 250)):
+    for _ in range(sampled(cases, full, 160)):
         moments, rotor, size = drawn(rnd)
         ours = rotations(moments, rotor, size)
         assert (len(ours), 0) == found.count(moments, rotor, size)

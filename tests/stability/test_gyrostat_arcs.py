@@ -89,7 +89,7 @@ def test_a_fold_at_a_great_rate():
 
 @pytest.mark.slow
 def test_many(full):
-    rng, count = random.Random("many arcs"), sampled(120, full, 12)
+    rng, count = random.Random("many arcs"), sampled(120, full, 8)
     cases = [drawn(rng) for _ in range(count)]
     assert sum(check(rng, arcs_of(*case), *case) for case in cases) >= 6 * count
 

@@ -47,7 +47,7 @@ def test_all_are_found_and_rightly_decided(quadratic):
 @pytest.mark.slow
 def test_many(full):
     rng = random.Random("many levels")
-    count = sampled(2000, full, 12)
+    count = sampled(2000, full, 8)
     assert sum(check(rng, n % 2) for n in range(count)) > 2 * count
 
 

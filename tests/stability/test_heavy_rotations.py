@@ -47,7 +47,7 @@ def test_all_are_found_and_rightly_decided(quadratic):
 @pytest.mark.slow
 def test_many(full):
     rng = random.Random("many heavy")
-    count = sampled(3000, full, 50)
+    count = sampled(3000, full, 35)
     assert sum(check(rng, n % 2) for n in range(count)) > 2 * count
 
 

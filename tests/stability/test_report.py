@@ -70,7 +70,7 @@ def test_no_wrong_verdict_in_100_000_points(e1, e2, e3, full):
     """
     draw, wrong = random.Random(20261121), 0
     number = lambda low=-50: Fraction(draw.randint(low, 50), draw.randint(1, 20))  # noqa: E731
-    for n in range(sampled(100_000, full, 30_000)):
+    for n in range(sampled(100_000, full, 20_000)):
         I1, I3, l, spin, u = number(1), number(1), number(), number(), number()
         if n % 3 < 2:
             s = 1 - 2 * (n % 3)

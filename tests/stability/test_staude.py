@@ -85,7 +85,7 @@ def test_special_bodies(inertia, c):
 @pytest.mark.slow
 def test_many(full):
     rng = random.Random("many")
-    count = sampled(200, full, 15)
+    count = sampled(200, full, 8)
     assert sum(check(rng, *drawn(rng)) for _ in range(count)) > 4 * count
 
 
