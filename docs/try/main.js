@@ -3,7 +3,7 @@ import { Analyser, LIMIT } from "./analyser.js";
 import { Chart } from "./chart.js";
 import { asGiven, given, MADE, making } from "./made.js";
 import { Nearby } from "./motion.js";
-import { element, heard, number, placed, shown, sliders, verdict, word } from "./page.js";
+import { element, heard, noVerdict, number, placed, shown, sliders, verdict, word } from "./page.js";
 
 const STEPS = ["interpreter", "packages", "library", "ready"];
 const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
@@ -96,8 +96,11 @@ const analyse = () => working(async () => {
   const found = await analyser.ask("analysed", scene());
   if (!found) return;
   if (found.equilibria) {
+    state.equilibrium = found.chosen;
     choices(found);
     making(state, found);
+  } else if (state.equilibrium === "point") {
+    making(state, { made_with: "point" });              // for what is to be typed
   }
   refused(found.error);
   if (found.error) return;
@@ -142,8 +145,7 @@ const decide = () => working(async () => {
   remember();
   const asked = scene(), found = await analyser.ask("decided", asked);
   if (!found) return;
-  at("wrong").textContent = found.error ?? "";
-  at("verdict").classList.toggle("stale", Boolean(found.error));
+  wrong(found.error);
   if (found.error) return;
   verdict(at("verdict"), at("reasons"), found);
   if (found.verdict) chart.say(asked.values, word(found.verdict));
@@ -167,10 +169,20 @@ const derive = () => working(async () => {
 
 function refused(error = "") {
   at("error").textContent = error;
-  document.body.classList.toggle("refused", Boolean(error));
+  at("derived").inert = Boolean(error);
+  if (error) noVerdict(at("verdict"), at("reasons"));
+}
+
+// Of numbers; those that are none are marked.
+function wrong(error = "") {
+  at("wrong").textContent = error;
+  for (const text of at("values").querySelectorAll("[id]")) text.ariaInvalid = String(error.includes(`'${text.value}'`)
+    || error.startsWith(`${text.id.slice(6)} = `));
+  if (error) noVerdict(at("verdict"), at("reasons"));
 }
 
 function choices({ equilibria, chosen }) {
+  const held = at("equilibria").contains(document.activeElement);
   at("equilibria").replaceChildren(...equilibria.map(({ name, title, why }) => {
     const input = element("input", { type: "radio", name: "equilibrium", value: name, checked: name === chosen });
     input.onchange = () => {
@@ -178,9 +190,10 @@ function choices({ equilibria, chosen }) {
       state.equilibrium = name;
       analyse();
     };
-    return element("label", { title: why, className: why ? "none" : "" }, input, ` ${name}`,
-      element("small", {}, why ? "not in this field" : title === `rotation about ${name}` ? "" : title));
+    return element("label", { title: why, className: why ? "none" : "" }, input, ` ${name} `,
+      element("small", {}, why ? "not here" : title === `rotation about ${name}` ? "" : title));
   }));
+  if (held) at("equilibria").querySelector(":checked").focus();
 }
 
 // The address is a link that restores what is on the page. Browsers take a new one some hundred times in half a

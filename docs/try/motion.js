@@ -46,6 +46,7 @@ export class Nearby {
     if (!found) return;
     this.refuse(found.why ?? found.error);
     this.rates = this.motion = null;
+    this.more.replaceChildren();
     if (!found.rates) return;
     this.coordinates = found.coordinates;
     this.names = found.names.map(({ name }) => name);

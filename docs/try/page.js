@@ -55,6 +55,12 @@ export function verdict(place, reasons, { verdict: found, found: all, damped, bl
   shown(reasons, blocks);
 }
 
+export function noVerdict(place, reasons) {
+  place.className = "";
+  place.replaceChildren(element("p", { className: "badge" }, "No verdict"));
+  reasons.replaceChildren();
+}
+
 export const word = (found) => WORDS[found][1].toLowerCase();
 
 // The double nearest to a text; of another text than 1.25 or 1/2 what the library has said. NaN of what is none.

@@ -179,7 +179,7 @@ def _analysed(asked: Chosen, _: Mapping[str, str]) -> Data:
                   "open": undecided(asked.report) and not asked.report.between,
                   "point": typeset(point_blocks(asked.equilibrium)),
                   "conditions": typeset(conditions_blocks(asked.report)[1:])}
-    return {**found, "names": [named(name, names) for name in asked.names],
+    return {**found, "names": [named(asked.scene, name, names) for name in asked.names],
             "axes": [] if asked.every else list(asked.report.required)}
 
 
@@ -232,7 +232,7 @@ def _bounded(asked: Chosen, given: Mapping[str, str], axes: Sequence[str],
 def _moving(asked: Chosen, _: Mapping[str, str]) -> Data:
     """What the page computes of a motion, the numbers that it needs as they are written."""
     found, names = {"why": ONE} if asked.every else moving(asked.report), Names()
-    return {**found, "names": [named(name, names) for name in found.get("names", ())]}
+    return {**found, "names": [named(asked.scene, name, names) for name in found.get("names", ())]}
 
 
 def _own(asked: Chosen, given: Mapping[str, str]) -> dict[str, str]:

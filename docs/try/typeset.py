@@ -4,18 +4,24 @@ from typing import Any
 
 from sympy import MatrixBase
 
+from gyrostat.mechanics.system import System
 from gyrostat.notation import NOTATION, symbol
 from gyrostat.printing.article import NARROW, inline
 from gyrostat.printing.blocks import Block, Display, Heading, Rows
 from gyrostat.printing.latex import display, tex
 from gyrostat.printing.linebreaks import broken, width
 from gyrostat.printing.names import Names
+from gyrostat.printing.symbols import symbol_rows
+
+OWN = {"M": "length of the total angular momentum", "sigma": "multiplier of |k| = 1"}
 
 
-def named(name: str, names: Names) -> dict[str, str]:
-    """A symbol, how it is set, and what it is."""
-    return {"name": name, "tex": tex(symbol(name), names),
-            "meaning": NOTATION[name].meaning if name in NOTATION else ""}
+def named(scene: System, name: str, names: Names) -> dict[str, str]:
+    """A symbol, how it is set, and what it is in a scene."""
+    known = NOTATION[name].meaning if name in NOTATION else OWN.get(name, "")
+    said = next((said for left, said in symbol_rows(scene, [name]).rows
+                 if left in ((symbol(name),), (symbol(name), " > 0"))), (known,))
+    return {"name": name, "tex": tex(symbol(name), names), "meaning": "".join(map(str, said))}
 
 
 def typeset(blocks: Iterable[Block]) -> list[dict[str, Any]]:

@@ -59,7 +59,7 @@ def _table() -> Mapping[str, Entry]:
                    f"angular momentum of the locked body, axis {i}")
              for i in (1, 2, 3)]
     rows += [Entry("omega", r"\omega", "ω", (0, 1), "rate about the vertical: ω = omega·k"),
-             Entry("l", "l", "l", (1, 1), "gyrostatic momentum along the axis of symmetry")]
+             Entry("l", "l", "l", (1, 1), "gyrostatic momentum of the rotor")]
     rows += [Entry(f"l{i}", f"l_{i}", f"l{sub[i]}", (1, 1), f"gyrostatic momentum, axis {i}")
              for i in (1, 2, 3)]
     rows += [Entry(f"I{i}", f"I_{i}", f"I{sub[i]}", (1, 0), f"principal moment of inertia, axis {i}", True)

@@ -92,3 +92,42 @@ def test_random_scenes_have_the_librarys_answers(page, count):
     for question, here, there in zip(questions, expected, found):
         assert json.loads(there) == here, question
     assert sum("error" in answer for answer in expected) < len(expected) / 5
+
+
+def test_what_is_refused_has_no_verdict(page):
+    """Nothing of what was there before is shown as if it were of the new numbers, or of the new scene."""
+    assert "divides by zero" in typed(page, "value-l", "1/0")[1]
+    assert page.inner_text(".badge") == "No verdict" and page.inner_text("#reasons") == ""
+    assert page.get_attribute("#value-l", "aria-invalid") == "true"
+    assert typed(page, "value-l", "0") == ("Stable", "") and page.inner_text("#reasons") != ""
+    assert page.get_attribute("#value-l", "aria-invalid") == "false"
+    assert "out of reach" in typed(page, "potential", "exp(-1/(1-k3))")[1]
+    assert page.inner_text(".badge") == "No verdict" and page.get_attribute("#derived", "inert") is not None
+    assert typed(page, "potential", "m0*k3") == ("Stable", "")
+
+
+def test_arrows_go_through_the_equilibria(page):
+    """The one that is chosen keeps the focus."""
+    page.focus("input[value=E1]")
+    for name in ("E2", "E3"):
+        page.keyboard.press("ArrowDown")
+        shown(page)
+        assert page.is_checked(f"input[value={name}]")
+
+
+def test_a_point_after_a_list_can_be_typed(page):
+    """No coordinates are known there; the field for them is."""
+    example(page, TITLES["every"])
+    page.check("input[value=point]")
+    shown(page)
+    assert page.is_visible("#made")
+    assert "M" not in typed(page, "made", "0, 0, w")[1]
+
+
+def test_another_equilibrium_is_not_shown_in_place_of_the_chosen_one(page):
+    """Where a field has none of the old ones the first is chosen, and stays so in the next field."""
+    picked(page, 6)
+    for field, text in (("potential", "m0*k3"), ("inertia", "I1, I1, I3")):
+        assert typed(page, field, text)[1] == ""
+    assert page.is_checked("input[value=E1]")
+    assert "E1 is out of reach" in typed(page, "potential", "sqrt(1 - k3)")[1]

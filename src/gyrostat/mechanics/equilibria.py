@@ -102,8 +102,8 @@ class Equilibrium(Shown, Stored):
             raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}"
                                    f"{unknown}: k is a direction, |k| = 1; divide it by its length")
         for value in (*self.field_values, *self.constraints):
-            if value.is_finite is False or value.is_real is False:
-                raise EquilibriumError(f"{self.label} does not exist: U or one of its derivatives is "
+            if value.is_finite is False or value.is_real is False or value.has(S.NaN):
+                raise EquilibriumError(f"{self.label} is out of reach: U or one of its derivatives is "
                                        f"{shown(value)} there, not a finite real number")
         for residual in self.constraints:
             if not residual.free_symbols:
@@ -112,7 +112,7 @@ class Equilibrium(Shown, Stored):
                                        f"of U is off by {residual}")
         for argument in self._inner_arguments():
             if not argument.free_symbols and sign(argument, {}) != 1:
-                raise EquilibriumError(f"{self.label} does not exist: U is not smooth there, the argument "
+                raise EquilibriumError(f"{self.label} is out of reach: U is not smooth there, the argument "
                                        "of a root, logarithm or inverse function is not proved to be inside "
                                        f"its range, {argument} > 0")
 

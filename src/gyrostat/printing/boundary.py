@@ -29,7 +29,7 @@ def boundary_blocks(report: Report) -> list[Block]:
         return [sentence(_BETWEEN.capitalize(),
                          "the energy on the momentum sphere decides to fourth order, at numbers.")]
     if boundary is None:
-        return [sentence(_BETWEEN.capitalize(), "nothing is claimed.")]
+        return [sentence(_BETWEEN.capitalize(), "they claim nothing; a verdict at numbers may.")]
     between = _BETWEEN.capitalize()
     if report.recognised:
         between = f"The scene is {report.recognised.sentence}; with that axis for the third: {_BETWEEN}"

@@ -12,6 +12,7 @@ from .conditions import source_word
 
 LONG = 200                                                 # characters of a margin that is shown by its name
 OF = "margin of "
+ON_LEVEL = " on its level of C1"
 BY_CONDITION = ("second variation", "integral", "spectrum")  # rungs at which a condition holds, or fails
 
 _IN_WORDS = {Verdict.STABLE: "Stable", Verdict.UNSTABLE: "Unstable", Verdict.UNDECIDED: "Undecided"}
@@ -26,11 +27,13 @@ _TITLES = {Verdict.STABLE: "Lyapunov stable", Verdict.UNSTABLE: "unstable", Verd
 def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Block]:
     """The verdict at the numbers given."""
     modulo = (" ", *modulo_flow(decision.modulo)) if decision.modulo and decision.notion else ()
-    blocks: list[Block] = [sentence(f"{of}: {_TITLES[decision.verdict]}", *modulo,
+    level = ON_LEVEL if decision.notion.endswith(ON_LEVEL) else ""
+    blocks: list[Block] = [sentence(f"{of}: {_TITLES[decision.verdict]}{level}", *modulo,
                                     f"; {_proved(decision)}.")]
     for margin, name, value in named_margins(decision):
         left = source_word(name, OF) if name else readable(margin)
-        blocks.append(Display(left, Word(shown(value), shown(value)), at, label="value"))
+        said = shown(value)
+        blocks.append(Display(left, Word(said, said), at, "=" if str(value) in said else "≈", "value"))
     if any(name in ("t", "s") for _, name, _ in named_margins(decision)):
         blocks.append(sentence("Here t and s are the trace and the determinant of the second variation of "
                                "the amended potential on the plane across k."))

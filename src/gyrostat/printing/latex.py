@@ -30,7 +30,7 @@ from .names import Names, raised
 from .order import ordered_factors, ordered_terms, over, signed
 
 FRACTION = 200.0                                           # points: the widest numerator
-RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto"}
+RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto", "≈": r"\approx"}
 _RELATION = re.compile(r" ([<>=≥≤≠]) ")
 
 
