@@ -82,7 +82,7 @@ def test_decide_gives_the_others(capsys):
         found = {e["label"]: e for e in json.loads(capsys.readouterr().out)["equilibria"]}
         assert found["E2"]["decision"]["verdict"] == "STABLE" and "finite" in found["E1"]["error"]
     assert main(["decide", "--potential", "1/(k3-1)", *numbers]) == 0
-    assert "E1 does not exist" in capsys.readouterr().out
+    assert "E1 is out of reach" in capsys.readouterr().out
 
 
 def test_no_class_name_is_prose(capsys):
