@@ -3,7 +3,7 @@ from functools import cache
 
 import gyrostat as gs
 from gyrostat.errors import ValuesError
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 BODY, k3 = gs.symmetric_gyrostat(), gs.symbol("k3")
 POSITIVE = ("I1", "I3", "mass1", "mass3", "p0", "r")

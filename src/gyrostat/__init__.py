@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from .stability.conditions import Condition, Criterion, independent
     from .stability.continuation import Continuation, continuation
     from .stability.criteria import formal_criterion, secular_criterion, spectral_criterion
+    from .stability.decision import Decision, Rung, Verdict
     from .stability.energy_casimir import (
         SecondVariation,
         augmented_hessian,
@@ -62,15 +63,15 @@ if TYPE_CHECKING:
     from .stability.energy_sink import energy_sink_criterion
     from .stability.followed_heavy import HeavyContinuation
     from .stability.followed_rotations import RotationContinuation
+    from .stability.free_rotation import PermanentRotation
     from .stability.gyrostat_arcs import GyrostatArc
     from .stability.heavy_rotation import HeavyRotation
     from .stability.linearization import Linearization, linearize
     from .stability.meetings import BifurcationPoint, bifurcation_points
     from .stability.normal_form import NormalForm
     from .stability.orbital_equilibrium import OrbitalEquilibrium
-    from .stability.permanent_rotations import PermanentRotation
     from .stability.relative_equilibria import relative_equilibria
-    from .stability.report import Decision, Report, Verdict
+    from .stability.report import Report
     from .stability.sets import Case, Interval, Solution, SolvedCondition
     from .stability.solve import solve_condition
     from .stability.spectra import Spectrum, spectrum
@@ -95,7 +96,7 @@ __all__ = [
     "NormalForm", "NOTATION", "orbit_tangent", "orbital_precession", "OrbitalEquilibrium", "own_precision",
     "parallel_directions", "permanent_rotation", "PermanentRotation", "plotting", "Potential",
     "principal_rotation", "published", "reduce", "relative_equilibria", "release", "Report",
-    "RotationContinuation", "Rotor", "second_variation", "SecondVariation", "secular_criterion",
+    "RotationContinuation", "Rotor", "Rung", "second_variation", "SecondVariation", "secular_criterion",
     "secular_variation", "Solution", "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum",
     "spectrum", "stabilizing_set", "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "steady_motion",
     "stereographic", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex",
@@ -139,8 +140,9 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.linearization": "Linearization linearize",
     "stability.meetings": "BifurcationPoint bifurcation_points",
     "stability.orbital_equilibrium": "OrbitalEquilibrium",
-    "stability.normal_form": "NormalForm", "stability.permanent_rotations": "PermanentRotation",
-    "stability.relative_equilibria": "relative_equilibria", "stability.report": "Decision Report Verdict",
+    "stability.normal_form": "NormalForm", "stability.free_rotation": "PermanentRotation",
+    "stability.decision": "Decision Rung Verdict",
+    "stability.relative_equilibria": "relative_equilibria", "stability.report": "Report",
     "stability.sets": "Case Interval Solution SolvedCondition", "stability.solve": "solve_condition",
     "stability.spectra": "Spectrum spectrum", "stability.stabilizing": "stabilizing_set",
     "stability.staude": "staude_cone StaudeCone", "stability.staude_arcs": "StaudeArc",

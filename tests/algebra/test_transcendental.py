@@ -16,7 +16,7 @@ from gyrostat.algebra.exact import is_identically_zero, plain, sign_of_constant
 from gyrostat.charts.arrays import verdicts
 from gyrostat.errors import BodyError, EquilibriumError, ScopeError, ValuesError
 from gyrostat.mechanics.freebody import polhode_period
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 BENCHMARKS = str(Path(__file__).parents[2] / "benchmarks")
 HIDDEN = "16*atan(1/5) - 4*atan(1/239)"                # π, by Machin: equal, and not proved to be

@@ -11,7 +11,7 @@ import gyrostat as gs
 from gyrostat.charts import verdicts
 from gyrostat.charts.codes import CODE_OF, INVALID, STABLE, UNSTABLE
 from gyrostat.errors import ArgumentError, GyrostatError, MissingExtraError, ValuesError
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 BACKENDS = ["numpy", "numba"]
 k3, a, b, c = map(gs.symbol, ("k3", "a", "b", "c"))

@@ -15,7 +15,7 @@ from sympy import Rational, sqrt
 import gyrostat as gs
 from gyrostat.charts.boxes import certified_chart, certify_box
 from gyrostat.errors import ValuesError
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 k3, m0, a = gs.symbol("k3"), gs.symbol("m0"), gs.symbol("a")
 STABLE, UNSTABLE, UNDECIDED = Verdict.STABLE, Verdict.UNSTABLE, Verdict.UNDECIDED

@@ -39,8 +39,8 @@ def test_decide_as_data(capsys):
                        "--format", "json")
     (e1,) = json.loads(out)["equilibria"]
     assert set(e1) == {"label", "decision", "damped_decision"}
-    assert set(e1["decision"]) == {"verdict", "notion", "modulo", "reason", "margins", "certificate",
-                                   "note"}
+    assert set(e1["decision"]) == {"verdict", "notion", "modulo", "level", "locus", "rung", "proved",
+                                   "reason", "margins", "certificate", "note"}
     assert e1["decision"]["verdict"] == "STABLE" and "no rigid body" in e1["decision"]["note"]
 
 

@@ -13,7 +13,7 @@ from turns import OBLIQUE, TURNS, K, scene, turned
 import gyrostat as gs
 from gyrostat.charts.arrays import verdicts
 from gyrostat.printing.article import to_latex
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 from gyrostat.trajectories import confirm
 
 k1, k2, k3 = K

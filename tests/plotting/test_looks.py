@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from gyrostat.errors import ArgumentError, MissingExtraError
 from gyrostat.plotting import globe, looks
 from gyrostat.plotting.looks import axes_of
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 
 def space(elevation=22, azimuth=40):

@@ -12,10 +12,10 @@ from gyrostat.printing.latex import display
 from gyrostat.printing.names import Names
 from gyrostat.printing.results import result_blocks
 from gyrostat.stability.bifurcations import bifurcations
+from gyrostat.stability.decision import C1
 from gyrostat.stability.kinds import KINDS
 from gyrostat.stability.meetings import bifurcation_points
 from gyrostat.stability.relative_equilibria import relative_equilibria
-from gyrostat.stability.resonances import LEVEL
 from gyrostat.stability.sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
 from gyrostat.stability.stabilizing import stabilizing_set
 
@@ -131,8 +131,8 @@ def test_a_verdict_says_on_what_it_holds_and_what_is_rounded():
     """On its level of C1 only; a margin that is no short fraction is about its decimal."""
     report = gs.analyze(gs.upright(HEAVY))
     decision = report.verdict({"I1": 1, "l": 0, "m0": "sqrt(2)", "pi3_0": 3})
-    first, margin, *_ = decision_blocks(replace(decision, notion=LEVEL), report.equilibrium.at)
-    assert first.parts[0].startswith("Verdict: Lyapunov stable on its level of C1; ")
+    first, margin, *_ = decision_blocks(replace(decision, level=(C1,)), report.equilibrium.at)
+    assert "".join(map(str, first.parts)).startswith("Verdict: Lyapunov stable on its level of C1; ")
     assert r"\approx 3.343" in display(margin, Names())
     exact = report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": "1e-3"})
     assert [block.relation for block in decision_blocks(exact, None) if hasattr(block, "relation")] == ["="]

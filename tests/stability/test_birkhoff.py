@@ -96,7 +96,7 @@ def test_the_triangular_point_at_the_resonances(product, mass, decides, words):
     motion = Given(at_product(product))
     assert abs(motion.mu - mass) < 1e-12
     finding = decides(motion)
-    assert finding.stable is False and words in finding.why
+    assert finding.unstable and words in finding.reason
 
 
 def oscillators(*above):

@@ -10,7 +10,7 @@ from sympy import S, cancel, exp, sqrt
 import gyrostat as gs
 from gyrostat.mechanics.reduction import expansion
 from gyrostat.notation import jet_name
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 
 def U(n):

@@ -7,7 +7,7 @@ from slow import slow
 from sympy import Rational, S, cos, exp, log, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 
 @pytest.mark.few(2)

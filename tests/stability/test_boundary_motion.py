@@ -10,7 +10,7 @@ from flint import fmpq
 from moved_points import CASES, DEGREE, KINDS, NAMED, REACH, cases, excursion, names, plain, roots
 
 import gyrostat as gs
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 SMALL = tuple(fmpq(1, 10**d) for d in (12, 14))
 STABLE, UNSTABLE = ([kind for kind in KINDS if kind[1] == verdict] for verdict in ("STABLE", "UNSTABLE"))

@@ -9,7 +9,7 @@ from precessions import at, k3, precession, ranks, turning
 from sympy import Rational, exp, symbols
 
 import gyrostat as gs
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 
 def test_the_one_exception():

@@ -107,7 +107,8 @@ def test_on_its_level_only(t):
     scene, point, functions = sretensky(t)
     assert scene.level_only == scene.integrals == scene.given_integrals and not scene.linear_integrals
     decision = gs.analyze(gs.equilibrium(scene, point)).verdict({})
-    assert (decision.verdict.name, decision.notion) == ("STABLE", "Lyapunov on its level of C1")
+    assert (decision.verdict.name, decision.notion) == ("STABLE", "Lyapunov")
+    assert decision.scope == "on its level of C1"
     h, F = pencil.forms(*functions, (*point[:2], point[2] + 1, *point[3:]))
     assert 4 not in pencil.signature(h)
     assert 4 in pencil.signature(pencil.combined(h, F, coefficient(decision)))

@@ -53,7 +53,7 @@ def test_the_sleeping_body_of_three_moments():
     p, q = report.linearization.coefficients
     spins = real_roots(numer(together(9 * p**2 - 100 * q)))
     decision = report.verdict({"omega3_0": next(w for w in spins if abs(w.evalf() - 5.1959) < 1e-3)})
-    assert decision.verdict is gs.Verdict.STABLE and decision.notion.endswith("on its level of C1")
+    assert decision.verdict is gs.Verdict.STABLE and decision.scope == "on its level of C1"
     assert decision.reason.endswith("resonance 1:3, |D4| = 1.07793 > R = 0.00772954")
 
 

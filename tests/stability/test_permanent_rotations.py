@@ -63,12 +63,16 @@ def test_verdict_at_a_general_point_is_that_of_the_spectrum():
 
 
 def test_circles_of_equilibria():
-    """I1 = I2: the rotations about transverse axes are a circle, at the height l/(1 − I3/I1), and drift."""
+    """I1 = I2: the rotations about transverse axes are a circle, at the height l/(1 − I3/I1).
+
+    The circle is stable; a point of it drifts along it.
+    """
     (circle,) = [p for p in permanent_rotations(gs.Gyrostat((1, 1, 2), (0, 0, "-1/5")), Rational(1))
                  if p.circle is not None]
     assert circle.circle == (0, 0, 1)
     assert circle.momentum[2] == Rational(1, 5)
-    assert circle.decision.verdict is gs.Verdict.UNSTABLE
+    assert circle.decision.stable and circle.decision.scope == "modulo the flow of pi3"
+    assert circle.itself.unstable and circle.itself.scope == ""
     (circle,) = [p for p in permanent_rotations(gs.Gyrostat((3, 2, 2), (0, 0, 0)), Rational(1))
                  if p.circle is not None]
     assert circle.circle == (1, 0, 0) and circle.momentum[0] == 0

@@ -12,7 +12,7 @@ from slow import sampled
 from sympy import Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 
 def test_readme_example(e1):

@@ -9,7 +9,7 @@ from sympy import CRootOf, Rational, asin, exp, expand, log, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import EquilibriumError, ValuesError
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 k3 = gs.symbol("k3")
 

@@ -4,7 +4,7 @@ from sympy import GoldenRatio, Rational, sqrt, symbols
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, EquilibriumError, GyrostatError, ValuesError
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 k3 = gs.symbol("k3")
 

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import gyrostat as gs
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 
 sizes = st.fractions(min_value=Fraction(1, 4), max_value=4, max_denominator=6)
 rates = st.fractions(min_value=-3, max_value=3, max_denominator=6).filter(bool)

@@ -16,7 +16,7 @@ from sympy import ImmutableMatrix, Rational
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 from gyrostat.trajectories import models
 from gyrostat.trajectories.confirmation import confirm, moved
 from gyrostat.trajectories.excursions import Distance

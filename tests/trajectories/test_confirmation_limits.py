@@ -4,7 +4,7 @@ from confirming import LARGE, one_direction
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 from gyrostat.stability.values import exact_values
 from gyrostat.trajectories.confirmation import _rates, confirm
 

@@ -13,7 +13,7 @@ from sympy import Rational, exp
 
 import gyrostat as gs
 from gyrostat.errors import AccuracyError
-from gyrostat.stability.report import Verdict
+from gyrostat.stability.decision import Verdict
 from gyrostat.trajectories import confirm, confirmation, motion
 
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"

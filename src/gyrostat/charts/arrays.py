@@ -6,6 +6,7 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import ArgumentError, ValuesError, optional, require
+from ..stability.decision import Rung
 from ..stability.report import Report
 from ..stability.values import check_family
 from .codes import INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
@@ -126,9 +127,9 @@ def decided(report: Report, values: Mapping[str, Any], damped: bool = False, inv
         raise ValuesError(f"at index {grid.index(place)}: {why}; or ask for such points to be marked, "
                           "invalid=\"mark\"")
     if rungs is not None:
-        rungs[(rungs == 0) & (result == STABLE)] = RUNGS["second variation"]
-        rungs[(rungs == 0) & (result == UNSTABLE)] = RUNGS["spectrum"]
-        rungs[(result == UNDECIDED) | (result == INVALID)] = RUNGS["nothing"]
+        rungs[(rungs == 0) & (result == STABLE)] = RUNGS[Rung.SECOND_VARIATION]
+        rungs[(rungs == 0) & (result == UNSTABLE)] = RUNGS[Rung.SPECTRUM]
+        rungs[(result == UNDECIDED) | (result == INVALID)] = RUNGS[Rung.NOTHING]
     return result
 
 

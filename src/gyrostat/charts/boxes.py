@@ -14,7 +14,8 @@ from ..algebra.exact import sign_of_constant
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
 from ..errors import ValuesError
-from ..stability.report import Report, Verdict
+from ..stability.decision import Verdict
+from ..stability.report import Report
 from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
 from .paving import CertifiedChart, covered
 from .progress import Told, telling

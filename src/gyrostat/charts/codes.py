@@ -1,13 +1,12 @@
 """Codes of verdicts in arrays and datasets."""
-from ..stability.report import Verdict
+from ..stability.decision import Rung, Verdict
 
 STABLE, UNDECIDED, UNSTABLE, INVALID = 1, 0, -1, -2    # INVALID: there is no equilibrium
 CODE_OF = {Verdict.STABLE: STABLE, Verdict.UNDECIDED: UNDECIDED, Verdict.UNSTABLE: UNSTABLE}
 # the values of a flag variable, in the order in which a dataset declares them
 FLAGS = {"unstable": UNSTABLE, "undecided": UNDECIDED, "stable": STABLE, "no_equilibrium": INVALID}
-# what decided a point, as Decision.rung says it; "other": where that is empty
-RUNGS = {"nothing": 0, "second variation": 1, "spectrum": 2, "D4 > 0": 3, "D4 < 0": 4, "D6": 5,
-         "resonance": 6, "integral": 7, "other": 8}
+# what decided a point
+RUNGS = {rung: code for code, rung in enumerate(Rung)}
 # curves inside windows: frequencies as 1 to 2, as 1 to 3, and no twist
 CURVES = {"resonance_1_2": 2, "resonance_1_3": 3, "D4_zero": 4}
 # the kinds of boxes, in the order in which shares are told

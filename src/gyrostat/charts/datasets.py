@@ -73,7 +73,8 @@ def variable_attributes(name: str, request: Request) -> dict[str, Any]:
         return {"long_name": str(margin), "latex": tex(readable(margin), Names(), eq.at)} | (
             {"condition": source} if source else {})
     if name == "rung":
-        return {"long_name": "what decided the point", **_flags(RUNGS)}
+        codes = {rung.value: code for rung, code in RUNGS.items()}
+        return {"long_name": "what decided the point", **_flags(codes)}
     damped = name == "damped"
     criterion = request.report.damped if damped else request.report.sufficient
     modulo = ", ".join(map(str, criterion.modulo))

@@ -12,6 +12,7 @@ from ..algebra.polynomials import Ring
 from ..algebra.precision import ONE_AT_A_TIME
 from ..stability.boundary import Boundary
 from ..stability.conditions import Condition, Criterion
+from ..stability.decision import Rung
 from ..stability.in_frame import open_between
 from ..stability.report import Report
 from ..stability.truth import Relation, truth
@@ -141,17 +142,17 @@ class Decided:
         boundary = self.report.boundary
         if boundary is not None and not self.damped:
             found = _climbed(boundary, grid, self.alone)
-            return found, np.full(len(found), RUNGS["other"])
+            return found, np.full(len(found), RUNGS[Rung.REDUCED_MOTION])
         names = [s.name for s in grid.values]
         twists = repeat(0) if self.damped else held(self.report, grid)
         verdicts, rungs = list[int](), list[int]()
         for numbers, twist in zip(grid.numbers(grid.values), twists):
             if twist:
-                verdict, rung = STABLE, RUNGS["D4 > 0" if twist > 0 else "D4 < 0"]
+                verdict, rung = STABLE, RUNGS[Rung.TWIST_POSITIVE if twist > 0 else Rung.TWIST_NEGATIVE]
             else:
                 values = dict(zip(names, map(dyadic_rational, numbers)))
                 decision = self.report.verdict(values, self.damped)
-                verdict, rung = CODE_OF[decision.verdict], RUNGS[decision.rung or "other"]
+                verdict, rung = CODE_OF[decision.verdict], RUNGS[decision.rung]
             verdicts.append(verdict)
             rungs.append(rung)
         return verdicts, rungs

@@ -11,7 +11,7 @@ from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError
 from ..kept import cached_property
-from ..stability.report import Verdict
+from ..stability.decision import Verdict
 from .codes import BOX_KINDS, INVALID, STABLE, UNSTABLE
 from .intervals import rounded
 from .proofs import Proof

@@ -9,6 +9,7 @@ from sympy import Expr, Symbol
 from ..algebra.floats import Array
 from ..algebra.margins import Signs
 from ..stability.conditions import Condition
+from ..stability.decision import Rung
 from ..stability.local_motion import data_of
 from ..stability.report import Report
 from ..stability.windows import resonance_margin
@@ -24,7 +25,8 @@ from .straightline import program_of
 
 WITHIN = 2.0**-12                                      # of an edge of the grid: what D4 = 0 is enclosed to
 STEPS = 30                                             # of the search on an edge
-HELD = [RUNGS[name] for name in ("D4 > 0", "D4 < 0", "D6", "resonance", "integral", "nothing")]
+HELD = [RUNGS[rung] for rung in (Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE, Rung.SIXTH_ORDER, Rung.RESONANCE,
+                                Rung.INTEGRAL, Rung.NOTHING)]
 Axis = tuple[Symbol, Array]
 
 
@@ -68,7 +70,8 @@ def window_curves(plane: Plane, rungs: Array) -> Array:
     found = [_coded(_resonance(plane, oscillates, factor, np.where(held, _signs(plane, factor), np.nan)),
                     CURVES[name])
              for name, (odd, even) in factors.items() for factor in (odd, *even)]
-    twist = np.where(rungs == RUNGS["D4 > 0"], 1.0, np.where(rungs == RUNGS["D4 < 0"], -1.0, np.nan))
+    negative = np.where(rungs == RUNGS[Rung.TWIST_NEGATIVE], -1.0, np.nan)
+    twist = np.where(rungs == RUNGS[Rung.TWIST_POSITIVE], 1.0, negative)
     double = _signs(plane, factors["resonance_1_2"][0])
     return joined([*found, _coded(_untwisted(plane, np.where(double == 0, np.nan, twist * double)),
                                   CURVES["D4_zero"])])

@@ -15,12 +15,13 @@ from ..notation import symbol
 from ..printing.data import damped_data, decision_data, number_data, rate_data
 from ..stability.branch import Branch
 from ..stability.branches import branches_at, pole_at
+from ..stability.decision import Decision
+from ..stability.free_rotation import PermanentRotation
 from ..stability.heavy_rotation import HeavyRotation
 from ..stability.normal_form import NormalForm
 from ..stability.orbital_equilibrium import OrbitalEquilibrium
-from ..stability.permanent_rotations import PermanentRotation
 from ..stability.relative_equilibria import relative_equilibria
-from ..stability.report import Decision, Report
+from ..stability.report import Report
 from ..stability.window_families import Window
 from .asked import Asked, scene_of
 from .equilibria import (
@@ -90,7 +91,7 @@ def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr],
         raise ValuesError(f"--normal-form {degree} is of one equilibrium: name it by --equilibrium or "
                           "--point")
     report = report_at(asked, wanted[0], numbers)
-    if degree == 4 and not numbers.keys() >= set(report.required):
+    if degree == 4 and not numbers.keys() >= set(report.compared):
         return report.window(numbers)
     return report.normal_form(numbers, degree)
 
@@ -201,7 +202,7 @@ def _rotation(scene: System, found: PermanentRotation) -> Answer:
     rotor = scene.body.gyrostatic_momentum
     place = {str(x): M - l for x, M, l in zip(scene.space.coordinates, found.momentum, rotor)}
     rates = {"Delta": found.curvature, "frequency": found.frequency, "growth_rate": found.growth_rate}
-    return Answer(label, symbol("k3"), found.decision, found.damped, None, place,
+    return Answer(label, symbol("k3"), found.decision, found.damped, found.itself, place,
                   {name: x for name, x in rates.items() if x is not None and found.nu is not None})
 
 
@@ -217,8 +218,8 @@ def _one_of_all(here: System, found: Branch | PermanentRotation | HeavyRotation 
 def _orbital(found: OrbitalEquilibrium) -> Answer:
     """One of a satellite in orbit."""
     place = {str(x): value for x, value in zip(found.scene.space.coordinates[3:], (*found.n, *found.r))}
-    return Answer(found.locus or "equilibrium in orbit", symbol("r3"), found.decision, found.damped, None,
-                  place, {f"frequency_{n}": x for n, x in enumerate(found.frequencies, 1)})
+    return Answer(found.locus or "equilibrium in orbit", symbol("r3"), found.decision, found.damped,
+                  found.itself, place, {f"frequency_{n}": x for n, x in enumerate(found.frequencies, 1)})
 
 
 def _heavy(found: HeavyRotation) -> Answer:
@@ -229,7 +230,7 @@ def _heavy(found: HeavyRotation) -> Answer:
     if found.growth_rate is not None:
         rates["growth_rate"] = found.growth_rate
     place["omega"] = found.omega
-    return Answer(label, symbol("k3"), found.decision, found.damped, None, place, rates)
+    return Answer(label, symbol("k3"), found.decision, found.damped, found.itself, place, rates)
 
 
 def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
@@ -238,5 +239,5 @@ def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
         {"label": a.label} | {name: number_data(x) for name, x in a.place.items()}
                            | {name: rate_data(x) for name, x in a.rates.items()}
                            | {"decision": decision_data(a.decision),
-                              "damped_decision": a.damped and damped_data(a.damped)}
-        | ({"itself": decision_data(a.itself)} if a.itself else {}) for a in answers]}
+                              "damped_decision": None if a.damped is None else damped_data(a.damped)}
+        | ({"itself": decision_data(a.itself)} if a.itself is not None else {}) for a in answers]}

@@ -61,7 +61,7 @@ def _blocks(answer: Answer) -> list[Block]:
     blocks += [Display(symbol(name), rounded(rate)) for name, rate in answer.rates.items()]
     blocks += [*decision_blocks(answer.decision, answer.at), reason_block(answer.decision),
                damped_block(answer.decision, answer.damped)]
-    if answer.itself:
+    if answer.itself is not None:
         blocks += [*decision_blocks(answer.itself, answer.at, "The point itself"),
                    reason_block(answer.itself)]
     return blocks

@@ -17,7 +17,8 @@ from ..mechanics.system import at_numbers, names_of_scene
 from ..notation import jet, symbol
 from ..printing.blocks import Block, Heading, prose
 from ..stability.analysis import analyze
-from ..stability.report import Decision, Report, Verdict
+from ..stability.decision import Decision, undecided
+from ..stability.report import Report
 from ..stability.values import unknown
 from .asked import Asked, direction_of, one_for_each, pointing_of, scene_of
 from .labels import CLAIMED, by_point, labels, labels_in_words, likely, named, where
@@ -195,7 +196,7 @@ def known_names(asked: Asked, reports: Sequence[Report], numbers: Names) -> None
 
 def enough(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> list[bool]:
     """Whether all names that a verdict needs are set, for each report; for one at least they must be."""
-    missing = [[name for name in report.required if name not in numbers] for report in reports]
+    missing = [[name for name in report.compared if name not in numbers] for report in reports]
     if all(missing):
         wanted = "; ".join(f"{r.equilibrium.label}: {', '.join(names)}" for r, names in zip(reports, missing))
         raise ValuesError(f"these numbers are not enough for a verdict, set also, for {wanted}" + (
@@ -205,9 +206,8 @@ def enough(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> list[bool]
 
 def both_verdicts(report: Report, numbers: Mapping[str, Expr]) -> tuple[Decision, Decision]:
     """The verdict, and that under internal damping, which may need more names."""
-    missing = ", ".join(name for name in report.secular.required if name not in numbers)
-    damped = (Decision(Verdict.UNDECIDED, "", (), f"give {missing} to decide", ()) if missing
-              else report.verdict(numbers, damped=True))
+    missing = ", ".join(name for name in report.secular.compared if name not in numbers)
+    damped = undecided(f"give {missing} to decide") if missing else report.verdict(numbers, damped=True)
     return report.verdict(numbers), damped
 
 

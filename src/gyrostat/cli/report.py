@@ -8,7 +8,8 @@ from ..printing.data import damped_data, decision_data, json_text, report_data, 
 from ..printing.decision import damped_block, decision_blocks
 from ..printing.document import report_blocks, whole_blocks
 from ..printing.text import text
-from ..stability.report import Decision, Report
+from ..stability.decision import Decision
+from ..stability.report import Report
 from .asked import asked_of, scene_of
 from .equilibria import both_verdicts, enough, its_own, known_names, labels_of, of_each, reports_of
 from .options import numbers_of

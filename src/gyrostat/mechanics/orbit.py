@@ -1,7 +1,7 @@
 """Tangent space of the coadjoint orbit, and the symplectic slice inside it."""
 from collections.abc import Sequence
 
-from sympy import Expr, ImmutableMatrix, S
+from sympy import Add, Expr, ImmutableMatrix, S
 
 from ..algebra.margins import Signs
 from ..algebra.matrices import null_space, row_reduce
@@ -141,17 +141,29 @@ def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, 
     _, moving = critical_integrals(eq)
     if not moving:
         return orbit_tangent(eq), ()
-    level = [*regular_differentials(eq), *differentials(eq, moving)]
-    # a direction along the orbit is removed by holding one coordinate
-    held: list[list[Expr]] = []
-    symmetries = []
-    for integral in moving:
-        rates = eq.system.space.tensor * eq.system.space.gradient(integral)
-        flow = [entry for (entry,) in rows_at_point(eq, rates)]
-        if _in_kernel(eq, level + held, flow):
-            held.append(_gauge(eq, flow))
-            symmetries.append(integral)
-    return _kernel(eq, level + held), tuple(symmetries)
+    gradients, flows = differentials(eq, moving), _flows(eq, moving)
+    tangent = _isotropy(eq, gradients, flows) if len(moving) > 1 else [[S.One]]
+    along = [[Add(*(c * x for c, x in zip(vector, column))) for column in zip(*flows)] for vector in tangent]
+    symmetries = tuple(Add(*(c * F for c, F in zip(vector, moving))) for vector in tangent)
+    return _kernel(eq, [*regular_differentials(eq), *gradients, *_gauges(eq, along)]), symmetries
+
+
+def _isotropy(eq: Equilibrium, gradients: Sequence[Sequence[Expr]],
+              flows: Sequence[Sequence[Expr]]) -> list[list[Expr]]:
+    """The combinations of integrals whose flows are tangent to the level of all of them.
+
+    Those that their brackets annihilate: the isotropy algebra of the value of the momentum map.
+    """
+    ring, _, rows = _polynomials(eq, [*gradients, *flows])
+    count = len(flows)
+    brackets = [[ring.reduce(sum((x * y for x, y in zip(gradient, flow)), ring.zero))
+                 for flow in rows[count:]] for gradient in rows[:count]]
+    found = []
+    for _, vector in null_space(ring, brackets, lambda j, entry: (not entry.is_constant(), len(entry),
+                                                                      -j), count):
+        first = next(filter(None, vector))
+        found.append([ring.expression(-x if first.leading_coefficient() < 0 else x) for x in vector])
+    return found
 
 
 @once
@@ -163,21 +175,25 @@ def orbit_modulo_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Exp
     _, moving = critical_integrals(eq)
     if not moving:
         return orbit_tangent(eq), ()
+    return _kernel(eq, [*regular_differentials(eq), *_gauges(eq, _flows(eq, moving))]), moving
+
+
+def _flows(eq: Equilibrium, integrals: Sequence[Expr]) -> list[list[Expr]]:
+    """The field of each integral at the equilibrium."""
     space = eq.system.space
-    flows = [[entry for (entry,) in rows_at_point(eq, space.tensor * space.gradient(integral))]
-             for integral in moving]
+    return [[entry for (entry,) in rows_at_point(eq, space.tensor * space.gradient(F))] for F in integrals]
+
+
+def _gauges(eq: Equilibrium, flows: Sequence[Sequence[Expr]]) -> list[list[Expr]]:
+    """The coordinates to be held, one for each flow: if there are any, those that a flow moves everywhere on
+    the family.
+    """
+    if not flows:
+        return []
     ring, signs, rows = _polynomials(eq, flows)
-    held = row_reduce(ring, rows, lambda j, entry: (not signs.nonzero(entry), len(entry), -j), len(flows[0]))
-    fixed = [[S.One if j == column else S.Zero for j in range(len(flows[0]))] for column, _ in held]
-    return _kernel(eq, [*regular_differentials(eq), *fixed]), moving
-
-
-def _gauge(eq: Equilibrium, flow: list[Expr]) -> list[Expr]:
-    """The coordinate to be held: one along which the flow moves everywhere on the family, if there is one."""
-    ring, signs, (row,) = _polynomials(eq, [flow])
-    best = min((j for j, entry in enumerate(row) if entry),
-               key=lambda j: (not signs.nonzero(row[j]), len(row[j]), -j))
-    return [ring.expression(ring.one if j == best else ring.zero) for j in range(len(row))]
+    size = len(flows[0])
+    held = row_reduce(ring, rows, lambda j, entry: (not signs.nonzero(entry), len(entry), -j), size)
+    return [[S.One if j == column else S.Zero for j in range(size)] for column, _ in held]
 
 
 def _polynomials(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> tuple[Ring, Signs, list]:
@@ -197,9 +213,3 @@ def _kernel(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> ImmutableMatrix:
 def _rank(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> int:
     ring, _, polynomials = _polynomials(eq, rows)
     return len(row_reduce(ring, polynomials, lambda j, entry: len(entry), len(rows[0])))
-
-
-def _in_kernel(eq: Equilibrium, rows: Sequence[Sequence[Expr]], vector: Sequence[Expr]) -> bool:
-    ring, _, (values, *polynomials) = _polynomials(eq, [vector, *rows])
-    return any(values) and not any(ring.reduce(sum((x * y for x, y in zip(row, values)), ring.zero))
-                                   for row in polynomials)

@@ -12,7 +12,7 @@ from ..errors import optional
 from ..mechanics.potential import DIRECTIONS
 from ..mechanics.system import System
 from ..stability.amended_potential import CriticalPoint, amended_potential
-from ..stability.report import Verdict
+from ..stability.decision import Verdict
 from .globe import across, circle, curve_on, dots_on, stage
 from .headings import heading, of_scene
 from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named

@@ -9,9 +9,9 @@ from ..algebra.precision import own_precision
 from ..errors import ScopeError, require
 from ..mechanics.circular_orbit import in_orbit
 from ..mechanics.system import System
+from ..stability.decision import Verdict
 from ..stability.orbital_equilibrium import OrbitalEquilibrium, balls
 from ..stability.relative_equilibria import relative_equilibria
-from ..stability.report import Verdict
 from .globe import circle, curve_on, dots_on, stage
 from .headings import heading, of_scene
 from .looks import GREY, axes_of, label, legend, marker, meaning, named

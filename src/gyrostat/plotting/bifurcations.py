@@ -12,13 +12,13 @@ from ..mechanics.families import E1, E2, E3
 from ..mechanics.system import System
 from ..notation import symbol
 from ..stability.continuation import Continuation, continuation
+from ..stability.decision import Verdict
 from ..stability.followed_heavy import HeavyContinuation
 from ..stability.followed_rotations import RotationContinuation
 from ..stability.kinds import precessions_leave, tilt_leaves
 from ..stability.meetings import BifurcationPoint
 from ..stability.permanent_rotations import LENGTH
 from ..stability.pieces import INFINITE, Mark, Piece
-from ..stability.report import Verdict
 from .headings import heading, of_scene, of_sphere
 from .looks import DARK, axes_of, axis, label, legend, line, marker, named, with_dimension
 

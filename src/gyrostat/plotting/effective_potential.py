@@ -18,7 +18,7 @@ from ..notation import symbol
 from ..stability.asked import names_of
 from ..stability.branch import Branch
 from ..stability.branches import branches_at
-from ..stability.report import Verdict
+from ..stability.decision import Verdict
 from .headings import heading, of_scene
 from .looks import BLUE, DARK, GREY, axes_of, axis, label, legend, marker, meaning, named
 from .numbers import numbers_of

@@ -8,8 +8,8 @@ from sympy import Expr
 from ..algebra.floats import Array, in_floats
 from ..mechanics.body import Gyrostat
 from ..mechanics.system import System, assemble
-from ..stability.permanent_rotations import PermanentRotation
-from ..stability.report import Verdict
+from ..stability.decision import Verdict
+from ..stability.free_rotation import PermanentRotation
 from ..trajectories import motion
 
 # of a turn at first; the longest chord; of halving, and of Newton's method

@@ -14,7 +14,7 @@ from ..mechanics.system import System
 from ..stability.asked import names_of
 from ..stability.branch import Branch
 from ..stability.critical_values import EnergyMomentum, critical_values
-from ..stability.report import Verdict
+from ..stability.decision import Verdict
 from .headings import heading, of_scene
 from .looks import DARK, axes_of, axis, legend, line, marker, named
 from .numbers import numbers_of

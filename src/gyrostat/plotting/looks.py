@@ -8,7 +8,7 @@ from ..algebra.floats import Array
 from ..errors import ArgumentError, optional
 from ..notation import dimension_of, typeset
 from ..printing.linebreaks import width
-from ..stability.report import Decision, Verdict
+from ..stability.decision import Decision, Verdict
 
 DESTROYED = "destroyed by internal damping"            # what is stable, but not under it
 LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""),

@@ -9,8 +9,8 @@ from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import ScopeError, ValuesError, require
 from ..mechanics.system import System
+from ..stability.decision import Verdict
 from ..stability.permanent_rotations import permanent_rotations
-from ..stability.report import Verdict
 from .energy_levels import energies_between, floats, level_curve
 from .globe import circle, curve_on, dots_on, stage
 from .headings import heading, of_sphere

@@ -6,8 +6,8 @@ import numpy as np
 from sympy import S, oo
 
 from ..mechanics.system import System
+from ..stability.decision import Verdict
 from ..stability.gyrostat_arcs import GyrostatArc
-from ..stability.report import Verdict
 from ..stability.staude import staude_cone
 from .along_arcs import along, directions, floats, moves
 from .globe import curve_on, dots_on, stage

@@ -10,8 +10,8 @@ from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
 from ..errors import ValuesError
 from ..mechanics.system import System
+from ..stability.decision import Verdict
 from ..stability.gyrostat_arcs import GyrostatArc
-from ..stability.report import Verdict
 from ..stability.staude import staude_cone
 from ..stability.staude_arcs import End, Piece
 from .along_arcs import Arc, along, floats, halved, placed

@@ -4,9 +4,9 @@ from sympy import Add, Expr
 from ..algebra.readable import readable
 from ..notation import symbol
 from ..stability.amended_potential import AmendedPotential, CriticalPoint
+from ..stability.free_rotation import PermanentRotation
 from ..stability.heavy_rotation import HeavyRotation
 from ..stability.orbital_equilibrium import OrbitalEquilibrium
-from ..stability.permanent_rotations import PermanentRotation
 from .blocks import Block, Display, Word, equations, listed, sentence
 from .ends import number
 

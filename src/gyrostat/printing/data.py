@@ -13,9 +13,10 @@ from sympy import Expr, Float
 from ..algebra.balls import ball
 from ..mechanics.system import System
 from ..stability.conditions import Condition, Criterion
+from ..stability.decision import Decision
 from ..stability.drift import Drift
 from ..stability.orientation_form import orientation_form, rests_in_frame
-from ..stability.report import Decision, Report
+from ..stability.report import Report
 from ..stability.rotation_report import RotationReport
 from ..version import DOCUMENT_FORMAT
 from .boundary import ladder, undecided
@@ -99,7 +100,8 @@ def condition_data(c: Condition) -> dict[str, Any]:
 def decision_data(decision: Decision) -> dict[str, Any]:
     """A verdict with its reason."""
     return {"verdict": decision.verdict.name, "notion": decision.notion, "modulo": strings(decision.modulo),
-            "reason": decision.reason,
+            "level": strings(decision.level), "locus": decision.locus, "rung": decision.rung.value,
+            "proved": decision.proved, "reason": decision.reason,
             "margins": {_text(margin): str(value) for margin, value in decision.margins},
             "certificate": {str(F): str(a) for F, a in decision.certificate},
             "note": decision.note}

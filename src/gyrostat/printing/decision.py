@@ -6,14 +6,12 @@ from sympy import Expr
 
 from ..algebra.numbers import shown
 from ..algebra.readable import readable
-from ..stability.report import Decision, Verdict
-from .blocks import Block, Display, Sentence, Word, modulo_flow, sentence
+from ..stability.decision import Decision, Verdict
+from .blocks import Block, Display, Sentence, Word, listed, modulo_flow, sentence
 from .conditions import source_word
 
 LONG = 200                                                 # characters of a margin that is shown by its name
 OF = "margin of "
-ON_LEVEL = " on its level of C1"
-BY_CONDITION = ("second variation", "integral", "spectrum")  # rungs at which a condition holds, or fails
 
 _IN_WORDS = {Verdict.STABLE: "Stable", Verdict.UNSTABLE: "Unstable", Verdict.UNDECIDED: "Undecided"}
 _DAMPED = {(Verdict.STABLE, Verdict.STABLE): "Stable, and stays so under internal damping",
@@ -27,9 +25,10 @@ _TITLES = {Verdict.STABLE: "Lyapunov stable", Verdict.UNSTABLE: "unstable", Verd
 def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Block]:
     """The verdict at the numbers given."""
     modulo = (" ", *modulo_flow(decision.modulo)) if decision.modulo and decision.notion else ()
-    level = ON_LEVEL if decision.notion.endswith(ON_LEVEL) else ""
-    blocks: list[Block] = [sentence(f"{of}: {_TITLES[decision.verdict]}{level}", *modulo,
-                                    f"; {_proved(decision)}.")]
+    level = (" on its level of ", *listed(decision.level)) if decision.level else ()
+    locus = f" as a set, {decision.locus}" if decision.locus else ""
+    blocks: list[Block] = [sentence(f"{of}: {_TITLES[decision.verdict]}", *level, locus, *modulo,
+                                    f"; {decision.proved}.")]
     for margin, name, value in named_margins(decision):
         left = source_word(name, OF) if name else readable(margin)
         said = shown(value)
@@ -44,13 +43,6 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
     if decision.note:
         blocks.append(sentence(f"Note: {decision.note}."))
     return blocks
-
-
-def _proved(decision: Decision) -> str:
-    """What is proved: one of the two conditions, or more than they say."""
-    if decision.verdict is Verdict.UNDECIDED or decision.notion == "secular" or decision.rung in BY_CONDITION:
-        return decision.verdict.value
-    return "it is proved where the two conditions do not decide"
 
 
 def reason_block(decision: Decision) -> Sentence:

@@ -19,9 +19,10 @@ from ..mechanics.potential import Potential
 from ..mechanics.system import System
 from ..notation import jet_name
 from ..stability.conditions import Condition, Criterion
+from ..stability.decision import Decision
 from ..stability.energy_casimir import SecondVariation
 from ..stability.linearization import Linearization
-from ..stability.report import Decision, Report
+from ..stability.report import Report
 from .blocks import Block, Display, Sentence, Word, rate_of
 from .conditions import comparison, trivial
 from .in_frame import motion_form
@@ -186,7 +187,11 @@ def _decision(decision: Decision, names: Names) -> str:
     proof = "".join(rf" + \left({tex(a, names)}\right) \left({tex(F, names)}\right)"
                     for F, a in decision.certificate)
     shown = rf" \quad \text{{by }} {names.of('h')}{proof}" if proof else ""
-    return rf"\text{{{verdict} ({decision.notion})}}" + _modulo(decision.modulo, names) + shown
+    level = ", ".join(tex(C, names) for C in decision.level)
+    level = rf" \quad \text{{on its level of }} {level}" if level else ""
+    locus = rf" \quad \text{{as a set, {decision.locus}}}" if decision.locus else ""
+    scope = level + locus + _modulo(decision.modulo, names)
+    return rf"\text{{{verdict} ({decision.notion})}}" + scope + shown
 
 
 @_formula.register

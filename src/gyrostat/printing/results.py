@@ -16,6 +16,7 @@ from ..stability.bifurcations import Bifurcation
 from ..stability.boundary import Boundary
 from ..stability.branch import Branch
 from ..stability.drift import Drift
+from ..stability.free_rotation import PermanentRotation
 from ..stability.gyrostat_arcs import GyrostatArc
 from ..stability.heavy_rotation import HeavyRotation
 from ..stability.kinds import KINDS
@@ -23,7 +24,6 @@ from ..stability.linearization import rational_root
 from ..stability.meetings import BifurcationPoint
 from ..stability.normal_form import NormalForm
 from ..stability.orbital_equilibrium import OrbitalEquilibrium
-from ..stability.permanent_rotations import PermanentRotation
 from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
 from ..stability.staude import StaudeCone
 from ..stability.staude_arcs import StaudeArc

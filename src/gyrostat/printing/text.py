@@ -17,9 +17,10 @@ from ..mechanics.potential import Potential
 from ..mechanics.system import System
 from ..notation import SUBSCRIPTS
 from ..stability.conditions import Condition, Criterion
+from ..stability.decision import Decision
 from ..stability.energy_casimir import SecondVariation
 from ..stability.linearization import Linearization
-from ..stability.report import Decision, Report
+from ..stability.report import Report
 from .blocks import Block, Display, Heading, Rows, Sentence, Word
 from .conditions import comparison, trivial
 from .decision import OF, named_margins
@@ -110,6 +111,10 @@ def _decision(decision: Decision) -> str:
         said += f", {decision.notion}"
         if decision.modulo:
             said += f" modulo the flow of {_row(decision.modulo)}"
+        if decision.level:
+            said += f" on its level of {_row(decision.level)}"
+        if decision.locus:
+            said += f" as a set, {decision.locus}"
     values = [f"{OF + name if name else margin} = {shown(value)}"
               for margin, name, value in named_margins(decision)]
     reason = f"{', '.join(values)}: {decision.reason}" if values else decision.reason

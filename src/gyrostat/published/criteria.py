@@ -149,7 +149,7 @@ class Claim:
             return "undecided"
         decision = self.report.verdict({name: value for name, value in numbers.items()
                                         if name in self.report.parameters})
-        notion = f", {decision.notion}" if "level" in decision.notion else ""
+        notion = f", {decision.notion} {decision.scope}" if decision.level else ""
         return decision.verdict.name.lower() + notion
 
     def _on_boundary(self) -> int | None:

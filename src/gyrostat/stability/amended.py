@@ -18,7 +18,7 @@ from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.potential import DIRECTIONS
 from ..notation import jet_name, symbol
-from .decision import Finding, settled
+from .decision import C1, Decision, Rung, settled, undecided
 
 ALONG = "where the second variation vanishes"
 HIGHEST = 16                                           # degree up to which the expansion goes
@@ -95,7 +95,7 @@ class Amended:
         return [{}, *(_form(ring.quotient(part, bottoms[0] ** (n + 1)))
                       for n, part in enumerate(parts) if n > 0)]
 
-    def decide(self, oscillates: bool) -> Finding:
+    def decide(self, oscillates: bool) -> Decision:
         """Whether the equilibrium is stable where the second variation is degenerate, None: not known.
 
         Parameters
@@ -105,23 +105,23 @@ class Amended:
         """
         values, which = self.leading()
         if values is None:
-            return settled(None, which)
+            return undecided(which)
         if values == {1}:
             return settled(True, f"the amended potential has a strict minimum, its leading form, {which}, is "
-                           "positive (Lagrange-Dirichlet)")
+                           "positive (Lagrange-Dirichlet)", Rung.LEADING_FORM)
         said = f"the leading form of the amended potential, {which}, "
         if values == {-1} and ALONG in which and oscillates:
             return settled(True, f"{said}is negative as the second variation is: a strict maximum, held by "
-                           "gyroscopic forces (Sokolskii)", "Lyapunov on its level of C1")
+                           "gyroscopic forces (Sokolskii)", Rung.LEADING_FORM, level=(C1,))
         if -1 not in values:
-            return settled(None, f"{said}is positive or 0: whether it has a minimum is not elementary")
+            return undecided(f"{said}is positive or 0: whether it has a minimum is not elementary")
         if self.natural:
             return settled(False, f"at rest with l = 0 the leading form of the potential, {which}, takes "
-                           "negative values (Chetaev)")
+                           "negative values (Chetaev)", Rung.LEADING_FORM)
         if ALONG in which and oscillates:
             return settled(False, f"{said}is not of the sign of the second variation: a motion leaves "
-                           "(Sokolskii)")
-        return settled(None, f"{said}takes negative values: gyroscopic forces may hold the motion")
+                           "(Sokolskii)", Rung.LEADING_FORM)
+        return undecided(f"{said}takes negative values: gyroscopic forces may hold the motion")
 
     def leading(self) -> tuple[set[int] | None, str]:
         """The signs that the leading form takes, and which form it is; None, and why, if they are not proved.

@@ -19,6 +19,8 @@ from ..mechanics.reduction import expansion, reducible
 from ..notation import Stored, jet, symbol
 from ..shown import Shown
 from .conditions import Condition
+from .decision import Decision, settled, undecided
+from .decision import Rung as Decided
 from .truth import sign_at
 
 # power of x up to which the ladder of a transcendental U goes
@@ -143,8 +145,13 @@ class Boundary(Shown, Stored):
             value = Mul(rung.condition.margin, *(e**2 for e in rung.condition.degenerate))
             yield -(value**2) if rung.escapes else value
 
-    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
-        """Whether the equilibrium is stable at numbers on the boundary, None if that is not proved; and why.
+    def expressions(self) -> Iterator[Expr]:
+        """The margins and even factors of the ladder, as far as it goes or to its third rung."""
+        for rung in islice(self.decisive(), 3 if self.last is None else None):
+            yield from (rung.condition.margin, *rung.condition.degenerate)
+
+    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
+        """The decision at numbers on the boundary.
 
         Parameters
         ----------
@@ -162,23 +169,26 @@ class Boundary(Shown, Stored):
                     if all(jet(s.name) for s in wanted)
                     else f"{missing} would decide"
                 )
-                return None, f"on the boundary, {what}"
+                return undecided(f"on the boundary, {what}")
             here = sign_at(condition, numbers, margins)
             if here is None:
-                return None, f"on the boundary, the coefficient of x^{rung.power} in g has no proved sign"
+                return undecided(f"on the boundary, the coefficient of x^{rung.power} in g has no proved "
+                                 "sign")
             if here:
                 return self._decided(rung, here)
         if self.last is None:
-            return None, f"on the boundary, all coefficients of g up to x^{HIGHEST} vanish"
-        return False, "on the boundary g vanishes identically: motions leave the point"
+            return undecided(f"on the boundary, all coefficients of g up to x^{HIGHEST} vanish")
+        return settled(False, "on the boundary g vanishes identically: motions leave the point",
+                       Decided.REDUCED_MOTION)
 
-    def _decided(self, rung: Rung, sign: int) -> tuple[bool, str]:
+    def _decided(self, rung: Rung, sign: int) -> Decision:
         stable = bool(rung.stable(sign))
         kind = (": supercritical" if stable else ": subcritical") if self.pole else ""
         where = "on the boundary " if rung.power > 2 else ""
         compared = "<" if sign > 0 else ">"
         moves = "k3 is held" if stable else "a motion leaves along x"
-        return stable, f"{where}g = c x^{rung.power} + … with c {compared} 0, {moves}{kind}"
+        return settled(stable, f"{where}g = c x^{rung.power} + … with c {compared} 0, {moves}{kind}",
+                       Decided.REDUCED_MOTION)
 
 
 @once

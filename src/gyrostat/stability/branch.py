@@ -74,7 +74,7 @@ def in_axes_of(found: Recognition, branch: Branch) -> Branch:
         pi = found.standard.body.moments[0] * branch.omega * k1, S.Zero, branch.pi3
         point = tuple(x for v in (pi, (k1, S.Zero, branch.k3)) for x in found.rotation.T * ImmutableMatrix(v))
     along = lowest(sum((x * k for x, k in zip(found.axis, found.scene.space.coordinates[3:])), S.Zero))
-    decision, itself, damped = (d and _decision(found, d)
+    decision, itself, damped = (None if d is None else _decision(found, d)
                                 for d in (branch.decision, branch.itself, branch.damped))
     assert decision is not None
     return replace(branch, decision=decision, itself=itself, along=along, point=point, damped=damped)

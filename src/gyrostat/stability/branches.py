@@ -71,8 +71,7 @@ def critical_tilt(scene: System, k3: Expr, values: Mapping[str, Any]) -> Verdict
     here = SceneAtNumbers(scene, numbers := asked_for(scene, values)[1])
     report = _report(here.potential, E3_AT_REST if sign_of_constant(numbers[OMEGA]) == 0 else E3)
     assert report.boundary is not None
-    stable, _ = report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {})
-    return Verdict.of(stable)
+    return report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {}).verdict
 
 
 @lru_cache(maxsize=256)

@@ -1,23 +1,31 @@
-"""A verdict, the decision that gives its notion and reason, and the interface of what decides."""
+"""A verdict, what decided it, and the decision that holds both together with the reason."""
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
-from typing import NamedTuple, Protocol
+from typing import Any, NoReturn, Protocol
 
 from sympy import Expr, Symbol
 
-from ..notation import Stored
+from ..errors import ArgumentError
+from ..notation import Stored, symbol
 from ..shown import Shown
+
+C1 = symbol("C1")                                          # M·k, where a proof holds on its level alone
 
 
 class Verdict(Enum):
     """What is known of an equilibrium; each value says what the answer means.
+
+    A verdict is equal to the text of its name. It is neither true nor false: bool(verdict) raises an
+    ArgumentError, and so does the comparison with a text that names no verdict.
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> [verdict.name for verdict in gs.Verdict]
     ['STABLE', 'UNSTABLE', 'UNDECIDED']
+    >>> gs.Verdict.STABLE == "STABLE", gs.Verdict.UNSTABLE == "STABLE"
+    (True, False)
     """
 
     STABLE = "a sufficient condition for stability is proved to hold"
@@ -40,19 +48,78 @@ class Verdict(Enum):
             return cls.UNDECIDED
         return cls.STABLE if stable else cls.UNSTABLE
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, str):
+            return self is other
+        if other not in Verdict.__members__:
+            raise ArgumentError(f"{other!r} is the name of no verdict: compare with "
+                                f"{', '.join(map(repr, Verdict.__members__))}")
+        return self.name == other
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __bool__(self) -> NoReturn:
+        raise ArgumentError(f"the verdict {self.name} is neither true nor false: write "
+                            "verdict == 'STABLE', or ask decision.stable")
+
+
+class Rung(Enum):
+    """What decided an equilibrium: the first step of the ladder of criteria and theorems that could.
+
+    Each value is the name that charts and JSON write.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 2}).rung
+    <Rung.REDUCED_MOTION: 'reduced motion'>
+    """
+
+    NOTHING = "nothing"                                    # undecided
+    SECOND_VARIATION = "second variation"                  # it is definite (Lagrange, Dirichlet; Arnold)
+    SPECTRUM = "spectrum"                                  # an eigenvalue has a positive real part
+    TWIST_POSITIVE = "D4 > 0"                              # Arnold's determinant; no resonance to order 4
+    TWIST_NEGATIVE = "D4 < 0"
+    SIXTH_ORDER = "D6"                                     # the same, where D4 = 0
+    RESONANCE = "resonance"                                # 1:1, 1:2 or 1:3 (Sokolskii, Markeev)
+    INTEGRAL = "integral"                                  # definite with an integral that was given
+    REDUCED_MOTION = "reduced motion"                      # of the tilt of a body of revolution
+    FOURTH_ORDER = "fourth order"                          # the energy on the momentum sphere
+    LEADING_FORM = "leading form"                          # of the amended potential, of degree 3 or more
+    NO_TORQUE = "no torque"                                # the momentum is fixed in space
+    DRIFT = "drift"                                        # equilibria nearby move along its orbit
+    WHOLE_ORBIT = "whole orbit"                            # nothing moves on its orbit
+    NEGATIVE_SQUARES = "negative squares"                  # of the energy, under internal damping
+
+    @property
+    def by_condition(self) -> bool:
+        """Whether a sufficient condition that is printed holds there, or a necessary one fails."""
+        return self in (Rung.SECOND_VARIATION, Rung.SPECTRUM, Rung.INTEGRAL, Rung.NEGATIVE_SQUARES)
+
 
 @dataclass(frozen=True, repr=False)
 class Decision(Shown, Stored):
-    """A verdict at given numbers, with its reason.
+    """A verdict with all that it is about, and its reason.
+
+    A decision is neither true nor false: bool(decision) raises an ArgumentError.
 
     Parameters
     ----------
     verdict : Verdict
+    rung : Rung
+        what decided
+    reason : str
     notion : str
         the notion that is proved ("Lyapunov") or violated ("spectral"); "" if undecided
     modulo : tuple of Expr
         integrals whose flow is divided out; for a spin about the axis, (pi3,)
-    reason : str
+    level : tuple of Expr
+        Casimirs or integrals whose values have to be kept: the proof is for motions on that level alone
+    locus : str
+        the set of equilibria that is stable as a whole, where the point by itself is not proved to be; "" of
+        a point
     margins : tuple of (margin, value)
         exact values of the margins that were used
     note : str
@@ -66,9 +133,6 @@ class Decision(Shown, Stored):
     certificate : tuple of (integral, rational)
         F and α of Σ α F, where integrals that were given decide: the second variation of h + Σ α F is
         definite on the orbit
-    rung : str
-        what decided: "second variation", "spectrum", "integral", "resonance", "D4 > 0", "D4 < 0", "D6"; ""
-        where that is another, on the boundary, or nothing
 
     Examples
     --------
@@ -77,47 +141,84 @@ class Decision(Shown, Stored):
     >>> decision = report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 3})
     >>> decision.verdict.name, decision.notion, decision.margins
     ('STABLE', 'Lyapunov', ((-4*I1*m0 + l**2 + 2*l*pi3_0 + pi3_0**2, 5),))
+    >>> decision.stable, decision.unstable, decision.scope
+    (True, False, '')
     """
 
     verdict: Verdict
-    notion: str
-    modulo: tuple[Expr, ...]
+    rung: Rung
     reason: str
-    margins: tuple[tuple[Expr, Expr], ...]
+    notion: str = ""
+    modulo: tuple[Expr, ...] = ()
+    level: tuple[Expr, ...] = ()
+    locus: str = ""
+    margins: tuple[tuple[Expr, Expr], ...] = ()
     note: str = ""
     growing: int | None = None
     names: tuple[str, ...] = ()
     pointwise: bool = False
     certificate: tuple[tuple[Expr, Expr], ...] = ()
-    rung: str = ""
+
+    def __bool__(self) -> NoReturn:
+        raise ArgumentError(f"a decision, here {self.verdict.name}, is neither true nor false: ask "
+                            "decision.stable or decision.unstable")
+
+    @property
+    def stable(self) -> bool:
+        """Whether it is proved to be stable, in the sense of notion and scope."""
+        return self.verdict is Verdict.STABLE
+
+    @property
+    def unstable(self) -> bool:
+        """Whether it is proved to be unstable."""
+        return self.verdict is Verdict.UNSTABLE
+
+    @property
+    def scope(self) -> str:
+        """What the name of the verdict leaves out, in words; "" if it is of the point itself.
+
+        The flows that are divided out, the level on which the proof holds, the set that is stable.
+        """
+        parts = [f"modulo the flow of {_listed(self.modulo)}"] if self.modulo else []
+        parts += [f"on its level of {_listed(self.level)}"] if self.level else []
+        return ", ".join([*parts, *([f"as a set, {self.locus}"] if self.locus else [])])
+
+    @property
+    def proved(self) -> str:
+        """What is proved, as a sentence without its full stop: one of the two conditions, or more."""
+        if self.verdict is Verdict.UNDECIDED or self.rung.by_condition:
+            return self.verdict.value
+        conditions = "condition does" if self.notion == "secular" else "two conditions do"
+        return f"it is proved where the {conditions} not decide"
+
+    def with_margins(self, margins: Mapping[Expr, Expr], note: str, names: tuple[str, ...]) -> "Decision":
+        """The same with the margins that were used, a note, and what each margin is of."""
+        decision = object.__new__(Decision)
+        decision.__dict__.update(self.__dict__, margins=tuple(margins.items()), note=note, names=names)
+        return decision
 
 
-class Finding(NamedTuple):
-    """Whether an equilibrium is stable, None if that is not proved; the notion, "" then; why; and where.
-
-    With the certificate of integrals, and what decided.
-    """
-
-    stable: bool | None
-    notion: str
-    why: str
-    pointwise: bool = False
-    certificate: tuple[tuple[Expr, Expr], ...] = ()
-    rung: str = ""
+def settled(stable: bool | None, why: str, rung: Rung, notion: str = "Lyapunov", **more: Any) -> Decision:
+    """The decision that something is proved, of a notion, by a rung; without both if nothing is proved."""
+    if stable is None:
+        return undecided(why)
+    return Decision(Verdict.of(stable), rung, why, notion, **more)
 
 
-def settled(stable: bool | None, why: str, notion: str = "Lyapunov", pointwise: bool = False,
-            rung: str = "") -> Finding:
-    """What is proved, of a notion."""
-    return Finding(stable, "" if stable is None else notion, why, pointwise, (),
-                   "" if stable is None else rung)
+def undecided(why: str) -> Decision:
+    """The decision that nothing is proved."""
+    return Decision(Verdict.UNDECIDED, Rung.NOTHING, why)
+
+
+def _listed(expressions: Iterable[Expr]) -> str:
+    return ", ".join(map(str, expressions))
 
 
 class Decider(Protocol):
-    """What decides an equilibrium where its criteria do not: Boundary, MomentumSphere, Drift."""
+    """What decides an equilibrium where its criteria do not: Boundary, MomentumSphere."""
 
-    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
-        """Whether it is stable at exact numbers, None if that is not proved, and why.
+    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
+        """The decision at exact numbers.
 
         The margins used are entered.
         """
@@ -132,3 +233,6 @@ class Ends(Protocol):
 
 class Between(Decider, Ends, Protocol):
     """What decides between the two criteria at numbers, and at the ends of what is solved for."""
+
+    def expressions(self) -> Iterable[Expr]:
+        """What may be asked for its sign; the first few of them, where they do not end."""

@@ -6,7 +6,7 @@ from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
 from ..mechanics.standard import Seen, seen
-from ..notation import Stored
+from ..notation import Stored, jet
 from ..shown import Shown
 from .boundary import Boundary, boundary_of
 from .conditions import Criterion, independent
@@ -14,12 +14,13 @@ from .criteria import formal_criterion, spectral_criterion
 from .decision import Between
 from .drift import Drift
 from .energy_casimir import SecondVariation, second_variation
+from .in_frame import open_between
 from .integrals import integral_criterion
 from .linearization import Linearization, linearize
 from .secular import Secular, secular_of
 from .secular_in_frame import SecularInFrame
 from .sphere import sphere_of
-from .values import names_accepted, names_needed
+from .values import names_accepted, names_in, names_needed, names_of_motion
 
 
 @dataclass(frozen=True, repr=False)
@@ -110,14 +111,30 @@ class Derived(Shown, Stored):
         return Drift(self.recognised.equilibrium if self.recognised else self.equilibrium)
 
     @cached_property
-    def required(self) -> tuple[str, ...]:
-        """Names that a verdict needs."""
+    def compared(self) -> tuple[str, ...]:
+        """Names in the two criteria: without one of them there is no verdict."""
         return names_needed(self.equilibrium, (self.necessary, self.sufficient))
+
+    @cached_property
+    def required(self) -> tuple[str, ...]:
+        """Names with which every verdict is answered: those of the criteria and of what decides between them.
+
+        Of an unspecified U a boundary may need a derivative besides.
+        """
+        return tuple(sorted({*self.compared, *self._between_names()}))
+
+    def _between_names(self) -> tuple[str, ...]:
+        eq = self.equilibrium
+        if () in self.sufficient.alternatives or open_between(eq):
+            return ()
+        if self.between is None:
+            return names_of_motion(eq)
+        return names_in(e for e in self.between.expressions() if not any(jet(s.name) for s in e.free_symbols))
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
         """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
-        return names_accepted(self.equilibrium, self.required)
+        return names_accepted(self.equilibrium, self.compared)
 
 
 @once

@@ -2,22 +2,26 @@
 
 Whether relative equilibria near it drift along its orbit under the spin, and how fast.
 """
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
-from sympy import Add, Expr, Mul, Rational, Symbol
+from sympy import Add, Expr, Matrix, Mul, Rational, S, Symbol
 
 from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.margins import Signs
 from ..algebra.matrices import multiply
+from ..algebra.number_matrices import NotProvedError, rank
 from ..algebra.numbers import shown
 from ..algebra.polynomials import Ring, cancel, derivatives, lowest_terms
 from ..kept import cached_property
+from ..mechanics.derivation import rows_at_point
 from ..mechanics.equilibria import Equilibrium
+from ..mechanics.orbit import regular_differentials
 from ..mechanics.reduction import reduce
 from ..notation import Stored, symbol
 from ..shown import Shown
+from .decision import Decision, Rung, settled, undecided
 from .linearization import Linearization, linearize
 
 K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")
@@ -107,33 +111,35 @@ class Drift(Shown, Stored):
     def _p(self) -> Expr:
         return self.equilibrium.insert(self._linearization.coefficients[0])
 
-    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
-        """Whether the point, stable modulo the spin, is Lyapunov stable.
+    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
+        """The decision on the point, which is stable modulo the spin.
 
-        True only in the exceptional case; and why.
+        Stable only in the exceptional case.
         """
         body = self.equilibrium.system.body
         linear = self._linear(numbers, margins)
         turning = "relative equilibria near it turn about the axis of the body"
         if (moving := sign_of_constant(evaluate(self.omega, numbers))) == 0:
-            return False, f"{turning}, at any rate σ; {linear}"
+            return settled(False, f"{turning}, at any rate σ; {linear}", Rung.DRIFT)
         slopes = [evaluate(rate, numbers) for rate in self.rates]
         if any(sign_of_constant(slope) for slope in slopes):
             along, across = map(shown, slopes)
-            return False, f"{turning}, at the rate σ with ∂σ/∂k3 = {along}, ∂σ/∂ω = {across}; {linear}"
+            return settled(False, f"{turning}, at the rate σ with ∂σ/∂k3 = {along}, ∂σ/∂ω = {across}; "
+                           f"{linear}", Rung.DRIFT)
         known = {**numbers, **{name: evaluate(value, numbers)
                                for name, value in self.equilibrium.relations if name not in numbers}}
         special = [body.moments[0] - body.moments[2], body.gyrostatic_momentum[2]]
         signs = [sign_of_constant(evaluate(e, known)) if e.free_symbols <= known.keys() else None
                  for e in special]
         if any(signs):
-            return False, f"{turning}, at a rate σ of second order; {linear}"
+            return settled(False, f"{turning}, at a rate σ of second order; {linear}", Rung.DRIFT)
         constant = None if None in signs else self._constant(known)
         if constant is None or constant and moving is None:
-            return None, f"whether {turning} depends on U near k3; {linear}"
+            return undecided(f"whether {turning} depends on U near k3; {linear}")
         if constant:
-            return True, "I1 = I3, l = 0 and U is constant: ω and π are fixed in space, and nothing drifts"
-        return False, f"{turning}, at a rate σ of higher order; {linear}"
+            return settled(True, "I1 = I3, l = 0 and U is constant: ω and π are fixed in space, and nothing "
+                           "drifts", Rung.NO_TORQUE)
+        return settled(False, f"{turning}, at a rate σ of higher order; {linear}", Rung.DRIFT)
 
     def _constant(self, known: Mapping[Symbol, Expr]) -> bool | None:
         """Whether U is constant at the values of its parameters, None if that is not proved."""
@@ -163,3 +169,37 @@ class Drift(Shown, Stored):
             if name == DU:
                 placed = placed.xreplace({name: value})
         return lowest_terms(eq.insert(placed))
+
+
+def drifts_along(eq: Equilibrium, found: Decision) -> Decision:
+    """The decision on a point at numbers that is stable modulo the flows of integrals.
+
+    Where J y = X for the field X of such a flow, relative equilibria near the point move along X, at rates
+    that grow with their distance from it: the second variation is not degenerate across the flows, and they
+    go on smoothly with the values of the integrals.
+
+    References
+    ----------
+    Patrick, J. Geom. Phys. 9 (1992) 111-119, for relative equilibria and their drift.
+    """
+    flow = ", ".join(map(str, found.modulo))
+    space = eq.system.space
+    jacobian = [[eq.insert(x) for x in row] for row in rows_at_point(eq, eq.system.jet_jacobian)]
+    rows = [*jacobian, *regular_differentials(eq)]
+    for F in found.modulo:
+        moved = [x for (x,) in rows_at_point(eq, space.tensor * space.gradient(F))]
+        beside = [*moved, *([S.Zero] * (len(rows) - len(moved)))]
+        if found.rung is Rung.SECOND_VARIATION and any(moved) and _solvable(rows, beside):
+            return settled(False, f"relative equilibria near it move along the flow of {F}: the eigenvalue 0 "
+                           "of the linearised field has a Jordan block", Rung.DRIFT)
+    return undecided(f"it is stable modulo the flow of {flow}, and whether equilibria near it move along "
+                     "that flow is not proved")
+
+
+def _solvable(rows: Sequence[Sequence[Expr]], right: Sequence[Expr]) -> bool:
+    """Whether it is proved that linear equations at numbers have a solution."""
+    whole = Matrix([[*row, x] for row, x in zip(rows, right)])
+    try:
+        return rank(whole) == rank(whole[:, :-1])
+    except NotProvedError:
+        return False

@@ -1,6 +1,6 @@
 """What decides for any body where the second variation is degenerate: elementary theorems, at numbers."""
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sympy import Expr, Symbol
 
@@ -9,7 +9,7 @@ from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .amended import Amended
-from .decision import Finding, settled
+from .decision import Decision, undecided
 from .in_frame import decide_in_frame
 from .integrals import decide_by_integrals
 from .linearization import Linearization
@@ -30,13 +30,17 @@ class Elementary:
     ----------
     equilibrium : Equilibrium
     linearization : Linearization
-    free : callable
-        whether another equilibrium is stable, of the free body or of the axis of a satellite, and why
+    decided : callable
+        the decision on an equilibrium of the free body
+    point_decided : callable
+        the decision on the axis of a satellite in the frame of its orbit, as a point: no turn of that frame
+        is a symmetry of the satellite
     """
 
     equilibrium: Equilibrium
     linearization: Linearization
-    free: Callable[[Equilibrium], Finding]
+    decided: Callable[[Equilibrium], Decision]
+    point_decided: Callable[[Equilibrium], Decision]
 
     @cached_property
     def _determinant(self) -> tuple[Expr, tuple[str, ...]]:
@@ -44,30 +48,31 @@ class Elementary:
         determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
         return determinant, names_in([determinant])
 
-    def decide(self, numbers: Mapping[Symbol, Expr]) -> Finding:
-        """Whether it is stable between the two criteria, None if that is not known; the notion, and why."""
+    def decide(self, numbers: Mapping[Symbol, Expr]) -> Decision:
+        """The decision between the two criteria."""
         eq, (determinant, names) = self.equilibrium, self._determinant
         if missing := [name for name in names if symbol(name) not in numbers]:
-            return settled(None, "the point lies between the two criteria; give "
-                           f"{', '.join(missing)} to decide")
+            return undecided("the point lies between the two criteria; give "
+                             f"{', '.join(missing)} to decide")
         if eq.system.coupled:
-            return decide_in_frame(eq, numbers, sign(determinant, numbers) == 0, self.free)
+            return decide_in_frame(eq, numbers, sign(determinant, numbers) == 0, self.point_decided)
         if eq.system.potential is None:
-            found, why = extremum_at(eq, numbers)
-            return settled(None if found is None else found != 0, why)
+            return extremum_at(eq, numbers).decision
         by_integrals = decide_by_integrals(eq, numbers)
         if by_integrals.stable:
             return by_integrals
         beyond = self._without_integrals(numbers, sign(determinant, numbers) == 0)
-        return beyond._replace(why=f"{by_integrals.why}; {beyond.why}") if by_integrals.why else beyond
+        if not by_integrals.reason:
+            return beyond
+        return replace(beyond, reason=f"{by_integrals.reason}; {beyond.reason}")
 
-    def _without_integrals(self, numbers: Mapping[Symbol, Expr], degenerate: bool) -> Finding:
+    def _without_integrals(self, numbers: Mapping[Symbol, Expr], degenerate: bool) -> Decision:
         """What normal forms and the amended potential decide."""
         eq = self.equilibrium
         if not degenerate:
             return self._window(numbers)
         if torqueless := torque_free(eq, numbers):
-            return settled(*torqueless.decide(self.free))
+            return torqueless.decide(self.decided)
         return Amended(eq, numbers).decide(self._oscillates(numbers))
 
     def _oscillates(self, numbers: Mapping[Symbol, Expr]) -> bool:
@@ -75,10 +80,10 @@ class Elementary:
         p = self.equilibrium.insert(self.linearization.coefficients[0])
         return sign(p, numbers) == 1
 
-    def _window(self, numbers: Mapping[Symbol, Expr]) -> Finding:
+    def _window(self, numbers: Mapping[Symbol, Expr]) -> Decision:
         """Where gyroscopic forces hold a maximum of the amended potential."""
         motion = local_motion(self.equilibrium, numbers, DEGREE)
         if isinstance(motion, list):
-            return settled(None, "the amended potential has a maximum, held by gyroscopic forces; give "
-                              f"{', '.join(motion)} to decide")
+            return undecided("the amended potential has a maximum, held by gyroscopic forces; give "
+                             f"{', '.join(motion)} to decide")
         return decide_window(motion)

@@ -17,22 +17,21 @@ from ..mechanics.system import System
 from ..notation import Stored
 from ..shown import Shown
 from .amended_form import AmendedForm, amended_form
-from .decision import Decision, Verdict
+from .decision import Decision, Rung, settled
 from .heavy_polynomials import DIRECTION
 from .local_motion import LocalMotion
 from .report import Report
-from .secular import KEPT, LOST, modes
+from .secular import KEEPS, lost
 from .sphere import circle_in_words
 from .windows import decide_window
 
 PRECISION = 128                                            # bits that decide
 DIGITS = 80                                                # of frequencies, half of which may cancel
-LEAST = Decision(Verdict.STABLE, "Lyapunov", (), "the amended potential has a minimum", (),
-                 rung="second variation")
-SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a saddle: an eigenvalue has a "
-                  "positive real part", (), rung="spectrum")
-LEAVES = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a maximum, and the gyroscopic "
-                  "forces do not hold it: an eigenvalue has a positive real part", (), rung="spectrum")
+LEAST = settled(True, "the amended potential has a minimum", Rung.SECOND_VARIATION)
+SADDLE = settled(False, "the amended potential has a saddle: an eigenvalue has a positive real part",
+                 Rung.SPECTRUM, "spectral")
+LEAVES = settled(False, "the amended potential has a maximum, and the gyroscopic forces do not hold it: an "
+                 "eigenvalue has a positive real part", Rung.SPECTRUM, "spectral")
 
 
 class Data(NamedTuple):
@@ -105,7 +104,7 @@ class HeavyRotation(Shown, Stored):
 
     @cached_property
     def decision(self) -> Decision:
-        """The verdict on the point itself."""
+        """The verdict; of a body that is of revolution modulo the turn about its axis."""
         trace, determinant, p, discriminant = self.signs
         if determinant == -1:
             return SADDLE
@@ -114,11 +113,14 @@ class HeavyRotation(Shown, Stored):
         if determinant == 1 and trace == -1 and (p == -1 or discriminant == -1):
             return LEAVES
         if determinant == 1 and trace == -1 and p == discriminant == 1 and not self.scene.given_integrals:
-            found = decide_window(self._motion)
-            return Decision(Verdict.of(found.stable), found.notion, (), found.why, (), pointwise=True,
-                            rung=found.rung)
+            return decide_window(self._motion)
         decision = Report(self.equilibrium).verdict({})
         return replace(decision, pointwise=decision.pointwise or bool(decision.certificate))
+
+    @cached_property
+    def itself(self) -> Decision | None:
+        """What holds of the point where the decision is modulo the flow of an integral; else None."""
+        return Report(self.equilibrium).itself({}) if self.decision.modulo else None
 
     @property
     def _motion(self) -> LocalMotion:
@@ -136,8 +138,7 @@ class HeavyRotation(Shown, Stored):
         if not (determinant and trace) or not self._reached:
             return Report(self.equilibrium).verdict({}, damped=True)
         growing = 1 if determinant == -1 else 0 if trace == 1 else 2
-        reason = f"{LOST}, {modes(growing)}" if growing else KEPT
-        return Decision(Verdict.of(not growing), "secular", (), reason, (), growing=growing)
+        return lost(growing) if growing else KEEPS
 
     @property
     def frequencies(self) -> tuple[Expr, ...]:

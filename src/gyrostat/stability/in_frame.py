@@ -1,5 +1,6 @@
 """What decides between the two criteria where there are two directions, or a coupling β."""
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 from sympy import Expr, Symbol
 
@@ -7,7 +8,7 @@ from ..algebra.exact import evaluate
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.orbital_precession import moving_axis
 from ..mechanics.parallel import parallel
-from .decision import Finding, settled
+from .decision import Decision, undecided
 
 HELD = ("gyroscopic forces hold it, the second variation has both signs: no theorem decides with three "
         "degrees of freedom")
@@ -22,14 +23,16 @@ def open_between(eq: Equilibrium) -> bool:
 
 
 def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate: bool,
-                    reduced: Callable[[Equilibrium], Finding]) -> Finding:
+                    point_decided: Callable[[Equilibrium], Decision]) -> Decision:
     """Of a symmetric satellite what its axis does; of any other undecided, with what is known of it.
 
-    The last argument says what is proved of a body in one direction.
+    The last argument says what is proved of a body in one direction, as a point. Its C1 is minus the momentum
+    along the axis of the satellite.
     """
     if axis := moving_axis(eq, lambda x: evaluate(x, numbers)):
-        found = reduced(axis)
-        return found._replace(why=f"{AXIS}{found.why}")
+        found = point_decided(axis)
+        return replace(found, reason=f"{AXIS}{found.reason}", margins=(),
+                       level=found.level and eq.system.linear_integrals)
     if degenerate:
-        return settled(None, DEGENERATE)
-    return settled(None, HELD if len(eq.point) == 9 else COUPLED)
+        return undecided(DEGENERATE)
+    return undecided(HELD if len(eq.point) == 9 else COUPLED)

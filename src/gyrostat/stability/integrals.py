@@ -18,11 +18,9 @@ from ..mechanics.orbit import critical_integrals, is_critical, orbit_tangent
 from ..mechanics.system import at_numbers, names_of_scene
 from .conditions import Condition, Criterion
 from .criteria import spectral_criterion
-from .decision import Finding, settled
+from .decision import C1, Decision, Rung, settled, undecided
 from .energy_casimir import restricted
 from .linearization import Linearization
-
-LEVEL = "Lyapunov on its level of C1"
 
 
 def integral_criterion(linearization: Linearization) -> Criterion:
@@ -85,7 +83,7 @@ def _trace(ring: Ring, matrix: list[Any]) -> fmpq_mpoly:
     return sum((row[n] for n, row in enumerate(matrix)), ring.zero)
 
 
-def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Finding:
+def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Decision:
     """Whether the second variation of h + Σ α F is definite on the orbit for some α: then it is stable.
 
     F are the integrals given, critical there on the orbit. Where none is used, why is "" or says it.
@@ -95,13 +93,13 @@ def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Find
     Arnold, Sov. Math. Dokl. 6 (1965) 331-334; Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116.
     """
     if not eq.system.given_integrals:
-        return settled(None, "")
+        return undecided("")
     known = {s: evaluate(eq.insert(s), numbers) for s in names_of_scene(eq.system)}
     if missing := sorted(s.name for s, value in known.items() if value.free_symbols):
-        return settled(None, f"give {', '.join(missing)} to decide by the integrals")
+        return undecided(f"give {', '.join(missing)} to decide by the integrals")
     here = _at(eq, known, numbers)
     if here is None or critical_integrals(here)[1]:        # else a flow is to be divided out
-        return settled(None, "")
+        return undecided("")
     names = {F: f"F{n}" for n, F in enumerate(here.system.integrals, 1)}
     on_level, idle, used = here.system.integrals_at(here.point), list[str](), list[Expr]()
     for F in here.system.integrals:
@@ -112,20 +110,20 @@ def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Find
         else:
             used.append(F)
     if not used:
-        return settled(None, ", ".join(idle))
+        return undecided(", ".join(idle))
     variation = restricted(here, (orbit_tangent(here), ()), (*used, *here.system.space.casimirs))
     others = [ImmutableMatrix(variation.matrix.diff(nu)) for nu in variation.free]
     found = definite_combination(variation.matrix.xreplace(dict.fromkeys(variation.free, S.Zero)), others)
     if found is None:
         tried = "".join(f" + α {names[F]}" for F in used)
-        return settled(None, "; ".join([*idle, f"no h{tried} was found that is definite"]))
+        return undecided("; ".join([*idle, f"no h{tried} was found that is definite"]))
     taken = [(F, a) for F, a in zip(used, found) if a]
     terms = "".join(f" {'+' if a > 0 else '−'} {f'{abs(a)} ' if abs(a) != 1 else ''}{names[F]}"
                     for F, a in taken)
-    notion = LEVEL if any(F in here.system.level_only for F, _ in taken) else "Lyapunov"
+    level = (C1,) if any(F in here.system.level_only for F, _ in taken) else ()
     return settled(True, f"the second variation of h{terms} is definite on the orbit, "
-                   + ", ".join(f"{names[F]} = {F}" for F, _ in taken), notion, True,
-                   "integral")._replace(certificate=tuple(taken))
+                   + ", ".join(f"{names[F]} = {F}" for F, _ in taken), Rung.INTEGRAL, level=level,
+                   pointwise=True, certificate=tuple(taken))
 
 
 def _at(eq: Equilibrium, known: Mapping[Symbol, Expr], numbers: Mapping[Symbol, Expr]) -> Equilibrium | None:

@@ -19,19 +19,19 @@ from ..mechanics.system import System
 from ..notation import Stored
 from ..shown import Shown
 from .amended_form import dot, trace
-from .decision import Decision, Verdict
+from .decision import Decision, Rung, settled, undecided
 from .in_frame import HELD
 from .report import Report
-from .secular import KEPT, LOST, modes
+from .secular import KEEPS, lost
 
 PRECISION, DIGITS = BITS, 30                               # bits that decide; digits of a rate
 TIGHT = arb("1e-60")                                       # of its square
-LEAST = Decision(Verdict.STABLE, "Lyapunov", (), "the energy has a minimum: K is positive definite", ())
-ODD = Decision(Verdict.UNSTABLE, "spectral", (), "K has an odd number of negative squares: an eigenvalue has "
-               "a positive real part", ())
-LEAVES = Decision(Verdict.UNSTABLE, "spectral", (), "K has two negative squares, and the gyroscopic forces "
-                  "do not hold it: an eigenvalue has a positive real part", ())
-OPEN = Decision(Verdict.UNDECIDED, "", (), HELD, ())
+LEAST = settled(True, "the energy has a minimum: K is positive definite", Rung.SECOND_VARIATION)
+ODD = settled(False, "K has an odd number of negative squares: an eigenvalue has a positive real part",
+              Rung.SPECTRUM, "spectral")
+LEAVES = settled(False, "K has two negative squares, and the gyroscopic forces do not hold it: an eigenvalue "
+                 "has a positive real part", Rung.SPECTRUM, "spectral")
+OPEN = undecided(HELD)
 
 
 @dataclass(frozen=True, repr=False)
@@ -89,12 +89,12 @@ class OrbitalEquilibrium(Shown, Stored):
 
     @cached_property
     def decision(self) -> Decision:
-        """The verdict on the point itself."""
+        """The verdict; of a body of revolution modulo the turn about its axis."""
         if self.scene.linear_integrals:
             return Report(self.equilibrium).verdict({})
         trace_, second, whole, *spectrum = self.signs
         if self.locus:                                     # K is degenerate along the curve
-            return LEAVES if -1 in spectrum else Decision(Verdict.UNDECIDED, "", (), self.locus, ())
+            return LEAVES if -1 in spectrum else undecided(self.locus)
         if whole == -1:
             return ODD
         if trace_ == second == whole == 1:
@@ -107,19 +107,23 @@ class OrbitalEquilibrium(Shown, Stored):
         return Report(self.equilibrium).verdict({})
 
     @cached_property
+    def itself(self) -> Decision | None:
+        """What holds of the point where the decision is modulo the flow of an integral; else None."""
+        return Report(self.equilibrium).itself({}) if self.decision.modulo else None
+
+    @cached_property
     def damped(self) -> Decision:
         """The verdict under internal damping."""
         if self.scene.linear_integrals:
             return Report(self.equilibrium).verdict({}, damped=True)
         trace_, second, whole, *_ = self.signs
         if self.locus:
-            return Decision(Verdict.UNDECIDED, "", (), self.locus, ())
+            return undecided(self.locus)
         if None in (trace_, second, whole) or not whole or not self._reached:
             return Report(self.equilibrium).verdict({}, damped=True)
         left = [s for s in (1, trace_, second, whole) if s]
         growing = sum(a != b for a, b in zip(left, left[1:]))
-        reason = f"{LOST}, {modes(growing)}" if growing else KEPT
-        return Decision(Verdict.of(not growing), "secular", (), reason, (), growing=growing)
+        return lost(growing) if growing else KEEPS
 
     @cached_property
     def signs(self) -> tuple[int | None, ...]:

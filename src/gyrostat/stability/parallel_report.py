@@ -10,7 +10,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.parallel import parallel
 from ..mechanics.relations import residual_of
 from .conditions import Criterion, condition_of, independent
-from .decision import Finding, settled
+from .decision import Decision, Rung, settled, undecided
 from .energy_casimir import SecondVariation, blocks
 from .implication import Item, reduced
 from .linearization import Linearization
@@ -78,13 +78,14 @@ class ParallelReport(Report):
         """What internal damping makes of it."""
         return ParallelSecular(self.equilibrium)
 
-    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[Finding, tuple[Expr, ...]]:
+    def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
+        """As Report.decide: against all motions."""
         if holds(self.sufficient, numbers, margins):
-            return settled(True, MINIMUM, rung="second variation"), ()
-        found, _ = self.along._decided(numbers, margins)
+            return settled(True, MINIMUM, Rung.SECOND_VARIATION)
+        found = self.along.decide(numbers, margins)
         if found.stable:
-            return settled(None, f"where the directions stay parallel it is stable; {OTHERS}"), ()
-        return found, ()
+            return undecided(f"where the directions stay parallel it is stable; {OTHERS}")
+        return replace(found, modulo=())
 
 
 class ParallelSecular(Secular):
@@ -112,15 +113,14 @@ class ParallelSecular(Secular):
         """At rest, K is positive definite across the directions."""
         return independent(least_across(self.equilibrium), self.equilibrium)
 
-    def decide(self, numbers: Point, margins: dict[Expr, Expr]
-               ) -> tuple[bool | None, str, int | None, tuple[Expr, ...]]:
+    def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
         """As Secular.decide."""
         if holds(self.criterion, numbers, margins):
-            return True, MINIMUM, 0, ()
-        stable, why, growing, _ = self.along.decide(numbers, margins)
-        if stable:
-            return None, f"where the directions stay parallel, {why}; {OTHERS}", None, ()
-        return stable, why, growing, ()
+            return settled(True, MINIMUM, Rung.SECOND_VARIATION, "secular", growing=0)
+        found = self.along.decide(numbers, margins)
+        if found.stable:
+            return undecided(f"where the directions stay parallel, {found.reason}; {OTHERS}")
+        return replace(found, modulo=())
 
 
 def at_rest(eq: Equilibrium) -> bool:

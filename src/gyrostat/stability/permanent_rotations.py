@@ -1,10 +1,10 @@
 """The permanent rotations of a free body or gyrostat: every equilibrium on a momentum sphere."""
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from flint import arb, arb_mat
-from sympy import Add, Expr, ImmutableMatrix, Matrix, Rational, S, eye, sqrt
+from sympy import Add, Expr, ImmutableMatrix, Matrix, S, eye, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, proved_sign
@@ -12,118 +12,17 @@ from ..algebra.pencils import points_on_sphere
 from ..algebra.precision import own_precision
 from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError
-from ..kept import cached_property
 from ..mechanics.body import Gyrostat
 from ..mechanics.system import System, at_numbers, names_of_scene
-from ..notation import Stored, symbol
-from ..shown import Shown
+from ..notation import symbol
 from .asked import exact_point
-from .decision import Decision, Verdict
+from .free_rotation import ANYWHERE, AT_REST, EXTREMUM, SADDLE, PermanentRotation, on_circle
 from .rotors_in_rpm import explained, without_pi
-from .secular import KEPT, LOST, modes
-from .sphere import DRIFTS, circle_in_words, extremum
+from .sphere import extremum
 from .values import unknown
 
 NU, LENGTH = symbol("nu"), symbol("M")
 PRECISION = 128                                            # bits that put the rotations in order
-EXTREMUM = Decision(Verdict.STABLE, "Lyapunov", (), "the energy is an extremum on the momentum sphere", ())
-SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the energy is a saddle on the momentum sphere: an "
-                  "eigenvalue has a positive real part", ())
-ON_CIRCLE = Decision(Verdict.UNSTABLE, "Lyapunov", (), DRIFTS, ())
-ANYWHERE = Decision(Verdict.STABLE, "Lyapunov", (), "M stays where it is: all moments are equal, "
-                    "and there is no rotor", ())
-AT_REST = Decision(Verdict.STABLE, "Lyapunov", (), "M = 0 is the whole orbit", ())
-
-
-@dataclass(frozen=True, repr=False)
-class PermanentRotation(Shown, Stored):
-    """A rotation about an axis fixed in the body and in space: M = I ω + l with ω = ν M.
-
-    Parameters
-    ----------
-    body : Gyrostat
-    momentum : tuple of Expr, shape (3,)
-        M, exact [M L²/T]
-    nu : Expr or None
-        ν [1/(M L²)]; None where M = 0
-    decision : Decision
-    circle : tuple of Expr, shape (3,), or None
-        along the axis about which the point may be turned: a circle of equilibria
-    sphere : bool
-        whether every point of the momentum sphere is an equilibrium
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> box = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
-    >>> rotation = gs.relative_equilibria(box, {"M": 1})[2]
-    >>> rotation.momentum, rotation.energy, rotation.decision.verdict.name, rotation.growth_rate
-    ((0, -1, 0), 1/4, 'UNSTABLE', sqrt(3)/6)
-    """
-
-    body: Gyrostat
-    momentum: tuple[Expr, ...]
-    nu: Expr | None
-    decision: Decision
-    circle: tuple[Expr, ...] | None = None
-    sphere: bool = False
-
-    @cached_property
-    def energy(self) -> Expr:
-        """½ Σ (M − l)²/I [M L²/T²]."""
-        body = self.body
-        pi = [m - l for m, l in zip(self.momentum, body.gyrostatic_momentum)]
-        if isinstance(body.inertia, ImmutableMatrix):
-            return body.kinetic_energy(pi)
-        rates = [p / moment for p, moment in zip(pi, body.moments)]
-        return Add(*(Rational(1, 2) * moment * rate**2 for moment, rate in zip(body.moments, rates)))
-
-    @cached_property
-    def curvature(self) -> Expr:
-        """Δ = M·adj(I⁻¹ − ν) M [1/T²]: the eigenvalues are ±√−Δ.
-
-        In principal axes M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν.
-        """
-        if self.nu is None or self.decision not in (EXTREMUM, SADDLE):
-            return S.Zero
-        if isinstance(self.body.inertia, ImmutableMatrix):
-            M = Matrix(self.momentum)
-            return M.dot((self.body.inverse - self.nu * eye(3)).adjugate() * M)
-        d = [1 / moment - self.nu for moment in self.body.moments]
-        return Add(*(m**2 * d[n - 1] * d[n - 2] for n, m in enumerate(self.momentum)))
-
-    @cached_property
-    def damped(self) -> Decision:
-        """The verdict under internal damping, which keeps M; of a circle, modulo the turns about its axis."""
-        if self.nu is None or self.sphere:
-            return replace(self.decision, notion="secular", growing=0)
-        if self.decision not in (EXTREMUM, SADDLE, ON_CIRCLE):
-            sign, why = extremum(self.body, self.momentum, self.nu)
-            return _damped(sign if sign is None else sign == 1, why, 0 if sign == 1 else None)
-        M, D = Matrix(self.momentum), self.body.inverse - self.nu * eye(3)
-        rising = proved_sign(D.trace() * M.dot(M) - M.dot(D * M)) == 1
-        growing = 1 if self.decision == SADDLE else 0 if rising else 1 if self.circle else 2
-        along = Add(*(x * symbol(f"pi{n}") for n, x in enumerate(self.circle or (), 1)))
-        return replace(_damped(not growing, "" if rising else modes(growing), growing),
-                       modulo=(along,) if self.circle else ())
-
-    @property
-    def locus(self) -> str:
-        """What it belongs to: "" for a point, else a circle or the sphere of equilibria, in words."""
-        if self.sphere:
-            return "the whole sphere"
-        return "" if self.circle is None else circle_in_words(self.circle)
-
-    @property
-    def frequency(self) -> Expr | None:
-        """√Δ, of the small motions of M about it in the body [1/T]; None where there are none."""
-        return sqrt(self.curvature) if proved_sign(self.curvature) == 1 else None
-
-    @property
-    def growth_rate(self) -> Expr | None:
-        """√−Δ, of the mode that leaves [1/T]; None where there is none."""
-        return sqrt(-self.curvature) if proved_sign(self.curvature) == -1 else None
-
 
 def rotations_at(scene: System, values: Mapping[str, Any]) -> list[PermanentRotation]:
     """Every permanent rotation of a scene without a field, at numbers for its names and M = abs(π + l)."""
@@ -174,7 +73,7 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
 
     Examples
     --------
-    >>> for rotation in permanent_rotations(Gyrostat((1, 2, 3), (0, 0, 0)), Rational(1))[::2]:
+    >>> for rotation in permanent_rotations(Gyrostat((1, 2, 3), (0, 0, 0)), S.One)[::2]:
     ...     print(rotation.momentum, rotation.energy, rotation.decision.verdict.name)
     (0, 0, -1) 1/6 STABLE
     (0, -1, 0) 1/4 UNSTABLE
@@ -229,21 +128,9 @@ def _rotation(body: Gyrostat, nu: Expr, M: Sequence[Expr],
     if circle and not any(circle):
         rotation = replace(rotation, decision=ANYWHERE, sphere=True)
     elif circle:
-        rotation = replace(rotation, decision=ON_CIRCLE, circle=circle)
+        rotation = replace(rotation, circle=circle, decision=on_circle(circle))
     elif curvature.contains(0):
         sign = proved_sign(rotation.curvature)
-        met = _degenerate(body, M, nu) if sign == 0 else EXTREMUM if sign == 1 else SADDLE
+        met = extremum(body, M, nu).decision if sign == 0 else EXTREMUM if sign == 1 else SADDLE
         rotation = replace(rotation, decision=met)
     return [float(x.mid()) for x in (energy, *m)], rotation
-
-
-def _damped(stable: bool | None, why: str, growing: int | None) -> Decision:
-    reason = why if stable is None else f"{KEPT if stable else LOST}{why and f': {why}'}"
-    return Decision(Verdict.of(stable), "" if stable is None else "secular", (), reason, (), growing=growing)
-
-
-def _degenerate(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Decision:
-    """Δ = 0."""
-    found, why = extremum(body, M, nu)
-    stable = found if found is None else found != 0
-    return Decision(Verdict.of(stable), "" if stable is None else "Lyapunov", (), why, ())

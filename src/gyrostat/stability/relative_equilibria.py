@@ -10,11 +10,12 @@ from ..mechanics.system import System
 from .asked import asked_about
 from .branch import Branch
 from .branches import branches_at
+from .free_rotation import PermanentRotation
 from .heavy_rotation import HeavyRotation
 from .heavy_rotations import heavy_rotations
 from .orbital_equilibria import orbital_equilibria
 from .orbital_equilibrium import OrbitalEquilibrium
-from .permanent_rotations import PermanentRotation, rotations_at
+from .permanent_rotations import rotations_at
 
 
 def relative_equilibria(scene: System, values: Mapping[str, Any]

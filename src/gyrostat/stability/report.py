@@ -1,33 +1,21 @@
 """Report: the stability analysis of one equilibrium, and its verdicts at numbers."""
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from sympy import Expr
 
-from ..algebra.exact import Point
-from ..kept import cached_property
-from ..mechanics.equilibria import Equilibrium
-from ..mechanics.once import once
-from ..mechanics.standard import seen_at
-from ..notation import symbol
 from .conditions import sources
-from .decision import Decider, Decision, Finding, Verdict, settled
-from .derived import Derived
-from .drift import Drift
-from .elementary import Elementary
-from .integrals import decide_by_integrals
+from .decision import Decision, undecided
+from .ladder import Ladder
 from .normal_form import NormalForm, normal_form
 from .notes import scene_note
-from .truth import holds
 from .values import exact_values, refuse_any_direction
 from .window_families import Window, window_of
 
-DEFINITE = settled(True, "the second variation is definite on the symplectic slice", rung="second variation")
-
 
 @dataclass(frozen=True, repr=False)
-class Report(Derived):
+class Report(Ladder):
     """The stability analysis of one equilibrium; each part is derived when it is first asked for.
 
     Parameters
@@ -76,21 +64,14 @@ class Report(Derived):
         ('STABLE', 2)
         """
         secular = self.secular if damped else None
-        numbers = exact_values(self.equilibrium, values, (secular or self).required, self.parameters)
+        numbers = exact_values(self.equilibrium, values, (secular or self).compared, self.parameters)
         margins: dict[Expr, Expr] = {}
-        modulo = (self.damped if damped else self.sufficient).modulo
-        growing = None
         if numbers.doubt:
-            found = settled(None, numbers.doubt)
-        elif secular:
-            stable, why, growing, modulo = secular.decide(numbers, margins)
-            found = settled(stable, why, "secular")
+            found = undecided(numbers.doubt)
         else:
-            found, modulo = self._decided(numbers, margins)
-        return Decision(Verdict.of(found.stable), found.notion, modulo, found.why, tuple(margins.items()),
-                        scene_note(self.equilibrium.system, numbers), growing,
-                        sources(self.equilibrium, margins, (self.sufficient, self.necessary)),
-                        found.pointwise, found.certificate, found.rung)
+            found = (secular or self).decide(numbers, margins)
+        return found.with_margins(margins, scene_note(self.equilibrium.system, numbers),
+                                  sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
 
     def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
         """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
@@ -197,53 +178,10 @@ class Report(Derived):
         >>> report.verdict(values).verdict.name, report.itself(values).verdict.name
         ('STABLE', 'UNSTABLE')
         """
-        decision = self.verdict(values)
-        numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
-        known = (self.recognised or seen_at(self.equilibrium, numbers)) if decision.modulo else None
-        if not decision.modulo or not (known or self.boundary) or decision.verdict is not Verdict.STABLE:
-            return replace(decision, modulo=() if decision.verdict is Verdict.UNSTABLE else decision.modulo)
+        numbers = exact_values(self.equilibrium, values, self.compared, self.parameters)
+        if numbers.doubt:
+            return self.verdict(values)
         margins: dict[Expr, Expr] = {}
-        stable, why = (Drift(known.equilibrium) if known else self.drift).decide(numbers, margins)
-        why = known.worded(why) if known else why
-        return Decision(Verdict.of(stable), "" if stable is None else "Lyapunov", (), why,
-                        tuple(margins.items()), decision.note)
-
-    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[Finding, tuple[Expr, ...]]:
-        """What is proved, and the integrals whose flow is divided out."""
-        modulo = self.sufficient.modulo
-        sufficient = holds(self.sufficient, numbers, margins)
-        if sufficient:
-            return self._definite(numbers) if self.equilibrium.system.given_integrals else DEFINITE, modulo
-        necessary = holds(self.necessary, numbers, margins)
-        if necessary is False:
-            return settled(False, "an eigenvalue has a positive real part", "spectral",
-                           rung="spectrum"), modulo
-        if known := seen_at(self.equilibrium, numbers):
-            standard = _kept(known.equilibrium)
-            if missing := ", ".join(name for name in standard.required if symbol(name) not in numbers):
-                return settled(None, known.worded(f"give {missing} to decide")), known.modulo
-            found, _ = standard._decided(numbers, margins)
-            return found._replace(why=known.worded(found.why)), known.modulo
-        if None in (sufficient, necessary):
-            return settled(None, "a margin has no proved sign"), modulo
-        decider: Decider | None = self.between
-        found = settled(*decider.decide(numbers, margins)) if decider else self._elementary.decide(numbers)
-        return found._replace(why=self.recognised.worded(found.why)) if self.recognised else found, modulo
-
-    def _definite(self, numbers: Point) -> Finding:
-        """Where the sufficient criterion holds: with the Casimirs, or with integrals that are given."""
-        if holds(self.casimirs_only, numbers, {}):
-            return DEFINITE
-        certified = decide_by_integrals(self.equilibrium, numbers)
-        return certified._replace(pointwise=False) if certified.stable else DEFINITE
-
-    @cached_property
-    def _elementary(self) -> Elementary:
-        return Elementary(self.equilibrium, self.linearization,
-                          lambda momentum: Report(momentum)._decided(Point({}), {})[0])
-
-
-@once
-def _kept(eq: Equilibrium) -> Report:
-    """The report of an equilibrium in the standard axes, made once."""
-    return Report(eq)
+        found = self.decide_point(numbers, margins)
+        return found.with_margins(margins, scene_note(self.equilibrium.system, numbers),
+                                  sources(self.equilibrium, margins, (self.sufficient, self.necessary)))

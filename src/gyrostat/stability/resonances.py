@@ -27,17 +27,17 @@ from .birkhoff import (
     symplectic,
     twist,
 )
-from .decision import Finding, settled
+from .decision import C1, Decision, Rung, settled, undecided
 from .local_motion import LocalMotion, Number, fraction
 
 PRECISIONS = (128, 512, 2048)                              # bits, one after the other
 
 
-LEVEL = "Lyapunov (Arnold-Moser) on its level of C1"
+NOTION = "Lyapunov (Arnold-Moser)"
 OPEN = "what decides it is not proved to differ from 0"
 
 
-def second_order_resonance(motion: LocalMotion) -> Finding:
+def second_order_resonance(motion: LocalMotion) -> Decision:
     """1:1, p² = 4q: of the normal form ω S + ε |q|²/2 + 𝒜 (|p|²/2)² + …, ε𝒜 > 0 is stable.
 
     Sokolskii, J. Appl. Math. Mech. 38 (1974) 741-749; Lerman & Markova, Regul. Chaotic Dyn. 14 (2009)
@@ -51,15 +51,15 @@ def second_order_resonance(motion: LocalMotion) -> Finding:
             continue                                       # in balls the next precision may prove one
         if sign := sign_of(product):
             stable, compared = sign > 0, "<>"[sign > 0]
-            return settled(stable, f"{said}, ε𝒜 {compared} 0 (Sokolskii)", LEVEL if stable else "Lyapunov")
+            return _settled(stable, f"{said}, ε𝒜 {compared} 0 (Sokolskii)")
         if isinstance(product, fmpq):
-            return settled(None, f"{said}, and ε𝒜 = 0: terms of higher degree decide")
+            return undecided(f"{said}, and ε𝒜 = 0: terms of higher degree decide")
     if product is None:
-        return settled(None, f"{said}, and the linear motion is semisimple, or nearly: not decided")
-    return settled(None, f"{said}, and {OPEN}")
+        return undecided(f"{said}, and the linear motion is semisimple, or nearly: not decided")
+    return undecided(f"{said}, and {OPEN}")
 
 
-def third_order_resonance(motion: LocalMotion) -> Finding:
+def third_order_resonance(motion: LocalMotion) -> Decision:
     """1:2, 4p² = 25q: unstable iff the coefficient b of z1 z2² is not 0; if it is, D4 ≠ 0 is stable.
 
     Markeev, J. Appl. Math. Mech. 32 (1968) 766-772; Alfriend, Celest. Mech. 1 (1970) 351-359.
@@ -71,17 +71,17 @@ def third_order_resonance(motion: LocalMotion) -> Finding:
         found = modes(linear_motion(parts[2]), number(motion.p), values)
         b = substituted(parts[3], found.forms, terms).get(terms[0], 0)
         if not_zero(b):
-            return settled(False, f"{said}, the coefficient b of z1 z2² is not 0 (Markeev)")
+            return _settled(False, f"{said}, the coefficient b of z1 z2² is not 0 (Markeev)")
         if is_zero(b):
             D = real(twist(normalised(parts, found, terms)[4], found))
             if sign_of(D):
-                return settled(True, f"{said} with b = 0, D4 = {decimals(D)} is not 0", LEVEL)
+                return _settled(True, f"{said} with b = 0, D4 = {decimals(D)} is not 0")
             if isinstance(D, fmpq):
-                return settled(None, f"{said}, b = 0 and D4 = 0: terms of higher degree decide")
-    return settled(None, f"{said}, and {OPEN}")
+                return undecided(f"{said}, b = 0 and D4 = 0: terms of higher degree decide")
+    return undecided(f"{said}, and {OPEN}")
 
 
-def fourth_order_resonance(motion: LocalMotion) -> Finding:
+def fourth_order_resonance(motion: LocalMotion) -> Decision:
     """1:3, 9p² = 100q: on h2 = 0 the normal form is D4 + R cos φ; stable iff abs(D4) > R, open at equality.
 
     Markeev, J. Appl. Math. Mech. 32 (1968) 766-772; Cabral & Meyer, Nonlinearity 12 (1999) 1351-1362.
@@ -98,10 +98,17 @@ def fourth_order_resonance(motion: LocalMotion) -> Finding:
         if sign := sign_of(D**2 - square):
             stable, compared = sign > 0, "<>"[sign > 0]
             why = f"{said}, |D4| = {decimals(abs(D))} {compared} R = {decimals(arb(square).sqrt())}"
-            return settled(stable, why, LEVEL if stable else "Lyapunov")
+            return _settled(stable, why)
         if isinstance(D, fmpq):
-            return settled(None, f"{said} with |D4| = R: terms of higher degree decide")
-    return settled(None, f"{said}, and {OPEN}")
+            return undecided(f"{said} with |D4| = R: terms of higher degree decide")
+    return undecided(f"{said}, and {OPEN}")
+
+
+def _settled(stable: bool, why: str) -> Decision:
+    """Stable on its level of C1, where alone the resonance holds; or unstable."""
+    if stable:
+        return settled(True, why, Rung.RESONANCE, NOTION, level=(C1,))
+    return settled(False, why, Rung.RESONANCE)
 
 
 def _rings(motion: LocalMotion, parts: fmpq, ratio: int) -> Iterator[tuple[Number, tuple[Any, Any]]]:

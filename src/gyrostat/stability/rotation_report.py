@@ -1,5 +1,6 @@
 """The report of permanent rotations in any direction: decided in closed form, no matrix is derived."""
 from collections.abc import Iterable
+from dataclasses import replace
 
 from sympy import Expr
 
@@ -9,11 +10,12 @@ from ..kept import cached_property
 from ..mechanics.standard import placed
 from .closed_form import DETERMINANT, DISCRIMINANT, ClosedForm, P, Q, T, closed_form
 from .conditions import Criterion
-from .decision import Finding, settled
+from .decision import Decision, Rung, settled
 from .energy_casimir import SecondVariation
+from .ladder import DEFINITE, GROWS
 from .linearization import Linearization
 from .report import Report
-from .secular import KEPT, LOST, Secular, modes, secular_of
+from .secular import KEEPS, Secular, lost, secular_of
 
 NO_MATRIX = ("in any direction k1, k2, k3 no matrix is derived, the conditions are in closed form: give a "
              "direction, permanent_rotation(scene, stereographic()), --direction stereographic")
@@ -69,8 +71,13 @@ class RotationReport(Report):
         """None: a body of revolution is recognised at numbers."""
 
     @cached_property
-    def required(self) -> tuple[str, ...]:
+    def compared(self) -> tuple[str, ...]:
         """Names that a verdict needs."""
+        return self.closed.required
+
+    @cached_property
+    def required(self) -> tuple[str, ...]:
+        """The same: all of the scene."""
         return self.closed.required
 
     @cached_property
@@ -78,20 +85,19 @@ class RotationReport(Report):
         """What internal damping makes of it."""
         return DampedRotation(self.equilibrium)
 
-    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[Finding, tuple[Expr, ...]]:
+    def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
+        """As Report.decide."""
         form = self.closed.at(numbers)
         margins |= {T: form.trace, DETERMINANT: form.determinant}
         if _signs([form.trace, form.determinant]) == [1, 1]:
-            return settled(True, "the second variation is definite on the symplectic slice",
-                           rung="second variation"), ()
+            return settled(True, DEFINITE, Rung.SECOND_VARIATION)
         necessary = {P: form.p, Q: form.q, DISCRIMINANT: form.p**2 - 4 * form.q}
         margins |= necessary
         if -1 in _signs(necessary.values()):
-            return settled(False, "an eigenvalue has a positive real part", "spectral",
-                           rung="spectrum"), ()
-        found, modulo = Report(placed(self.equilibrium, numbers))._decided(numbers, {})
-        return found._replace(why=f"at these numbers {found.why}",
-                              pointwise=found.pointwise or bool(found.certificate)), modulo
+            return settled(False, GROWS, Rung.SPECTRUM, "spectral")
+        found = Report(placed(self.equilibrium, numbers)).decide(numbers, {})
+        return replace(found, reason=f"at these numbers {found.reason}",
+                       pointwise=found.pointwise or bool(found.certificate))
 
 
 class DampedRotation(Secular):
@@ -103,24 +109,28 @@ class DampedRotation(Secular):
         return closed_form(self.equilibrium).criterion("secular")
 
     @cached_property
-    def required(self) -> tuple[str, ...]:
+    def compared(self) -> tuple[str, ...]:
         """Names that the criterion needs."""
         return closed_form(self.equilibrium).required
 
-    def decide(self, numbers: Point, margins: dict[Expr, Expr]
-               ) -> tuple[bool | None, str, int | None, tuple[Expr, ...]]:
+    @cached_property
+    def required(self) -> tuple[str, ...]:
+        """The same: all of the scene."""
+        return self.compared
+
+    def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
         """As Secular.decide: by t and s, where the damping reaches every motion; else at numbers."""
         closed = closed_form(self.equilibrium)
         form = closed.at(numbers)
         margins |= {T: form.trace, DETERMINANT: form.determinant}
         trace, determinant = _signs([form.trace, form.determinant])
         if trace == determinant == 1:
-            return True, KEPT, 0, ()
+            return KEEPS
         reached = any(_signs([evaluate(x, numbers) for x in closed.momentum_across]))
         if determinant == -1 and reached:
-            return False, f"{LOST}, {modes(1)}", 1, ()
+            return lost(1)
         if determinant == 1 and trace == -1 and reached:
-            return False, f"{LOST}, {modes(2)}", 2, ()
+            return lost(2)
         return secular_of(placed(self.equilibrium, numbers)).decide(numbers, {})
 
 

@@ -6,8 +6,9 @@ that turns like a rigid one alone. What is stable then is a minimum of the energ
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
-from sympy import Add, Expr, Matrix, S, Symbol, eye
+from sympy import Add, Expr, S, Symbol
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.margins import Signs
@@ -16,23 +17,24 @@ from ..algebra.polynomials import lowest_terms
 from ..kept import cached_property
 from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.liepoisson import hat
 from ..mechanics.once import once
 from ..mechanics.standard import seen, seen_at
 from ..notation import symbol
 from .conditions import Condition, Criterion, independent
 from .criteria import across, of_stiffness, positive, secular_criterion
+from .damped_motions import growing_at
+from .decision import Decision, Rung, settled, undecided
 from .energy_casimir import SecondVariation, secular_variation
 from .minima import least_at
 from .truth import holds, sign_at
-from .values import names_needed
+from .values import names_in, names_needed, names_of_motion
 
-Growing = tuple[bool | None, str, int | None]              # stable, why, and the number of growing modes
 KEPT = "damping takes energy, which has a strict minimum on the orbit"
 LOST = "damping takes energy, which is not least on the orbit: it is lost"
-OUT_OF_REACH = "the damping does not reach every motion: a linear motion of k goes on without a torque"
-NO_SPIN = "the damping does not reach every motion: from rest the body may turn about its axis without end"
+OUT_OF_REACH = ("the damping does not reach every motion: in some the body turns at a rate that stays "
+                "constant in its axes; of the others none is proved to grow")
 NO_SIGN = "a margin has no proved sign"
+KEEPS = settled(True, KEPT, Rung.SECOND_VARIATION, "secular", growing=0)
 
 
 @dataclass(frozen=True)
@@ -94,58 +96,65 @@ class Secular:
         return degenerate, *dict.fromkeys(torques)
 
     @cached_property
-    def required(self) -> tuple[str, ...]:
-        """Names that the criterion needs."""
+    def compared(self) -> tuple[str, ...]:
+        """Names in the criterion: without one of them there is no verdict."""
         return names_needed(self.equilibrium, (self.criterion,))
 
-    def decide(self, numbers: Point, margins: dict[Expr, Expr]
-               ) -> tuple[bool | None, str, int | None, tuple[Expr, ...]]:
-        """Whether it is stable under internal damping at exact numbers, why, how many modes grow, and the
-        integrals whose flows are divided out.
+    @cached_property
+    def required(self) -> tuple[str, ...]:
+        """Names with which every verdict is answered: where the criterion fails, those of the motion."""
+        if () in self.criterion.alternatives:
+            return self.compared
+        return tuple(sorted({*self.compared, *names_of_motion(self.equilibrium)}))
 
-        None is for what is not proved.
-        """
+    def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
+        """The decision under internal damping at exact numbers, with the number of growing modes."""
         known = seen(self.equilibrium) or seen_at(self.equilibrium, numbers)
         if known is None:
-            return *self._counted(numbers, margins), self.criterion.modulo
+            return replace(self._decided(numbers, margins), modulo=self.criterion.modulo)
         standard = secular_of(known.equilibrium)
-        if missing := ", ".join(name for name in standard.required if symbol(name) not in numbers):
-            return None, known.worded(f"give {missing} to decide"), None, known.modulo
-        stable, why, growing = standard._counted(numbers, margins)
-        return stable, known.worded(why), growing, known.modulo
+        if missing := _missing(standard.compared, numbers):
+            return undecided(known.worded(f"give {missing} to decide"))
+        found = standard._decided(numbers, margins)
+        return replace(found, reason=known.worded(found.reason), modulo=known.modulo)
 
-    def _counted(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Growing:
-        """As far as the numbers go: modes may need names that the criterion does not."""
-        try:
-            return self._decided(numbers, margins)
-        except KeyError as lacking:
-            if not isinstance(lacking.args[0], Symbol):
-                raise
-            return None, f"give {lacking.args[0]} to decide", None
-
-    def _decided(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Growing:
+    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
         least = holds(self.criterion, numbers, margins)
         if least:
-            return True, KEPT, 0
+            return KEEPS
         if least is None:
-            return None, NO_SIGN, None
+            return undecided(NO_SIGN)
+        if missing := _missing(self._counted_by, numbers):
+            return undecided(f"give {missing} to decide")
+        negative = self._by_minors(numbers, margins)
+        if negative is None:
+            signs = [sign_of_constant(evaluate(c, numbers)) for c in self._coefficients]
+            if None in signs:
+                return undecided(NO_SIGN)
+            negative = _changes(signs) if all(signs[-1:]) else None
+        reached = not self._exceptional(numbers)
+        if negative and reached:
+            return lost(negative)
+        if missing := _missing(self.required, numbers):
+            return undecided(f"give {missing} to decide")
+        if (found := growing_at(self.equilibrium, numbers)).grows:
+            return lost(found.modes)
+        return undecided(OUT_OF_REACH) if negative else self._degenerate(numbers, reached)
+
+    @cached_property
+    def _counted_by(self) -> tuple[str, ...]:
+        """Names in what counts the negative squares, and in what tells whether the damping reaches all."""
+        minors = [e for block in self._minors for c in block for e in (c.margin, *c.degenerate)]
+        return names_in([*minors, *self._coefficients, *chain(*self.exceptions)])
+
+    def _by_minors(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
+        """The negative squares of the second variation; None where a minor vanishes, or is not decided."""
         known = dict(margins)
         blocks = [(times, [sign_at(minor, numbers, known) for minor in block])
                   for block, times in self._minors.items()]
         if all(all(signs) for _, signs in blocks):
-            negative = sum(times * _changes(signs) for times, signs in blocks)
-        else:
-            coefficients = [sign_of_constant(evaluate(c, numbers)) for c in self._coefficients]
-            if None in coefficients:
-                return None, NO_SIGN, None
-            if coefficients and coefficients[-1] == 0:
-                return self._degenerate(numbers)
-            negative = _changes(coefficients)
-        if self._spins(numbers):
-            return None, NO_SPIN, None
-        if self._free(numbers):
-            return self._along(numbers)
-        return False, f"{LOST}, {modes(negative)}", negative
+            return sum(times * _changes(signs) for times, signs in blocks)
+        return None
 
     @cached_property
     def _minors(self) -> Counter[tuple[Condition, ...]]:
@@ -194,13 +203,13 @@ class Secular:
         found = [*cross(momentum, k), *cross(slopes, k), *(e for row in both for e in row)]
         return tuple(e for x in found if (e := lowest_terms(eq.insert(x))) != 0)
 
-    def _free(self, numbers: Mapping[Symbol, Expr]) -> bool:
-        """Whether k moves by itself there, the body turning about it."""
+    def _exceptional(self, numbers: Mapping[Symbol, Expr]) -> bool:
+        """Whether the damping may not reach every motion: k may move by itself, the body turning about it, or
+        it is at rest and may turn along a symmetry, at a rate that is constant to first order.
+        """
         _, *torques = self.exceptions
-        return all(any(sign_of_constant(evaluate(e, numbers)) == 0 for e in torque) for torque in torques)
-
-    def _spins(self, numbers: Mapping[Symbol, Expr]) -> bool:
-        """Whether it is at rest and may turn along a symmetry: its rate is constant then to first order."""
+        if all(any(sign_of_constant(evaluate(e, numbers)) == 0 for e in torque) for torque in torques):
+            return True
         return bool(self.variation.modulo) and sign_of_constant(evaluate(self._rest, numbers)) == 0
 
     @property
@@ -208,32 +217,23 @@ class Secular:
         """|π|², which vanishes at rest."""
         return self.equilibrium.insert(Add(*(x**2 for x in self.equilibrium.point[:3])))
 
-    def _along(self, numbers: Mapping[Symbol, Expr]) -> Growing:
-        """Where k moves by itself: of M, as of a free body, M = μ k, ω = w k, on the plane across k."""
-        eq = self.equilibrium
-        body = eq.system.body.changed(lambda x: evaluate(eq.insert(x), numbers))
-        pi, k = (Matrix([evaluate(eq.insert(x), numbers) for x in part])
-                 for part in (eq.point[:3], eq.point[3:]))
-        mu, rate = k.dot(pi + Matrix(body.gyrostatic_momentum)), k.dot(body.inverse * pi)
-        turn = hat(k)
-        form = turn.T * (mu**2 * body.inverse - mu * rate * eye(3)) * turn
-        growing = _changes([sign_of_constant(evaluate(c, {})) for c in characteristic(form.tolist())])
-        if growing:
-            return False, f"{LOST}, {modes(growing)}; {OUT_OF_REACH}", growing
-        return None, OUT_OF_REACH, None
-
-    def _degenerate(self, numbers: Mapping[Symbol, Expr]) -> Growing:
+    def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
         """Where the second variation is degenerate beyond the symmetries: whether the energy is least."""
         least, why = least_at(self.equilibrium, numbers)
-        if least is None or (not least and (self._free(numbers) or self._spins(numbers))):
-            return None, why if least is None else OUT_OF_REACH, None
-        return least, f"{KEPT}: {why}" if least else f"{LOST}: {why}", 0 if least else None
+        if least is None or not least and not reached:
+            return undecided(why if least is None else OUT_OF_REACH)
+        return (settled(True, f"{KEPT}: {why}", Rung.LEADING_FORM, "secular", growing=0) if least
+                else settled(False, f"{LOST}: {why}", Rung.LEADING_FORM, "secular"))
 
 
 @once
 def secular_of(eq: Equilibrium) -> Secular:
     """What internal damping makes of an equilibrium, derived once."""
     return Secular(eq)
+
+
+def _missing(names: Sequence[str], numbers: Mapping[Symbol, Expr]) -> str:
+    return ", ".join(name for name in names if symbol(name) not in numbers)
 
 
 def _changes(signs: Sequence[int | None]) -> int:
@@ -244,6 +244,7 @@ def _changes(signs: Sequence[int | None]) -> int:
     return sum(a != b for a, b in zip(left, left[1:]))
 
 
-def modes(count: int) -> str:
-    """How many modes grow, in words."""
-    return f"{count} growing mode{'' if count == 1 else 's'}"
+def lost(growing: int | None) -> Decision:
+    """The decision that damping destroys what is not least, with the number of modes that grow if counted."""
+    how_many = "" if growing is None else f", {growing} growing mode{'' if growing == 1 else 's'}"
+    return settled(False, f"{LOST}{how_many}", Rung.NEGATIVE_SQUARES, "secular", growing=growing)

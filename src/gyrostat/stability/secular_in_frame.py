@@ -10,13 +10,10 @@ from ..mechanics.circular_orbit import in_orbit, orbital_rate
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.liepoisson import hat
 from .criteria import stiffness
+from .decision import Decision, undecided
 from .orientation_form import orientation_form, rests_in_frame
-from .secular import OUT_OF_REACH as UNMOVED
-from .secular import Growing, Secular
+from .secular import Secular
 
-OUT_OF_REACH = ("the damping does not reach every motion: the body may turn about an axis that is tilted "
-                "against the normal of the orbit, its rate constant in its axes")
-NOT_PROVED = "whether the damping reaches every motion is not proved of a field with a coupling β"
 DEGENERATE = "the second variation is degenerate, and terms of higher degree decide"
 
 
@@ -50,20 +47,12 @@ class SecularInFrame(Secular):
             return (S.One,)
         return _torques_in_orbit(eq)
 
-    def _spins(self, numbers: Mapping[Symbol, Expr]) -> bool:
-        return False
-
     @property
     def _rest(self) -> Expr:
         return S.One
 
-    def _along(self, numbers: Mapping[Symbol, Expr]) -> Growing:
-        if rests_in_frame(self.equilibrium):
-            return None, OUT_OF_REACH, None
-        return None, NOT_PROVED if self.variation.modulo else UNMOVED, None
-
-    def _degenerate(self, numbers: Mapping[Symbol, Expr]) -> Growing:
-        return None, DEGENERATE, None
+    def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
+        return undecided(DEGENERATE)
 
 
 def _torques_in_orbit(eq: Equilibrium) -> tuple[Expr, ...]:

@@ -4,6 +4,7 @@ The energy on the momentum sphere, to fourth order.
 """
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from sympy import Expr, ImmutableMatrix, Matrix, S, Symbol, eye
 
@@ -11,6 +12,7 @@ from ..algebra.exact import evaluate, sign_of_constant
 from ..kept import cached_property
 from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
+from .decision import Decision, Rung, settled, undecided
 
 DRIFTS = "the rotation lies on a circle of rotations, and those beside the circle drift along it"
 TO_FOURTH_ORDER = "to fourth order the energy is an extremum on the momentum sphere"
@@ -20,9 +22,24 @@ NO_EXTREMUM = ("where rotations meet, the energy is no extremum on the momentum 
                "energy leave")
 
 
-def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> tuple[int | None, str]:
-    """1 where a degenerate rotation of a free gyrostat is a minimum of the energy on the momentum sphere, −1
-    where a maximum, 0 where neither; None where that is not proved. And why.
+class Extremum(NamedTuple):
+    """1 where the energy is a minimum on the momentum sphere, −1 where a maximum, 0 where neither, None where
+    that is not proved; and why.
+    """
+
+    sign: int | None
+    why: str
+
+    @property
+    def decision(self) -> Decision:
+        """Stable where it is an extremum."""
+        if self.sign is None:
+            return undecided(self.why)
+        return settled(self.sign != 0, self.why, Rung.FOURTH_ORDER)
+
+
+def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Extremum:
+    """Whether the energy of a free gyrostat is an extremum on the momentum sphere at a degenerate rotation.
 
     D = I⁻¹ − ν with Δ = M·adj(D) M = 0. It is an extremum where adj(D) M = 0 and tr adj(D) > 0, that is, in
     principal axes, Mᵢ = 0 = dᵢ and dⱼ dₖ > 0 (three rotations meet); and where adj(D) = 0, about the axis of
@@ -47,13 +64,15 @@ def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> tuple[int | None, s
     minors, moved, product, trace = signs[:9], signs[9:12], signs[12], signs[13]
     if not any(minors):
         along = _sign(momentum.dot(Matrix(body.gyrostatic_momentum)))
-        return None if None in minors else along, BY_DISTANCE
+        return Extremum(None if None in minors else along, BY_DISTANCE)
     if None in signs:
-        return None, "a sign is not proved"
-    return (trace, TO_FOURTH_ORDER) if not any(moved) and product == 1 else (0, NO_EXTREMUM)
+        return Extremum(None, "a sign is not proved")
+    if not any(moved) and product == 1:
+        return Extremum(trace, TO_FOURTH_ORDER)
+    return Extremum(0, NO_EXTREMUM)
 
 
-def extremum_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> tuple[int | None, str]:
+def extremum_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Extremum:
     """The same of an equilibrium of a free gyrostat, M ≠ 0, at exact numbers."""
     body = eq.system.body.changed(lambda x: evaluate(eq.insert(x), numbers))
     pi = Matrix([evaluate(eq.insert(x), numbers) for x in eq.point])
@@ -110,27 +129,25 @@ class MomentumSphere:
         either = sum(self.falls)                           # the one that is not 0
         yield from (self.rotor * either, -(either**2), S.One)
 
-    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> tuple[bool | None, str]:
-        """Whether the rotation is stable at numbers where f_b f_c = 0, None if a sign is not proved.
+    def expressions(self) -> tuple[Expr, ...]:
+        """What falls off along both axes, and the rotor."""
+        return *self.falls, self.rotor
 
-        And why.
-        """
+    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
+        """The decision at numbers where f_b f_c = 0."""
         values = {e: evaluate(e, numbers) for e in (*self.falls, self.rotor)}
         first, second, rotor = (sign_of_constant(values[e]) for e in (*self.falls, self.rotor))
         margins.update(values)
         if first is None or second is None or rotor is None:
-            return None, "a margin has no proved sign"
+            return undecided("a margin has no proved sign")
         if first == second == 0:
-            return True, BY_DISTANCE
+            return settled(True, BY_DISTANCE, Rung.FOURTH_ORDER)
         if rotor == 0:
-            return False, DRIFTS
+            return settled(False, DRIFTS, Rung.DRIFT)
         if rotor * (first or second) > 0:
-            return True, TO_FOURTH_ORDER
-        return (
-            False,
-            "to fourth order the energy is no extremum on the momentum sphere: motions of the same energy "
-            "leave",
-        )
+            return settled(True, TO_FOURTH_ORDER, Rung.FOURTH_ORDER)
+        return settled(False, "to fourth order the energy is no extremum on the momentum sphere: motions of "
+                       "the same energy leave", Rung.FOURTH_ORDER)
 
 
 def sphere_of(eq: Equilibrium) -> MomentumSphere | None:

@@ -14,11 +14,11 @@ from ..mechanics.system import System
 from ..notation import Stored, symbol
 from ..shown import Shown
 from .amended_form import amended_form
-from .decision import Decision, Verdict
+from .decision import Decision
 from .heavy_rotation import HeavyRotation
 from .local_motion import LocalMotion
 from .window_families import cuts_in_windows
-from .windows import HELD, TWISTED
+from .windows import HELD, between_resonances
 
 TAU, RHO = symbol("tau"), symbol("rho")
 
@@ -164,8 +164,7 @@ class StaudeArc(Shown, Stored):
         inside = [x for x in cuts if (low == -oo or proved_sign(x - low) == 1)
                   and (high == oo or proved_sign(high - x) == 1)]
         for a, b in pairwise([low, *inside, high]):
-            stable = self.rotation(between(a, b)).decision.verdict is Verdict.STABLE
-            yield Piece(a, b, TWISTED if stable else HELD)
+            yield Piece(a, b, between_resonances(self.rotation(between(a, b)).decision))
 
 
 def staude_arcs(scene: System, c: Sequence[Expr]) -> Iterator[StaudeArc]:

@@ -3,7 +3,7 @@
 Its momentum decides.
 """
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sympy import Dummy, Expr, Symbol
 
@@ -14,7 +14,7 @@ from ..mechanics.body import Gyrostat
 from ..mechanics.claimed import equilibrium
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.system import assemble
-from .decision import Finding
+from .decision import Decision, Rung, settled, undecided
 
 A, B = Dummy("a", real=True), Dummy("b", real=True)
 
@@ -46,27 +46,27 @@ class TorqueFree:
     momentum: tuple[Expr, ...]
     direction: tuple[Expr, ...]
 
-    def decide(self, free: Callable[[Equilibrium], Finding]) -> tuple[bool | None, str]:
-        """Whether it is stable, None if that is not elementary or not proved; and why.
+    def decide(self, free: Callable[[Equilibrium], Decision]) -> Decision:
+        """The decision, by what decides on so(3)*.
 
-        Free decides on so(3)*.
+        What is divided out there is divided out here: M and k turn together, for k stays along M.
         """
         total = [p + l for p, l in zip(self.momentum, self.body.gyrostatic_momentum)]
         rests = _all_zero(self.momentum)
         if _all_zero(total):
             if rests:
-                return False, "no torque acts and l = 0: a body that turns, however slowly, carries k away"
-            return None, "no torque acts and M = 0: which way k goes is not elementary"
+                return settled(False, "no torque acts and l = 0: a body that turns, however slowly, carries "
+                               "k away", Rung.NO_TORQUE)
+            return undecided("no torque acts and M = 0: which way k goes is not elementary")
         if rests and not _all_zero(cross(total, self.direction)):
             if not any(sign_of_constant(x) for x in cross(total, self.direction)):
-                return None, "no torque acts, and whether k is along M is not proved"
-            return (
-                False,
-                "no torque acts and k is not along M = l: a gyrostat that turns slowly about M carries k "
-                "away",
-            )
+                return undecided("no torque acts, and whether k is along M is not proved")
+            return settled(False, "no torque acts and k is not along M = l: a gyrostat that turns slowly "
+                           "about M carries k away", Rung.NO_TORQUE)
         found = free(equilibrium(assemble(self.body), self.momentum))
-        return found.stable, f"no torque acts, k is along M, and M is that of a free gyrostat: {found.why}"
+        return replace(found, reason="no torque acts, k is along M, and M is that of a free gyrostat: "
+                       f"{found.reason}", margins=(),
+                       rung=found.rung if found.rung is Rung.NOTHING else Rung.NO_TORQUE)
 
 
 def torque_free(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> TorqueFree | None:

@@ -224,6 +224,12 @@ def names_accepted(eq: Equilibrium, required: Sequence[str]) -> tuple[str, ...]:
     return tuple(sorted(n for n in own - moving if n in required or n in eq.eliminated or not jet(n)))
 
 
+def names_of_motion(eq: Equilibrium) -> tuple[str, ...]:
+    """Names that the motion near an equilibrium depends on, those that the others express left out."""
+    known = {name.name for name, _ in eq.relations}
+    return tuple(name for name in names_accepted(eq, ()) if name not in known)
+
+
 def names_in(expressions: Iterable[Expr]) -> tuple[str, ...]:
     """Names of all symbols, sorted."""
     return tuple(sorted({s.name for e in expressions for s in e.free_symbols}))

@@ -1,6 +1,7 @@
 """What decides where gyroscopic forces hold a maximum of the amended potential: Arnold's theorem."""
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from math import gcd
 from typing import Any
 
@@ -10,9 +11,10 @@ from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.precision import own_precision
 from .averages import averages
 from .birkhoff import Modes, normalised, twist
-from .decision import Decision, Finding, Verdict, settled
+from .decision import Decision, Rung, settled, undecided
 from .local_motion import PRECISION, LocalMotion, fraction
 from .resonances import (
+    NOTION,
     PRECISIONS,
     decimals,
     fourth_order_resonance,
@@ -22,18 +24,23 @@ from .resonances import (
     third_order_resonance,
 )
 
-NOTION = "Lyapunov (Arnold-Moser)"
-HELD = Decision(Verdict.UNDECIDED, "", (), "the amended potential has a maximum, held by gyroscopic forces: "
-                "normal forms decide its points", ())
-TWISTED = Decision(Verdict.STABLE, NOTION, (), "the amended potential has a maximum, held by gyroscopic "
-                   "forces; D4 is not 0, no resonance to order 4 (Arnold)", ())
-LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Finding]] = {
+HELD = undecided("the amended potential has a maximum, held by gyroscopic forces: normal forms decide its "
+                 "points")
+LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Decision]] = {
     (1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3): fourth_order_resonance}
 
 
 def along_stretch(decision: Decision) -> Decision:
     """What a decision at one point of a stretch says of all, where the margins keep their signs."""
     return HELD if decision.pointwise else decision
+
+
+def between_resonances(decision: Decision) -> Decision:
+    """What a decision by D4 at one point says of all, where D4 is not 0 and no resonance holds."""
+    if not decision.stable:
+        return HELD
+    return replace(decision, pointwise=False, reason="the amended potential has a maximum, held by "
+                   "gyroscopic forces; D4 is not 0, no resonance to order 4 (Arnold)")
 
 
 def resonance_margin(p: Any, q: Any, first: int, second: int) -> Any:
@@ -47,14 +54,14 @@ def resonances_up_to(order: int) -> list[tuple[int, int]]:
             for n in (total - m,) if gcd(m, n) == 1]
 
 
-def decide_window(motion: LocalMotion) -> Finding:
+def decide_window(motion: LocalMotion) -> Decision:
     """What normal forms decide where gyroscopic forces hold a maximum of the amended potential."""
     found = _decided(motion)
-    return found._replace(why=f"the amended potential has a maximum, held by gyroscopic forces; {found.why}",
-                          pointwise=True)
+    return replace(found, pointwise=True, reason="the amended potential has a maximum, held by gyroscopic "
+                   f"forces; {found.reason}")
 
 
-def _decided(motion: LocalMotion) -> Finding:
+def _decided(motion: LocalMotion) -> Decision:
     """Where the eigenvalues are imaginary, none 0, and the second variation is of both signs.
 
     Resonances to order 4 are excluded exactly; then D4 ≠ 0 proves stability, and where D4 = 0 and there is
@@ -68,18 +75,17 @@ def _decided(motion: LocalMotion) -> Finding:
     for pair in resonances_up_to(4):
         holds = _resonant(motion, pair)
         if holds is None:
-            return settled(None, f"whether the frequencies are as {pair[0]} to {pair[1]} is not proved")
+            return undecided(f"whether the frequencies are as {pair[0]} to {pair[1]} is not proved")
         if holds:
-            resonant = LOWEST[pair](motion)
-            return resonant._replace(rung="" if resonant.stable is None else "resonance")
+            return LOWEST[pair](motion)
     for precision in PRECISIONS:
         with own_precision(precision), suppress(ZeroDivisionError):
             parts, found = motion.first if precision == PRECISION else motion.in_balls(4, precision)
             D4 = real(twist(normalised(parts, found)[4], found))
             if sign_of(D4):
-                return settled(True, f"D4 = {decimals(D4)}, no resonance to order 4, the frequencies "
-                               f"are {signed(found)} (Arnold)", NOTION,
-                               rung=f"D4 {'<>'[sign_of(D4) > 0]} 0")
+                rung = Rung.TWIST_POSITIVE if sign_of(D4) > 0 else Rung.TWIST_NEGATIVE
+                return settled(True, f"D4 = {decimals(D4)}, no resonance to order 4, the frequencies are "
+                               f"{signed(found)} (Arnold)", rung, NOTION)
         if motion.rational and not _twist(motion):
             break
     return _sixth_order(motion)
@@ -90,19 +96,19 @@ def signed(found: Modes) -> str:
     return ", ".join(decimals(value.imag).replace("-", "−") for value in found.values)
 
 
-def _sixth_order(motion: LocalMotion) -> Finding:
+def _sixth_order(motion: LocalMotion) -> Decision:
     """D4 is 0, or nearly: D6 ≠ 0 proves stability whichever of the two does."""
     for pair in resonances_up_to(6)[len(resonances_up_to(4)):]:
         if (sign := _resonant(motion, pair)) is not False:
             what = "is not excluded" if sign is None else "holds"
-            return settled(None, f"D4 = 0, and the resonance {pair[0]}:{pair[1]} {what}")
+            return undecided(f"D4 = 0, and the resonance {pair[0]}:{pair[1]} {what}")
     for precision in PRECISIONS:
         with own_precision(precision), suppress(ZeroDivisionError):
             parts, found = motion.in_balls(6, precision)
             if sign_of(D6 := real(twist(normalised(parts, found)[6], found))):
                 return settled(True, f"D4 = 0, D6 = {decimals(D6)}, no resonance to order 6, the "
-                               f"frequencies are {signed(found)} (Arnold)", NOTION, rung="D6")
-    return settled(None, "D4 and D6 are not proved to differ from 0: terms of higher degree decide")
+                               f"frequencies are {signed(found)} (Arnold)", Rung.SIXTH_ORDER, NOTION)
+    return undecided("D4 and D6 are not proved to differ from 0: terms of higher degree decide")
 
 
 def _twist(motion: LocalMotion) -> fmpq:

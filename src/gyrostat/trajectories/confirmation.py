@@ -15,7 +15,8 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.standard import seen_at
 from ..stability.analysis import analyze
 from ..stability.boundary import Boundary
-from ..stability.report import Decision, Report, Verdict
+from ..stability.decision import Decision, Verdict
+from ..stability.report import Report
 from ..stability.truth import holds, sign_at
 from ..stability.values import exact_values
 from .excursions import SLOW, TURNED, Distance, excursion

@@ -8,7 +8,7 @@ from sympy import Expr
 from ..algebra.floats import Array
 from ..errors import AccuracyError
 from ..mechanics.equilibria import Equilibrium
-from ..stability.report import Decision
+from ..stability.decision import Decision
 from .motion import Motion
 
 POINTS, LOOKS = 500, 4                                 # times of a motion; looks at its largest distance

@@ -1,0 +1,88 @@
+"""The ladder of criteria and theorems that decides an equilibrium at exact numbers."""
+from dataclasses import dataclass, replace
+
+from sympy import Expr
+
+from ..algebra.exact import Point
+from ..kept import cached_property
+from ..mechanics.equilibria import Equilibrium
+from ..mechanics.once import once
+from ..mechanics.standard import placed, seen_at
+from ..notation import symbol
+from .decision import Decider, Decision, Rung, settled, undecided
+from .derived import Derived
+from .drift import Drift, drifts_along
+from .elementary import Elementary
+from .integrals import decide_by_integrals
+from .truth import holds
+
+DEFINITE = "the second variation is definite on the symplectic slice"
+GROWS = "an eigenvalue has a positive real part"
+
+
+@dataclass(frozen=True, repr=False)
+class Ladder(Derived):
+    """What decides an equilibrium: its two criteria, then the theorems for what they leave open.
+
+    A scene that has more symmetry at the numbers is decided as such, and so is one that another scene
+    decides. What the other scene divides out is carried over where it is a symmetry of this one; where it is
+    none, the other scene is asked about the point itself.
+    """
+
+    def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
+        """The decision at exact numbers; the margins that were used are entered."""
+        modulo = self.sufficient.modulo
+        sufficient = holds(self.sufficient, numbers, margins)
+        if sufficient:
+            return self._definite(numbers)
+        necessary = holds(self.necessary, numbers, margins)
+        if necessary is False:
+            return settled(False, GROWS, Rung.SPECTRUM, "spectral", modulo=modulo)
+        if known := seen_at(self.equilibrium, numbers):
+            standard = kept(known.equilibrium)
+            if missing := ", ".join(name for name in standard.compared if symbol(name) not in numbers):
+                return undecided(known.worded(f"give {missing} to decide"))
+            found = standard.decide(numbers, margins)
+            return replace(found, reason=known.worded(found.reason), modulo=found.modulo and known.modulo)
+        if None in (sufficient, necessary):
+            return undecided("a margin has no proved sign")
+        decider: Decider | None = self.between
+        found = decider.decide(numbers, margins) if decider else self._elementary.decide(numbers)
+        if self.recognised:
+            found = replace(found, reason=self.recognised.worded(found.reason))
+        return found if found.modulo else replace(found, modulo=modulo)
+
+    def decide_point(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
+        """The decision on the point itself, not modulo the flow of an integral."""
+        found = self.decide(numbers, margins)
+        if not found.modulo or not found.stable:
+            return replace(found, modulo=())
+        margins.clear()
+        known = self.recognised or seen_at(self.equilibrium, numbers)
+        if known:
+            drift = Drift(known.equilibrium).decide(numbers, margins)
+            return replace(drift, reason=known.worded(drift.reason))
+        return self.drift.decide(numbers, margins) if self.boundary else drifts_along(
+            placed(self.equilibrium, numbers), found)
+
+    @cached_property
+    def _stable(self) -> Decision:
+        return settled(True, DEFINITE, Rung.SECOND_VARIATION, modulo=self.sufficient.modulo)
+
+    def _definite(self, numbers: Point) -> Decision:
+        """Where the sufficient criterion holds: with the Casimirs, or with integrals that are given."""
+        if not self.equilibrium.system.given_integrals or holds(self.casimirs_only, numbers, {}):
+            return self._stable
+        certified = decide_by_integrals(self.equilibrium, numbers)
+        return replace(certified, pointwise=False) if certified.stable else self._stable
+
+    @cached_property
+    def _elementary(self) -> Elementary:
+        return Elementary(self.equilibrium, self.linearization, lambda eq: kept(eq).decide(Point({}), {}),
+                          lambda eq: kept(eq).decide_point(Point({}), {}))
+
+
+@once
+def kept(eq: Equilibrium) -> Ladder:
+    """The ladder of an equilibrium in other axes, or of another scene that decides for it, derived once."""
+    return Ladder(eq)
