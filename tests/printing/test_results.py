@@ -58,7 +58,7 @@ def test_where_something_is_left_open_it_is_said():
     """Between what is proved stable and what is proved unstable; not where the two are one."""
     proved, needed, stable = (SolvedCondition(meaning, l, (Case((), (Interval(m0, oo, EXCLUDED),)),), k3)
                               for meaning in ("sufficient", "necessary", "stable"))
-    open_ = "Where it is neither proved stable nor proved unstable, nothing is claimed."
+    open_ = "Elsewhere these conditions do not decide; a verdict at numbers may."
     assert str(Solution("l", (proved, needed))).splitlines()[-1] == open_
     assert open_ not in str(Solution("l", (stable,)))
 

@@ -87,8 +87,7 @@ def parallel_blocks(report: Report) -> list[Block]:
     return [sentence("The directions are parallel there, and the coadjoint orbit is singular. Directions "
                      "that are parallel once stay so: the matrices are those of such motions, and what is "
                      "unstable among them is unstable. The sufficient conditions are against all motions; "
-                     "nothing is claimed where the body turns, or where they fail and none of these "
-                     "motions grows.")]
+                     "nothing is claimed where they fail and none of these motions grows.")]
 
 
 def _polynomial(coefficients: list[Expr]) -> Expr:

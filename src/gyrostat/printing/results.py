@@ -72,11 +72,11 @@ def _solution(solution: Solution) -> list[Block]:
         for n, part in enumerate(parts, 1):
             blocks += _part(part, solution.name, f"({n})")
     if any(p.meaning == "sufficient" for p in solution.parts):
-        blocks.append(sentence("Where it is neither proved stable nor proved unstable, nothing is claimed."))
+        blocks.append(sentence("Elsewhere these conditions do not decide; a verdict at numbers may."))
     return blocks
 
 
-_TITLES = {"exists": "It exists", "stable": "Stable", "sufficient": "Proved stable",
+_TITLES = {"exists": "It exists", "stable": "Stable", "sufficient": "Stable by the second variation",
            "necessary": "Unstable unless",
            "undecided": "Nothing is proved for"}
 

@@ -13,6 +13,7 @@ from ..algebra.exact import Point, evaluate, is_identically_zero, proved_sign, s
 from ..algebra.polynomials import Ring
 from ..algebra.roots import between, real_roots
 from ..errors import ScopeError
+from ..mechanics.orbital_precession import moving_axis
 from .decision import Decision, Verdict
 from .report import Report
 from .sets import EXCLUDED, INCLUDED, Interval
@@ -57,8 +58,12 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
 def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
                high: Expr | None) -> list[Expr] | None:
     """Between these values Arnold's condition holds everywhere in a window, or nowhere; None: not known."""
+    eq = report.equilibrium
+    if eq.system.coupled:                                  # of a symmetric satellite, as its axis moves
+        axis = moving_axis(eq, lambda e: evaluate(e, numbers))
+        return None if axis is None else cuts_in_windows(motion_in_field(axis, numbers), x, low, high)
     try:
-        motion = motion_in_field(report.equilibrium, numbers)
+        motion = motion_in_field(eq, numbers)
     except ScopeError:
         return None
     return cuts_in_windows(motion, x, low, high)

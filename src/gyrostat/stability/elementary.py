@@ -16,7 +16,7 @@ from .linearization import Linearization
 from .local_motion import local_motion
 from .sphere import extremum_at
 from .torquefree import torque_free
-from .values import names_in
+from .values import names_in, names_of_motion
 from .windows import decide_window
 
 DEGREE = 4                                                 # of U, where only its derivatives are given
@@ -51,7 +51,8 @@ class Elementary:
     def decide(self, numbers: Mapping[Symbol, Expr]) -> Decision:
         """The decision between the two criteria."""
         eq, (determinant, names) = self.equilibrium, self._determinant
-        if missing := [name for name in names if symbol(name) not in numbers]:
+        needed = dict.fromkeys((*names, *names_of_motion(eq)))
+        if missing := [name for name in needed if symbol(name) not in numbers]:
             return undecided("the point lies between the two criteria; give "
                              f"{', '.join(missing)} to decide")
         if eq.system.coupled:

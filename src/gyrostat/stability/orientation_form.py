@@ -59,25 +59,32 @@ def orientation_form(eq: Equilibrium) -> OrientationForm:
     potential, body = eq.system.potential, eq.system.body
     assert isinstance(potential, CoupledPotential)
     beta = ImmutableMatrix(potential.drift)
-    V = potential.expression - beta.dot(body.tensor * beta) / 2
-    names = potential.variables
-    slopes = eq.system.space.gradient(V).flat()[3:]
-    bends = [row[3:] for row in eq.system.space.hessian(V).tolist()[3:]]
     m = ImmutableMatrix(body.gyrostatic_momentum) - body.tensor * beta
-    turns = [[eq.at_point(entry.diff(x)) for x in names] for entry in m]
-    slopes = [eq.at_point(x) for x in slopes]
-    bends = [[eq.at_point(x) for x in row] for row in bends]
+    turns = [[eq.at_point(entry.diff(x)) for x in potential.variables] for entry in m]
+    N = zeros(3, 3)
+    for i in range(0, len(eq.point) - 3, 3):
+        N += ImmutableMatrix([row[i:i + 3] for row in turns]) * hat(eq.point[3 + i:6 + i])
+    G = N - N.T - hat([eq.at_point(entry) for entry in m])
+    return OrientationForm(stiffness_with(eq, beta), (_short(G[2, 1]), _short(G[0, 2]), _short(G[1, 0])),
+                           body.tensor)
+
+
+def stiffness_with(eq: Equilibrium, beta: ImmutableMatrix) -> ImmutableMatrix:
+    """K of an equilibrium for a coupling β, that of the field or another that differs by a constant."""
+    potential = eq.system.potential
+    assert isinstance(potential, CoupledPotential)
+    V = potential.expression - beta.dot(eq.system.body.tensor * beta) / 2
+    slopes = [eq.at_point(x) for x in eq.system.space.gradient(V).flat()[3:]]
+    bends = [[eq.at_point(x) for x in row[3:]] for row in eq.system.space.hessian(V).tolist()[3:]]
     vectors = [eq.point[i:i + 3] for i in range(3, len(eq.point), 3)]
-    K, N = zeros(3, 3), zeros(3, 3)
+    K = zeros(3, 3)
     for i, a in enumerate(vectors):
         slope = ImmutableMatrix(slopes[3 * i:3 * i + 3])
         K += slope * ImmutableMatrix(a).T - slope.dot(ImmutableMatrix(a)) * ImmutableMatrix.eye(3)
-        N += ImmutableMatrix([row[3 * i:3 * i + 3] for row in turns]) * hat(a)
         for j, b in enumerate(vectors):
             block = ImmutableMatrix([row[3 * j:3 * j + 3] for row in bends[3 * i:3 * i + 3]])
             K += hat(a).T * block * hat(b)
-    G = N - N.T - hat([eq.at_point(entry) for entry in m])
-    return OrientationForm(_symmetric(K), (_short(G[2, 1]), _short(G[0, 2]), _short(G[1, 0])), body.tensor)
+    return _symmetric(K)
 
 
 def _symmetric(K: ImmutableMatrix) -> ImmutableMatrix:

@@ -1,26 +1,29 @@
 """The report of an equilibrium where two directions are parallel: a singular orbit."""
 from dataclasses import replace
 
-from sympy import Expr
+from sympy import Expr, ImmutableMatrix
 
 from ..algebra.exact import Point
 from ..algebra.margins import Signs
 from ..kept import cached_property
+from ..mechanics.coupled import CoupledPotential
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.parallel import parallel
 from ..mechanics.relations import residual_of
+from ..mechanics.standard import placed
 from .conditions import Criterion, condition_of, independent
 from .decision import Decision, Rung, settled, undecided
 from .energy_casimir import SecondVariation, blocks
 from .implication import Item, reduced
 from .linearization import Linearization
-from .orientation_form import orientation_form
+from .orientation_form import stiffness_with
 from .report import Report
 from .secular import Secular
 from .truth import holds
 
-MINIMUM = ("the directions are parallel, the body is at rest, and its energy has a strict minimum: stable "
-           "against all motions, those too in which the directions do not stay parallel")
+ALL = "stable against all motions, those too in which the directions do not stay parallel"
+AT_REST = f"the directions are parallel, the body is at rest, and its energy has a strict minimum: {ALL}"
+TURNS = f"the directions are parallel, and h − ω·π, an integral, has a strict minimum: {ALL}"
 OTHERS = "against motions in which the directions do not stay parallel nothing is proved"
 
 
@@ -31,6 +34,12 @@ class ParallelReport(Report):
     directions decides more: where it is positive definite the energy of a and b = c a has a strict minimum
     for abs(a) held, whatever M·a. The length of b − c a is constant, and while it is small the energy is that
     of b = c a but for as little: the equilibrium is stable against all motions, under internal damping too.
+    A body of revolution that turns about its axis, or any ball, conserves ω·π, and h − ω·π stands for the
+    energy: K is that of a body at rest with the coupling β − ω. Damping does not conserve it.
+
+    References
+    ----------
+    Leonard & Marsden, Physica D 105 (1997) 130-162, for the singular orbits; derived.
 
     Examples
     --------
@@ -65,8 +74,9 @@ class ParallelReport(Report):
 
     @cached_property
     def sufficient(self) -> Criterion:
-        """At rest, K is positive definite across the directions."""
-        return replace(self.damped, notion="formal")
+        """K is positive definite across the directions: at rest, or where ω·π is conserved."""
+        eq, beta = self.equilibrium, coupling_at_rest(self.equilibrium)
+        return Criterion("formal", ()) if beta is None else independent(least_across(eq, beta, "formal"), eq)
 
     @property
     def casimirs_only(self) -> Criterion:
@@ -81,7 +91,10 @@ class ParallelReport(Report):
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
         """As Report.decide: against all motions."""
         if holds(self.sufficient, numbers, margins):
-            return settled(True, MINIMUM, Rung.SECOND_VARIATION)
+            return settled(True, AT_REST if at_rest(self.equilibrium) else TURNS, Rung.SECOND_VARIATION)
+        if self.equilibrium != (here := placed(self.equilibrium, numbers)):
+            found = ParallelReport(here).decide(Point({}), {})
+            return replace(found, reason=f"at these numbers {found.reason}")
         found = self.along.decide(numbers, margins)
         if found.stable:
             return undecided(f"where the directions stay parallel it is stable; {OTHERS}")
@@ -111,12 +124,17 @@ class ParallelSecular(Secular):
     @cached_property
     def criterion(self) -> Criterion:
         """At rest, K is positive definite across the directions."""
-        return independent(least_across(self.equilibrium), self.equilibrium)
+        eq = self.equilibrium
+        if not at_rest(eq):
+            return Criterion("secular", ())
+        return independent(least_across(eq, _coupling(eq), "secular"), eq)
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
         """As Secular.decide."""
         if holds(self.criterion, numbers, margins):
-            return settled(True, MINIMUM, Rung.SECOND_VARIATION, "secular", growing=0)
+            return settled(True, AT_REST, Rung.SECOND_VARIATION, "secular", growing=0)
+        if self.equilibrium != (here := placed(self.equilibrium, numbers)):
+            return ParallelSecular(here).decide(Point({}), {})
         found = self.along.decide(numbers, margins)
         if found.stable:
             return undecided(f"where the directions stay parallel, {found.reason}; {OTHERS}")
@@ -128,14 +146,29 @@ def at_rest(eq: Equilibrium) -> bool:
     return not any(residual_of(eq.at_point(x), eq.insert) for x in eq.system.energy_gradient.flat()[:3])
 
 
-def least_across(eq: Equilibrium) -> Criterion:
-    """At rest, K is positive definite across the directions; () where the body turns.
+def coupling_at_rest(eq: Equilibrium) -> ImmutableMatrix | None:
+    """β with which the body is at rest: its own, or β − ω where ω·π is conserved; else None."""
+    if at_rest(eq):
+        return _coupling(eq)
+    scene, rate = eq.system, ImmutableMatrix(eq.system.energy_gradient.flat()[:3]).applyfunc(eq.at_point)
+    axes = [ImmutableMatrix(scene.space.gradient(F).flat()[:3]) for F in scene.linear_integrals]
+    if len(axes) == 3 or axes and not any(residual_of(x, eq.insert) for x in rate.cross(axes[0])):
+        return _coupling(eq) - rate
+    return None
+
+
+def _coupling(eq: Equilibrium) -> ImmutableMatrix:
+    potential = eq.system.potential
+    assert isinstance(potential, CoupledPotential)
+    return ImmutableMatrix(potential.drift)
+
+
+def least_across(eq: Equilibrium, beta: ImmutableMatrix, notion: str) -> Criterion:
+    """K with a coupling β is positive definite across the directions.
 
     Along an axis of the body by leading minors, else by t and s, trace and determinant across.
     """
-    if not at_rest(eq):
-        return Criterion("secular", ())
-    K = orientation_form(eq).stiffness
+    K = stiffness_with(eq, beta)
     a = eq.point[3:6] if any(eq.point[3:6]) else eq.point[6:]
     across = [i for i in range(3) if a[i] == 0]
     if len(across) == 2:
@@ -147,5 +180,5 @@ def least_across(eq: Equilibrium) -> Criterion:
     signs = Signs.over([minor for _, minor in minors], eq.domain)
     items = [Item(*signs.split(*signs.ring.fraction(minor)), True, name) for name, minor in minors]
     left = reduced(items, signs)
-    return Criterion("secular", () if left is None else (tuple(condition_of(signs.ring, item, eq)
+    return Criterion(notion, () if left is None else (tuple(condition_of(signs.ring, item, eq)
                                                                for item in left),))

@@ -4,11 +4,12 @@ from dataclasses import dataclass
 from math import prod
 from typing import NamedTuple
 
+from flint import fmpq_mpoly
 from sympy import Expr, Mul, Pow, Symbol
 
 from ..algebra.exact import evaluate
 from ..algebra.margins import Signs
-from ..algebra.polynomials import Ring, lcm
+from ..algebra.polynomials import Ring, by_degree, lcm
 from ..algebra.rational_functions import RationalFunction
 from ..algebra.roots import real_roots
 from ..errors import ScopeError
@@ -119,20 +120,32 @@ def cuts_in_windows(motion: LocalMotion, x: Symbol, low: Expr | None, high: Expr
     None where they are not known: D4 is no rational function of it, or is 0, or a resonance holds, always.
     """
     try:
-        held = _held("", motion, ())
+        held = _held("", motion, (), square_roots=True)
     except ScopeError:
         return None
     margins = [held.p, held.q, held.discriminant, held.D4, *(at for _, _, at in held.resonances)]
-    if motion.names != {x} or any(value == 0 for value in margins):
+    parts = [_norm(held.ring, part) for value in margins for part in (value.top, value.bottom)]
+    if motion.names != {x} or not all(parts):
         return None
-    polynomials = [part for value in margins for part in (value.top, value.bottom) if not part.is_constant()]
+    polynomials = [part for part in parts if not part.is_constant()]
     return real_roots(Mul(*map(held.ring.expression, polynomials)), x, low, high)
 
 
-def _held(label: str, motion: LocalMotion, domain: Sequence[Expr]) -> _Held:
+def _norm(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    """Without square roots: the product of what it is for either sign of each, 0 where one of these is."""
+    polynomial = ring.reduce(polynomial)
+    for root, square in ring.squares.items():
+        place = ring.generators.index(root)
+        if polynomial.degrees()[place]:
+            rest, factor = by_degree(polynomial, place, 1)
+            polynomial = ring.reduce(rest**2 - factor**2 * square)
+    return polynomial
+
+
+def _held(label: str, motion: LocalMotion, domain: Sequence[Expr], square_roots: bool = False) -> _Held:
     """By the averages of a multiple of the energy that is polynomial."""
     ring = Ring([*motion.entries, motion.potential, *domain])
-    if not all(isinstance(g, Symbol) for g in ring.generators):
+    if not all(isinstance(g, Symbol) or square_roots and g in ring.squares for g in ring.generators):
         raise ScopeError(f"{label}: D4 is a rational function where numbers are rational and U and the "
                          "point are fractions of polynomials; give other numbers, or all for a verdict")
     parts = motion.energy(DEGREE, lambda x: RationalFunction(*ring.fraction(x)))
@@ -144,9 +157,9 @@ def _held(label: str, motion: LocalMotion, domain: Sequence[Expr]) -> _Held:
         for x in part.values():
             scale = lcm(scale, x.bottom)
     whole = [{code: x.top * (scale / x.bottom) for code, x in part.items()} for part in parts[2:]]
-    p, q, top, bottom = averages([{}, {}, *whole])
+    p, q, top, bottom = map(ring.reduce, averages([{}, {}, *whole]))
     for value, what in ((q, "q"), (p**2 - 4 * q, "p² − 4q"), (bottom, "4p² − 25q")):
-        if not value:
+        if not ring.reduce(value):
             raise ScopeError(f"{label}: {what} of λ⁴ + p λ² + q is 0 whatever the names are: there is no D4")
     # D4 is of degree 1 in the energy and of degree 2 in the actions, which are frequencies
     return _Held(ring, *(RationalFunction(value, scale**n * below) for value, n, below in (
