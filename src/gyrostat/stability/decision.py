@@ -88,6 +88,7 @@ class Rung(Enum):
     REDUCED_MOTION = "reduced motion"                      # of the tilt of a body of revolution
     FOURTH_ORDER = "fourth order"                          # the energy on the momentum sphere
     LEADING_FORM = "leading form"                          # of the amended potential, of degree 3 or more
+    LEAST_ON_SET = "least on a set"                        # the energy, on a closed curve of equilibria
     NO_TORQUE = "no torque"                                # the momentum is fixed in space
     DRIFT = "drift"                                        # equilibria nearby move along its orbit
     WHOLE_ORBIT = "whole orbit"                            # nothing moves on its orbit

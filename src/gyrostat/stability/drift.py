@@ -23,6 +23,7 @@ from ..notation import Stored, symbol
 from ..shown import Shown
 from .decision import Decision, Rung, settled, undecided
 from .linearization import Linearization, linearize
+from .values import names_in
 
 K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")
 
@@ -117,6 +118,9 @@ class Drift(Shown, Stored):
         Stable only in the exceptional case.
         """
         body = self.equilibrium.system.body
+        wanted = names_in([self.defect, self._p, self.omega, *(self.rates if self.omega else ())])
+        if missing := ", ".join(name for name in wanted if symbol(name) not in numbers):
+            return undecided(f"give {missing} to decide")
         linear = self._linear(numbers, margins)
         turning = "relative equilibria near it turn about the axis of the body"
         if (moving := sign_of_constant(evaluate(self.omega, numbers))) == 0:

@@ -10,7 +10,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .amended import Amended
 from .decision import Decision, undecided
-from .in_frame import decide_in_frame
+from .in_frame import decide_in_frame, open_between
 from .integrals import decide_by_integrals
 from .linearization import Linearization
 from .local_motion import local_motion
@@ -51,18 +51,21 @@ class Elementary:
     def decide(self, numbers: Mapping[Symbol, Expr]) -> Decision:
         """The decision between the two criteria."""
         eq, (determinant, names) = self.equilibrium, self._determinant
-        needed = dict.fromkeys((*names, *names_of_motion(eq)))
-        if missing := [name for name in needed if symbol(name) not in numbers]:
+        missing = [name for name in names if symbol(name) not in numbers]
+        degenerate = not missing and sign(determinant, numbers) == 0
+        if degenerate or not open_between(eq):
+            missing += [name for name in names_of_motion(eq) if symbol(name) not in numbers]
+        if missing:
             return undecided("the point lies between the two criteria; give "
-                             f"{', '.join(missing)} to decide")
+                             f"{', '.join(dict.fromkeys(missing))} to decide")
         if eq.system.coupled:
-            return decide_in_frame(eq, numbers, sign(determinant, numbers) == 0, self.point_decided)
+            return decide_in_frame(eq, numbers, degenerate, self.point_decided)
         if eq.system.potential is None:
             return extremum_at(eq, numbers).decision
         by_integrals = decide_by_integrals(eq, numbers)
         if by_integrals.stable:
             return by_integrals
-        beyond = self._without_integrals(numbers, sign(determinant, numbers) == 0)
+        beyond = self._without_integrals(numbers, degenerate)
         if not by_integrals.reason:
             return beyond
         return replace(beyond, reason=f"{by_integrals.reason}; {beyond.reason}")

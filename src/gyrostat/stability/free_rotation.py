@@ -11,9 +11,9 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.system import assemble
 from ..notation import Stored, symbol
 from ..shown import Shown
-from .decision import Decision, Rung, settled, undecided
-from .secular import KEEPS, KEPT, LOST, lost, secular_of
-from .sphere import DRIFTS, circle_in_words, extremum
+from .decision import Decision, Rung, settled
+from .secular import KEEPS, lost, secular_of
+from .sphere import DRIFTS, circle_in_words
 
 EXTREMUM = settled(True, "the energy is an extremum on the momentum sphere", Rung.SECOND_VARIATION)
 SADDLE = settled(False, "the energy is a saddle on the momentum sphere: an eigenvalue has a positive real "
@@ -97,15 +97,8 @@ class PermanentRotation(Shown, Stored):
         """The verdict under internal damping, which keeps M; of a circle, modulo the turns about its axis."""
         if self.nu is None:
             return replace(self.decision, notion="secular", growing=0)
-        if self.sphere:
-            return secular_of(self.equilibrium).decide(Point({}), {})
         if self.decision not in (EXTREMUM, SADDLE) and not self.circle:
-            sign, why = extremum(self.body, self.momentum, self.nu)
-            if sign is None:
-                return undecided(why)
-            if sign == 1:
-                return settled(True, f"{KEPT}: {why}", Rung.FOURTH_ORDER, "secular", growing=0)
-            return settled(False, f"{LOST}: {why}", Rung.FOURTH_ORDER, "secular")
+            return secular_of(self.equilibrium).decide(Point({}), {})
         M, D = Matrix(self.momentum), self.body.inverse - self.nu * eye(3)
         rising = proved_sign(D.trace() * M.dot(M) - M.dot(D * M)) == 1
         growing = 1 if self.decision == SADDLE else 0 if rising else 1 if self.circle else 2

@@ -2,18 +2,22 @@
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from sympy import Expr, Symbol
+from sympy import Expr, ImmutableMatrix, Symbol
 
-from ..algebra.exact import evaluate
+from ..algebra.exact import Point, evaluate, proved_sign
+from ..mechanics.circular_orbit import by_gradient_alone, orbital_rate
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.orbital_precession import moving_axis
 from ..mechanics.parallel import parallel
-from .decision import Decision, undecided
+from ..mechanics.standard import placed
+from .decision import Decision, Rung, settled, undecided
 
 HELD = ("gyroscopic forces hold it, the second variation has both signs: no theorem decides with three "
         "degrees of freedom")
 COUPLED = "the point lies between the two criteria, which are what there is of a field with a coupling β"
 DEGENERATE = "the second variation is degenerate: terms of higher degree decide"
+ON_CURVE = settled(True, "the energy is least on a closed curve of equilibria, K positive across it",
+                   Rung.LEAST_ON_SET, locus="the closed curve of equilibria to which it belongs")
 AXIS = "the axis moves in the orbital frame as k of a spherical gyrostat in one field does: "
 
 
@@ -34,5 +38,35 @@ def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate:
         return replace(found, reason=f"{AXIS}{found.reason}", margins=(),
                        level=found.level and eq.system.linear_integrals)
     if degenerate:
-        return undecided(DEGENERATE)
+        curve = on_curve(placed(eq, Point(numbers)))
+        return undecided(DEGENERATE) if curve is None else curve
     return undecided(HELD if len(eq.point) == 9 else COUPLED)
+
+
+def on_curve(eq: Equilibrium) -> Decision | None:
+    """The decision on a satellite at numbers on a closed curve of attitudes that is stable, else None.
+
+    With the rotor ω0 L along axis j, a = I_i − I_j, b = I_k − I_j and L² = 4ab the curve is I'_tt = 4 I'_rr,
+    I' = I − I_j, and I'_tn² = 4 (I'_nn I'_rr − I'_nr²) on it. So K has the invariants e3 = 0,
+    e1 = ω0² (5 I'_nn + 9 I'_rr) and e2 = ω0⁴ (9 I'_nn I'_rr + 4 I'_nn² + 27 I'_nr²), both positive where a
+    and b are, but where n is along axis j: the curve meets that where a = 4b or b = 4a. Else the energy has a
+    strict minimum on the curve, which is compact.
+
+    References
+    ----------
+    Derived.
+    """
+    scene = eq.system
+    body, rotor = scene.body, scene.body.gyrostatic_momentum
+    axes = [i for i in range(3) if rotor[i] != 0]
+    if not by_gradient_alone(scene) or isinstance(body.inertia, ImmutableMatrix) or len(axes) != 1:
+        return None
+    least = body.moments[axes[0]]
+    a, b = (body.moments[axes[0] - i] - least for i in (1, 2))
+    n, r = (ImmutableMatrix(eq.point[i:i + 3]) for i in (3, 6))
+    above = ImmutableMatrix.diag(*(moment - least for moment in body.moments))
+    t = n.cross(r)
+    signs = [proved_sign(evaluate(x, {})) for x in (
+        a, b, (rotor[axes[0]] / orbital_rate(scene))**2 - 4 * a * b, t.dot(above * t) - 4 * r.dot(above * r),
+        a - 4 * b, b - 4 * a)]
+    return ON_CURVE if signs[:4] == [1, 1, 0, 0] and 0 not in signs[4:] else None

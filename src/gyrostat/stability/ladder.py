@@ -62,8 +62,9 @@ class Ladder(Derived):
         if known:
             drift = Drift(known.equilibrium).decide(numbers, margins)
             return replace(drift, reason=known.worded(drift.reason))
-        return self.drift.decide(numbers, margins) if self.boundary else drifts_along(
-            placed(self.equilibrium, numbers), found)
+        if self.boundary:
+            return self.drift.decide(numbers, margins)
+        return drifts_along(placed(self.equilibrium, numbers), found)
 
     @cached_property
     def _stable(self) -> Decision:

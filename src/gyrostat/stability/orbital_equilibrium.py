@@ -20,7 +20,7 @@ from ..notation import Stored
 from ..shown import Shown
 from .amended_form import dot, trace
 from .decision import Decision, Rung, settled, undecided
-from .in_frame import HELD
+from .in_frame import HELD, on_curve
 from .report import Report
 from .secular import KEEPS, lost
 
@@ -94,7 +94,8 @@ class OrbitalEquilibrium(Shown, Stored):
             return Report(self.equilibrium).verdict({})
         trace_, second, whole, *spectrum = self.signs
         if self.locus:                                     # K is degenerate along the curve
-            return LEAVES if -1 in spectrum else undecided(self.locus)
+            found = LEAVES if -1 in spectrum else on_curve(self.equilibrium)
+            return undecided(self.locus) if found is None else found
         if whole == -1:
             return ODD
         if trace_ == second == whole == 1:
@@ -117,8 +118,6 @@ class OrbitalEquilibrium(Shown, Stored):
         if self.scene.linear_integrals:
             return Report(self.equilibrium).verdict({}, damped=True)
         trace_, second, whole, *_ = self.signs
-        if self.locus:
-            return undecided(self.locus)
         if None in (trace_, second, whole) or not whole or not self._reached:
             return Report(self.equilibrium).verdict({}, damped=True)
         left = [s for s in (1, trace_, second, whole) if s]

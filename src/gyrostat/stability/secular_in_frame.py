@@ -1,16 +1,20 @@
 """Internal damping of a body at rest in the frame of two directions."""
 from collections.abc import Mapping
+from dataclasses import replace
 
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
+from ..algebra.exact import Point
 from ..algebra.matrices import characteristic
 from ..algebra.polynomials import lowest_terms
 from ..kept import cached_property
 from ..mechanics.circular_orbit import in_orbit, orbital_rate
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.liepoisson import hat
+from ..mechanics.standard import placed
 from .criteria import stiffness
 from .decision import Decision, undecided
+from .in_frame import on_curve
 from .orientation_form import orientation_form, rests_in_frame
 from .secular import Secular
 
@@ -52,7 +56,8 @@ class SecularInFrame(Secular):
         return S.One
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
-        return undecided(DEGENERATE)
+        found = on_curve(placed(self.equilibrium, Point(numbers)))
+        return undecided(DEGENERATE) if found is None else replace(found, notion="secular", growing=0)
 
 
 def _torques_in_orbit(eq: Equilibrium) -> tuple[Expr, ...]:
