@@ -22,6 +22,7 @@ from gyrostat.mechanics.family import Family
 from gyrostat.mechanics.reduction import reducible
 from gyrostat.mechanics.scene_tables import SceneTable
 from gyrostat.mechanics.system import System, names_of_scene
+from gyrostat.notation import jet
 from gyrostat.printing.boundary import undecided
 from gyrostat.printing.decision import damped_block, decision_blocks, reason_block
 from gyrostat.printing.document import conditions_blocks, point_blocks, report_blocks, whole_blocks
@@ -236,8 +237,10 @@ def _moving(asked: Chosen, _: Mapping[str, str]) -> Data:
 
 
 def _own(asked: Chosen, given: Mapping[str, str]) -> dict[str, str]:
-    """The values that the question takes."""
-    return {name: text for name, text in given.items() if name in asked.names}
+    """The values that the question takes; of an unspecified U, every derivative."""
+    U = asked.scene.potential
+    jets = U is not None and not U.given and not asked.every
+    return {name: text for name, text in given.items() if name in asked.names or jets and jet(name)}
 
 
 WANTED = {"analysed": _analysed, "decided": _decided, "derived": _derived, "opened": _opened,

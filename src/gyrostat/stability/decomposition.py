@@ -4,6 +4,7 @@ All other parameters are numbers; the verdict is proved between the cuts and at 
 """
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import cache, partial
 from itertools import pairwise
 
 from sympy import Expr, Mul, Symbol, oo
@@ -40,7 +41,7 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     ends = real_roots(Mul(*polynomials), x, low, high) or []
     bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]
     cells: list[Cell] = []
-    inside: list[Expr] | None = None                       # where a window may end or be resonant, or D4 is 0
+    windows = cache(partial(_in_window, report, x, numbers, low, high))
     for n, (a, b) in enumerate(zip(bounds, bounds[1:])):
         if n:
             cells.append((a, a, stable_at(report, x, a, numbers)))
@@ -48,16 +49,18 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
         if decision is None or not decision.pointwise:
             cells.append((a, b, _stable(decision)))
             continue
-        if inside is None:
-            inside = _in_window(report, x, numbers, low, high)
-        cells += _window(report, x, numbers, [a, *(c for c in inside if _lies(c, a, b)), b]) if inside else [
-            (a, b, None)]
+        if (inside := windows()) is None:
+            cells.append((a, b, None))
+        else:
+            cells += _window(report, x, numbers, [a, *(c for c in inside if _lies(c, a, b)), b])
     return cells
 
 
 def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
                high: Expr | None) -> list[Expr] | None:
-    """Between these values Arnold's condition holds everywhere in a window, or nowhere; None: not known."""
+    """Where a window may end or be resonant, or D4 is 0: between these values Arnold's condition holds
+    everywhere in it, or nowhere; None: not known.
+    """
     eq = report.equilibrium
     if eq.system.coupled:                                  # of a symmetric satellite, as its axis moves
         axis = moving_axis(eq, lambda e: evaluate(e, numbers))
