@@ -24,13 +24,13 @@ def test_decisions_say_what_is_proved(heavy):
     both, part = certify_box(heavy,
                              {**box, "pi3_0": (1, 4)}), certify_box(heavy, {**box, "pi3_0": (2, 3)}, depth=5)
     assert [d.verdict for d in (stable, unstable, both, part)] == [STABLE, UNSTABLE, UNDECIDED, UNDECIDED]
-    assert stable.stable.tolist() == [[[3, 4]]]
-    assert unstable.unstable.tolist() == [[[-0.5, 1]]]
-    assert not stable.undecided.size
+    assert stable.stable_parts.tolist() == [[[3, 4]]]
+    assert unstable.unstable_parts.tolist() == [[[-0.5, 1]]]
+    assert not stable.undecided_parts.size
     assert "sufficient condition" in stable.reason
     assert "fail" in unstable.reason
     assert "another part unstable" in both.reason
-    assert part.undecided.tolist() == [[[2, 2 + 2**-5]]] and "1 of 6 parts" in part.reason
+    assert part.undecided_parts.tolist() == [[[2, 2 + 2**-5]]] and "1 of 6 parts" in part.reason
     assert repr(part.chart) == "CertifiedChart(pi3_0: 6 boxes; stable 0.96875, undecided 0.03125)"
 
 

@@ -14,7 +14,7 @@ from ..algebra.exact import sign_of_constant
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
 from ..errors import ValuesError
-from ..stability.decision import Verdict
+from ..stability.decision import Judged, Verdict
 from ..stability.report import Report
 from .codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
 from .paving import CertifiedChart, covered
@@ -26,7 +26,7 @@ DEEPEST = 1100                                             # bisections after wh
 
 
 @dataclass(frozen=True, eq=False)
-class BoxDecision:
+class BoxDecision(Judged):
     """What is proved of a box of parameters.
 
     Parameters
@@ -56,17 +56,17 @@ class BoxDecision:
         return self.chart.measure
 
     @property
-    def stable(self) -> Array:
+    def stable_parts(self) -> Array:
         """Parts that are proved stable, shape (parts, axes, 2)."""
         return self._parts(STABLE)
 
     @property
-    def unstable(self) -> Array:
+    def unstable_parts(self) -> Array:
         """Parts that are proved unstable."""
         return self._parts(UNSTABLE)
 
     @property
-    def undecided(self) -> Array:
+    def undecided_parts(self) -> Array:
         """Parts that the proof does not cover."""
         return self._parts(UNDECIDED)
 

@@ -13,7 +13,8 @@ from ..algebra.precision import ONE_AT_A_TIME
 from ..stability.boundary import Boundary
 from ..stability.conditions import Condition, Criterion
 from ..stability.decision import Rung
-from ..stability.in_frame import open_between
+from ..stability.in_frame import may_lie_on_curve, open_between
+from ..stability.orientation_form import orientation_form
 from ..stability.report import Report
 from ..stability.truth import Relation, truth
 from .answers import answered, every, some
@@ -116,7 +117,9 @@ class Decided:
             between = np.broadcast_to((sufficient < 0) & (necessary > 0), out.shape)
         if nowhere is not None:
             between = between & ~nowhere
-        if not self.stays_open and between.any():
+        if self.stays_open and between.any():              # but on a closed curve, where K is degenerate
+            between = between & self._on_curve(block)
+        if between.any():
             rows, columns = places(between)
             for start in range(0, len(rows), TOGETHER):
                 at = rows[start:start + TOGETHER], columns[start:start + TOGETHER]
@@ -124,6 +127,13 @@ class Decided:
                     out[at], rungs = self._between(self.grid.at(block, *at))
                 if self.rungs is not None:
                     self.rungs[block][(0,) * (self.rungs.ndim - 2)][at] = rungs
+
+    def _on_curve(self, block: Slices) -> Array:
+        """Where a satellite may lie on a closed curve of equilibria."""
+        if not may_lie_on_curve(eq := self.report.equilibrium):
+            return np.zeros((1, 1), bool)
+        signs = self._signs(eq.insert(orientation_form(eq).stiffness.det(method="berkowitz")))(block)
+        return (signs == 0) | (signs == UNKNOWN)
 
     def open(self, block: Slices) -> Array:
         """Where it is proved that the equilibrium exists and lies between the two criteria."""

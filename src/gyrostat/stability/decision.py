@@ -100,8 +100,28 @@ class Rung(Enum):
         return self in (Rung.SECOND_VARIATION, Rung.SPECTRUM, Rung.INTEGRAL, Rung.NEGATIVE_SQUARES)
 
 
+class Judged:
+    """What has a verdict: stable, unstable, or neither, but neither true nor false."""
+
+    verdict: Verdict
+
+    @property
+    def stable(self) -> bool:
+        """Whether it is proved to be stable."""
+        return self.verdict is Verdict.STABLE
+
+    @property
+    def unstable(self) -> bool:
+        """Whether it is proved to be unstable."""
+        return self.verdict is Verdict.UNSTABLE
+
+    def __bool__(self) -> NoReturn:
+        raise ArgumentError(f"a decision, here {self.verdict.name}, is neither true nor false: ask "
+                            "decision.stable or decision.unstable")
+
+
 @dataclass(frozen=True, repr=False)
-class Decision(Shown, Stored):
+class Decision(Judged, Shown, Stored):
     """A verdict with all that it is about, and its reason.
 
     A decision is neither true nor false: bool(decision) raises an ArgumentError.
@@ -159,20 +179,6 @@ class Decision(Shown, Stored):
     names: tuple[str, ...] = ()
     pointwise: bool = False
     certificate: tuple[tuple[Expr, Expr], ...] = ()
-
-    def __bool__(self) -> NoReturn:
-        raise ArgumentError(f"a decision, here {self.verdict.name}, is neither true nor false: ask "
-                            "decision.stable or decision.unstable")
-
-    @property
-    def stable(self) -> bool:
-        """Whether it is proved to be stable, in the sense of notion and scope."""
-        return self.verdict is Verdict.STABLE
-
-    @property
-    def unstable(self) -> bool:
-        """Whether it is proved to be unstable."""
-        return self.verdict is Verdict.UNSTABLE
 
     @property
     def scope(self) -> str:

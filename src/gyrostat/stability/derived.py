@@ -14,7 +14,7 @@ from .criteria import formal_criterion, spectral_criterion
 from .decision import Between
 from .drift import Drift
 from .energy_casimir import SecondVariation, second_variation
-from .in_frame import open_between
+from .in_frame import may_lie_on_curve, open_between
 from .integrals import integral_criterion
 from .linearization import Linearization, linearize
 from .secular import Secular, secular_of
@@ -125,7 +125,7 @@ class Derived(Shown, Stored):
 
     def _between_names(self) -> tuple[str, ...]:
         eq = self.equilibrium
-        if () in self.sufficient.alternatives or open_between(eq):
+        if () in self.sufficient.alternatives or open_between(eq) and not may_lie_on_curve(eq):
             return ()
         if self.between is None:
             return names_of_motion(eq)

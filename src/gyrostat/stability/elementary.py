@@ -2,15 +2,16 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from sympy import Expr, Symbol
+from sympy import Expr, Mul, Symbol
 
 from ..algebra.exact import sign
+from ..algebra.margins import Signs
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from .amended import Amended
 from .decision import Decision, undecided
-from .in_frame import decide_in_frame, open_between
+from .in_frame import decide_in_frame, may_lie_on_curve, open_between
 from .integrals import decide_by_integrals
 from .linearization import Linearization
 from .local_motion import local_motion
@@ -44,16 +45,20 @@ class Elementary:
 
     @cached_property
     def _determinant(self) -> tuple[Expr, tuple[str, ...]]:
-        """Of the linearised field, 0 where the second variation is degenerate; and the names in it."""
+        """What vanishes where the second variation is degenerate, the determinant of the linearised field
+        without factors that are positive; and the names in it.
+        """
         determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
-        return determinant, names_in([determinant])
+        margin, even = Signs.over([determinant], self.equilibrium.existence()).normal_form(determinant)
+        factors = (margin, *even)
+        return Mul(*factors), names_in(factors)
 
     def decide(self, numbers: Mapping[Symbol, Expr]) -> Decision:
         """The decision between the two criteria."""
         eq, (determinant, names) = self.equilibrium, self._determinant
         missing = [name for name in names if symbol(name) not in numbers]
         degenerate = not missing and sign(determinant, numbers) == 0
-        if degenerate or not open_between(eq):
+        if not open_between(eq) or degenerate and may_lie_on_curve(eq):
             missing += [name for name in names_of_motion(eq) if symbol(name) not in numbers]
         if missing:
             return undecided("the point lies between the two criteria; give "

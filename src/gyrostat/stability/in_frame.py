@@ -22,8 +22,18 @@ AXIS = "the axis moves in the orbital frame as k of a spherical gyrostat in one 
 
 
 def open_between(eq: Equilibrium) -> bool:
-    """Whether nothing decides between the two criteria of its report, whatever the numbers."""
+    """Whether nothing decides between the two criteria of its report, whatever the numbers.
+
+    But where K is degenerate, if the satellite may lie on a closed curve (may_lie_on_curve).
+    """
     return eq.system.coupled and not eq.system.linear_integrals and not parallel(eq)
+
+
+def may_lie_on_curve(eq: Equilibrium) -> bool:
+    """Whether it is a satellite in principal axes with a rotor along one of them (on_curve)."""
+    body = eq.system.body
+    along = [x for x in body.gyrostatic_momentum if x != 0]
+    return by_gradient_alone(eq.system) and not isinstance(body.inertia, ImmutableMatrix) and len(along) == 1
 
 
 def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate: bool,
@@ -56,17 +66,17 @@ def on_curve(eq: Equilibrium) -> Decision | None:
     ----------
     Derived.
     """
+    if not may_lie_on_curve(eq):
+        return None
     scene = eq.system
     body, rotor = scene.body, scene.body.gyrostatic_momentum
-    axes = [i for i in range(3) if rotor[i] != 0]
-    if not by_gradient_alone(scene) or isinstance(body.inertia, ImmutableMatrix) or len(axes) != 1:
-        return None
-    least = body.moments[axes[0]]
-    a, b = (body.moments[axes[0] - i] - least for i in (1, 2))
+    axis = next(i for i in range(3) if rotor[i] != 0)
+    least = body.moments[axis]
+    a, b = (body.moments[axis - i] - least for i in (1, 2))
     n, r = (ImmutableMatrix(eq.point[i:i + 3]) for i in (3, 6))
     above = ImmutableMatrix.diag(*(moment - least for moment in body.moments))
     t = n.cross(r)
     signs = [proved_sign(evaluate(x, {})) for x in (
-        a, b, (rotor[axes[0]] / orbital_rate(scene))**2 - 4 * a * b, t.dot(above * t) - 4 * r.dot(above * r),
+        a, b, (rotor[axis] / orbital_rate(scene))**2 - 4 * a * b, t.dot(above * t) - 4 * r.dot(above * r),
         a - 4 * b, b - 4 * a)]
     return ON_CURVE if signs[:4] == [1, 1, 0, 0] and 0 not in signs[4:] else None
