@@ -135,8 +135,8 @@ def test_the_middle_of_large_numbers(e1):
     spin = Fraction(114, 100) * 10**154                                     # π3² is about 1.3·10³⁰⁸
     decision = certify_box(e1, {"I1": "1/4", "l": 0, "pi3_0": spin, "dU": (1e308, 1.7e308)})
     assert decision.measure["undecided"] < Fraction(1, 10**6)
-    assert decision.stable.size
-    assert decision.unstable.size
+    assert decision.stable_parts.size
+    assert decision.unstable_parts.size
 
 
 def test_cancelling_momenta_and_vanishing_tilt(e1, e3):
@@ -193,7 +193,7 @@ def test_a_point_is_decided_exactly(heavy, e1):
     decision = certify_box(heavy, on)
     assert (decision.verdict, decision.reason) == (STABLE, heavy.verdict(on).reason)
     assert decision.measure["stable"] == 1
-    assert decision.stable.shape == (1, 0, 2)
+    assert decision.stable_parts.shape == (1, 0, 2)
     assert decision.chart.axes == ()
     assert dict(decision.chart.fixed)[str(gs.symbol("pi3_0"))] == 2 * sqrt(2)
     assert certify_box(e1, {"I1": 1, "l": (1, "1"), "pi3_0": 1, "dU": 1}).verdict is UNDECIDED
