@@ -50,7 +50,7 @@ class Ladder(Derived):
         found = decider.decide(numbers, margins) if decider else self._elementary.decide(numbers)
         if self.recognised:
             found = replace(found, reason=self.recognised.worded(found.reason))
-        return found if found.modulo else replace(found, modulo=modulo)
+        return replace(found, modulo=modulo) if modulo and not found.modulo else found
 
     def decide_point(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
         """The decision on the point itself, not modulo the flow of an integral."""

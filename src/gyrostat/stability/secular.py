@@ -111,7 +111,8 @@ class Secular:
         """The decision under internal damping at exact numbers, with the number of growing modes."""
         known = seen(self.equilibrium) or seen_at(self.equilibrium, numbers)
         if known is None:
-            return replace(self._decided(numbers, margins), modulo=self.criterion.modulo)
+            found, modulo = self._decided(numbers, margins), self.criterion.modulo
+            return replace(found, modulo=modulo) if modulo else found
         standard = secular_of(known.equilibrium)
         if missing := _missing(standard.compared, numbers):
             return undecided(known.worded(f"give {missing} to decide"))
