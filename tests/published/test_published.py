@@ -133,7 +133,7 @@ def test_tilt_at_k3_zero_against_the_oracle(found):
 def test_critical_top_against_the_oracle(found):
     """At equality in Rumiantsev's condition the reduced motion has its maximum at the pole.
 
-    G = −2 I1 m g z0 x³ < 0.
+    There g = −2 I1 m g z0 x³ < 0.
     """
     (f,) = (f for f in found["VV2003"] if f.statement.key == "Rumiantsev")
     v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}

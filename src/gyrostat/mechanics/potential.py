@@ -204,7 +204,7 @@ def _meant(expression: Expr) -> str:
 def smooth_where_positive(expression: Expr) -> tuple[Expr, ...]:
     """What has to be positive for the expression to be real and smooth.
 
-    X of √x and log x, 1 − x² of asin x, and the like.
+    For example x in √x and log x, and 1 − x² in asin x.
     """
     found: list[Expr] = [p.base for p in expression.atoms(Pow) if p.exp.is_Rational and not p.exp.is_Integer]
     found += [f.args[0] for f in expression.atoms(log)] + [f.args[0] - 1 for f in expression.atoms(acosh)]

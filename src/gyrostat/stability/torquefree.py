@@ -49,7 +49,7 @@ class TorqueFree:
     def decide(self, free: Callable[[Equilibrium], Finding]) -> tuple[bool | None, str]:
         """Whether it is stable, None if that is not elementary or not proved; and why.
 
-        Free decides on so(3)*.
+        The argument free decides equilibria of the free gyrostat, on so(3)*.
         """
         total = [p + l for p, l in zip(self.momentum, self.body.gyrostatic_momentum)]
         rests = _all_zero(self.momentum)
