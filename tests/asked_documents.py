@@ -90,18 +90,17 @@ QUESTIONS = {
 }
 
 
-def asked(folder):
-    """(schema, words of the command) of every question; the file of scenes is put into the folder."""
+def words_of(question, folder):
+    """The words of a question; the file of scenes is put into the folder."""
     scenes = Path(folder) / "scenes.toml"
     scenes.write_text(SCENES, encoding="utf-8")
-    for schema, questions in QUESTIONS.items():
-        for question in questions:
-            yield schema, [word.replace("{scenes}", str(scenes)) for word in split(question)]
+    return [word.replace("{scenes}", str(scenes)) for word in split(question)]
 
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as folder:
-        for _, words in asked(folder):
-            for form in ("text", "json") if words[0] == "decide" else ("text", "latex", "json"):
-                print(*words[:1], form, flush=True)
-                assert main([*words, "--format", form]) == 0, words
+        for question in (question for questions in QUESTIONS.values() for question in questions):
+            verb, *options = words_of(question, folder)
+            for form in ("text", "json") if verb == "decide" else ("text", "latex", "json"):
+                print(question, form, flush=True)
+                assert main([verb, *options, "--format", form]) == 0, question
