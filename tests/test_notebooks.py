@@ -1,16 +1,16 @@
 """The notebooks as they are committed.
 
-Executed, small, readable, and made of public names, with a text that reads their numbers. CI runs them again;
-`python tests/test_notebooks.py NOTEBOOK ...` executes them and stores their outputs.
+Executed, small, readable, and made of public names, with a text that reads their numbers. CI executes them
+and compares their outputs, `python docs/stored.py NOTEBOOK ...` stores these.
 """
 import ast
 import importlib
 import json
 import re
-import sys
 from pathlib import Path
 
 import pytest
+import stored
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
 KEPT = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
@@ -47,13 +47,6 @@ def cells(path, kind):
 def says(cell):
     """Whether a cell is code whose output is a sentence."""
     return "".join(cell["source"]).startswith("Markdown(")
-
-
-def executed(notebook):
-    """The notebook after all its cells have been run."""
-    here = {"metadata": {"path": str(NOTEBOOKS[0].parent)}}
-    client = pytest.importorskip("nbclient").NotebookClient
-    return client(notebook, record_timing=False, coalesce_streams=True, resources=here).execute()
 
 
 def code(path):
@@ -109,15 +102,9 @@ def test_changed_numbers_change_the_text(stem, changes, words):
     for old, new in changes.items():
         cell, = [each for each in notebook.cells if old in each.source]
         cell.source = cell.source.replace(old, new)
-    sentences = [cell for cell in executed(notebook).cells if says(cell)]
+    sentences = [cell for cell in stored.executed(notebook).cells if says(cell)]
     said = [output.data["text/markdown"] for cell in sentences for output in cell.outputs]
     assert len(said) == len(sentences)
     for word in words:
         assert any(word in sentence for sentence in said), (word, said)
         assert word not in path.read_text(encoding="utf-8")
-
-
-if __name__ == "__main__":
-    nbformat = importlib.import_module("nbformat")
-    for name in sys.argv[1:]:
-        nbformat.write(executed(nbformat.read(name, 4)), name)
