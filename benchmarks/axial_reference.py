@@ -1,6 +1,6 @@
 """A body of revolution in U(k3) by Taylor series in whole numbers, to any number of digits.
 
-Gyrostat is not used.
+The package gyrostat is not used.
 
 π̇ = (π + l) × ω + k × ∇U, k̇ = k × ω, ωᵢ = πᵢ/Iᵢ, ∇U = U′(k3) e3. U is a sum of terms, each with its own
     recurrence:

@@ -1,6 +1,6 @@
 """What is true of the floats of a point: margins and coefficients of the reduced motion in whole numbers.
 
-Gyrostat is not used.
+The package gyrostat is not used.
 
 The numbers of a point are the dyadic rationals that its floats are. A margin is a sum a + b that vanishes on
 the boundary:

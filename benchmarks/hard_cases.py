@@ -1,6 +1,6 @@
 """Points in float64 at which verdicts go wrong, by family, with the truth in whole numbers.
 
-Gyrostat is not used.
+The package gyrostat is not used.
 """
 from collections.abc import Iterator
 from dataclasses import dataclass, field

@@ -1,6 +1,6 @@
 """The integrators of motion_speed_against_error.py: SciPy's, heyoka's, and Lie-Poisson splittings.
 
-Gyrostat is not used.
+The package gyrostat is not used.
 """
 import time
 from fractions import Fraction
@@ -162,7 +162,7 @@ SPLITTINGS = {
 def of_revolution(x, p, outer, inner, n):
     """n steps for a body of revolution in U = p₁ k3, in a frame that turns with π3/I3 − M3/I1.
 
-    K̇ = k × M/I1, and Ṁ = k × ∇U.
+    There k̇ = k × M/I1, and Ṁ = k × ∇U.
     """
     I1, g = p
     m1, m2, m3, k1, k2, k3 = x

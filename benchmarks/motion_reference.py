@@ -1,6 +1,6 @@
 """The cases of motion_speed_against_error.py, and their motion to any number of digits by Taylor series.
 
-Gyrostat is not used.
+The package gyrostat is not used.
 
 All numbers of a case are float64 and mean the rationals that they are. The field is π̇ = (π + l) × ω + k ×
     ∇U, k̇ = k × ω, ωᵢ = πᵢ/Iᵢ,

@@ -144,7 +144,7 @@ def near_steady(rng, kind):
 def near_separatrix(rng, kind):
     """The energy and v of an unstable pole but for 10⁻⁴ to 10⁻¹⁴.
 
-    P across the meridian of the size that reaches it.
+    The momentum p is across the meridian, and its size is the one that reaches the pole.
     """
     while True:
         terms, I1, I3, l, _ = start(rng, "polynomial")

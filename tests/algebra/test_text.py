@@ -221,7 +221,7 @@ def test_all_missing_packages_are_named_at_once(monkeypatch):
 
 
 def test_trivial_conditions_are_not_shown():
-    """abs(0) < 1 and 1 > 0 say nothing."""
+    """Of conditions that always hold, |0| < 1 and 1 > 0, nothing is printed."""
     scene = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, symbol("l"))), gs.axial_potential(lambda k3: k3**2 / 2))
     assert "|0| < 1" not in str(gs.analyze(gs.static_tilt(scene)))
     condition = gs.stability.conditions.Condition(sympy.S.One, True, "p", (symbol("l"),), symbol("k3"))

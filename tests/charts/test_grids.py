@@ -50,7 +50,7 @@ def test_the_grid_is_the_broadcast(drawn):
 def test_axes_are_those_of_length_above_one(drawn):
     """Each array is merged to the number of axes of the grid, of length 1 where it does not vary.
 
-    Axes says where it does.
+    The attribute axes says where it does.
     """
     grid = grid_of(counted(drawn.input_shapes))
     for s, array in grid.values.items():

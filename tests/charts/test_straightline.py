@@ -164,7 +164,7 @@ def test_what_varies_along_the_same_axes_is_joined_first():
 def test_what_shares_axes_is_joined_first():
     """Of pairs that would vary along equally many axes, those that share one are joined.
 
-    X along 0, y along 2, z along 0 and 1.
+    Here x varies along 0, y along 2, z along 0 and 1.
     """
     program = program_of(x + y + z, {x: frozenset({0}), y: frozenset({2}), z: frozenset({0, 1})})
     assert [step.axes for step in program.steps if step.arguments] == [{0, 1}, {0, 1, 2}]

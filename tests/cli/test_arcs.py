@@ -3,8 +3,10 @@ import json
 
 import pytest
 from commands import decide
+from sympy import Matrix, Rational, diag, simplify, zeros
 
 import gyrostat as gs
+from gyrostat.algebra.grammar import parse
 
 AXIS = ["--potential", "k3", "--set", "I1=1", "I2=2", "I3=3", "l=1/2"]
 
@@ -41,3 +43,18 @@ def test_other_fields_and_other_questions_are_answered_as_before(capsys):
     assert "arc 1" not in out and out.count("ω = 2") == 6
     status, _, err = decide(capsys, "--potential", "k1^2 + k2 + k3", *AXIS[2:])
     assert status == 2 and "gyrostat decide finds those of a rate omega" in err
+
+
+def test_the_direction_in_the_data_is_that_of_the_rotation(capsys):
+    """k in a piece is a unit vector, and with omega_squared solves ∇U × k = omega² Ik × k (Staude 1894)."""
+    _, out, _ = decide(capsys, "--potential", "k1", *AXIS[2:-1], "l=0", "--format", "json")
+    arcs = json.loads(out)["arcs"]
+    assert arcs
+    for arc in arcs:
+        for piece in arc["pieces"]:
+            low, high = (piece[end]["decimal"] for end in ("low", "high"))
+            at = {gs.symbol(arc["parameter"]): Rational(str((max(-9, low or -9) + min(9, high or 9)) / 2))}
+            k = Matrix([parse(x).subs(at) for x in arc["k"]])
+            rate = parse(arc["omega_squared"]).subs(at)
+            assert simplify(k.dot(k)) == 1 and rate > 0
+            assert simplify((Matrix([1, 0, 0]) - rate * diag(1, 2, 3) * k).cross(k)) == zeros(3, 1)

@@ -27,7 +27,7 @@ def test_a_chart_as_a_picture(capsys, tmp_path, kind, start):
 def test_a_chart_as_data(capsys, tmp_path):
     """netCDF and Zarr hold the chart of the library at the numbers of the command line.
 
-    NetCDF is written again, Zarr is continued.
+    A netCDF file is written again, a Zarr store is continued.
     """
     import numpy as np
     import xarray as xr

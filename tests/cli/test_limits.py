@@ -88,7 +88,7 @@ def test_decide_gives_the_others(capsys):
 def test_no_class_name_is_prose(capsys):
     """What is not solved for says so in words; LaTeX has the reason, with its signs escaped.
 
-    Ω is enough, k3 may stay open.
+    The number of ω is enough: k3 may stay open.
     """
     top = ["conditions", "--potential", "exp(k3)", "--solve-for", "l"]
     for form in ("text", "latex"):

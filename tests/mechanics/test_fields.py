@@ -90,7 +90,7 @@ def test_each_order_is_a_term_of_the_attraction(rings, g, distance, k):
 def test_orders_differ_by_one_legendre_term(n):
     """y = U⁽ⁿ⁾ − U⁽ⁿ⁻¹⁾ + const solves Legendre's equation ((1 − k3²) y')' + n (n + 1) y = 0.
 
-    Y'(1) is aₙ n (n + 1)/2; U = 0 at k3 = 0.
+    Its slope y'(1) is aₙ n (n + 1)/2; U = 0 at k3 = 0.
     """
     y = gs.newtonian_field(n).expression - gs.newtonian_field(n - 1).expression
     constant = expand(diff((1 - k3**2) * diff(y, k3), k3) + n * (n + 1) * y)

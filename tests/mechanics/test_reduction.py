@@ -1,6 +1,6 @@
 """The motion of k3 by itself.
 
-G against the Euler-Poisson field, its expansion against polynomial arithmetic.
+The function g is compared with the Euler-Poisson field, its expansion with polynomial arithmetic.
 """
 from fractions import Fraction
 from math import factorial

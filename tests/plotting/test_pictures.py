@@ -1,44 +1,36 @@
-"""The page of pictures: its blocks run as they stand and write the pictures that it shows.
+"""The page of pictures: its blocks write the pictures that are stored.
 
 All of them as vectors too.
 """
 import re
-from pathlib import Path
 
 import matplotlib
+import matplotlib.pyplot as plt
 import pytest
-from PIL import Image
+import stored
 
-PAGE = Path(__file__).parents[2] / "docs" / "gallery" / "index.md"
-SHOWN = re.findall(r"!\[[^\]]+\]\(\.\./images/([\w-]+\.\w+)\)", PAGE.read_text(encoding="utf-8"))
-BLOCKS = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+SHOWN = re.findall(r"!\[[^\]]+\]\(\.\./images/([\w-]+\.\w+)\)", stored.PAGE.read_text(encoding="utf-8"))
 
 
 def test_every_picture_has_its_block():
-    """The picture that is shown is the one that the block after it writes; it is there, and small."""
-    assert len(SHOWN) == len(BLOCKS)
-    for name, block in zip(SHOWN, BLOCKS):
-        assert f'"{name}"' in block and 1000 < (PAGE.parents[1] / "images" / name).stat().st_size < 600_000
+    """The picture that is shown is the one that the block after it writes; nothing else is stored."""
+    assert list(stored.blocks()) == SHOWN
+    files = {path.relative_to(stored.IMAGES).as_posix(): path for path in stored.IMAGES.rglob("*.*")}
+    assert set(files) == {*SHOWN, *(f"small/{name}.png" for name in stored.SMALL)}
+    assert all(1000 < path.stat().st_size < 600_000 for path in files.values())
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name, block", list(zip(SHOWN, BLOCKS)), ids=SHOWN)
-def test_the_blocks_run_as_shown(name, block, tmp_path, monkeypatch):
-    """In a new folder, with the picture as the result.
-
-    Its figures are written as PDF and SVG without a raster image.
-    """
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    monkeypatch.chdir(tmp_path)
-    names: dict[str, object] = {}
-    with matplotlib.rc_context():                          # a block sets a style
-        exec(block, names)
-    with Image.open(tmp_path / name) as ours, Image.open(PAGE.parents[1] / "images" / name) as shown:
-        assert ours.size == shown.size
+@pytest.mark.parametrize("name", SHOWN)
+def test_the_blocks_draw_what_is_stored(name, tmp_path):
+    """In a new folder, pixel for pixel; and as PDF and SVG without a raster image."""
+    assert stored.version() == matplotlib.__version__, "install that version, or make all pictures anew"
+    names = stored.draw(name, tmp_path)
     for kind in ("pdf", "svg"):
         names["figure"].savefig(tmp_path / f"picture.{kind}")
     svg = (tmp_path / "picture.svg").read_text(encoding="utf-8")
     rasters = {"eigenvalues.png": 1, "e3-chart.png": 1, "smelt-plane.png": 2}      # a colour bar, verdicts
     assert svg.count("<image") == rasters.get(name, 0)
+    stored.draw_small(name, names["figure"], tmp_path)
+    assert stored.unlike(name, tmp_path) == []
     plt.close("all")

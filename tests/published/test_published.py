@@ -4,6 +4,7 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+import bench_verify
 import numpy as np
 import oracle
 import pytest
@@ -17,7 +18,7 @@ from gyrostat.published.checks import _finding, outcome_of
 from gyrostat.published.errata import latex
 from gyrostat.published.listing import to_json
 
-HERE = Path(gyrostat.__file__).parent / "published"
+HERE, PAGES = Path(gyrostat.__file__).parent / "published", Path(__file__).parents[2]
 
 
 @pytest.fixture(scope="module")
@@ -133,7 +134,7 @@ def test_tilt_at_k3_zero_against_the_oracle(found):
 def test_critical_top_against_the_oracle(found):
     """At equality in Rumiantsev's condition the reduced motion has its maximum at the pole.
 
-    G = −2 I1 m g z0 x³ < 0.
+    There g = −2 I1 m g z0 x³ < 0.
     """
     (f,) = (f for f in found["VV2003"] if f.statement.key == "Rumiantsev")
     v = {name: Fraction(str(value)) for name, value in f.outcome.counterexample.values}
@@ -174,10 +175,28 @@ def test_second_variation_at_a_tilt_has_both_signs(found):
     assert values[0] < -1e-6 and abs(values[1]) < 1e-9 and values[2] > 1e-6
 
 
+def test_pages_count_the_statements():
+    """Those of four papers and three collections, and all of them."""
+    counts = [len(load(source).statements) for source in SOURCES]
+    page, results = ((PAGES / name).read_text(encoding="utf-8")
+                     for name in ("docs/reference/published.md", "benchmarks/RESULTS.md"))
+    assert f"four sources print, and {sum(counts[4:])} results of the literature beside them, in three" in page
+    assert f"there are {sum(counts)} and " in results
+
+
+@pytest.mark.slow
+def test_the_results_count_the_identities():
+    """Those of which the zero test is timed; each of them vanishes."""
+    results = (PAGES / "benchmarks/RESULTS.md").read_text(encoding="utf-8")
+    formulas = bench_verify.differences()
+    assert f" and {len(formulas)} now, none of them not as expected" in results
+    assert all(map(bench_verify.vanishes, (entry for formula in formulas for entry in formula)))
+
+
 @pytest.mark.slow
 def test_the_page_is_true(tmp_path, found):
     """Its example of a file is confirmed, and its table counts what is computed."""
-    text = (Path(__file__).parents[2] / "docs/reference/published.md").read_text(encoding="utf-8")
+    text = (PAGES / "docs/reference/published.md").read_text(encoding="utf-8")
     (example,) = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
     (finding,) = check([written(tmp_path, example)])
     assert finding.status == "confirmed"

@@ -101,7 +101,7 @@ def run(rate, start, time, steps):
 def test_a_slow_turn_carries_k_away_where_k_is_not_along_the_rotor():
     """Motions that start within 10⁻² of rest.
 
-    K stays within a few 10⁻² where k ∥ l and goes far where it is not.
+    The direction k stays within a few 10⁻² if k ∥ l, else it goes far.
     """
     l, small = np.array([0, 0, 1.0]), 1e-2
     along = torque_free_motion((1, 2, 3), l, [small, small, small, 0, 0, 1], 2000, 8000)

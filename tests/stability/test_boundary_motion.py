@@ -83,7 +83,7 @@ def test_verdict_is_what_the_motion_does(kind):
 def test_excursion_from_a_stable_point_has_the_exponent(kind, level):
     """abs(k3 − z0) ~ ε^(1/n), and ε^(2/(n+1)) with P kept or P = 0, at E1 and E2.
 
-    Ε^(1/(n+1)), with v and P kept ε^(2/(n+2)), at E3.
+    At E3 it is ~ ε^(1/(n+1)), and ε^(2/(n+2)) with v and P kept.
     """
     family, _, n = kind
     for case, far in zip(cases(*kind)[::3 if level else 1], excursions(kind, level)):

@@ -53,7 +53,7 @@ def test_quadratic_surds_at_a_tilt(e3, power, first, expected):
 def test_an_algebraic_rate_at_a_given_tilt(b, expected):
     """I = (1, 1, 3), l = 0, k3 = 1/2, nothing eliminated: ω² = U' = 2, p = 3/4 U″ + 2 = 0, g‴ = 0.
 
-    B moves U⁗ off g⁗ = 0.
+    The number b moves U⁗ off g⁗ = 0.
     """
     y, across = k3 - HALF, Rational(3, 4)
     u1, u2 = S(2), -2 / across

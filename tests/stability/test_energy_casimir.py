@@ -77,7 +77,7 @@ def test_minors_are_determinants(e1, e3):
 def reduced_form(inertia, rotor, k, w, g, H):
     """The 2×2 form on δk ⟂ k.
 
-    Δk·(Hess U + μ − w² I) δk + (v·δk)²/(k·Ik), v = 2 w I k + l, μ = w k·M − k·∇U.
+    It is δk·(Hess U + μ − w² I) δk + (v·δk)²/(k·Ik), v = 2 w I k + l, μ = w k·M − k·∇U.
     """
     I, l, k = oracle.exact(inertia), oracle.exact(rotor), np.array(k, dtype=object)
     grad = g + H.dot(k)

@@ -111,7 +111,7 @@ def test_a_root_in_a_symbol_of_ours():
 def test_rumiantsev_solved_for_the_rotor():
     """Which l stabilises the upright heavy gyrostat: abs(π3 + l) ≥ 2 √(I1 m0), the ends included.
 
-    L ≠ −π3 at m0 = 0; every l below.
+    At m0 = 0 every l but −π3 does, for m0 < 0 every l.
     """
     (part,) = stabilizing_set(reports("U1")["E1"], "l").parts
     below, at, above = part.cases

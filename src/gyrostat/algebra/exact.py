@@ -54,7 +54,7 @@ def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
 class Point(dict[Symbol, Expr]):
     """Exact numbers by symbol, the rational ones ready for polynomial arithmetic.
 
-    Doubt says what is not proved of them, "" if nothing.
+    The attribute doubt says what is not proved of them; it is "" if everything is.
     """
 
     def __init__(self, numbers: Mapping[Symbol, Expr], doubt: str = ""):

@@ -76,7 +76,7 @@ def _values_in_balls(form: Form, degree: int) -> set[int]:
 def valley(forms: Sequence[Form]) -> Iterator[Expr]:
     """Coefficients of y³, y⁴, … in the lowest value over x, where the second form is a square.
 
-    A x², up to a shear and exchange of x and y.
+    The second form is a x² after a shear, and after x and y are exchanged if there is no x² in it.
 
     Examples
     --------

@@ -9,6 +9,7 @@ from sympy import CRootOf, Expr, Float, Rational, S
 
 from ..errors import ExpressionError, ValuesError, brief
 from ..notation import own, symbol
+from .occurring import occurring
 from .parts import enclosure
 from .quantities import in_si, text_of
 
@@ -59,7 +60,8 @@ def exact_expression(value: Any, name: str = "value") -> Expr:
     Or an exact number.
     """
     if isinstance(value, Expr) and value.free_symbols:
-        if taken := [root for root in value.atoms(CRootOf) if root.poly.gen == symbol(root.poly.gen.name)]:
+        roots = occurring(value, CRootOf)
+        if taken := [root for root in roots if root.poly.gen == symbol(root.poly.gen.name)]:
             raise ExpressionError(f"{name} contains {taken[0]}, the root of a polynomial in a name of its "
                                   "own: write it in another symbol")
         return own(value.xreplace({f: _dyadic(f, name) for f in value.atoms(Float)}))

@@ -12,6 +12,7 @@ from sympy import Add, Expr, I, Mul, Pow, Rational, S, Symbol, cot, tan
 
 from . import magnitudes
 from .arithmetic import Arithmetic, in_arithmetic
+from .occurring import occurring
 
 FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {name: getattr(sympy, name) for name in (
     "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh",
@@ -218,7 +219,7 @@ def immoderate(expression: Expr, known: Mapping[Symbol, arb]) -> Expr | None:
 
     None where there is none.
     """
-    for node in expression.atoms(sympy.Function):
+    for node in occurring(expression, sympy.Function):
         argument = enclosure(node.args[0], known) if type(node).__name__ in magnitudes.FUNCTIONS else None
         if argument is not None and argument.is_finite() and magnitudes.extent(argument)[0] > BITS:
             return node

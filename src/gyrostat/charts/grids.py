@@ -113,7 +113,7 @@ def cut(array: Array, block: Slices) -> Array:
 def places(where: Array) -> tuple[Array, Array]:
     """Rows and columns where an array is true.
 
-    Numpy.nonzero takes several times as long for two axes as for one.
+    The array is read as one row, because numpy.nonzero takes several times as long for two axes as for one.
     """
     rows, columns = np.divmod(np.flatnonzero(where), where.shape[1])
     return rows, columns

@@ -2,12 +2,14 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sympy import Expr
+from sympy import Abs, Expr, factor_terms
 
+from ..algebra.exact import sign_of_constant
+from ..algebra.roots import between
 from ..mechanics.reduction import reducible
 from ..mechanics.system import names_of_scene
 from ..printing.blocks import Block, Heading
-from ..printing.data import decision_data, number_data
+from ..printing.data import decision_data, number_data, strings
 from ..printing.results import result_blocks
 from ..stability.gyrostat_arcs import GyrostatArc
 from ..stability.staude import staude_cone
@@ -38,11 +40,20 @@ def arcs_blocks(arcs: Arcs) -> list[Block]:
             for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))]
 
 
+def _along(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
+    """The unit vector k and the square of the rate, in the parameter and sigma."""
+    if isinstance(arc, GyrostatArc):
+        return {"k": strings(arc.curve.k), "omega_squared": str(arc.parameter**2)}
+    inside = {arc.parameter: between(arc.low, arc.high)}   # what has a sign keeps it along the arc
+    square = arc.omega_squared.replace(Abs, lambda x: x * sign_of_constant(x.xreplace(inside)))
+    return {"k": strings(factor_terms(x / square) for x in arc.n), "omega_squared": str(square)}
+
+
 def arcs_data(arcs: Arcs) -> dict[str, Any]:
     """The arcs as data for JSON; of an infinite number the decimal is none."""
     return {"arcs": [{
         "parameter": str(arc.parameter), "low": number_data(arc.low), "high": number_data(arc.high),
-        "k": [str(x) for x in (arc.curve.k if isinstance(arc, GyrostatArc) else arc.n)],
+        **_along(arc),
         "ends": [{"k": [number_data(x) for x in end.k], "omega": number_data(end.omega)} for end in arc.ends],
         "pieces": [{"low": number_data(piece.low), "high": number_data(piece.high),
                     "decision": decision_data(piece.decision)} for piece in arc.pieces]} for arc in arcs]}

@@ -67,7 +67,7 @@ class Equilibrium(Shown, Stored):
         unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive
                    and m not in self.domain]
         object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
-        if clash := [s for x in self.point for s in x.free_symbols if s.name in INTERNAL]:
+        if clash := [s for x in self.point for s in sorted(x.free_symbols, key=str) if s.name in INTERNAL]:
             raise EquilibriumError(f"{self.label} uses {clash[0]}, a name that the derivation introduces: "
                                    "rename it")
         if len(self.point) != (n := len(self.system.space.coordinates)):

@@ -7,6 +7,7 @@ from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atan
 from sympy.core.function import AppliedUndef
 
 from ..algebra import magnitudes
+from ..algebra.occurring import occurring
 from ..algebra.parts import BITS, enclosure, immoderate
 from ..algebra.polynomials import Ring
 from ..errors import PotentialError, ValuesError
@@ -63,7 +64,7 @@ class Potential(Shown, Stored):
         if self.expression.is_real is False or self.expression.is_finite is False:
             raise PotentialError(f"U = {self.expression} is not a finite real number: check roots, "
                                  "logarithms and denominators")
-        for power in self.expression.atoms(Pow):
+        for power in occurring(self.expression, Pow):
             if power.exp.is_negative and not (ring := Ring([power.base])).reduce(
                 ring.fraction(power.base)[0]
             ):
@@ -204,9 +205,11 @@ def _meant(expression: Expr) -> str:
 def smooth_where_positive(expression: Expr) -> tuple[Expr, ...]:
     """What has to be positive for the expression to be real and smooth.
 
-    X of √x and log x, 1 − x² of asin x, and the like.
+    For example x in √x and log x, and 1 − x² in asin x.
     """
-    found: list[Expr] = [p.base for p in expression.atoms(Pow) if p.exp.is_Rational and not p.exp.is_Integer]
-    found += [f.args[0] for f in expression.atoms(log)] + [f.args[0] - 1 for f in expression.atoms(acosh)]
-    found += [1 - f.args[0] ** 2 for f in expression.atoms(asin, acos, atanh)]
+    roots = [p for p in occurring(expression, Pow) if p.exp.is_Rational and not p.exp.is_Integer]
+    found: list[Expr] = [root.base for root in roots]
+    found += [f.args[0] for f in occurring(expression, log)]
+    found += [f.args[0] - 1 for f in occurring(expression, acosh)]
+    found += [1 - f.args[0] ** 2 for f in occurring(expression, asin, acos, atanh)]
     return tuple(dict.fromkeys(found))

@@ -7,6 +7,7 @@ from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 
 from ..algebra.numbers import exact_expression
+from ..algebra.occurring import occurring
 from ..errors import PotentialError, brief
 from .potential import DIRECTIONS, Potential, U
 
@@ -92,7 +93,7 @@ def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
                              "give a function of "
                              f"{', '.join(map(str, variables))}")
     expression = exact_expression(given, "U")
-    if rough := expression.atoms(*_NOT_SMOOTH):
+    if rough := occurring(expression, *_NOT_SMOOTH):
         raise PotentialError(f"U = {expression} is not smooth, it contains {', '.join(map(str, rough))}: "
                              "stability needs two derivatives")
     if expression.atoms(AppliedUndef):

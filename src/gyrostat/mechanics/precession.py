@@ -14,8 +14,7 @@ from .body import Gyrostat
 class FreePrecession:
     """Motion of a free body of revolution.
 
-    Ω and the axis e3 turn about M, and, seen from the body, ω and M about e3.
-
+    In space ω and the axis e3 turn about M; seen from the body, ω and M turn about e3:
     ω = (ω0 cos Ω t, −ω0 sin Ω t, ω3) from a suitable origin of time, Ω = (I1 − I3) ω3/I1.
 
     Parameters

@@ -162,9 +162,10 @@ def _moments_about(body: Gyrostat, direction: Vector) -> tuple[Expr, Expr]:
 
 
 def _of_field(potential: Potential) -> Iterator[Vector]:
-    """Along what may be the axis of U.
+    """A vector along the only axis c for which U can be a function of c·k, if there is one.
 
-    K × ∇U is at right angles to it, here at a few places, and with some numbers for parameters.
+    If U is a function of c·k, the torque k × ∇U is at right angles to c. Here that is asked at a few
+    directions k, with some numbers in the place of the parameters.
     """
     numbers = {s: Rational(7 + 3 * n, 5) for n, s in enumerate(potential.parameters)}
     U = potential.expression.xreplace(numbers)

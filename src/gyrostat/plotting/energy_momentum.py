@@ -61,13 +61,11 @@ def bands(found: EnergyMomentum, momentum: Array, energy: Array) -> Array:
 def draw_energy_momentum(scene: System, values: Mapping[str, Any],
                          window: tuple[float, float, float, float] | None = None, ax: Any = None,
                          **kwargs: Any) -> Any:
-    """Draw the energy-momentum diagram of a body of revolution in U(k3).
+    """Draw the energy-momentum diagram of a body of revolution in U(k3): h against C1 at a fixed p_psi.
 
-    H against C1 at a fixed p_psi = π3 + l.
-
-    The curves are the regular precessions, the points E1 and E2: solid or filled where stable, dashed or open
-    where unstable, dotted or half filled where undecided. Grey is where motion is possible; the darker, the
-    more bands of k3 there are at the same C1 and h.
+    p_psi = π3 + l is the axial momentum. The curves are the regular precessions, the points E1 and E2: solid
+    or filled where stable, dashed or open where unstable, dotted or half filled where undecided. Grey is
+    where motion is possible; the darker, the more bands of k3 there are at the same C1 and h.
 
     Parameters
     ----------

@@ -8,6 +8,7 @@ from typing import Any
 
 from sympy import Expr, Pow, S, oo, sqrt
 
+from ..algebra.occurring import occurring
 from ..algebra.readable import readable
 from ..mechanics.reduction import Reduction
 from ..notation import symbol
@@ -101,7 +102,8 @@ def _abbreviated(value: Any, names: dict[Expr, Expr]) -> Any:
     if not isinstance(value, Expr):
         return value
     done: dict[Expr, Expr] = {}
-    for root in sorted((p for p in value.atoms(Pow) if p.exp == S.Half), key=lambda p: p.count_ops()):
+    roots = [p for p in occurring(value, Pow) if p.exp == S.Half]
+    for root in sorted(roots, key=lambda p: p.count_ops()):
         if root.base.count_ops() > LONG:
             done[root] = sqrt(names.setdefault(root.base.xreplace(done), symbol(f"R{len(names) + 1}")))
     return value.xreplace(done)

@@ -25,8 +25,8 @@ def condition(r: Reading) -> Outcome | Doubt:
     margins = [] if never else [(r.finish(margin), strict)
                                 for margin, strict in comparisons(s.printed, r.own)]
     if quantity == "existence":                            # what is divided by is not zero
-        bottoms = {f**2 for margin, _ in margins for f in [margin.as_numer_denom()[1]] if f.free_symbols}
-        margins += [(f, True) for f in bottoms]
+        bottoms = [f**2 for margin, _ in margins for f in [margin.as_numer_denom()[1]] if f.free_symbols]
+        margins += [(f, True) for f in dict.fromkeys(bottoms)]
     at = r.scene.equilibrium.at if r.scene.equilibrium else K3
     printed = Criterion("formal", ()) if never else criterion("printed", margins, at)
     both = quantity == "necessary and sufficient for stability"

@@ -119,7 +119,7 @@ class Model:
     def grows(self) -> bool:
         """Whether an eigenvalue is proved to have a positive real part.
 
-        Λ⁴ + pλ² + q, or λ² + q, on the orbit.
+        On the orbit the characteristic polynomial is λ⁴ + pλ² + q, for a free body λ² + q.
         """
         *_, p, _, q = [Integer(0)] * 3 + Poly(self.polynomial, symbol("lamda")).all_coeffs()
         if len(self.coordinates) == 3:

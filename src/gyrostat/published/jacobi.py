@@ -1,6 +1,6 @@
-"""Jacobi's elliptic functions of formulas.
+"""Jacobi's elliptic functions sn, cn, dn of (u, m) in formulas, m = κ², with derivatives and values.
 
-Sn, cn, dn of (u, m), m = κ², with their derivatives along u and their values.
+The derivatives are those along u.
 """
 from functools import lru_cache
 from typing import Any

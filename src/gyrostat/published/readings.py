@@ -32,7 +32,7 @@ class Reading:
             if symbol(name).is_positive and value.is_positive is False:
                 raise PublishedError(f"at gives {name} = {value}: moments of inertia are positive")
         for name, value in self.at.items():
-            for other in (value.free_symbols & self.at.keys()) - {name}:
+            for other in sorted((value.free_symbols & self.at.keys()) - {name}, key=str):
                 raise PublishedError(f"at gives {name} by {other}, and {other} too: write {name} with the "
                                      f"value of {other} in it")
         # where a formula differentiates, a coordinate gets its value afterwards, from finish

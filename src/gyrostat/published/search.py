@@ -28,7 +28,7 @@ DRAWN, LEFT_OUT = 100, 4
 def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) -> Iterator[Values]:
     """Points that may refute a condition, then some that it may only leave out.
 
-    Alike: the two differ at equality at most.
+    If alike is True, the printed condition and the derived one differ at equality at most.
     """
     claim = str(r.statement.quantity)
     if claim == "sufficient for periodic motion":

@@ -93,7 +93,7 @@ def within(t: Expr, low: Expr, high: Expr) -> bool:
 
 def admissible(positive: Iterable[Expr], numbers: Point, free: Symbol, low: Expr, high: Expr) -> None:
     """Refuse a range in which what is positive of a body is not."""
-    for moment in {m for m in positive if free in m.free_symbols}:
+    for moment in dict.fromkeys(m for m in positive if free in m.free_symbols):
         placed = moment.xreplace(numbers)
         if placed.free_symbols - {free}:
             continue                                       # named as missing later

@@ -16,9 +16,9 @@ from ..algebra.polynomials import Ring, by_degree
 
 @dataclass(frozen=True)
 class Item:
-    """A condition while it is worked on.
+    """A condition while it is worked on: margin > 0 if it is strict, else margin ≥ 0.
 
-    Margin > 0 (strict) or ≥ 0, with sign 0 where an even factor vanishes.
+    The sign of the margin counts as 0 where a factor in degenerate, one of even power, vanishes.
     """
 
     margin: fmpq_mpoly

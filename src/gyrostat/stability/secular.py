@@ -238,9 +238,7 @@ def _missing(names: Sequence[str], numbers: Mapping[Symbol, Expr]) -> str:
 
 
 def _changes(signs: Sequence[int | None]) -> int:
-    """Changes of sign, from 1 on: of coefficients, the negative eigenvalues of a symmetric matrix, for
-    Descartes' rule is exact where all roots are real.
-    """
+    """Changes of sign from 1 on: in the coefficients, the number of negative roots if all are real."""
     left = [1, *filter(None, signs)]
     return sum(a != b for a, b in zip(left, left[1:]))
 

@@ -50,6 +50,7 @@ class TorqueFree:
         """The decision, by what decides on so(3)*.
 
         What is divided out there is divided out here: M and k turn together, for k stays along M.
+        The argument free decides equilibria of the free gyrostat, on so(3)*.
         """
         total = [p + l for p, l in zip(self.momentum, self.body.gyrostatic_momentum)]
         rests = _all_zero(self.momentum)

@@ -129,9 +129,9 @@ def quarter_period(complement: arb) -> arb:
 
 
 def argument(sine: arb, cosine: arb, complement: arb) -> arb:
-    """u between 0 and 2 K with sn u : cn u = sine .
+    """The argument u between 0 and 2 K for which sn u : cn u = sine : cosine, where sine ≥ 0.
 
-    Cosine, sine ≥ 0, to the relative precision of the two and of m1.
+    Its relative precision is that of the two and of m1.
 
     u = s R_F(c², c² + m1 s², 1) where s² + c² = 1; near K from there, sn : cn = c : s √m1 at K − u.
 

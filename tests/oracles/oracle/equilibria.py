@@ -137,7 +137,7 @@ def axial_integrals(x, I1, l, potential):
 def axial_field(x, I1, I3, l, slope):
     """The field above, written out for I1 = I2, l = (0, 0, l), U = U(k3): numbers, not arrays.
 
-    Slope = U' as coefficients.
+    The argument slope is U', by its coefficients.
     """
     p1, p2, p3, k1, k2, k3 = x
     w1, w2, w3, u = p1 / I1, p2 / I1, p3 / I3, polynomial(slope, k3)

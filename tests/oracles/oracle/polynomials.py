@@ -22,7 +22,7 @@ def product(a, b):
 def quotient(a, b, order):
     """Power series a / b up to the given order.
 
-    B may begin later than with its constant, a then does so too.
+    If b begins later than with its constant, so does a.
     """
     start = next(i for i, y in enumerate(b) if y)
     assert not any(a[:start])
@@ -74,7 +74,7 @@ def taylor(g, z):
 def moves_away(g, z, sides):
     """Whether x² = g(x) has motions that leave its rest point z on a side.
 
-    G > 0 beside z, or g = 0 everywhere.
+    That is, g > 0 beside z, or g = 0 everywhere.
     """
     rest = list(reversed(g))
     for n in range(len(g)):

@@ -140,11 +140,10 @@ def constants(motion: Polhode, bits: int) -> list[arb]:
 
 
 def invariants(inertia: Triple, rotor: Triple, momentum: Triple) -> tuple[Expr, Expr, Expr]:
-    """g2, g3 and g2³ − 27 g3² of y² = det(B − λ A), the quadrics A: abs(M)² = m² and B.
+    """The invariants g2, g3 and g2³ − 27 g3² of the curve y² = det(B − λ A).
 
-    Σ (Mᵢ − lᵢ)²/Iᵢ = 2 h.
-
-    M moves along the meet of the two; this curve has the same real period.
+    A is the quadric abs(M)² = m², and B is Σ (Mᵢ − lᵢ)²/Iᵢ = 2 h. M moves along the intersection of the two,
+    and the curve has the same real period.
     """
     e, square = [1 / moment for moment in inertia], sum(x**2 for x in momentum)
     factor = [sum(y * x * (2 * z - x) for x, y, z in zip(momentum, e, rotor)), square]

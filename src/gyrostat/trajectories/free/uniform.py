@@ -73,7 +73,7 @@ def cycles(rate: arb) -> Twofold:
 def frame(up: Triple, bits: int) -> tuple[list[arb], list[arb]]:
     """The space axes x and z in body components at the time 0.
 
-    Z upwards, x so that φ = 0, and ψ = 0 where z is ± axis 3.
+    z is the upward direction, and x is chosen so that φ = 0, and also ψ = 0 if z is ± axis 3.
     """
     z = [ball(x, bits) for x in up]
     k = [x / dot(z, z).sqrt() for x in z]
@@ -95,9 +95,8 @@ def turned(rows: Array, cycle: Array) -> Array:
 class Steady:
     """R = Rz(rate · t) R(0) Rot(axis, about · t).
 
-    Ω is a sum of two parts, one fixed in space and one in the body.
-
-    Rest and permanent rotation (about = 0), bodies of revolution with l on the axis, bodies with three equal
+    ω is the sum of two parts: one is fixed in space, the other in the body. So move a body at rest or in
+    permanent rotation (about = 0), a body of revolution with l on its axis, and a body with three equal
     moments.
 
     Parameters
@@ -125,9 +124,9 @@ class Steady:
             return M, rows, n, cycles(ball(self.rate, CONSTANT)), cycles(ball(self.about, CONSTANT))
 
     def seen(self, vectors: Array, t: Array) -> Array:
-        """Vectors fixed in space, by their components at the time 0, at a row of times.
+        """Body components at a row of times, shape (times, vectors, 3), of vectors that are fixed in space.
 
-        (times, vectors, 3).
+        The vectors are given by their body components at the time 0.
         """
         _, _, n, _, cycle = self.constants
         angle = 2 * np.pi * turns(t, cycle)[:, None, None]

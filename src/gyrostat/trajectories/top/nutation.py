@@ -24,12 +24,11 @@ class Squares(NamedTuple):
 
 @dataclass(frozen=True)
 class Nutation:
-    """z = c² lower + s² upper, s² + c² = 1, with (s .
+    """z = c² lower + s² upper with s² + c² = 1, where s : c is a ratio of elliptic functions of u.
 
-    C) elliptic functions of u, so that dz/√abs(q(z)) is scale · du for a quartic q.
-
-    The roots of q are the turning points and the two other roots of g nearest to them: neighbours on the real
-    line, or a conjugate pair. Where q is all of g, u is proportional to time; elsewhere g/q is smooth.
+    They are such that dz/√abs(q(z)) is scale · du for a quartic q. The roots of q are the turning points and
+    the two other roots of g nearest to them: neighbours on the real line, or a conjugate pair. Where q is all
+    of g, u is proportional to time; elsewhere g/q is smooth.
 
     Parameters
     ----------

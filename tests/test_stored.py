@@ -1,0 +1,54 @@
+"""How what is stored of the pages is compared with what is made: docs/stored.py."""
+import stored
+from matplotlib.figure import Figure
+from PIL import Image
+
+
+def picture(path, *styles):
+    """Lines of some styles."""
+    figure = Figure(figsize=(3, 2))
+    ax = figure.add_subplot()
+    for n, style in enumerate(styles):
+        ax.plot([0, 1], [n, n + 1], style)
+    figure.savefig(path)
+    return path
+
+
+def test_one_line_of_a_picture_is_seen(tmp_path):
+    """Drawn twice it is the same; another style of one line, a line more and another size are not."""
+    first = picture(tmp_path / "first.png", "-", "--", ":")
+    assert not list(stored.differences(first, picture(tmp_path / "again.png", "-", "--", ":")))
+    for styles in (("-", "--", "-"), ("-", "--"), ("-", "--", ":", "-")):
+        (said,) = stored.differences(first, picture(tmp_path / "other.png", *styles))
+        assert "pixels differ" in said
+    Image.open(first).resize((10, 10)).save(tmp_path / "size.png")
+    (said,) = stored.differences(first, tmp_path / "size.png")
+    assert "another size" in said
+
+
+def test_every_frame_of_an_animation_is_compared(tmp_path):
+    """The last of three, and one that is missing."""
+    frames = [Image.new("RGB", (4, 4), (60 * n, 0, 0)) for n in range(4)]
+    for name, chosen in (("stored", frames[:3]), ("other", [*frames[:2], frames[3]]), ("short", frames[:2])):
+        chosen[0].save(tmp_path / f"{name}.gif", save_all=True, append_images=chosen[1:])
+    (said,) = stored.differences(tmp_path / "stored.gif", tmp_path / "other.gif")
+    assert said == "frame 2: 16 of 16 pixels differ"
+    (said,) = stored.differences(tmp_path / "stored.gif", tmp_path / "short.gif")
+    assert said.startswith("frame 2: another size")
+
+
+def shown(source, *texts):
+    """What a cell shows that prints some texts."""
+    return stored.outputs({"source": source, "outputs": [{"name": "stdout", "text": text} for text in texts]})
+
+
+def test_an_output_of_a_notebook_is_compared_but_for_its_times():
+    """In a cell that is timed the numbers before units are left out, and nothing else."""
+    timed = "route()                     # times are those of this run"
+    assert shown(timed, "fast: 12.5 ms, 3 wrong") == shown(timed, "fast: 9 ms, 3 wrong")
+    assert shown(timed, "fast: 12.5 ms, 3 wrong") != shown(timed, "fast: 12.5 ms, 4 wrong")
+    assert shown("route()", "period 5 s") != shown("route()", "period 6 s")
+    assert shown("route()", "a", "b") != shown("route()", "a")
+    for now, said in (("69 right", "stored is '63 right', made '69 right'"),
+                      (None, "stored is '63 right', made 'nothing'")):
+        assert list(stored.changes("stdout", "63 right", now)) == [said]
