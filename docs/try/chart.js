@@ -181,7 +181,7 @@ export class Chart {
 
   // The point at these shares of the two axes; its numbers have so many digits as the picture can tell.
   to(...shares) {
-    if (!this.shown) return;
+    if (!this.shown || this.programs.waiting) return;   // no axes of another scene
     this.axes.forEach((name, n) => {
       const [from, to] = this.shown[n], share = Math.min(1, Math.max(0, shares[n]));
       this.set(name, String(Number((from + (to - from) * share).toFixed(3))));

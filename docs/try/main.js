@@ -100,8 +100,10 @@ function analysed(found) {
     state.equilibrium = found.chosen;
     choices(found);
     making(state, found);
-  } else if (state.equilibrium === "point") {
-    making(state, { made_with: "point" });              // for what is to be typed
+  } else {                                              // the list of the scene before
+    for (const input of at("equilibria").querySelectorAll("input")) input.checked = input.value === state.equilibrium;
+    if (state.equilibrium === "point") making(state, { made_with: "point" });             // for what is to be typed
+    else if (at("made").name === "point") at("made-row").hidden = true;
   }
   at("error").textContent = found.error ?? "";
   at("derived").inert = Boolean(found.error);
