@@ -2,7 +2,7 @@
 export const LIMIT = 10;                                // seconds
 const SIMPLER = "Write it more simply, or use the library on your own machine, where nothing ends it.";
 const LATE = { error: `This took longer than ${LIMIT} s and was ended. ${SIMPLER}` };
-const LOST = { error: "The library is not running, see the top of this page." };
+const LOST = { lost: true, error: "The library is not running, see the top of this page." };
 
 export class Analyser {
   // told: {step}, {ready}, {failed} where the library could not be started

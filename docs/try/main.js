@@ -83,13 +83,16 @@ function told({ step, ready, failed }) {
     at("progress").value = STEPS.indexOf(step ?? "ready");
     at("status").textContent = SAID[step ?? "ready"];
   }
-  notice("library", failed && `The library could not be started (${failed}). If the network is there, this browser is too `
-    + "old for it, or a file is not on the server; what is typed stays, and the library runs on your own machine too.",
-  "Start it again", again);
+  const why = navigator.onLine ? `${failed}). A file is not on the server, or this browser is too old for it`
+    : "the network is not there). It starts again when the network is back";
+  notice("library", failed && `The library could not be started (${why}. What is typed stays; the library runs on your own `
+    + "machine too.", "Start it again", again);
 }
 
 function again() {
-  for (const card of [scenes, verdicts, windows, derivations, chart.programs, chart.edges, nearby.programs]) card.forget();
+  for (const card of [scenes, verdicts, windows, derivations, copies, chart.programs, chart.edges, nearby.programs]) {
+    if (card.answer?.lost) card.forget();
+  }
   told({ step: STEPS[0] });
   analyser.start();
   update();
@@ -110,6 +113,7 @@ function analysed(found) {
   state.place = found.place;
   at("place").hidden = !found.point;
   at("opened").hidden = !found.open;
+  at("derivation").hidden = Boolean(found.error);
   shown(at("point"), { blocks: found.point });
   shown(at("conditions"), { blocks: found.conditions });
   sliders(at("values"), found.names ?? [], state.values, changed);
@@ -214,7 +218,7 @@ function restore() {
 function checked() {
   if (!globalThis.katex) lost("katex/katex.min.js", "formulas stand here as they are written in LaTeX.");
   for (const link of document.querySelectorAll("link[rel=stylesheet]")) {
-    if (come(link)) continue;
+    if (arrived(link)) continue;
     const name = link.getAttribute("href"), formulas = name.startsWith("katex");
     if (formulas) unstyled();
     lost(name, formulas ? "the browser sets the formulas." : "the page is plain, and has no chart.");
@@ -222,7 +226,7 @@ function checked() {
 }
 
 // Whether a style has come; the rules of one that has not are none, or cannot be asked for.
-function come({ sheet }) {
+function arrived({ sheet }) {
   try {
     return sheet.cssRules.length > 0;
   } catch {

@@ -181,10 +181,10 @@ def test_a_chart_over_one_number_is_none(page):
     page.wait_for_selector("#no-chart:has-text('a verdict here needs omega2_0 alone')")
 
 
-@pytest.mark.parametrize("text", ["0x10", "0b11", "1_0", "Infinity", "-1", "0"])
-def test_pictures_take_numbers_as_the_library_does(page, text):
+def test_pictures_take_numbers_as_the_library_does(page):
     """Of what it refuses there is no picture."""
-    assert typed(page, "value-I1", text)[1] != ""
-    assert page.inner_text("#no-chart") == "a picture needs numbers, and possible ones"
-    assert page.inner_text("#no-motion") == "a motion needs numbers, and possible ones"
+    for text in ("0x10", "0b11", "1_0", "Infinity", "-1", "0"):
+        assert typed(page, "value-I1", text)[1] != ""
+        assert page.inner_text("#no-chart") == "a picture needs numbers, and possible ones"
+        assert page.inner_text("#no-motion") == "a motion needs numbers, and possible ones"
     assert typed(page, "value-I1", ".5e1")[1] == "" and page.inner_text("#no-chart") == ""

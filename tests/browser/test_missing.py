@@ -18,9 +18,9 @@ SAID = {"katex/katex.min.js": "katex.min.js could not be loaded", "try.css": "tr
         "worker.js": "The library could not be started", "files.json": "The library could not be started"}
 
 
-def without(context, address, name, mode):
-    """A page to which a file does not come."""
-    page = context.new_page()
+def without(browser, address, name, mode):
+    """A page to which a file does not come, and which has kept none."""
+    page = browser.new_context().new_page()
     if not name.startswith("runtime/"):
         for heavy in HEAVY:
             page.route(heavy, lambda route: None)
@@ -40,11 +40,11 @@ def leads_on(page, said):
 @pytest.mark.parametrize("mode", ["404", "lost"])
 def test_each_file_that_does_not_come_is_said(stranger, address, mode):
     """In turn: of the page's own modules, of KaTeX, of Python, of its worker."""
-    pages = {name: without(stranger, address, name, mode) for name in FILES}
+    pages = {name: without(stranger.browser, address, name, mode) for name in FILES}
     for name, page in pages.items():
         library = "The library could not be started" if name.startswith("runtime/") else ""
         assert leads_on(page, SAID.get(name, library or "This page has not started yet")), name
-        page.close()
+        page.context.close()
 
 
 @pytest.mark.parametrize("name", FONTS)
@@ -52,7 +52,7 @@ def test_each_file_that_does_not_come_is_said(stranger, address, mode):
 def test_a_font_that_does_not_come_is_said(stranger, address, name):
     """If a formula needs it."""
     for mode in ("404", "lost"):
-        page = without(stranger, address, name, mode)
+        page = without(stranger.browser, address, name, mode)
         page.evaluate("Promise.allSettled([...document.fonts].map((face) => face.load()))")
         assert leads_on(page, "A font could not be loaded")
 

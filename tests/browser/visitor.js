@@ -112,9 +112,9 @@
       act();
       look();
       const chance = random();
-      if (chance < 0.6) await sleep(120 * random());
-      else if (chance < 0.75) await sleep(600 * random());
-      else if (chance < 0.85) await settled();          // else at once
+      if (chance < 0.6) await sleep(100 * random());
+      else if (chance < 0.75) await sleep(400 * random());
+      else if (chance < 0.83) await settled();          // else at once
     }
     await settled();
     look();
