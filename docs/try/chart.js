@@ -96,7 +96,7 @@ export class Chart {
 
   // A program, or none.
   load(found) {
-    this.program = this.shown = this.answered = null;
+    this.program = this.shown = this.answered = this.last = null;
     if (!found?.steps) return;
     this.program = found;
     this.worker.postMessage({ chart: found, axes: this.axes, width: SIZE });
@@ -138,7 +138,9 @@ export class Chart {
   }
 
   draw() {
-    if (!this.shown) return;
+    const here = this.axes.map(this.values), drawn = JSON.stringify([this.answered, this.edges.waiting, here]);
+    if (!this.shown || drawn === this.last) return;
+    this.last = drawn;
     const context = this.canvas.getContext("2d"), [[left, right], [low, high]] = this.shown;
     const place = ([x, y]) => [(x - left) / (right - left) * SIZE, SIZE - (y - low) / (high - low) * SIZE];
     context.drawImage(this.picture, 0, 0);
@@ -148,7 +150,7 @@ export class Chart {
       const [x, y] = place(point);
       context.fillRect(x - 1, y - 1, 2, 2);
     }
-    const here = this.axes.map(this.values), [x, y] = place(here);
+    const [x, y] = place(here);
     context.lineWidth = 2;
     context.beginPath();
     for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {

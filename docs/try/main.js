@@ -7,12 +7,11 @@ import { Nearby } from "./motion.js";
 import { lost, notice, reload } from "./notices.js";
 import { heard, possible } from "./numbers.js";
 import { element, placed, shown, sliders, unstyled, verdict, word } from "./page.js";
-import { filled, link, linked, scene, state, TEXTS } from "./scene.js";
+import { filled, link, linked, scene, spun, state, TEXTS } from "./scene.js";
 
 const STEPS = ["interpreter", "packages", "library", "ready"];
 const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
   library: "the library is loading", ready: "ready" };
-const PLAIN = /^-?[\d.]+([*/][\d.]+)*$/;
 const PAUSE = 300;                                      // milliseconds after a key
 const at = (id) => document.getElementById(id);
 
@@ -29,6 +28,7 @@ const derivations = answers("derived", (found) => shown(at("blocks"), found ?? {
 const copies = answers("copied", (found) => copied(found?.[copying], found?.error));
 const chart = new Chart(at("charted"), ask, set, update);
 const nearby = new Nearby(at("nearby"), ask, changed, update);
+const SECTIONS = document.querySelectorAll("main section");
 let examples = [], copying = "";
 
 // Of each place the card whose answer it shows.
@@ -53,6 +53,7 @@ function update(pause) {
   at("here").textContent = answer?.verdict
     ? `${chart.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
   for (const [id, card] of Object.entries(PLACES)) marked(at(id), card.waiting);
+  for (const section of SECTIONS) section.classList.toggle("waiting", Boolean(section.querySelector("[aria-busy=true]")));
   document.body.ariaBusy = String([scenes, verdicts, windows, derivations, copies].some((card) => card.waiting));
 }
 
@@ -132,15 +133,6 @@ function decided(found, question) {
   placed(at("values"));
 }
 
-// The same spin by its momentum, or by its rate: pi3_0 = I3 omega3_0.
-function spun(values) {
-  const { I3, omega3_0: rate, pi3_0: momentum } = values;
-  const plain = (...texts) => texts.every((text) => PLAIN.test(text));
-  if (rate === `${momentum}/${I3}` || momentum === `${rate}*${I3}`) return;
-  if (state.spin === "omega3_0" && plain(momentum, I3)) values.omega3_0 = `${momentum}/${I3}`;
-  if (state.spin === "pi3_0" && plain(rate, I3)) values.pi3_0 = `${rate}*${I3}`;
-}
-
 // A number is set by a picture.
 function set(name, text) {
   const input = at(`value-${name}`);
@@ -202,7 +194,7 @@ for (const name of [...TEXTS, "made"]) {
 }
 at("opened").ontoggle = at("derivation").ontoggle = () => update();
 at("ask").onsubmit = () => false;
-at("spin").onchange = () => { state.spin = at("spin").value; spun(state.values); renewed(); };
+at("spin").onchange = () => { state.spin = at("spin").value; spun(); renewed(); };
 at("example").onchange = () => { filled(examples[at("example").value].scene, examples); renewed(); };
 for (const button of document.querySelectorAll("[data-copy]")) button.onclick = () => copy(button.dataset.copy);
 

@@ -16,7 +16,7 @@ export class Nearby {
   // place: the section; ask(want, scene): of the library; changed(): called when a number is set; settled(): when
   // something has come
   constructor(place, ask, changed, settled) {
-    Object.assign(this, { place, changed, view: [0.5, 0.4], running: true, names: [] });
+    Object.assign(this, { place, changed, settled, view: [0.5, 0.4], running: true, current: true, names: [] });
     const find = (name) => place.querySelector(name);
     [this.canvas, this.push, this.button, this.more, this.why, this.state, this.drawn] = ["canvas", "#push", "button",
       "#more", "#no-motion", "#state", ".drawn"].map(find);
@@ -40,7 +40,7 @@ export class Nearby {
 
   // Whether the motion is of another scene than the page's, or of other numbers.
   get waiting() {
-    return this.programs.waiting || this.reading;
+    return this.programs.waiting || this.reading || !this.current;
   }
 
   // What the page asks now, as it is for a chart; known: the names that have sliders beside the verdict.
@@ -76,6 +76,7 @@ export class Nearby {
 
   stop() {
     this.motion = this.started = null;
+    this.current = true;                                // there is nothing to be drawn
     cancelAnimationFrame(this.frame);
   }
 
@@ -99,10 +100,11 @@ export class Nearby {
     const rates = this.rates, rate = (state) => rates(Object.assign(numbers, Object.fromEntries(
       this.coordinates.map((name, n) => [name, state[n]]))));
     this.centre = at;
+    this.current = false;
     this.motion = new Motion(rate, start);
     this.pace = this.period(rate, start) / FRAMES;
     this.path = [start.slice(last)];
-    this.draw();
+    this.say();
     this.run(this.running);
   }
 
@@ -127,10 +129,8 @@ export class Nearby {
     const next = () => {
       if (!this.motion) return;
       try {
-        if (this.seen) {
-          this.step();
-          this.draw();
-        }
+        if (this.seen) this.step();
+        if (this.seen || !this.current) this.draw();    // what is out of sight may come into it
       } catch (error) {
         this.motion = null;
         return this.refuse(error.message);
@@ -147,6 +147,10 @@ export class Nearby {
 
   draw() {
     if (!this.motion) return;
+    if (!this.current) {
+      this.current = true;
+      this.settled();
+    }
     const context = this.canvas.getContext("2d"), radius = 0.45 * SIZE, size = Math.hypot(...this.path[0]);
     const style = getComputedStyle(this.canvas), [turn, tilt] = this.view;
     const seen = ([x, y, z]) => {
@@ -185,6 +189,11 @@ export class Nearby {
       context.arc(x, y, wide, 0, 7);
       context.fill();
     }
+    this.say();
+  }
+
+  // Where the motion is.
+  say() {
     this.state.textContent = `t = ${short(this.motion.time)}: (${this.coordinates.slice(-3).join(", ")}) = `
       + `(${this.path.at(-1).map(short).join(", ")})`;
   }

@@ -2,6 +2,7 @@
 import { asGiven, given, MADE } from "./made.js";
 
 export const TEXTS = ["potential", "orbit", "inertia", "gyrostatic_momentum"];
+const PLAIN = /^-?[\d.]+([*/][\d.]+)*$/;
 const at = (id) => document.getElementById(id);
 const entries = (text) => text.split(",").map((entry) => entry.trim());
 const list = (text) => text.includes(";") ? text.split(";").map(entries) : entries(text);
@@ -18,6 +19,15 @@ export function scene() {
     gyrostatic_momentum: list(at("gyrostatic_momentum").value), spin: state.spin };
   for (const name of ["potential", "orbit"]) if (at(name).value.trim()) table[name] = at(name).value;
   return Object.assign(table, given(state));
+}
+
+// The same spin by its momentum, or by its rate: pi3_0 = I3 omega3_0.
+export function spun() {
+  const { values } = state, { I3, omega3_0: rate, pi3_0: momentum } = values;
+  const plain = (...texts) => texts.every((text) => PLAIN.test(text));
+  if (rate === `${momentum}/${I3}` || momentum === `${rate}*${I3}`) return;
+  if (state.spin === "omega3_0" && plain(momentum, I3)) values.omega3_0 = `${momentum}/${I3}`;
+  if (state.spin === "pi3_0" && plain(rate, I3)) values.pi3_0 = `${rate}*${I3}`;
 }
 
 // What a link or an example says, into the fields; the library reads them as if they were typed.
