@@ -11,19 +11,17 @@ FILES = ["files.json", *json.loads((FOLDER / "files.json").read_text(encoding="u
 FONTS = [name for name in FILES if name.endswith(".woff2")]
 FILES = [name for name in FILES if name not in FONTS and name != "index.html"
          and not name.startswith("licences/")]
-HEAVY = ("**/packages.xz*", "**/pyodide.asm.wasm")     # what only Python needs
+OF_PYTHON = ("runtime/", "worker.js", "files.json")     # what is missed before Python runs
 SAID = {"katex/katex.min.js": "katex.min.js could not be loaded", "try.css": "try.css could not be loaded",
         "katex/katex.min.css": "katex.min.css could not be loaded", "regions.js": "The chart failed",
-        "examples.json": "examples.json could not be loaded", "chart-worker.js": "The chart failed",
-        "worker.js": "The library could not be started", "files.json": "The library could not be started"}
+        "examples.json": "examples.json could not be loaded", "chart-worker.js": "The chart failed"}
 
 
-def without(browser, address, name, mode):
-    """A page to which a file does not come, and which has kept none."""
-    page = browser.new_context().new_page()
-    if not name.startswith("runtime/"):
-        for heavy in HEAVY:
-            page.route(heavy, lambda route: None)
+def without(context, address, name, mode):
+    """A page to which a file does not come, and which has not kept it."""
+    page = (context.browser.new_context() if name.endswith(".xz") else context).new_page()
+    if not name.startswith(OF_PYTHON):
+        page.route("**/worker.js", lambda route: None)
     page.route(lambda url: url.partition("?")[0].endswith(f"/{name}"), lambda route: (
         route.abort("internetdisconnected") if mode == "lost" else route.fulfill(status=404, body="none")))
     page.goto(address)
@@ -40,11 +38,11 @@ def leads_on(page, said):
 @pytest.mark.parametrize("mode", ["404", "lost"])
 def test_each_file_that_does_not_come_is_said(stranger, address, mode):
     """In turn: of the page's own modules, of KaTeX, of Python, of its worker."""
-    pages = {name: without(stranger.browser, address, name, mode) for name in FILES}
+    pages = {name: without(stranger, address, name, mode) for name in FILES}
     for name, page in pages.items():
-        library = "The library could not be started" if name.startswith("runtime/") else ""
+        library = "The library could not be started" if name.startswith(OF_PYTHON) else ""
         assert leads_on(page, SAID.get(name, library or "This page has not started yet")), name
-        page.context.close()
+        page.close()
 
 
 @pytest.mark.parametrize("name", FONTS)
@@ -52,7 +50,7 @@ def test_each_file_that_does_not_come_is_said(stranger, address, mode):
 def test_a_font_that_does_not_come_is_said(stranger, address, name):
     """If a formula needs it."""
     for mode in ("404", "lost"):
-        page = without(stranger.browser, address, name, mode)
+        page = without(stranger, address, name, mode)
         page.evaluate("Promise.allSettled([...document.fonts].map((face) => face.load()))")
         assert leads_on(page, "A font could not be loaded")
 
