@@ -89,7 +89,7 @@ def pictures(context, address, example, axes):
         page.select_option(place, name)
     page.wait_for_timeout(1000)
     found = page.evaluate("""async () => {
-        const pen = OffscreenCanvasRenderingContext2D.prototype, put = pen.putImageData;
+        const pen = CanvasRenderingContext2D.prototype, put = pen.putImageData;
         const slider = document.querySelector(".value:has(#value-I3) [type=range]");
         const start = performance.now();
         let count = 0;

@@ -1,4 +1,12 @@
 """What a visitor does on the page, and what it then shows."""
+from fractions import Fraction
+
+from gyrostat.errors import GyrostatError
+
+SLOW = "+".join(f"a{n}*(1+b{n}*k3)^{n}" for n in range(1, 30))   # longer than the page waits
+# of each colour of a chart the verdicts that the library may give there
+AGREE = {"stable": {"STABLE"}, "unstable": {"UNSTABLE"}, "open": {"STABLE", "UNSTABLE", "UNDECIDED"},
+         "nowhere": {"NOWHERE"}}
 
 
 def shown(page):
@@ -22,3 +30,23 @@ def typed(page, field, text):
 def latex(page, place):
     """The formulas shown there, as they are written."""
     return page.eval_on_selector_all(f"#{place} annotation", "all => all.map(one => one.textContent)")
+
+
+def pixels(report, places, drawn):
+    """Of each pixel that has a colour of the key: its word, what the library says, and its numbers.
+
+    The library says NOWHERE if it refuses the numbers.
+    """
+    words = dict(drawn["key"])
+    for place, colour in zip(places, drawn["colours"], strict=True):
+        word = words.get(colour, "unknown")              # else the cross, or a dot
+        if word == "unknown":
+            continue
+        shares = (place[0] + 0.5) / 400, (399 - place[1] + 0.5) / 400
+        values = {name: text for name, text in drawn["values"].items() if name in report.required}
+        for (name, low, high), share in zip(drawn["ranges"], shares, strict=True):
+            values[name] = str(Fraction(float(low) + (float(high) - float(low)) * share))
+        try:
+            yield word, report.verdict(values).verdict.name, values
+        except GyrostatError:
+            yield word, "NOWHERE", values

@@ -1,8 +1,11 @@
 // The worker and what is asked of it: one question at a time, within a time, the newest of each kind.
 export const LIMIT = 10;                                // seconds
+const SIMPLER = "Write it more simply, or use the library on your own machine, where nothing ends it.";
+const LATE = { error: `This took longer than ${LIMIT} s and was ended. ${SIMPLER}` };
+const LOST = { lost: true, error: "The library is not running, see the top of this page." };
 
 export class Analyser {
-  // told: {step}, {ready}, {ended} where a question took too long, {broken} where the worker failed
+  // told: {step}, {ready}, {failed} where the library could not be started
   constructor(told) {
     this.told = told;
     this.waiting = new Map();
@@ -12,14 +15,18 @@ export class Analyser {
   }
 
   start() {
-    this.ready = false;
-    this.worker = new Worker("worker.js", { type: "module" });
-    this.worker.onmessage = ({ data }) => this.heard(data);
-    this.worker.onerror = (event) => this.failed(event.message);
+    this.ready = this.lost = false;
+    const worker = this.worker = new Worker("worker.js", { type: "module" });
+    worker.onmessage = ({ data }) => { if (worker === this.worker) this.heard(data); };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      if (worker === this.worker) this.failed(event.message || "a file of its worker did not come");
+    };
   }
 
-  // The answer; null where a newer question of the same kind took its place, or there is none.
+  // The answer, with error where there is none; null where a newer question of the same kind took its place.
   ask(want, scene, more = []) {
+    if (this.lost) return Promise.resolve(LOST);
     this.waiting.get(want)?.resolve(null);
     return new Promise((resolve) => {
       this.waiting.set(want, { resolve, question: JSON.stringify({ want, scene, more }) });
@@ -32,12 +39,13 @@ export class Analyser {
     if (!this.ready || this.asked || !first) return;
     const [want, { resolve, question }] = first;
     this.waiting.delete(want);
-    const late = setTimeout(() => this.again({ ended: true }), LIMIT * 1000);
+    const late = setTimeout(() => this.again(LATE), LIMIT * 1000);
     this.asked = { id: ++this.count, resolve, late };
     this.worker.postMessage({ id: this.count, question });
   }
 
-  heard({ id, answer, ...news }) {
+  heard({ id, answer, failed, ...news }) {
+    if (failed) return this.failed(failed);
     if (id === undefined) {
       this.ready = this.ready || Boolean(news.ready);
       this.told(news);
@@ -54,16 +62,19 @@ export class Analyser {
     resolve?.(answer);
   }
 
-  // What fails at its start would fail again; what fails at a question is started again.
+  // What fails at a question is started again; what fails at its start would fail again.
   failed(message) {
-    if (this.ready) this.again({ broken: message });
-    else this.told({ failed: message });
+    if (this.ready) return this.again({ error: `The computation failed (${message}). ${SIMPLER}` });
+    this.worker.terminate();
+    this.lost = true;
+    this.told({ failed: message });
+    for (const { resolve } of this.waiting.values()) resolve(LOST);
+    this.waiting.clear();
   }
 
-  again(news) {
+  again(answer) {
     this.worker.terminate();
-    this.done(null);
     this.start();
-    this.told(news);
+    this.done(answer);
   }
 }

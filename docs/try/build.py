@@ -17,6 +17,7 @@ from base64 import b64encode
 from pathlib import Path
 from typing import Any
 
+from licences import shipped
 from linked import linked
 
 HERE = Path(__file__).parent
@@ -103,6 +104,7 @@ def built(target: Path, stage: Path) -> None:
     (target / "katex" / "fonts").mkdir(parents=True)
     for path in (katex / "katex.min.js", katex / "katex.min.css", *katex.glob("fonts/*.woff2")):
         shutil.copy(path, target / "katex" / path.relative_to(katex))
+    shipped(stage, sources, target / "licences")
     for path in HERE.iterdir():
         if path.suffix in (".html", ".css", ".js", ".json"):
             shutil.copy(path, target)

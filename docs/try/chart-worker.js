@@ -5,7 +5,7 @@ import { Regions } from "./regions.js";
 let regions, size, newest, due;
 
 onmessage = ({ data }) => {
-  if (data.chart) {
+  if (data.width) {
     clearTimeout(due);                                  // numbers of the chart before
     due = undefined;
     size = data.width;
@@ -18,11 +18,11 @@ onmessage = ({ data }) => {
 
 function draw() {
   due = undefined;
-  const { numbers, ends, colours, load } = newest;
+  const { numbers, ends, colours, chart, asked } = newest;
   const codes = regions.drawn(numbers, ends), pixels = new Uint8ClampedArray(4 * size * size);
   const inks = new Uint32Array(new Uint8Array(colours.flat()).buffer), out = new Uint32Array(pixels.buffer);
   for (let y = 0; y < size; y++) {                      // the highest row first
     for (let x = 0; x < size; x++) out[(size - 1 - y) * size + x] = inks[codes[y * size + x]];
   }
-  postMessage({ pixels, ends, load }, [pixels.buffer]);
+  postMessage({ pixels, ends, chart, asked }, [pixels.buffer]);
 }

@@ -26,10 +26,18 @@ def latex(scene: System, blocks: Sequence[Block]) -> str:
     return article("", [*blocks, symbol_rows(scene, occurring(blocks))], Paper(fragment=True))
 
 
-def scene_file(table: Mapping[str, Any], values: Mapping[str, str]) -> str:
-    """The table of a scene, as `--scene` and `verify` read it."""
+def scene_file(table: Mapping[str, Any], values: Mapping[str, str], every: str) -> str:
+    """The table of a scene, as `--scene` and `verify` read it.
+
+    If all equilibria on a level are asked for, it says so: it names none, and `decide` finds all that its
+    numbers allow.
+    """
+    level = ", ".join(f"{name} = {' '.join(values[name].split())}"           # on one line
+                      for name in every.split()[1:] if name in values)
+    said = f"# every equilibrium{f' at {level}' if level else ''}: gyrostat decide --scene FILE"
+    asked = [said] if every else []
     lines = [f"{name} = {_toml(value)}" for name, value in {**table, "values": values}.items()]
-    return "\n".join(["[scene.mine]", *lines, ""])
+    return "\n".join([*asked, "[scene.mine]", *lines, ""])
 
 
 def _toml(value: Any) -> str:

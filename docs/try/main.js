@@ -1,184 +1,143 @@
-// The page: what is typed and picked goes to the analyser as the keys of a scene file; its answers are shown.
-import { Analyser, LIMIT } from "./analyser.js";
+// The page: what is typed and picked is the question; every card shows its answer, or is marked until it has come.
+import { Analyser } from "./analyser.js";
+import { Card } from "./card.js";
 import { Chart } from "./chart.js";
-import { asGiven, given, MADE, making } from "./made.js";
+import { making } from "./made.js";
 import { Nearby } from "./motion.js";
-import { element, heard, noVerdict, number, placed, shown, sliders, verdict, word } from "./page.js";
+import { lost, notice, reload } from "./notices.js";
+import { heard, possible } from "./numbers.js";
+import { element, placed, shown, sliders, unstyled, verdict, word } from "./page.js";
+import { filled, link, linked, scene, spun, state, TEXTS } from "./scene.js";
 
 const STEPS = ["interpreter", "packages", "library", "ready"];
 const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
   library: "the library is loading", ready: "ready" };
-const PLAIN = /^-?[\d.]+([*/][\d.]+)*$/;
-const TEXTS = ["potential", "orbit", "inertia", "gyrostatic_momentum"];
+const PAUSE = 300;                                      // milliseconds after a key
 const at = (id) => document.getElementById(id);
 
-const state = { equilibrium: "", spin: "", made: {}, values: {} };
-const analyser = new Analyser(told);
-const ask = (want, more) => analyser.ask(want, scene(), more);
-const chart = new Chart(at("charted"), ask, changed);
-const nearby = new Nearby(at("nearby"), ask, () => state.values, number);
-const examples = await (await fetch("examples.json")).json();
+at("unstarted").remove();
+window.onerror = (message) => notice("page", `This page failed (${message}).`, ...reload);
+window.onunhandledrejection = ({ reason }) => window.onerror(reason?.message ?? reason);
 
-function told({ step, ready, ended, broken, failed }) {
-  if (step || ready) {
+const analyser = new Analyser(told);
+const ask = (want, table, more) => analyser.ask(want, table, more);
+const answers = (want, draw) => new Card((table) => ask(want, table), draw, update);
+const scenes = answers("analysed", analysed), verdicts = answers("decided", decided);
+const windows = answers("opened", (found) => shown(at("between"), found ?? {}));
+const derivations = answers("derived", (found) => shown(at("blocks"), found ?? {}));
+const copies = answers("copied", (found) => copied(found?.[copying], found?.error));
+const chart = new Chart(at("charted"), ask, set, update);
+const nearby = new Nearby(at("nearby"), ask, changed, update);
+const SECTIONS = document.querySelectorAll("main section");
+let examples = [], copying = "";
+
+// Of each place the card whose answer it shows.
+const PLACES = { equilibria: scenes, values: scenes, error: scenes, conditions: scenes, place: scenes, opened: scenes,
+  verdict: verdicts, wrong: verdicts, reasons: verdicts, here: verdicts, between: windows, blocks: derivations,
+  picture: chart, path: nearby };
+
+// Every card, from what the page asks now; if something is typed, after a pause.
+function update(pause) {
+  scenes.follow(scene(), pause);
+  const known = scenes.waiting ? undefined : scenes.answer.error ? null : scene();
+  const values = Object.fromEntries((scenes.answer?.names ?? []).map(({ name }) => [name, state.values[name]]));
+  const whole = known && { ...known, values };
+  verdicts.follow(whole);
+  windows.follow(at("opened").open && !at("opened").hidden ? whole : null);
+  derivations.follow(at("derivation").open ? known : null);
+  copies.follow(copying && copying !== "link" ? whole : null);
+  const value = (name) => possible(name, state.values[name]);
+  chart.follow(known, values, value, verdicts.waiting);
+  nearby.follow(known, Object.keys(values), state.values, value, verdicts.waiting);
+  const { answer, question } = verdicts;
+  at("here").textContent = answer?.verdict
+    ? `${chart.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
+  for (const [id, card] of Object.entries(PLACES)) marked(at(id), card.waiting);
+  for (const section of SECTIONS) section.classList.toggle("waiting", Boolean(section.querySelector("[aria-busy=true]")));
+  document.body.ariaBusy = String([scenes, verdicts, windows, derivations, copies].some((card) => card.waiting));
+}
+
+// An answer to another question than the page's is gone if the scene is another, and pale if the numbers are.
+function marked(place, waiting) {
+  place.ariaBusy = String(waiting);
+  place.style.opacity = waiting ? 0.4 : "";
+  place.style.visibility = scenes.waiting && place.classList.contains("answer") ? "hidden" : "";
+}
+
+// Something is set by the visitor: what was copied is of what was there before.
+function changed(pause) {
+  copying = "";
+  copied();
+  remember();
+  update(pause);
+}
+
+// Other numbers, whose fields are made again even if the scene is the one before.
+function renewed() {
+  scenes.forget();
+  changed();
+}
+
+function told({ step, ready, failed }) {
+  at("starting").hidden = Boolean(ready || failed);
+  if (!failed) {
     at("progress").value = STEPS.indexOf(step ?? "ready");
     at("status").textContent = SAID[step ?? "ready"];
-    at("starting").hidden = Boolean(ready);
   }
-  if (ended) {
-    notice(`This took longer than ${LIMIT} s and was ended; the library starts again. Write it more simply, or `
-      + "use the library on your own machine, where nothing ends it.");
+  const why = navigator.onLine ? `${failed}). A file is not on the server, or this browser is too old for it`
+    : "the network is not there). It starts again when the network is back";
+  notice("library", failed && `The library could not be started (${why}. What is typed stays; the library runs on your own `
+    + "machine too.", "Start it again", again);
+}
+
+function again() {
+  for (const card of [scenes, verdicts, windows, derivations, copies, chart.programs, chart.edges, nearby.programs]) {
+    if (card.answer?.lost) card.forget();
   }
-  if (broken) notice(`The computation failed (${broken}); the library starts again. Write it more simply.`);
-  if (failed) {
-    at("starting").hidden = true;
-    document.body.ariaBusy = "false";
-    notice(`The library could not be started (${failed}): its files are not beside this page, or the browser is `
-      + "too old. Build them with docs/try/build.py.");
-  }
+  told({ step: STEPS[0] });
+  analyser.start();
+  update();
 }
 
-// aria-busy from the first key to the last answer.
-let open = 0;
-function busy(more) {
-  open += more;
-  document.body.ariaBusy = String(open > 0);
-}
-
-async function working(what) {
-  busy(1);
-  try {
-    await what();
-  } finally {
-    busy(-1);
-  }
-}
-
-function notice(text) {
-  at("notice").textContent = text;
-  at("notice").hidden = !text;
-}
-
-const entries = (text) => text.split(",").map((entry) => entry.trim());
-const list = (text) => text.includes(";") ? text.split(";").map(entries) : entries(text);
-const listed = (value) => value.map((row) => [row].flat().join(", ")).join(Array.isArray(value[0]) ? "; " : ", ");
-
-function scene() {
-  const table = { inertia: list(at("inertia").value),
-    gyrostatic_momentum: list(at("gyrostatic_momentum").value), spin: state.spin };
-  for (const name of ["potential", "orbit"]) if (at(name).value.trim()) table[name] = at(name).value;
-  Object.assign(table, given(state));
-  return { ...table, values: { ...state.values } };
-}
-
-// What a link or an example says, into the fields; the library reads them as if they were typed.
-function filled(table) {
-  at("potential").value = table.potential ?? "U(k3)";
-  at("orbit").value = asGiven(table.orbit);
-  at("inertia").value = listed(table.inertia ?? ["I1", "I1", "I3"]);
-  at("gyrostatic_momentum").value = listed(table.gyrostatic_momentum ?? ["0", "0", "l"]);
-  state.equilibrium = table.point ? "point" : table.equilibrium ?? "";
-  state.made = Object.fromEntries(Object.keys(MADE).filter((name) => name in table)
-    .map((name) => [name, asGiven(table[name])]));
-  state.spin = at("spin").value = table.spin ?? "pi3_0";
-  state.values = { ...table.values };
-  at("example").selectedIndex = examples.findIndex((example) => described(example.scene) === described(table));
-  at("source").textContent = examples[at("example").selectedIndex]?.source ?? "";
-}
-
-// A scene without its values, to tell whether two are the same.
-const described = ({ potential, orbit, inertia, gyrostatic_momentum, equilibrium, spin, ...made }) => JSON.stringify([potential,
-  asGiven(orbit), asGiven(inertia), asGiven(gyrostatic_momentum), equilibrium, spin ?? "pi3_0",
-  ...Object.keys(MADE).map((name) => asGiven(made[name]))]);
-
-const analyse = () => working(async () => {
-  remember();
-  const found = await analyser.ask("analysed", scene());
-  if (!found) return;
+function analysed(found) {
   if (found.equilibria) {
     state.equilibrium = found.chosen;
     choices(found);
     making(state, found);
-  } else if (state.equilibrium === "point") {
-    making(state, { made_with: "point" });              // for what is to be typed
+  } else {                                              // the list of the scene before
+    for (const input of at("equilibria").querySelectorAll("input")) input.checked = input.value === state.equilibrium;
+    if (state.equilibrium === "point") making(state, { made_with: "point" });             // for what is to be typed
+    else if (at("made").name === "point") at("made-row").hidden = true;
   }
-  refused(found.error);
-  if (found.error) return;
+  at("error").textContent = found.error ?? "";
+  at("derived").inert = Boolean(found.error);
   state.place = found.place;
   at("place").hidden = !found.point;
-  shown(at("point"), found.point ?? []);
-  shown(at("conditions"), found.conditions ?? []);
   at("opened").hidden = !found.open;
-  chart.leave();
-  nearby.leave();
-  sliders(at("values"), found.names, state.values, follow);
-  await decide();
-  chart.choose(found.axes, (name) => number(state.values[name] ?? ""));
-  nearby.choose(found.names.map(({ name }) => name));
-  if (at("derivation").open) await derive();
-});
-
-// Pictures follow at once, the verdict when it is there.
-function follow() {
-  chart.follow();
-  nearby.restart();
-  decide();
+  at("derivation").hidden = Boolean(found.error);
+  shown(at("point"), { blocks: found.point });
+  shown(at("conditions"), { blocks: found.conditions });
+  sliders(at("values"), found.names ?? [], state.values, changed);
+  if (found.axes) chart.choose(found.axes);
+  return scene();                                       // with the equilibrium that was chosen
 }
 
-// The same spin by its momentum, or by its rate: pi3_0 = I3 omega3_0.
-function spun(values) {
-  const { I3, omega3_0: rate, pi3_0: momentum } = values;
-  const plain = (...texts) => texts.every((text) => PLAIN.test(text));
-  if (rate === `${momentum}/${I3}` || momentum === `${rate}*${I3}`) return;
-  if (state.spin === "omega3_0" && plain(momentum, I3)) values.omega3_0 = `${momentum}/${I3}`;
-  if (state.spin === "pi3_0" && plain(rate, I3)) values.pi3_0 = `${rate}*${I3}`;
-}
-
-// A number is set by a picture.
-function changed(name, text) {
-  const input = at(`value-${name}`);
-  input.value = text;
-  input.dispatchEvent(new Event("input"));
-}
-
-const decide = () => working(async () => {
-  remember();
-  const asked = scene(), found = await analyser.ask("decided", asked);
-  if (!found) return;
-  wrong(found.error);
-  if (found.error) return;
-  verdict(at("verdict"), at("reasons"), found);
-  if (found.verdict) chart.say(asked.values, word(found.verdict));
-  if (heard(asked.values, found.doubles)) {
-    placed(at("values"));
-    chart.follow();
-    nearby.restart();
-  }
-  if (at("opened").open && !at("opened").hidden) await openBetween();
-});
-
-const openBetween = () => working(async () => {
-  const found = await analyser.ask("opened", scene());
-  if (found) shown(at("between"), found.error ? [{ sentence: [{ text: found.error }] }] : found.blocks);
-});
-
-const derive = () => working(async () => {
-  const found = await analyser.ask("derived", scene());
-  if (found && !found.error) shown(at("blocks"), found.blocks);
-});
-
-function refused(error = "") {
-  at("error").textContent = error;
-  at("derived").inert = Boolean(error);
-  if (error) noVerdict(at("verdict"), at("reasons"));
-}
-
-// Of numbers; those that are none are marked.
-function wrong(error = "") {
+function decided(found, question) {
+  const { error = "", ...answer } = found ?? {};
   at("wrong").textContent = error;
   for (const text of at("values").querySelectorAll("[id]")) text.ariaInvalid = String(error.includes(`'${text.value}'`)
     || error.startsWith(`${text.id.slice(6)} = `));
-  if (error) noVerdict(at("verdict"), at("reasons"));
+  verdict(at("verdict"), at("reasons"), answer);
+  if (!answer.doubles) return;
+  heard(question.values, answer.doubles);
+  placed(at("values"));
+}
+
+// A number is set by a picture.
+function set(name, text) {
+  const input = at(`value-${name}`);
+  input.value = text;
+  input.dispatchEvent(new Event("input"));
 }
 
 function choices({ equilibria, chosen }) {
@@ -188,7 +147,7 @@ function choices({ equilibria, chosen }) {
     input.onchange = () => {
       if (name === "point" && !state.made.point) state.made.point = state.place ?? "";
       state.equilibrium = name;
-      analyse();
+      changed();
     };
     return element("label", { title: why, className: why ? "none" : "" }, input, ` ${name} `,
       element("small", {}, why ? "not here" : title === `rotation about ${name}` ? "" : title));
@@ -202,60 +161,82 @@ let remembering;
 function remember() {
   remembering ??= setTimeout(() => {
     remembering = undefined;
-    history.replaceState(null, "", `#${restoring()}`);
+    history.replaceState(null, "", link(chart.axes));
   }, 400);
 }
 
-function restoring() {
-  const table = scene(), pairs = TEXTS.map((name) => [name, at(name).value]);
-  pairs.push(...Object.entries(given(state)));
-  pairs.push(["axes", chart.axes.join()], ["spin", table.spin], ...Object.entries(table.values).map(([name, text]) => ["set", `${name}=${text}`]));
-  return new URLSearchParams(pairs);
+function copy(kind) {
+  copying = kind;
+  if (kind === "link") copied(new URL(link(chart.axes), location).href);
+  else if (copies.answer && !copies.waiting) copied(copies.answer[kind], copies.answer.error);
+  update();
 }
 
-function restored() {
-  const hash = new URLSearchParams(location.hash.slice(1));
-  if (!hash.has("potential")) return examples[0].scene;
-  const values = hash.getAll("set").map((text) => [text.split("=", 1)[0], text.slice(text.indexOf("=") + 1)]);
-  const table = { potential: hash.get("potential"), values: Object.fromEntries(values) };
-  for (const name of ["inertia", "gyrostatic_momentum"]) if (hash.has(name)) table[name] = list(hash.get(name));
-  for (const name of ["equilibrium", "spin", "orbit", ...Object.keys(MADE)]) if (hash.get(name)) table[name] = hash.get(name);
-  if (hash.get("axes")) chart.wanted = hash.get("axes").split(",");
-  return table;
-}
-
-const copy = (kind) => working(async () => {
-  const text = kind === "link" ? new URL(`#${restoring()}`, location).href : (await analyser.ask("copied", scene()))?.[kind];
+// What is to be copied; nothing; or why there is nothing.
+function copied(text, error = "") {
+  at("copied").value = text ?? "";
+  at("copied").hidden = !text;
+  at("said").textContent = error;
   if (!text) return;
-  at("copied").value = text;
-  at("copied").hidden = false;
   at("copied").rows = Math.min(text.split("\n").length, 14);
   at("copied").scrollIntoView({ block: "nearest" });
-  const done = `${document.querySelector(`[data-copy=${kind}]`).textContent}: copied`;
-  at("said").textContent = await navigator.clipboard?.writeText(text).then(() => done, () => "") ?? "";
-});
+  const done = `${document.querySelector(`[data-copy=${copying}]`).textContent}: copied`;
+  navigator.clipboard?.writeText(text).then(() => { if (at("copied").value === text) at("said").textContent = done; }, () => {});
+}
 
-let typed;
 for (const name of [...TEXTS, "made"]) {
   at(name).oninput = () => {
     if (name === "made") state.made[at(name).name] = at(name).value;
     at("example").selectedIndex = -1;                   // what is typed is another scene
     at("source").textContent = "";
-    if (!typed) busy(1);
-    clearTimeout(typed);
-    typed = setTimeout(() => { typed = undefined; notice(""); analyse(); busy(-1); }, 300);
+    changed(PAUSE);
   };
 }
-at("opened").ontoggle = () => { if (at("opened").open) openBetween(); };
+at("opened").ontoggle = at("derivation").ontoggle = () => update();
 at("ask").onsubmit = () => false;
-at("spin").onchange = () => { state.spin = at("spin").value; spun(state.values); analyse(); };
-at("derivation").ontoggle = () => { if (at("derivation").open) derive(); };
-at("example").append(...examples.map(({ title }, n) => element("option", { value: n }, title)));
-at("example").onchange = () => { filled(examples[at("example").value].scene); notice(""); analyse(); };
+at("spin").onchange = () => { state.spin = at("spin").value; spun(); renewed(); };
+at("example").onchange = () => { filled(examples[at("example").value].scene, examples); renewed(); };
 for (const button of document.querySelectorAll("[data-copy]")) button.onclick = () => copy(button.dataset.copy);
-window.onhashchange = () => {
-  filled(restored());
-  analyse();
-};
-filled(restored());
-analyse();
+
+// What the address says, or the first example.
+function restore() {
+  const found = linked();
+  chart.wanted = found?.axes ?? [];
+  filled(found?.table ?? examples[0]?.scene ?? {}, examples);
+  renewed();
+}
+
+// What the page can do without, and says so.
+function checked() {
+  if (!globalThis.katex) lost("katex/katex.min.js", "formulas stand here as they are written in LaTeX.");
+  for (const link of document.querySelectorAll("link[rel=stylesheet]")) {
+    if (arrived(link)) continue;
+    const name = link.getAttribute("href"), formulas = name.startsWith("katex");
+    if (formulas) unstyled();
+    lost(name, formulas ? "the browser sets the formulas." : "the page is plain, and has no chart.");
+  }
+}
+
+// Whether a style has come; the rules of one that has not are none, or cannot be asked for.
+function arrived({ sheet }) {
+  try {
+    return sheet.cssRules.length > 0;
+  } catch {
+    return false;
+  }
+}
+
+document.fonts.onloadingerror = () => lost("A font", "formulas may look odd.");
+if (document.readyState === "complete") checked();
+else window.onload = checked;
+window.onhashchange = restore;
+window.ononline = () => { if (analyser.lost) again(); };
+try {
+  const response = await fetch("examples.json");
+  if (!response.ok) throw new Error(response.status);
+  examples = await response.json();
+} catch {
+  lost("examples.json", "there is no example to pick; all else works.");
+}
+at("example").append(...examples.map(({ title }, n) => element("option", { value: n }, title)));
+restore();

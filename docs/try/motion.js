@@ -1,4 +1,5 @@
 // A motion near the equilibrium, in doubles: the path of a vector on a sphere, as the body sees it.
+import { Card } from "./card.js";
 import { Motion } from "./integrator.js";
 import { sliders } from "./page.js";
 import { compiled } from "./programs.js";
@@ -12,15 +13,17 @@ const rotated = ([x, y, z], axis, angle) => {
 const short = (x) => x.toFixed(6).replace(/^-(0\.0+)$/, "$1");
 
 export class Nearby {
-  // place: the section; ask(want): of the library; values: of the page, by name
-  constructor(place, ask, values, number) {
-    Object.assign(this, { place, ask, values, number, view: [0.5, 0.4] });
+  // place: the section; ask(want, scene): of the library; changed(): called when a number is set; settled(): when
+  // something has come
+  constructor(place, ask, changed, settled) {
+    Object.assign(this, { place, changed, settled, view: [0.5, 0.4], running: true, current: true, names: [] });
     const find = (name) => place.querySelector(name);
-    [this.canvas, this.push, this.button, this.more, this.why, this.state] = ["canvas", "#push", "button", "#more",
-      "#no-motion", "#state"].map(find);
+    [this.canvas, this.push, this.button, this.more, this.why, this.state, this.drawn] = ["canvas", "#push", "button",
+      "#more", "#no-motion", "#state", ".drawn"].map(find);
+    this.programs = new Card(({ scene }) => ask("moving", scene), (found) => this.load(found), settled);
     this.push.oninput = () => {
       find("#turned").textContent = this.push.value;
-      this.restart();
+      settled();
     };
     new IntersectionObserver((entries) => { this.seen = entries.at(-1).isIntersecting; }).observe(this.canvas);
     this.button.onclick = () => this.run(!this.running);
@@ -35,43 +38,60 @@ export class Nearby {
     };
   }
 
-  // The names are those of another equilibrium, until it is chosen.
-  leave() {
-    this.rates = null;
+  // Whether the motion is of another scene than the page's, or of other numbers.
+  get waiting() {
+    return this.programs.waiting || this.reading || !this.current;
   }
 
-  // Another equilibrium: its equations; the numbers that a verdict does not need have their own sliders.
-  async choose(known) {
-    const found = await this.ask("moving");
-    if (!found) return;
-    this.refuse(found.why ?? found.error);
-    this.rates = this.motion = null;
-    this.more.replaceChildren();
-    if (!found.rates) return;
+  // What the page asks now, as it is for a chart; known: the names that have sliders beside the verdict.
+  follow(scene, known, values, number, reading) {
+    Object.assign(this, { known, values, reading: false });
+    this.programs.follow(scene && { scene });
+    if (this.programs.waiting) return this.stop();
+    const { why, error } = this.programs.answer ?? { why: "no motion: the scene has no answer" };
+    const numbers = this.names.map((name) => [name, number(name)]);
+    const unread = numbers.some(([, value]) => !Number.isFinite(value));
+    this.reading = unread && reading;
+    if (why ?? error ?? unread) {
+      this.stop();
+      return this.reading || this.refuse(why ?? error ?? "a motion needs numbers, and possible ones");
+    }
+    const started = JSON.stringify([numbers, this.push.value]);
+    if (started !== this.started) this.restart(Object.fromEntries(numbers));
+    this.started = started;
+  }
+
+  // Equations, or none; the numbers that a verdict does not need have sliders of their own.
+  load(found) {
+    this.stop();
+    const given = found?.names ?? [];
+    this.names = given.map(({ name }) => name);
+    sliders(this.more, given.filter(({ name }) => !this.known.includes(name)), this.values, this.changed);
+    if (!found?.rates) return;
     this.coordinates = found.coordinates;
-    this.names = found.names.map(({ name }) => name);
     this.rates = compiled(found.rates);
     this.equilibrium = compiled(found.state);
-    sliders(this.more, found.names.filter(({ name }) => !known.includes(name)), this.values(), () => this.restart());
-    this.restart();
-    this.run(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+    this.running = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  }
+
+  stop() {
+    this.motion = this.started = null;
+    this.current = true;                                // there is nothing to be drawn
+    cancelAnimationFrame(this.frame);
   }
 
   refuse(text = "") {
     this.why.textContent = text;
-    this.place.classList.toggle("none", Boolean(text));
+    this.drawn.hidden = Boolean(text);
   }
 
   // From the equilibrium, its directions turned, or of a free body its momentum.
-  restart() {
-    if (!this.rates) return;
-    const values = this.values();
-    const numbers = Object.fromEntries(this.names.map((name) => [name, this.number(values[name] ?? "")]));
+  restart(numbers) {
     const start = this.equilibrium(numbers), last = start.length - 3;
     const at = start.slice(last), quiet = at.map(Math.abs), axis = quiet.indexOf(Math.min(...quiet));
-    if (![...Object.values(numbers), ...start].every(Number.isFinite) || !Math.hypot(...at)) {
-      this.motion = null;
-      return this.refuse("a motion needs numbers, and an equilibrium that exists there");
+    if (!start.every(Number.isFinite) || !Math.hypot(...at)) {
+      this.stop();
+      return this.refuse("a motion needs an equilibrium that exists at these numbers");
     }
     this.refuse();
     for (let n = last ? 3 : 0; n <= last; n += 3) {
@@ -80,9 +100,11 @@ export class Nearby {
     const rates = this.rates, rate = (state) => rates(Object.assign(numbers, Object.fromEntries(
       this.coordinates.map((name, n) => [name, state[n]]))));
     this.centre = at;
+    this.current = false;
     this.motion = new Motion(rate, start);
     this.pace = this.period(rate, start) / FRAMES;
     this.path = [start.slice(last)];
+    this.say();
     this.run(this.running);
   }
 
@@ -107,10 +129,8 @@ export class Nearby {
     const next = () => {
       if (!this.motion) return;
       try {
-        if (this.seen) {
-          this.step();
-          this.draw();
-        }
+        if (this.seen) this.step();
+        if (this.seen || !this.current) this.draw();    // what is out of sight may come into it
       } catch (error) {
         this.motion = null;
         return this.refuse(error.message);
@@ -127,6 +147,10 @@ export class Nearby {
 
   draw() {
     if (!this.motion) return;
+    if (!this.current) {
+      this.current = true;
+      this.settled();
+    }
     const context = this.canvas.getContext("2d"), radius = 0.45 * SIZE, size = Math.hypot(...this.path[0]);
     const style = getComputedStyle(this.canvas), [turn, tilt] = this.view;
     const seen = ([x, y, z]) => {
@@ -165,6 +189,11 @@ export class Nearby {
       context.arc(x, y, wide, 0, 7);
       context.fill();
     }
+    this.say();
+  }
+
+  // Where the motion is.
+  say() {
     this.state.textContent = `t = ${short(this.motion.time)}: (${this.coordinates.slice(-3).join(", ")}) = `
       + `(${this.path.at(-1).map(short).join(", ")})`;
   }

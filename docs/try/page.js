@@ -1,6 +1,8 @@
 // What the library answers, shown: blocks of sentences and formulas, verdicts, numbers with their sliders.
+import { number, positive } from "./numbers.js";
+
 const WORDS = { STABLE: ["✓", "Stable"], UNSTABLE: ["✗", "Unstable"], UNDECIDED: ["?", "Undecided"] };
-const START = { I2: "1.2", I3: "1.6", l: "0", k3: "0.5" };
+const START = new Map([["I2", "1.2"], ["I3", "1.6"], ["l", "0"], ["k3", "0.5"]]);
 
 export function element(name, attributes = {}, ...children) {
   const made = Object.assign(document.createElement(name), attributes);
@@ -8,10 +10,17 @@ export function element(name, attributes = {}, ...children) {
   return made;
 }
 
+// Without KaTeX as it is written; without its style by the browser's own mathematics.
+let output = "htmlAndMathml";
+export function unstyled() {
+  output = "mathml";
+}
+
 export function formula(latex, displayMode = false) {
   const place = element(displayMode ? "div" : "span", { className: displayMode ? "display" : "" });
   if (displayMode) place.tabIndex = 0;                  // what is wider than the page is scrolled by keys too
-  katex.render(latex, place, { displayMode, throwOnError: false });
+  if (globalThis.katex) katex.render(latex, place, { displayMode, output, throwOnError: false });
+  else place.append(element("code", {}, latex));
   return place;
 }
 
@@ -26,8 +35,9 @@ function block({ heading, level, sentence, display, title, rows }) {
       element("td", {}, ...parts(meaning)))));
 }
 
-export function shown(place, blocks) {
-  place.replaceChildren(...blocks.map(block));
+// The blocks of an answer, why there are none, or nothing.
+export function shown(place, { blocks = [], error } = {}) {
+  place.replaceChildren(...error ? [element("p", {}, error)] : blocks.map(block));
 }
 
 // A list that scrolls by itself, each equilibrium in the colour of its verdict.
@@ -35,63 +45,43 @@ function every(place, reasons, all) {
   const list = element("ol", { className: "reasons", tabIndex: 0, ariaLabel: "equilibria" });
   list.append(...all.map(({ verdict: found, blocks }) => {
     const item = element("li", { className: found.toLowerCase() });
-    shown(item, blocks);
+    shown(item, { blocks });
     return item;
   }));
-  place.className = "every";
+  place.className = "answer every";
   place.replaceChildren(
     element("p", { className: "badge" }, `${all.length} equilibri${all.length === 1 ? "um" : "a"}`));
   reasons.replaceChildren(list);
 }
 
-// The word in its place, why in another.
-export function verdict(place, reasons, { verdict: found, found: all, damped, blocks }) {
+// The word in its place, why in another; none where there is none.
+export function verdict(place, reasons, { verdict: found, found: all, damped, blocks } = {}) {
   if (all) return every(place, reasons, all);
-  const [sign, word] = WORDS[found];
-  place.className = found.toLowerCase();
+  const [sign, word] = WORDS[found] ?? ["", "No verdict"];
+  place.className = `answer ${found?.toLowerCase() ?? ""}`;
   place.replaceChildren(
     element("p", { className: "badge" }, element("span", { ariaHidden: "true" }, sign), ` ${word}`),
-    element("p", { className: "damped" }, `under internal damping: ${damped.toLowerCase()}`));
-  shown(reasons, blocks);
-}
-
-export function noVerdict(place, reasons) {
-  place.className = "";
-  place.replaceChildren(element("p", { className: "badge" }, "No verdict"));
-  reasons.replaceChildren();
+    ...damped ? [element("p", { className: "damped" }, `under internal damping: ${damped.toLowerCase()}`)] : []);
+  shown(reasons, { blocks });
 }
 
 export const word = (found) => WORDS[found][1].toLowerCase();
 
-// The double nearest to a text; of another text than 1.25 or 1/2 what the library has said. NaN of what is none.
-const said = new Map();
-export function number(text) {
-  const [above, below = "1", more] = text.split("/");
-  const value = text.trim() && !more ? Number(above) / Number(below) : NaN;
-  return Number.isNaN(value) ? said.get(text) ?? value : value;
-}
-
-// What the library says of texts; whether it tells anything.
-export function heard(values, doubles) {
-  const told = Object.entries(doubles).filter(([name]) => Number.isNaN(number(values[name])));
-  for (const [name, value] of told) said.set(values[name], value);
-  return told.length > 0;
-}
-
 function ends(name, value) {
+  if (positive.has(name) || name === "M") return [0.05, Math.max(5, 2 * value || 0)];
   if (/^[knr]\d?$/.test(name)) return [-1, 1];
-  if (/^(I\d+|M|omega0)$/.test(name)) return [0.05, Math.max(5, 2 * value || 0)];
   const most = Math.max(5, 2 * Math.abs(value) || 0);
   return [-most, most];
 }
 
 // A row for each name: its symbol, a text that is exact, a slider. changed() after each change of values.
 export function sliders(place, names, values, changed) {
-  place.replaceChildren(...names.map(({ name, tex, meaning }) => {
-    values[name] ??= START[name] ?? "1";
+  place.replaceChildren(...names.map(({ name, tex, meaning, positive: above }) => {
+    if (above) positive.add(name);
+    values[name] ??= START.get(name) ?? "1";
     const [min, max] = ends(name, number(values[name]));
     const text = element("input", { id: `value-${name}`, value: values[name], size: 8, maxLength: 500,
-      spellcheck: false, autocomplete: "off" });
+      spellcheck: false, autocomplete: "off", autocapitalize: "none" });
     const slider = element("input", { type: "range", min, max, step: 0.01, ariaLabel: `${name}, slider` });
     text.oninput = () => { values[name] = text.value; placed(place); changed(); };
     slider.oninput = () => { values[name] = text.value = slider.value; changed(); };

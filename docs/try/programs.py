@@ -145,6 +145,10 @@ def steps_to(expressions: Iterable[Expr]) -> Data:
 
 def _refuse(report: Report, axes: Sequence[str]) -> None:
     """Refuse what is no chart of free names."""
+    if len(report.required) < 2:
+        raise ScopeError("a chart is over two numbers, and a verdict here needs "
+                         f"{report.required[0] if report.required else 'none'} alone: write a letter in the "
+                         "place of another number")
     margins = [*expressions(report.sufficient), *expressions(report.necessary)]
     names = {s.name for e in margins for s in e.free_symbols}
     if axes[0] == axes[1]:

@@ -59,6 +59,9 @@ def answer(question: str) -> str:
         return json.dumps(WANTED[asked["want"]](chosen(without), given, *asked.get("more", ())))
     except GyrostatError as error:
         return json.dumps({"error": str(error)})
+    except MemoryError:
+        return json.dumps({"error": "this needs more memory than a page has: write it more simply, or ask "
+                                    "the library on your own machine"})
     except Exception as error:                         # whatever is typed, the page goes on
         return json.dumps({"error": f"internal error, {type(error).__name__}: {str(error)[:200]}; it is a "
                                     "bug, please report it"})
@@ -213,7 +216,7 @@ def _copied(asked: Chosen, given: Mapping[str, str]) -> Data:
     values = _own(asked, given)
     table = {**asked.table, **({"equilibrium": asked.name} if asked.family else {})}
     found = {"python": program(asked.scene, asked.family, asked.table, values),
-             "scene": scene_file(table, values)}
+             "scene": scene_file(table, values, asked.name if asked.every else "")}
     blocks = ([block for _, its in import_module("every").listed(asked.scene, values) for block in its]
               if asked.every else conditions_blocks(asked.report))
     return {"latex": latex(asked.scene, blocks), **found}

@@ -16,12 +16,19 @@ from gyrostat.printing.symbols import symbol_rows
 OWN = {"M": "length of the total angular momentum", "sigma": "multiplier of |k| = 1"}
 
 
-def named(scene: System, name: str, names: Names) -> dict[str, str]:
-    """A symbol, how it is set, and what it is in a scene."""
+def named(scene: System, name: str, names: Names) -> dict[str, Any]:
+    """A symbol, how it is set, what it is in a scene, and whether its numbers are positive."""
     known = NOTATION[name].meaning if name in NOTATION else OWN.get(name, "")
     said = next((said for left, said in symbol_rows(scene, [name]).rows
                  if left in ((symbol(name),), (symbol(name), " > 0"))), (known,))
-    return {"name": name, "tex": tex(symbol(name), names), "meaning": "".join(map(str, said))}
+    return {"name": name, "tex": tex(symbol(name), names), "positive": bool(symbol(name).is_positive),
+            "meaning": "".join(map(str, said)) + _not_another(name)}
+
+
+def _not_another(name: str) -> str:
+    """That a visitor's own name is not the one of the notation with other capitals; "" if there is none."""
+    other = next((known for known in NOTATION if known.casefold() == name.casefold()), name)
+    return f"; not {other}: capitals count in names" if other != name else ""
 
 
 def typeset(blocks: Iterable[Block]) -> list[dict[str, Any]]:

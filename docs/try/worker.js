@@ -3,6 +3,24 @@ import { loadPyodide } from "./runtime/pyodide.mjs";
 import "./runtime/xz.js";
 
 const say = (step) => postMessage({ step });
+const fail = (error) => postMessage({ failed: error.message });
+
+// Pyodide waits without end for a file of its own that does not come: whatever fails here ends the start.
+self.onunhandledrejection = ({ reason }) => fail(reason);
+const fetched = self.fetch.bind(self);
+self.fetch = async (address, options) => {
+  const name = new URL(address.url ?? address, self.location).pathname.split("/").at(-1);
+  const response = await fetched(address, options).catch((error) => error);
+  if (response.ok) return response;
+  const error = new Error(`${name}: ${response.status ?? "it did not come, or not whole"}`);
+  fail(error);
+  throw error;
+};
+const compile = WebAssembly.instantiateStreaming;
+WebAssembly.instantiateStreaming = (...given) => compile(...given).catch((error) => {
+  fail(error);
+  throw error;
+});
 
 // A file that is listed, decompressed; where the browser lets a page keep something, it is kept so.
 async function unpacked(files, name) {
@@ -11,7 +29,6 @@ async function unpacked(files, name) {
   const kept = await store?.match(address);
   if (kept) return kept.arrayBuffer();
   const response = await fetch(address, { integrity });
-  if (!response.ok) throw new Error(`${name}: ${response.status}`);
   const { XzReadableStream } = self["xz-decompress"];
   const data = await new Response(new XzReadableStream(response.body)).arrayBuffer();
   keep(store, address, data.slice()).catch(() => {});   // a browser that is full starts without
@@ -49,8 +66,9 @@ async function started() {
 
 try {
   const answer = await started();
+  self.onunhandledrejection = null;
   onmessage = ({ data: { id, question } }) => postMessage({ id, answer: answer(question) });
   postMessage({ ready: true });
 } catch (error) {
-  postMessage({ failed: error.message });
+  fail(error);
 }

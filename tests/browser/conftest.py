@@ -9,7 +9,7 @@ if not FOLDER:
     collect_ignore_glob = ["*"]
 else:
     import pytest
-    from bench_page import profile, served
+    from bench_page import CHROMIUM, NO_OTHER_HOST, profile, served
     from playwright.sync_api import sync_playwright
 
     @pytest.fixture(scope="session")
@@ -18,9 +18,21 @@ else:
             yield place
 
     @pytest.fixture(scope="session")
-    def context():
+    def playwright():
+        with sync_playwright() as found:
+            yield found
+
+    @pytest.fixture
+    def stranger(playwright):
+        """A browser of its own, which keeps nothing and whose network may be lost."""
+        options = {"executable_path": CHROMIUM, "args": ["--no-sandbox", NO_OTHER_HOST]}
+        with playwright.chromium.launch(**options) as browser:
+            yield browser.new_context()
+
+    @pytest.fixture(scope="session")
+    def context(playwright):
         """A browser, with the addresses that it asked for and the errors of its pages."""
-        with sync_playwright() as playwright, profile(playwright) as browser:
+        with profile(playwright) as browser:
             browser.asked, browser.errors = [], []
             browser.set_default_timeout(60_000)
             browser.on("request", lambda request: browser.asked.append(request.url))

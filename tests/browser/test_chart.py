@@ -8,10 +8,8 @@ from random import Random
 
 import pytest
 import session
-from driving import picked, shown, typed
+from driving import AGREE, picked, pixels, shown, typed
 from mpmath import mp, mpf
-
-from gyrostat.errors import GyrostatError
 
 EXAMPLES = json.loads((Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))
 DRAWN = """places => new Promise(done => setTimeout(() => {
@@ -28,7 +26,6 @@ DRAWN = """places => new Promise(done => setTimeout(() => {
     const colours = places.map(([x, y]) => data.slice(4 * (400 * y + x), 4 * (400 * y + x) + 3).join());
     done({ colours, key, ranges, values });
 }, 300))"""
-AGREE = {"stable": {"STABLE"}, "unstable": {"UNSTABLE"}, "open": {"STABLE", "UNSTABLE", "UNDECIDED"}}
 
 
 BOUNDS = """async (questions) => {
@@ -68,21 +65,9 @@ def test_the_colour_of_each_pixel(page, number, axes):
 
 def pixels_agree(report, places, drawn):
     """How often each colour was seen, and the library says what it says."""
-    words, seen = dict(drawn["key"]), Counter()
-    for place, colour in zip(places, drawn["colours"], strict=True):
-        word = words.get(colour, "unknown")              # else the cross, or a dot
-        if word == "unknown":
-            continue
-        shares = (place[0] + 0.5) / 400, (399 - place[1] + 0.5) / 400
-        values = {name: text for name, text in drawn["values"].items() if name in report.required}
-        for (name, low, high), share in zip(drawn["ranges"], shares, strict=True):
-            values[name] = str(Fraction(float(low) + (float(high) - float(low)) * share))
-        try:
-            verdict = report.verdict(values).verdict.name
-        except GyrostatError:
-            assert word == "nowhere", values
-        else:
-            assert verdict in AGREE[word], (word, verdict, values)
+    seen = Counter()
+    for word, verdict, values in pixels(report, places, drawn):
+        assert verdict in AGREE[word], (word, verdict, values)
         seen[word] += 1
     return seen
 
@@ -169,3 +154,37 @@ def test_a_picture_follows_its_numbers_and_says_why_there_is_none(page):
     picked(page, 8)
     page.wait_for_selector("#no-chart:has-text('bound to each other')")
     assert page.is_hidden("#chart")
+
+
+def test_two_axes_differ(page, context):
+    """After another scene has taken the name of one, and where a link names one twice."""
+    picked(page, 9)
+    for across, upwards in (("I3", "l"), ("l", "omega0"), ("omega0", "l"), ("omega0", "I1")):
+        typed(page, "orbit", "omega0")
+        page.select_option("#across", across)
+        page.select_option("#upwards", upwards)
+        assert typed(page, "orbit", "mu=398600.4418 km^3/s^2, radius=6778 km")[1] == ""
+        page.wait_for_selector("#chart:visible")
+        axes = [page.input_value("#across"), page.input_value("#upwards")]
+        assert len({*axes, "omega0"}) == 3 and [axis for axis in (across, upwards) if axis in axes] == [
+            axis for axis in (across, upwards) if axis != "omega0"]
+        assert page.inner_text("#no-chart") == ""
+    page.evaluate("location.hash = location.hash.replace(/axes=[^&]*/, 'axes=l,l')")
+    shown(page)
+    assert page.input_value("#across") != page.input_value("#upwards")
+
+
+def test_a_chart_over_one_number_is_none(page):
+    """It says which number alone a verdict needs."""
+    picked(page, 5)
+    typed(page, "inertia", "1, 2, 5/2")
+    page.wait_for_selector("#no-chart:has-text('a verdict here needs omega2_0 alone')")
+
+
+def test_pictures_take_numbers_as_the_library_does(page):
+    """Of what it refuses there is no picture."""
+    for text in ("0x10", "0b11", "1_0", "Infinity", "-1", "0"):
+        assert typed(page, "value-I1", text)[1] != ""
+        assert page.inner_text("#no-chart") == "a picture needs numbers, and possible ones"
+        assert page.inner_text("#no-motion") == "a motion needs numbers, and possible ones"
+    assert typed(page, "value-I1", ".5e1")[1] == "" and page.inner_text("#no-chart") == ""

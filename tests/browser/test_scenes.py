@@ -106,6 +106,66 @@ def test_what_is_refused_has_no_verdict(page):
     assert typed(page, "potential", "m0*k3") == ("Stable", "")
 
 
+def test_a_name_of_javascripts_own_objects_is_a_name(page, context):
+    """With a number of its own, a slider, and a place in a link."""
+    errors = len(context.errors)
+    for name in ("toString", "valueOf", "hasOwnProperty", "constructor"):
+        assert typed(page, "potential", f"{name}*k3") == ("Stable", "")
+        assert page.input_value(f"#value-{name}") == "1"
+        assert typed(page, f"value-{name}", "2") == ("Unstable", "")
+    page.click("[data-copy=link]")
+    other = context.new_page()
+    other.goto(page.input_value("#copied"))
+    other.wait_for_selector("body[aria-busy=false] .badge")
+    assert shown(other) == ("Unstable", "") and other.input_value("#value-constructor") == "2"
+    other.close()
+    assert context.errors[errors:] == []
+
+
+def test_numbers_that_a_link_gives_to_no_name_harm_nothing(page, context):
+    """Not the prototype of an object either."""
+    errors = len(context.errors)
+    page.click("[data-copy=link]")
+    with page.expect_event("framenavigated"):
+        page.evaluate("""location.hash = new URL(document.getElementById("copied").value).hash
+            + "&set=__proto__%3D1&set=constructor%3D2&set=l%3D1/3" """)
+    assert shown(page) == ("Stable", "") and page.input_value("#value-l") == "1/3"
+    assert context.errors[errors:] == []
+
+
+def test_capitals_count_and_the_page_says_so(page):
+    """M0 is another name than m0, which a phone's keyboard makes of it; its keyboards are asked not to."""
+    assert typed(page, "potential", "M0*k3")[1] == ""
+    assert "not m0: capitals count" in page.inner_text(".value:has(#value-M0)")
+    assert page.evaluate("""[...document.querySelectorAll("input:not([type=range], [type=radio])")].every(
+        (input) => input.autocapitalize === "none")""")
+
+
+def test_what_was_copied_goes_with_its_scene(page):
+    """Its text does not stand beside another one."""
+    page.click("[data-copy=python]")
+    shown(page)
+    assert "gs.axial_potential(k3*m0)" in page.input_value("#copied")
+    for field, text in (("value-l", "1/2"), ("potential", "m0*k3^2")):
+        page.fill(f"#{field}", text)
+        assert page.is_hidden("#copied") and page.input_value("#copied") == ""
+        shown(page)
+        page.click("[data-copy=python]")
+        assert page.is_visible("#copied") or shown(page)
+
+
+def test_a_refused_field_ends_chart_and_motion(page):
+    """They say why there is none, and come back with the next field."""
+    page.wait_for_selector("#motion:visible")
+    for refused in ("m0*", "m0"):
+        assert typed(page, "potential", refused)[1] != ""
+        assert page.is_hidden("#chart") and page.is_hidden("#motion")
+        assert "no answer" in page.inner_text("#no-chart") and "no answer" in page.inner_text("#no-motion")
+    assert typed(page, "potential", "m0*k3") == ("Stable", "")
+    page.wait_for_selector("#chart:visible")
+    page.wait_for_selector("#motion:visible")
+
+
 def test_arrows_go_through_the_equilibria(page):
     """The one that is chosen keeps the focus."""
     page.focus("input[value=E1]")

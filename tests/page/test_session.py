@@ -13,6 +13,7 @@ from compiled import MORE
 from fuzz_texts import drawn
 
 import gyrostat as gs
+from gyrostat.cli.parser import main
 from gyrostat.mechanics.scene_tables import SceneTable
 
 TRY = Path(session.__file__).parent
@@ -90,6 +91,55 @@ def test_what_is_copied_gives_the_same(scene):
     assert gs.analyze(asked.report.equilibrium).verdict(read.table["values"]).verdict.name == verdict
     shown = [block["display"] for block in answered("analysed", scene)["conditions"] if "display" in block]
     assert any(formula in copied["latex"] for formula in shown) or not shown
+
+
+LEVELS = [({}, "every omega", {"omega": "2"}), ({}, "every k3", {"k3": "1/2"}),
+          ({}, "every pi3_0 C1", {"pi3_0": "2", "C1": "1"}),
+          ({"potential": "c1*k1 + c3*k3", "inertia": ["I1", "I2", "I3"]}, "every C1",
+           {"I2": "1.2", "c1": "1/2", "c3": "1", "C1": "1/4"}),
+          ({"potential": "none", "inertia": ["I1", "I2", "I3"]}, "every M", {"I2": "1.2", "M": "5/2"}),
+          ({"potential": "none", "orbit": "omega0", "inertia": ["I1", "I2", "I3"]}, "every",
+           {"I2": "1.2", "omega0": "1"})]
+
+
+@pytest.mark.parametrize("table, every, values", LEVELS, ids=[every for _, every, _ in LEVELS])
+def test_a_copied_scene_file_keeps_the_level_that_was_asked(table, every, values, tmp_path, capsys):
+    """It says which, and `decide` answers it with the same verdicts as the page."""
+    scene = {**TOP, **table, "equilibrium": every,
+             "values": {"I1": "1", "I3": "1.6", "l": "0", "m0": "1", **values}}
+    copied = answered("copied", scene)["scene"]
+    level = ", ".join(f"{name} = {values[name]}" for name in every.split()[1:])
+    assert copied.startswith(f"# every equilibrium{f' at {level}' if level else ''}: gyrostat decide --scene")
+    file = tmp_path / "scene.toml"
+    file.write_text(copied, encoding="utf-8")
+    assert main(["decide", "--scene", str(file), "--format", "json"]) == 0
+    decided = [found["decision"]["verdict"] for found in json.loads(capsys.readouterr().out)["equilibria"]]
+    assert sorted(decided) == sorted(found["verdict"] for found in answered("decided", scene)["found"])
+
+
+def test_a_level_on_two_lines_stays_in_its_comment():
+    """What is typed does not leave it."""
+    scene = {**TOP, "equilibrium": "every k3", "values": {**TOP["values"], "k3": "1\n/2"}}
+    copied = answered("copied", scene)["scene"]
+    assert copied.startswith("# every equilibrium at k3 = 1 /2: ") and tomllib.loads(copied)["scene"]["mine"]
+
+
+def test_memory_that_is_not_there_is_said(monkeypatch):
+    """It is no bug to be reported."""
+    def full(*_):
+        raise MemoryError
+    monkeypatch.setitem(session.WANTED, "decided", full)
+    said = answered("decided", TOP)["error"]
+    assert "more memory" in said and "bug" not in said
+
+
+@pytest.mark.parametrize("name, said", [
+    ("M0", "not m0"), ("L", "not l"), ("Omega0", "not omega0"), ("m0", ""), ("mass", "")])
+def test_a_name_in_other_capitals_says_which_it_is_not(name, said):
+    """Beside its number."""
+    found = answered("analysed", {**TOP, "potential": f"{name}*k3"})
+    meaning = next(entry["meaning"] for entry in found["names"] if entry["name"] == name)
+    assert (f"; {said}: capitals count in names" in meaning) if said else ("capitals" not in meaning)
 
 
 @pytest.mark.parametrize("change, said", [

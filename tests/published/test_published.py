@@ -180,7 +180,8 @@ def test_pages_count_the_statements():
     counts = [len(load(source).statements) for source in SOURCES]
     page, results = ((PAGES / name).read_text(encoding="utf-8")
                      for name in ("docs/reference/published.md", "benchmarks/RESULTS.md"))
-    assert f"four sources print, and {sum(counts[4:])} results of the literature beside them, in three" in page
+    assert f"four sources print, and {sum(counts[4:])} results of the literature beside them, in three" \
+        in page
     assert f"there are {sum(counts)} and " in results
 
 

@@ -13,6 +13,7 @@ from .latex import RELATIONS, display, formula, tex
 from .linebreaks import broken, width
 from .names import PLAIN, Names, Paper
 from .references import cited
+from .words import words
 
 LINE, NARROW = 440.0, 315.0                                # points: a line of a document, of a fragment
 _SYMBOLS = 0.22, 0.72                                      # of a line: symbols, what they are
@@ -138,19 +139,8 @@ def inline(formula: str) -> str:
 
 
 def _words(text: str) -> str:
-    """Prose in LaTeX, in ASCII; an expression in it stands as it is typed."""
-    text = (
-        text.replace("\\", r"\char92 ")
-        .replace("^", r"\char94 ")
-        .replace("~", r"\char126 ")
-        .replace("…", r"\ldots ")
-    )
-    for sign in "_%#$":
-        text = text.replace(sign, rf"\{sign}")
-    for sign in ("<", ">", *RELATIONS):
-        text = text.replace(f" {sign} ", f" ${RELATIONS.get(sign, sign)}$ ")
-    text = re.sub(r"\S{30,}", lambda word: word[0].replace(",", r",\allowbreak "), text)    # a typed list
-    return text.replace("&", r"\&").replace("§", r"\S").replace("í", r"\'{\i}").replace("é", r"\'e")
+    """Prose in LaTeX; a typed list in it is broken at its commas."""
+    return re.sub(r"\S{30,}", lambda word: word[0].replace(",", r",\allowbreak "), words(text))
 
 
 def to_latex(obj: Any, symbols: Mapping[Any, str] | None = None, label: str = "gyrostat") -> str:

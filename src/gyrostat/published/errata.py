@@ -9,6 +9,7 @@ from ..errors import ExpressionError
 from ..printing.article import preamble
 from ..printing.latex import formula, tex
 from ..printing.names import PLAIN, Names, Paper
+from ..printing.words import words
 from ..stability.conditions import Criterion
 from .checks import Finding, source_of
 from .listing import NOT_SHARP, SCENE, as_text, number, place, rows
@@ -24,7 +25,7 @@ def _latex(printed: Any, names: Names, at: Any) -> str:
     try:
         return formula_of(printed, names, at)
     except ExpressionError:                                # a verdict in words
-        return rf"\text{{{_tex(printed)}}}"
+        return rf"\text{{{words(printed)}}}"
 
 
 def _about(f: Finding, names: Names, at: Any) -> str:
@@ -32,7 +33,7 @@ def _about(f: Finding, names: Names, at: Any) -> str:
     quantity = f.statement.quantity
     if f.statement.kind in ("identity", "family", "number", "solution") and quantity != "0":
         return f"${_latex(quantity, names, at)}$"
-    return _tex(quantity) if isinstance(quantity, str) and quantity != "0" else "$0$"
+    return words(quantity) if isinstance(quantity, str) and quantity != "0" else "$0$"
 
 
 def latex(findings: Iterable[Finding], paper: Paper = PLAIN) -> str:
@@ -42,7 +43,7 @@ def latex(findings: Iterable[Finding], paper: Paper = PLAIN) -> str:
                             key=lambda f: f.statement.source):
         found = list(group)
         source = source_of(found[0])
-        title = rf"\rule{{0pt}}{{3ex}}\textbf{{{_tex(source.name)}}}: {_tex(source.title)}"
+        title = rf"\rule{{0pt}}{{3ex}}\textbf{{{words(source.name)}}}: {words(source.title)}"
         body += [rf"\multicolumn{{3}}{{@{{}}p{{0.96\textwidth}}@{{}}}}{{{title}}}\\[1ex]"]
         body += [_erratum(f, names) for f in found]
     table = "\n".join(
@@ -62,7 +63,7 @@ def latex(findings: Iterable[Finding], paper: Paper = PLAIN) -> str:
     )
     names.check(whole=True)
     if paper.symbols:                                      # prose keeps the names of the grammar
-        said = ", ".join(f"{_tex(name)} is ${symbol}$" for name, symbol in paper.symbols.items())
+        said = ", ".join(f"{words(name)} is ${symbol}$" for name, symbol in paper.symbols.items())
         table = rf"\noindent In what is said in words, {said}.\par" + "\n" + table
     if paper.fragment:
         return "% needs amsmath, array and longtable\n" + table
@@ -79,49 +80,25 @@ def _erratum(f: Finding, names: Names) -> str:
             lines.append(rf"\textbf{{printed}} ${_latex(printed, names, at)}$")
         lines.append(rf"{label}\textbf{{right}} {_right(right, names, at, f)}")
     if f.statement.note:
-        lines.append(rf"\emph{{{_tex(f.statement.note)}}}")
+        lines.append(rf"\emph{{{words(f.statement.note)}}}")
     example = ""
     if c := f.outcome.counterexample or f.outcome.not_sharp:
         values = ", ".join(f"${names.of(n) if n.isidentifier() else n} = {formula(v, names)}$"
                            for n, v in c.values) or SCENE
         example = f"{NOT_SHARP} " if f.outcome.not_sharp else ""
         example += (
-            f"{values}: printed {_value(c.printed)}, derived {_value(c.derived)}; {_tex(c.confirmation)}"
+            f"{values}: printed {_value(c.printed)}, derived {_value(c.derived)}; {words(c.confirmation)}"
         )
-    where = rf"{_tex(f.statement.where)} \newline \textsf{{{_tex(f.statement.key)}}}"
+    where = rf"{words(f.statement.where)} \newline \textsf{{{words(f.statement.key)}}}"
     shown = r" \newline ".join(lines)
     return rf"{where} & {shown} & {example} \\[2ex]"
 
 
 def _right(value: Any, names: Names, at: Any, f: Finding) -> str:
     if isinstance(value, (str, list)):
-        return f"${_latex(value, names, at)}$" if f.outcome.corrected is not None else _tex(as_text(value))
+        return f"${_latex(value, names, at)}$" if f.outcome.corrected is not None else words(as_text(value))
     return f"${formula(value, names)}$" if isinstance(value, Criterion) else f"${tex(value, names, at)}$"
 
 
 def _value(value: Any) -> str:
-    return f"${formula(value)}$" if isinstance(value, Expr) and value.is_Rational else _tex(number(value))
-
-
-_UNICODE = {
-    "−": r"$-$", "′": r"$\prime$", "″": r"$\prime\prime$", "²": r"$^2$", "³": r"$^3$", "⁴": r"$^4$",
-    "⁻": r"$^-$", "¹": r"$^1$", "⁰": r"$^0$", "₀": r"$_0$", "₁": r"$_1$", "₂": r"$_2$", "₃": r"$_3$",
-    "≥": r"$\geq$", "≤": r"$\leq$", "≠": r"$\neq$", "×": r"$\times$", "·": r"$\cdot$", "Σ": r"$\Sigma$",
-    "√": r"$\surd$", "±": r"$\pm$", "π": r"$\pi$", "ω": r"$\omega$", "Ω": r"$\Omega$", "φ": r"$\varphi$",
-    "ψ": r"$\psi$", "θ": r"$\theta$", "λ": r"$\lambda$", "ν": r"$\nu$", "σ": r"$\sigma$",
-    "δ": r"$\delta$", "τ": r"$\tau$", "ε": r"$\varepsilon$", "α": r"$\alpha$", "μ": r"$\mu$",
-    "κ": r"$\kappa$", "Φ": r"$\Phi$", "∇": r"$\nabla$", "∂": r"$\partial$", "§": r"$\text{\S}$",
-    "ẑ": r"$\hat z$", "ê": r"$\hat e$"}
-_SPECIAL = {"$": r"\$", "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}",
-            "_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "^": r"\^{}", "<": "$<$", ">": "$>$", "|": "$|$"}
-
-
-_LATIN = "áéíóúñüÁÉÍÓÚÑÜçàèìòùâêîôûäëïöøåßæ¿¡’–—…"
-
-
-def _tex(words: str) -> str:
-    """Words in LaTeX: special characters, and the Unicode of formulas in prose."""
-    dotted = words.replace("ψ̇", "\0").replace("φ̇", "\1")
-    shown = "".join(_UNICODE.get(c, _SPECIAL.get(c, c if c.isascii() or c in _LATIN else "?"))
-                    for c in dotted)
-    return shown.replace("\0", r"$\dot\psi$").replace("\1", r"$\dot\varphi$").replace("$$", "")
+    return f"${formula(value)}$" if isinstance(value, Expr) and value.is_Rational else words(number(value))

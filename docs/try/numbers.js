@@ -1,0 +1,24 @@
+// Numbers as the library reads them: what is typed stays a text, and pictures need the double nearest to it.
+
+// A decimal, or a fraction whose parts are doubles, in the library's grammar: it has no 0x10 and no Infinity.
+const PLAIN = /^ *[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|\d{1,15} *\/ *\d{1,15}) *$/;
+const said = new Map();
+
+// The double nearest to a text; of another text than 1.25 or 1/2 what the library has said. NaN of what is none.
+export function number(text = "") {
+  if (!PLAIN.test(text)) return said.get(text) ?? NaN;
+  const [above, below = "1"] = text.split("/");
+  return Number(above) / Number(below);
+}
+
+// What the library says of texts.
+export function heard(values, doubles) {
+  for (const [name, value] of Object.entries(doubles)) said.set(values[name], value);
+}
+
+// Names that the library takes as positive; a number of theirs that is not is none.
+export const positive = new Set();
+export const possible = (name, text) => {
+  const value = number(text);
+  return positive.has(name) && value <= 0 ? NaN : value;
+};
