@@ -160,18 +160,17 @@ def between(a: Expr, b: Expr) -> Rational:
     """A rational number between two exact ones, a short one."""
     if a == -oo and b == oo:
         return S.Zero
-    if a == -oo or b == oo:
-        edge = ball(b, 64).lower().floor() - 1 if a == -oo else ball(a, 64).upper().ceil() + 1
-        return Rational(int(edge.unique_fmpz()))
+    if a == -oo:
+        return S(floor(_side(b, 64, -1)) - 1)
+    if b == oo:
+        return S(floor(_side(a, 64, 1)) + 1)
     precision = 64
-    while not (low := _side(a, precision, 1)) < _side(b, precision, -1):
+    while not (low := _side(a, precision, 1)) < (high := _side(b, precision, -1)):
         precision *= 2
-    bits = 0
-    while True:                                            # the first dyadic number that lies between
-        bits += 1
-        candidate = Rational(floor(low * 2**bits) + 1, 2**bits)
-        if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
-            return candidate
+    bits = 1
+    while not (candidate := Rational(floor(low * 2**bits) + 1, 2**bits)) < high:
+        bits += 1                                          # the first dyadic number that lies between
+    return candidate
 
 
 def _side(number: Expr, precision: int, side: int) -> Rational:
