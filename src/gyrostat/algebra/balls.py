@@ -93,7 +93,7 @@ def dyadic(enclosure: arb, small: Fraction) -> Fraction | None:
     """A fraction within a small distance of an enclosed number."""
     if not enclosure.is_finite() or fraction_of(enclosure.rad()) > small / 2:
         return None
-    n = max(0, math.ceil(-math.log2(small)) + 2) if small < 1 else 2
+    n = max(2, small.denominator.bit_length() - small.numerator.bit_length() + 3)
     return Fraction(round(fraction_of(enclosure.mid()) * 2**n), 2**n)
 
 
@@ -101,3 +101,15 @@ def fraction_of(exact: arb) -> Fraction:
     """The number that a ball without a radius is."""
     mantissa, exponent = exact.man_exp()
     return int(mantissa) * Fraction(2) ** int(exponent)
+
+
+def ends(enclosure: arb) -> tuple[Fraction, Fraction]:
+    """The lower and the upper end of a ball, exact, where those of python-flint are rounded.
+
+    Examples
+    --------
+    >>> ends(interval(Fraction(10**30), Fraction(10**30 + 1)))[1] > 10**30
+    True
+    """
+    middle, radius = fraction_of(enclosure.mid()), fraction_of(enclosure.rad())
+    return middle - radius, middle + radius

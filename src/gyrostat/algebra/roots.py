@@ -11,10 +11,9 @@ from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor
 
 from ..errors import ScopeError
 from .algebraic import is_algebraic
-from .balls import ball
+from .balls import ball, ends
 from .exact import proved_sign, sign_of_constant
 from .polynomials import Ring, by_degree
-from .precision import own_precision
 
 FEW = 3                                                # numbers of which a norm is soon taken
 MODERATE = 9                                           # powers of ten of roots that are left as they are
@@ -175,14 +174,9 @@ def between(a: Expr, b: Expr) -> Rational:
 
 
 def _side(number: Expr, precision: int, side: int) -> Rational:
-    """The upper or lower end of an enclosure, exact.
-
-    The ends of balls are rounded to the precision of the context.
-    """
-    with own_precision(precision):
-        enclosure = ball(number, precision)
-        mantissa, exponent = (enclosure.upper() if side > 0 else enclosure.lower()).man_exp()
-        return Rational(int(mantissa)) * Rational(2) ** int(exponent)
+    """The upper or lower end of an enclosure, exact."""
+    end = ends(ball(number, precision))[side > 0]
+    return Rational(end.numerator, end.denominator)
 
 
 def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
