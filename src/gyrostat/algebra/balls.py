@@ -12,6 +12,7 @@ from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, Symbol
 from .algebraic import real_root
 from .precision import own_precision
 
+FARTHEST = 8192                                        # bits at which a number is told from 0
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 _FUNCTIONS = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
@@ -32,6 +33,20 @@ def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHIN
     """
     with own_precision(precision):
         return +_ball(expression, values)
+
+
+def accurate(number: Expr, bits: int) -> arb:
+    """Enclosure of an exact number to so many significant bits; 0 of one that is not told from it.
+
+    Examples
+    --------
+    >>> sum(accurate(sympy.sqrt(10**80 + 1) - 10**40, 60).man_exp()) != 0
+    True
+    """
+    precision = max(128, 2 * bits)
+    while (enclosure := ball(number, precision)).rel_accuracy_bits() < bits and precision < FARTHEST:
+        precision *= 2
+    return arb(0) if enclosure.contains(0) else enclosure
 
 
 def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:

@@ -8,6 +8,17 @@ from flint import ctx
 ONE_AT_A_TIME = threading.RLock()                      # held by every computation of ours with enclosures
 
 
+def doubled(bits: int) -> list[int]:
+    """So many bits, and twice as often as it is worth while before a number is asked for as an expression.
+
+    Examples
+    --------
+    >>> doubled(100)
+    [100, 200, 400, 800, 1600]
+    """
+    return [bits * 2**n for n in range(5)]
+
+
 @contextmanager
 def own_precision(bits: int) -> Iterator[None]:
     """Every enclosure that is computed inside has so many bits, whatever other threads compute.

@@ -7,16 +7,16 @@ from collections.abc import Mapping, Sequence
 from functools import cmp_to_key
 
 from flint import arb, fmpq, fmpq_mpoly, fmpq_poly
-from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
+from sympy import Add, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
 
 from ..errors import ScopeError
 from .algebraic import is_algebraic
 from .balls import ball, ends
-from .exact import proved_sign, sign_of_constant
+from .exact import proved_sign
 from .polynomials import Ring, by_degree
+from .root_numbers import roots_of
 
 FEW = 3                                                # numbers of which a norm is soon taken
-MODERATE = 9                                           # powers of ten of roots that are left as they are
 
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
@@ -205,21 +205,6 @@ def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -
 
 
 def roots_of_factor(factor: fmpq_poly) -> list[Expr]:
-    """The real roots of an irreducible polynomial.
-
-    If they are very large or small, each is a power of ten times a root near 1, which SymPy isolates soon.
-    """
+    """The real roots of an irreducible polynomial."""
     c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
-    if len(c) <= 3:
-        return _solved(c)
-    real = sum(root.imag == 0 for root, _ in factor.numer().complex_roots())
-    unit = Rational(10) ** _order(c[0] / c[-1], len(c) - 1)
-    near = Poly([a * unit**n for n, a in enumerate(c)][::-1], Symbol("x"))
-    return [unit * CRootOf(near, n) for n in range(real)]
-
-
-def _order(product: Rational, degree: int) -> int:
-    """The power of ten of the geometric mean of the roots, whose product is given; 0 if it is moderate."""
-    bits = int(abs(product.p)).bit_length() - int(product.q).bit_length()
-    order = round(bits * math.log10(2) / degree)
-    return order if abs(order) > MODERATE else 0
+    return _solved(c) if len(c) <= 3 else roots_of(c)
