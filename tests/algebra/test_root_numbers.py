@@ -14,7 +14,7 @@ def value(coefficients, x):
 
 @pytest.mark.parametrize("a", [3, 10**4, 10**15, 10**30], ids="{:.0e}".format)
 def test_roots_that_are_close_to_one_another(a):
-    """x⁵ − 2 (a x − 1)² has two roots 1/a ± δ, δ² a⁷ = 1/2: to 40 digits each, with a change of sign around it.
+    """x⁵ − 2 (a x − 1)² has two roots 1/a ± δ, δ² a⁷ = 1/2: each to 100 digits.
 
     References
     ----------
