@@ -216,8 +216,10 @@ def test_a_component_of_the_size_of_a_rounding(capsys):
         status, out, _ = run(capsys, "--orbit", "1", "--inertia", "1.1,3/2,2",
                              f"--gyrostatic-momentum=-2,1e-{power},-1/3", verb="decide")
         assert status == 0 and out.count("Verdict") == 12
-        shown.append(re.sub(r"e−\d\d", "", out).splitlines())
-    assert shown[0] == shown[1]
+        shown.append((re.sub(r"\d\.\d+(e−\d\d)?", "", out),
+                      [float(digits) for digits in re.findall(r"(\d\.\d+)", out)]))
+    assert shown[0][0] == shown[1][0]
+    assert shown[0][1] == pytest.approx(shown[1][1], rel=1e-10)            # 12 digits are printed
 
 
 @pytest.mark.parametrize(("verb", "options"), [
