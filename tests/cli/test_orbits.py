@@ -209,6 +209,7 @@ def test_pictures_of_other_scenes(capsys, file, tmp_path, kind, more):
     assert "orbit" in err or "direction" in err
 
 
+@pytest.mark.slow
 def test_a_component_of_the_size_of_a_rounding(capsys):
     """n₂ and r₂ are linear in it: the same digits with 10⁻¹⁵ and with 10⁻³⁰, and the same verdicts."""
     shown = []
