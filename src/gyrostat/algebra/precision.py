@@ -5,6 +5,9 @@ from contextlib import contextmanager
 
 from flint import ctx
 
+from ..errors import ValuesError, brief
+
+MOST = 10**6                                           # bits
 ONE_AT_A_TIME = threading.RLock()                      # held by every computation of ours with enclosures
 
 
@@ -29,10 +32,16 @@ def own_precision(bits: int) -> Iterator[None]:
     Parameters
     ----------
     bits : int
+        from 2 up to a million
 
     Returns
     -------
     context manager
+
+    Raises
+    ------
+    ValuesError
+        another number of bits, or no whole number
 
     Examples
     --------
@@ -42,5 +51,7 @@ def own_precision(bits: int) -> Iterator[None]:
     ...     ctx.prec
     100
     """
+    if type(bits) is not int or not 2 <= bits <= MOST:
+        raise ValuesError(f"bits = {brief(bits)} is no whole number from 2 to {MOST}: give 53, say")
     with ONE_AT_A_TIME, ctx.workprec(bits):
         yield

@@ -8,6 +8,7 @@ from sympy import Expr
 
 from ..algebra.balls import accurate
 from ..algebra.floats import Array, in_floats
+from ..arguments import checked
 from ..errors import optional
 from ..mechanics.potential import DIRECTIONS
 from ..mechanics.system import System
@@ -25,6 +26,7 @@ ROUNDS, CLOSE = 30, 1e-15                                  # of Newton's method;
 SHAPES = {"minimum": "v", "saddle": "D", "maximum": "^", "degenerate": "o"}
 
 
+@checked
 def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = None, ax: Any = None,
                            **kwargs: Any) -> Any:
     """Draw U + (C1 − l·k)²/(2 k·Ik) on the sphere abs(k) = 1, seen as ax.view_init says.

@@ -6,6 +6,7 @@ from typing import Any
 from sympy import Expr
 
 from ..algebra.exact import Point
+from ..arguments import checked
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
@@ -92,6 +93,7 @@ class Report(Derived):
                         sources(self.equilibrium, margins, (self.sufficient, self.necessary)),
                         found.pointwise, found.certificate, found.rung)
 
+    @checked
     def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
         """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
 
@@ -131,6 +133,7 @@ class Report(Derived):
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
         return normal_form(self.equilibrium, numbers, degree)
 
+    @checked
     def window(self, values: Mapping[str, Any] | None = None) -> Window:
         """D4 as the rational function of the names that have no number, and the conditions beside it.
 
@@ -167,6 +170,7 @@ class Report(Derived):
         refuse_any_direction(self.equilibrium)
         return window_of(self.equilibrium, exact_values(self.equilibrium, values or {}, (), self.parameters))
 
+    @checked
     def itself(self, values: Mapping[str, Any]) -> Decision:
         """The decision on the point itself, where verdict speaks of it modulo a flow.
 
