@@ -3,6 +3,7 @@
 Enclosures of roots without a formula.
 """
 from fractions import Fraction
+from itertools import pairwise
 
 import mpmath
 import oracle
@@ -10,12 +11,12 @@ import pytest
 from draw import numbers
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from sympy import CRootOf, Integer, Poly, Rational, S, atan, expand, pi, sqrt
+from sympy import CRootOf, Integer, Poly, Rational, S, atan, expand, oo, pi, sqrt
 from zeros import agree, digits, real_zeros, x
 
 from gyrostat.algebra.balls import ball
 from gyrostat.algebra.exact import sign_of_constant
-from gyrostat.algebra.roots import in_order, real_roots
+from gyrostat.algebra.roots import between, in_order, real_roots
 from gyrostat.errors import ScopeError
 
 polynomials = st.lists(numbers, min_size=2, max_size=8).filter(lambda c: any(c[1:]))
@@ -123,6 +124,27 @@ def test_order():
     assert in_order(near) == sorted(near, key=lambda a: (a - sqrt(2)))
     with pytest.raises(ScopeError, match="is not proved"):
         in_order([16 * atan(Rational(1, 5)) - 4 * atan(Rational(1, 239)), pi])
+
+
+@pytest.mark.parametrize("size", [Integer(1), 10**17 + sqrt(2), Integer(10)**300 * pi, Rational(1, 10**300)],
+                         ids=["1", "10^17", "10^300", "10^-300"])
+def test_a_number_lies_between_two_of_any_size(size):
+    """Beyond 10^16 too, where a double has no fraction, and next to a number of 300 digits."""
+    for a, b in ((size, 2 * size), (size, size + 1), (size, size * (1 + Rational(1, 10**40)))):
+        for low, high in ((a, b), (-b, -a)):
+            order = [between(-oo, low), low, between(low, high), high, between(high, oo)]
+            assert [sign_of_constant(y - x) for x, y in pairwise(order)] == [1] * 4
+
+
+@pytest.mark.parametrize("order", [20, -40, 300])
+def test_roots_of_any_size(order):
+    """Those of x⁵ − x − 1 and of x³ − 7x + 7 for x = y/10ⁿ: 10ⁿ times the roots; soon known as floats."""
+    unit = Rational(10) ** order
+    for coefficients in ([-1, -1, 0, 0, 0, 1], [7, -7, 0, 1]):
+        near, found = (real_roots(written(c), x) for c in (coefficients, [
+            a / unit**n for n, a in enumerate(coefficients)]))
+        assert [sign_of_constant(b - unit * a) for a, b in zip(near, found, strict=True)] == [0] * len(near)
+        assert agree([b / unit for b in found], real_zeros(written(coefficients)))
 
 
 @pytest.mark.slow

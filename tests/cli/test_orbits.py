@@ -1,6 +1,7 @@
 """A satellite in orbit on the command line: each verb answers, or says in a sentence what does."""
 import csv
 import json
+import re
 
 import pytest
 from commands import run
@@ -206,3 +207,31 @@ def test_pictures_of_other_scenes(capsys, file, tmp_path, kind, more):
 
     assert status == 2 and err.count("\n") == 1 and "internal" not in err
     assert "orbit" in err or "direction" in err
+
+
+@pytest.mark.slow
+def test_a_component_of_the_size_of_a_rounding(capsys):
+    """n₂ and r₂ are linear in it: the same digits with 10⁻¹⁵ and with 10⁻³⁰, and the same verdicts."""
+    shown = []
+    for power in (15, 30):
+        status, out, _ = run(capsys, "--orbit", "1", "--inertia", "1.1,3/2,2",
+                             f"--gyrostatic-momentum=-2,1e-{power},-1/3", verb="decide")
+        assert status == 0 and out.count("Verdict") == 12
+        shown.append((re.sub(r"\d\.\d+(e−\d\d)?", "", out),
+                      [float(digits) for digits in re.findall(r"(\d\.\d+)", out)]))
+    assert shown[0][0] == shown[1][0]
+    assert shown[0][1] == pytest.approx(shown[1][1], rel=1e-10)            # 12 digits are printed
+
+
+@pytest.mark.parametrize(("verb", "options"), [
+    ("conditions", ["--solve-for", "l", "--set", "I1=8.79e34", "I2=8.82e34", "I3=8.80e34", "omega0=2.66e-6"]),
+    ("decide", ["--set", "I1=8.79e34", "I2=8.82e34", "I3=8.80e34", "omega0=2.66e-6", "l=1e25"])])
+def test_the_moon_in_si(capsys, verb, options):
+    """As in units in which a moment of 10³⁵ kg m² and the rate are near 1, with l in that of the two."""
+    shown = []
+    for given in (options, [x.replace("e34", "").replace("e-6", "").replace("l=1e25", "l=1e-3")
+                            for x in options]):
+        status, out, err = run(capsys, "--orbit", "omega0", *given, verb=verb)
+        assert status == 0 and not err
+        shown.append([line for line in out.splitlines() if "Verdict" in line or "table" in line])
+    assert shown[0] == shown[1] and shown[0]

@@ -12,6 +12,7 @@ from sympy import Rational, sqrt
 import gyrostat as gs
 from gyrostat.algebra.balls import ball
 from gyrostat.algebra.exact import evaluate
+from gyrostat.stability.orbital_equilibrium import balls as enclosures
 
 RIGID = (1, "5/4", "8/5")
 
@@ -57,6 +58,26 @@ def test_counts(rotor, count):
         assert [sum(squares(e) == n for e in equilibria) for n in range(4)] == [4, 8, 8, 4]
         assert sum(e.decision.verdict is gs.Verdict.STABLE for e in equilibria) == 4
         assert sum(e.decision.verdict is gs.Verdict.UNSTABLE for e in equilibria) == 20
+
+
+@pytest.mark.parametrize("small", [F(1, 10**15), F(1, 10**30), F(-1.2246467991473532e-16)], ids=float)
+def test_a_component_of_the_rotor_of_the_size_of_a_rounding(small):
+    """The same attitudes and verdicts as with 10⁻³, of which the search finds no other; so are the rates."""
+    moments, rotor = (F(11, 10), F(3, 2), 2), (-2, F(1, 1000) * (1 if small > 0 else -1), F(-1, 3))
+    larger, here = check(moments, rotor, 1, 0), found(moments, (-2, small, F(-1, 3)))
+    nearest = [int(np.abs(balls(larger) - place).max(1).argmin()) for place in balls(here)]
+    assert sorted(nearest) == list(range(12))
+    for n, e in zip(nearest, here):
+        other = larger[n]
+        assert np.abs(balls([e]) - balls([other])).max() < 0.05
+        assert (e.decision, e.damped) == (other.decision, other.damped)
+        np.testing.assert_allclose(*([float(x) for x in y.frequencies] for y in (e, other)), rtol=0.05)
+
+
+def balls(equilibria):
+    """(n, r) in floats, without their expressions."""
+    return np.array([[float(x.mid()) for part in (e.normal, e.vertical) for x in enclosures(part, 2000)]
+                     for e in equilibria])
 
 
 @pytest.mark.few(2)

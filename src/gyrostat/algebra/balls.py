@@ -12,6 +12,7 @@ from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, Symbol
 from .algebraic import real_root
 from .precision import own_precision
 
+FARTHEST = 8192                                        # bits at which a number is told from 0
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 _FUNCTIONS = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
@@ -32,6 +33,20 @@ def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHIN
     """
     with own_precision(precision):
         return +_ball(expression, values)
+
+
+def accurate(number: Expr, bits: int) -> arb:
+    """Enclosure of an exact number to so many significant bits; 0 of one that is not told from it.
+
+    Examples
+    --------
+    >>> sum(accurate(sympy.sqrt(10**80 + 1) - 10**40, 60).man_exp()) != 0
+    True
+    """
+    precision = max(128, 2 * bits)
+    while (enclosure := ball(number, precision)).rel_accuracy_bits() < bits and precision < FARTHEST:
+        precision *= 2
+    return arb(0) if enclosure.contains(0) else enclosure
 
 
 def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
@@ -93,7 +108,7 @@ def dyadic(enclosure: arb, small: Fraction) -> Fraction | None:
     """A fraction within a small distance of an enclosed number."""
     if not enclosure.is_finite() or fraction_of(enclosure.rad()) > small / 2:
         return None
-    n = max(0, math.ceil(-math.log2(small)) + 2) if small < 1 else 2
+    n = max(2, small.denominator.bit_length() - small.numerator.bit_length() + 3)
     return Fraction(round(fraction_of(enclosure.mid()) * 2**n), 2**n)
 
 
@@ -101,3 +116,15 @@ def fraction_of(exact: arb) -> Fraction:
     """The number that a ball without a radius is."""
     mantissa, exponent = exact.man_exp()
     return int(mantissa) * Fraction(2) ** int(exponent)
+
+
+def ends(enclosure: arb) -> tuple[Fraction, Fraction]:
+    """The lower and the upper end of a ball, exact, where those of python-flint are rounded.
+
+    Examples
+    --------
+    >>> ends(interval(Fraction(10**30), Fraction(10**30 + 1)))[1] > 10**30
+    True
+    """
+    middle, radius = fraction_of(enclosure.mid()), fraction_of(enclosure.rad())
+    return middle - radius, middle + radius

@@ -187,7 +187,7 @@ class PlaneCurve:
         precision, size = 128, min(gap, Fraction(1, 8)) / 2
         while True:
             with own_precision(precision):
-                step = min(reach / 2, size ** (order + 1))
+                step = reach / 2 * size ** (order + 1)
                 middle, at = (dyadic(ball(value, precision), small)
                               for value, small in ((x0, size / 16), (t0, step / 16)))
                 if middle is not None and at is not None:
@@ -237,13 +237,13 @@ class PlaneCurve:
             here = interval(t)
             try:
                 found = arb_poly([self._enclosed(part, here, arb(0))
-                                  for part in parts]).complex_roots(tol=2.0 ** -(ctx.prec // 2 + 8))
+                                  for part in parts]).complex_roots(tol=arb(2) ** -(ctx.prec // 2 + 8))
             except ValueError:                             # not isolated at this precision
                 return None
             real = [x.real for x in found if x.imag.contains(0)]
-        small = 2.0 ** -(ctx.prec // 2 + 2)
+        small = arb(2) ** -(ctx.prec // 2 + 2)
         if any(r.rad() > (abs(r.mid()) + 2.0**-10) * small for r in real) or any(
                 r.overlaps(arb(int(end))) for r in real for end in self.ends):
             return None
-        inside = sorted((r for r in real if not self.ends or abs(r) < 1), key=arb.mid)
+        inside = sorted((r for r in real if not self.ends or r > -1 and r < 1), key=arb.mid)
         return inside if count is None or len(inside) == count else None

@@ -5,7 +5,21 @@ from contextlib import contextmanager
 
 from flint import ctx
 
+from ..errors import ValuesError, brief
+
+MOST = 10**6                                           # bits
 ONE_AT_A_TIME = threading.RLock()                      # held by every computation of ours with enclosures
+
+
+def doubled(bits: int) -> list[int]:
+    """So many bits, and twice as often as it is worth while before a number is asked for as an expression.
+
+    Examples
+    --------
+    >>> doubled(100)
+    [100, 200, 400, 800, 1600]
+    """
+    return [bits * 2**n for n in range(5)]
 
 
 @contextmanager
@@ -18,10 +32,16 @@ def own_precision(bits: int) -> Iterator[None]:
     Parameters
     ----------
     bits : int
+        from 2 up to a million
 
     Returns
     -------
     context manager
+
+    Raises
+    ------
+    ValuesError
+        another number of bits, or no whole number
 
     Examples
     --------
@@ -31,5 +51,7 @@ def own_precision(bits: int) -> Iterator[None]:
     ...     ctx.prec
     100
     """
+    if type(bits) is not int or not 2 <= bits <= MOST:
+        raise ValuesError(f"bits = {brief(bits)} is no whole number from 2 to {MOST}: give 53, say")
     with ONE_AT_A_TIME, ctx.workprec(bits):
         yield

@@ -7,14 +7,14 @@ from collections.abc import Mapping, Sequence
 from functools import cmp_to_key
 
 from flint import arb, fmpq, fmpq_mpoly, fmpq_poly
-from sympy import Add, CRootOf, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
+from sympy import Add, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
 
 from ..errors import ScopeError
 from .algebraic import is_algebraic
-from .balls import ball
-from .exact import proved_sign, sign_of_constant
+from .balls import ball, ends
+from .exact import proved_sign
 from .polynomials import Ring, by_degree
-from .precision import own_precision
+from .root_numbers import roots_of
 
 FEW = 3                                                # numbers of which a norm is soon taken
 
@@ -160,29 +160,23 @@ def between(a: Expr, b: Expr) -> Rational:
     """A rational number between two exact ones, a short one."""
     if a == -oo and b == oo:
         return S.Zero
-    if a == -oo or b == oo:
-        edge = ball(b, 64).lower().floor() - 1 if a == -oo else ball(a, 64).upper().ceil() + 1
-        return Rational(int(edge.unique_fmpz()))
+    if a == -oo:
+        return S(floor(_side(b, 64, -1)) - 1)
+    if b == oo:
+        return S(floor(_side(a, 64, 1)) + 1)
     precision = 64
-    while not (low := _side(a, precision, 1)) < _side(b, precision, -1):
+    while not (low := _side(a, precision, 1)) < (high := _side(b, precision, -1)):
         precision *= 2
-    bits = 0
-    while True:                                            # the first dyadic number that lies between
-        bits += 1
-        candidate = Rational(floor(low * 2**bits) + 1, 2**bits)
-        if sign_of_constant(candidate - a) == 1 and sign_of_constant(b - candidate) == 1:
-            return candidate
+    bits = 1
+    while not (candidate := Rational(floor(low * 2**bits) + 1, 2**bits)) < high:
+        bits += 1                                          # the first dyadic number that lies between
+    return candidate
 
 
 def _side(number: Expr, precision: int, side: int) -> Rational:
-    """The upper or lower end of an enclosure, exact.
-
-    The ends of balls are rounded to the precision of the context.
-    """
-    with own_precision(precision):
-        enclosure = ball(number, precision)
-        mantissa, exponent = (enclosure.upper() if side > 0 else enclosure.lower()).man_exp()
-        return Rational(int(mantissa)) * Rational(2) ** int(exponent)
+    """The upper or lower end of an enclosure, exact."""
+    end = ends(ball(number, precision))[side > 0]
+    return Rational(end.numerator, end.denominator)
 
 
 def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
@@ -213,7 +207,4 @@ def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -
 def roots_of_factor(factor: fmpq_poly) -> list[Expr]:
     """The real roots of an irreducible polynomial."""
     c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
-    if len(c) <= 3:
-        return _solved(c)
-    real = sum(root.imag == 0 for root, _ in factor.numer().complex_roots())
-    return [CRootOf(Poly(c[::-1], Symbol("x")), n) for n in range(real)]
+    return _solved(c) if len(c) <= 3 else roots_of(c)

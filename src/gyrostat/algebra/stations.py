@@ -9,7 +9,7 @@ from fractions import Fraction
 from flint import arb
 from sympy import Expr, S
 
-from .balls import ball, fraction_of
+from .balls import ball, ends, fraction_of
 from .plane_curves import Box, PlaneCurve
 from .roots import in_order
 
@@ -76,7 +76,8 @@ def stations(curve: PlaneCurve, points: Iterable[tuple[Expr, Expr]],
     edges = [between(a, b) for a, b in zip(order, order[1:])]
     found = []
     for n, t in enumerate(order):
-        reach = min([distance(t, edge) for edge in edges[max(0, n - 1):n + 1]], default=Fraction(1))
+        beside_it = [*edges[max(0, n - 1):n + 1], *([S.Zero] if t != 0 else [])]
+        reach = min([distance(t, edge) for edge in beside_it], default=Fraction(1))
         found.append(_station(curve, t, in_order(at[t]), reach))
     return found
 
@@ -108,7 +109,7 @@ def _inside(curve: PlaneCurve, t: Fraction, roots: Sequence[arb], box: Box) -> r
     """Which roots at t lie in a box; none lies on its sides."""
     precision = BITS
     while True:
-        spans = [(fraction_of(root.lower()), fraction_of(root.upper())) for root in roots]
+        spans = [ends(root) for root in roots]
         inside = [n for n, (low, high) in enumerate(spans) if box.low < low and high < box.high]
         if len(inside) == sum(high > box.low and low < box.high for low, high in spans):
             return range(inside[0], inside[-1] + 1) if inside else range(0)
@@ -128,11 +129,9 @@ def distance(a: Expr, b: Expr | Fraction) -> Fraction:
 
 def beside(t: Expr, step: Fraction) -> tuple[Fraction, Fraction]:
     """Two fractions on either side of a number, within a step."""
-    n = 4
-    while Fraction(1, 2**n) > step / 4:
-        n += 1
+    n = max(4, step.denominator.bit_length() - step.numerator.bit_length() + 3)
     precision = 64 + n
-    while (enclosure := ball(t, precision)).rad() > 2.0**-n:
+    while (enclosure := ball(t, precision)).rad() > arb(2) ** -n:
         precision *= 2
     middle = Fraction(round(fraction_of(enclosure.mid()) * 2**n), 2**n)
     return middle - Fraction(3, 2**n), middle + Fraction(3, 2**n)
@@ -143,7 +142,7 @@ def between(a: Expr, b: Expr) -> Fraction:
     precision = 64
     while not (high := ball(b, precision)) > (low := ball(a, precision)):
         precision *= 2
-    start, end = fraction_of(low.upper()), fraction_of(high.lower())
+    start, end = ends(low)[1], ends(high)[0]
     n = 0
     while True:
         middle = Fraction(round((start + end) / 2 * 2**n), 2**n)

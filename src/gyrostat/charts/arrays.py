@@ -5,7 +5,8 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array
-from ..errors import ArgumentError, ValuesError, optional, require
+from ..arguments import checked
+from ..errors import ArgumentError, ValuesError, optional
 from ..stability.decision import Rung
 from ..stability.report import Report
 from ..stability.values import check_family
@@ -18,6 +19,7 @@ from .signs import dyadic_rational
 from .writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 
 
+@checked
 def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damped: bool = False,
              invalid: str = "raise", backend: str = "numpy",
              threads: int = 1, out: Array | None = None, progress: Told | bool | None = None,
@@ -79,7 +81,6 @@ def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damp
     array([[ 1, -1, -1,  1],
            [-1, -1,  1,  1]], dtype=int8)
     """
-    require(values or {}, Mapping, "what is given by name")
     return decided(report, {**(values or {}), **arrays}, damped, invalid, backend, threads, out,
                    progress=progress)
 
@@ -88,14 +89,12 @@ def decided(report: Report, values: Mapping[str, Any], damped: bool = False, inv
             backend: str = "numpy", threads: int = 1, out: Array | None = None, rungs: Array | None = None,
             progress: Told | bool | None = False) -> Array:
     """As verdicts; into rungs, zeros of int8 of the common shape, what decided each point is written."""
-    require(report, Report, "the report")
     if invalid not in ("raise", "mark"):
         raise ArgumentError(f"invalid = {invalid!r} is neither 'raise' nor 'mark': choose one")
     if backend not in ("numpy", "numba"):
         raise ArgumentError(f"backend = {backend!r} is neither 'numpy' nor 'numba': choose one")
     if backend == "numba":
         optional("numba", "fast")
-    require(threads, int, "threads")
     given = {str(name): value for name, value in values.items()}
     grid = grid_for(report, given, finite=False, damped=damped)
     result = prepared(out, grid.shape, np.int8)

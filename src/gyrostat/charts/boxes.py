@@ -13,6 +13,7 @@ import numpy as np
 from ..algebra.exact import sign_of_constant
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
+from ..arguments import checked
 from ..errors import ValuesError
 from ..stability.decision import Judged, Verdict
 from ..stability.report import Report
@@ -74,6 +75,7 @@ class BoxDecision(Judged):
         return np.stack([self.chart.low, self.chart.high], axis=-1)[self.chart.code == code]
 
 
+@checked
 def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
                 limit: int = 200_000) -> BoxDecision:
     """A verdict on all points of a box, by branch and bound with interval arithmetic.
@@ -143,6 +145,7 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
     return BoxDecision(Verdict.UNDECIDED, reason, chart)
 
 
+@checked
 def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: Any = Fraction(1, 8192),
                     limit: int = 1_000_000,
                     progress: Told | bool | None = None) -> CertifiedChart:

@@ -11,7 +11,8 @@ from sympy import Expr
 from ..algebra.exact import sign_of_constant
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
-from ..errors import ArgumentError, ValuesError, optional, require
+from ..arguments import checked
+from ..errors import ArgumentError, ValuesError, optional
 from ..notation import symbol
 from ..stability.report import Report
 from ..stability.values import check_family
@@ -24,6 +25,7 @@ from .stores import filled
 Axis = tuple[str, Any]
 
 
+@checked
 def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any] | None = None,
                     axes: Mapping[str, Any] | None = None, margins: bool = False, damped: bool = False,
                     store: str | Path | None = None, backend: str = "numpy", threads: int = 1,
@@ -94,7 +96,6 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
            [-1, -1,  1,  1]], dtype=int8)
     """
     optional("xarray", "charts")
-    require(report, Report, "the report")
     given = [*(axes or {}).items(), _pair(y, "y"), _pair(x, "x")]
     _check_names(report, [name for name, _ in given], list(fixed or {}), damped)
     arrays = [_axis(name, values) for name, values in given]

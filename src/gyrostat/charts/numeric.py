@@ -10,6 +10,7 @@ import numpy as np
 from sympy import Expr
 
 from ..algebra.floats import Array, in_floats
+from ..arguments import checked
 from ..errors import ArgumentError, optional
 from ..notation import own
 from ..stability.conditions import Condition, Criterion
@@ -157,6 +158,7 @@ class CompiledMargin:
                      lambda answers: joined(answers, operator.or_, False))
 
 
+@checked
 def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType = "numpy") -> CompiledMargin:
     """A function of named arrays: the values of a margin, or where a criterion holds.
 

@@ -10,7 +10,7 @@ from ..algebra.balls import ball
 from ..algebra.exact import Point, evaluate, is_identically_zero, sign_of_constant
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
-from ..errors import ScopeError, ValuesError, require
+from ..errors import ScopeError, ValuesError
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
 from ..stability.report import Report
@@ -41,7 +41,6 @@ class Region:
 
 def region_of(report: Report, given: Mapping[str, Any]) -> Region:
     """The region that numbers and pairs (low, high) describe, every one of them checked."""
-    require(report, Report, "the report")
     eq = report.equilibrium
     if eq.constraints:
         raise ScopeError(f"{eq.label} exists only where {eq.constraints[0]} = 0, on no box of its "

@@ -104,7 +104,6 @@ def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
 def in_threads(work: Callable[[Iterable[Any]], Any], tasks: Sequence[Any], threads: int,
                told: Told = lambda done, total: None) -> list[Any]:
     """The results of the work on equal shares of the tasks; told is called when one is done."""
-    require(threads, int, "threads")
     numbers = count(1)
 
     def counted(share: Iterable[Any]) -> Iterator[Any]:

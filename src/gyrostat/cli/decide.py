@@ -1,7 +1,7 @@
 """gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
 import argparse
 
-from sympy import Expr
+from sympy import Expr, Rational
 
 from ..notation import symbol
 from ..printing.blocks import Block, Display, Heading, Word, sentence
@@ -71,7 +71,7 @@ def _value(number: Expr | None) -> Word:
     """A number exactly, and as a decimal where that says more; a long one as a decimal alone."""
     if number is None:
         return Word("any", "any")
-    if len(str(number)) > LONG:
+    if _is_long(number):
         return rounded(number)
     text = (
         str(number)
@@ -79,3 +79,9 @@ def _value(number: Expr | None) -> Word:
         else f"{number} ≈ {f'{value:.10g}' if (value := double(number)) else number.evalf(10)}"
     )
     return Word(text, text)
+
+
+def _is_long(number: Expr) -> bool:
+    """Whether its text is; of roots of polynomials with long coefficients that is known without the text."""
+    bits = sum(int(x.p).bit_length() + int(x.q).bit_length() for x in number.atoms(Rational))
+    return 0.3 * bits > LONG or len(str(number)) > LONG

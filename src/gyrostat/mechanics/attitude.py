@@ -9,6 +9,7 @@ from functools import cache
 from sympy import Expr, ImmutableMatrix, cos, sin
 
 from ..algebra.polynomials import Ring
+from ..arguments import checked
 from ..errors import BodyError, ScopeError
 from ..notation import symbol
 
@@ -24,6 +25,7 @@ def elementary(axis: str, angle: Expr) -> ImmutableMatrix:
                             "z": [[c, -s, 0], [s, c, 0], [0, 0, 1]]}[axis])
 
 
+@checked
 @cache
 def rotation(convention: str = "zxz") -> ImmutableMatrix:
     """R in the angles phi, theta, psi: from body to space axes.
@@ -70,6 +72,7 @@ def nodes(convention: str = "zxz") -> ImmutableMatrix:
     return ImmutableMatrix([[h[2, 1] for h in hats], [h[0, 2] for h in hats], [h[1, 0] for h in hats]])
 
 
+@checked
 def angular_velocity(convention: str = "zxz") -> ImmutableMatrix:
     """ω in body components, in the angles and their rates phi_dot, theta_dot, psi_dot.
 
@@ -106,6 +109,7 @@ def direction(convention: str = "zxz") -> ImmutableMatrix:
     return rotation(convention).row(2).T
 
 
+@checked
 def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz") -> tuple[Expr, ...]:
     """(φ̇, θ̇, ψ̇) of an angular velocity in body components, where sin θ ≠ 0.
 

@@ -5,7 +5,8 @@ from sympy import CRootOf, Expr, ImmutableMatrix, Matrix, eye, radsimp, rem, sqr
 
 from ..algebra.exact import evaluate, proved_sign
 from ..algebra.roots import real_roots
-from ..errors import ValuesError, require
+from ..arguments import checked
+from ..errors import ValuesError
 from ..notation import symbol
 from .body import Gyrostat
 from .liepoisson import hat
@@ -14,6 +15,7 @@ MOMENT = symbol("moment")
 UNITS = tuple(eye(3)[:, n] for n in range(3))
 
 
+@checked
 def principal_axes(body: Gyrostat) -> tuple[Gyrostat, ImmutableMatrix]:
     """The body in principal axes x' = R x, and the rotation R, exact.
 
@@ -54,7 +56,6 @@ def principal_axes(body: Gyrostat) -> tuple[Gyrostat, ImmutableMatrix]:
     [sqrt(2)/2,  sqrt(2)/2, 0],
     [        0,          0, 1]])
     """
-    require(body, Gyrostat, "the body")
     if not isinstance(body.inertia, ImmutableMatrix):
         return body, ImmutableMatrix(eye(3))
     if names := sorted({s.name for e in body.inertia for s in e.free_symbols}):

@@ -8,6 +8,7 @@ from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, diag, radsimp
 from ..algebra.exact import is_identically_zero, plain, sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..algebra.quantities import not_mixed
+from ..arguments import checked
 from ..errors import ArgumentError, BodyError, ScopeError, article, brief
 from ..kept import cached_property
 from ..notation import Stored, of_the_motion, symbol
@@ -116,6 +117,7 @@ class Gyrostat(Shown, Stored):
         """The names that it depends on."""
         return {s for e in (*self.entries, *self.gyrostatic_momentum) for s in e.free_symbols}
 
+    @checked
     def changed(self, change: Callable[[Expr], Expr]) -> "Gyrostat":
         """The body with every entry changed, numbers inserted, say.
 
@@ -134,6 +136,7 @@ class Gyrostat(Shown, Stored):
         )
         return Gyrostat(inertia, [change(x) for x in self.gyrostatic_momentum])
 
+    @checked
     def kinetic_energy(self, momentum: Sequence[Expr]) -> Expr:
         """T = ½ π·I⁻¹π, with the rotor locked.
 

@@ -7,7 +7,8 @@ from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, sqrt
 
 from ..algebra.exact import is_identically_zero, sign_of_constant
 from ..algebra.numbers import exact_expression, shown
-from ..errors import EquilibriumError, PotentialError, ScopeError, require
+from ..arguments import checked
+from ..errors import EquilibriumError, PotentialError, ScopeError
 from ..notation import of_the_motion, symbol
 from .coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
 from .equilibria import Equilibrium
@@ -27,6 +28,7 @@ class CircularOrbit(CoupledPotential):
     alone: bool = True
 
 
+@checked
 def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
                    potential: Any = 0, rotors: Sequence[Rotor] = ()) -> CoupledPotential:
     """The field of a satellite in a circular orbit, in the frame that turns with the orbit.
@@ -82,7 +84,6 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     first, second, third = (-omega0 * x for x in n)
     other = _beside(potential)
     for rotor in rotors:
-        require(rotor, Rotor, "a rotor")
         if rotor.momentum is not None:
             along = Add(*(x * y for x, y in zip(rotor.axis, r)))
             other += Rational(3, 2) * omega0**2 * rotor.axial * along**2
@@ -139,6 +140,7 @@ def by_gradient_alone(scene: System) -> bool:
     return isinstance(scene.potential, CircularOrbit) and scene.potential.alone
 
 
+@checked
 def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -> Equilibrium:
     """A satellite at rest in the frame of its circular orbit, three body axes along those of the orbit.
 
@@ -174,7 +176,6 @@ def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -
     >>> print(gs.analyze(pointing).sufficient)
     l + 4 ω₀ (I₂ − I₃) > 0 and I₁ > I₃ and l > ω₀ (I₁ − I₂)
     """
-    require(scene, System, "the scene")
     if not in_orbit(scene):
         raise ScopeError("earth_pointing is of a satellite in orbit: assemble(body, circular_orbit())")
     axes = axes_of(roll, pitch, yaw)

@@ -5,12 +5,13 @@ from typing import Any
 from sympy import Expr
 
 from ..algebra.numbers import exact_expression
-from ..errors import require
+from ..arguments import checked
 from ..notation import jet, symbol
 from .equilibria import Equilibrium
 from .system import System
 
 
+@checked
 def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tuple[Any, Any]] = (),
                 domain: Sequence[Expr] = (), label: str = "E") -> Equilibrium:
     """A point you claim; construction checks that the field vanishes there.
@@ -43,7 +44,6 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
     Traceback (most recent call last):
     gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, ...
     """
-    require(scene, System, "the scene")
     given = scene.potential is not None and scene.potential.given
     pairs = tuple((symbol(str(name)), exact_expression(value)) for name, value in relations)
     return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs,

@@ -7,6 +7,7 @@ from typing import Any
 from sympy import Add, Expr, S, Symbol
 
 from ..algebra.numbers import exact_expression
+from ..arguments import checked
 from ..errors import PotentialError, ScopeError
 from ..notation import symbol
 from .liepoisson import lie_poisson
@@ -68,6 +69,7 @@ class CoupledPotential(Potential):
         """Whether U depends on k3 alone, in the plain field of one direction."""
         return False
 
+    @checked
     def changed(self, change: Callable[[Expr], Expr]) -> "CoupledPotential":
         """With every expression changed, numbers inserted, say.
 
@@ -86,6 +88,7 @@ class CoupledPotential(Potential):
         """∇U, one entry for each component of the directions."""
         return tuple(_slope(self.expression, x) for x in self.variables)
 
+    @checked
     def following(self, derivative: Expr) -> tuple[Expr, ...]:
         """Derivatives of an entry of ∇U along the components of the directions.
 
@@ -100,6 +103,7 @@ class CoupledPotential(Potential):
         return tuple(_slope(derivative, x) for x in self.variables)
 
 
+@checked
 def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
                       drift: Sequence[Any] = (0, 0, 0),
                       held: Sequence[tuple[Any, Any]] = ()) -> CoupledPotential:

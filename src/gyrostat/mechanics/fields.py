@@ -4,6 +4,7 @@ from typing import SupportsIndex
 
 from sympy import Rational, legendre
 
+from ..arguments import checked
 from ..errors import PotentialError
 from ..notation import symbol
 from .potential import Potential
@@ -30,6 +31,7 @@ def uniform_field() -> Potential:
     return newtonian_field(1)
 
 
+@checked
 def newtonian_field(order: int) -> Potential:
     """Attraction by a distant centre below, to any order in 1/r: 1 is uniform, 2 adds the gravity gradient.
 

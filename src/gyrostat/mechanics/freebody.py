@@ -10,11 +10,13 @@ from ..algebra.grammar import parse
 from ..algebra.numbers import exact_expression, exact_number
 from ..algebra.precision import ONE_AT_A_TIME
 from ..algebra.roots import in_order
-from ..errors import BodyError, ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import BodyError, ScopeError, ValuesError
 from ..notation import symbol
 from .body import Gyrostat
 
 
+@checked
 def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "tau3")) -> ImmutableMatrix:
     """π̇ = M × ω + τ: the right-hand side with an external torque in body components.
 
@@ -46,7 +48,6 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
     >>> gs.mechanics.torque_equations(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)))[2].factor()
     (I1*I2*tau3 + I1*pi1*pi2 - I2*pi1*pi2)/(I1*I2)
     """
-    require(body, Gyrostat, "the body")
     if len(torque) != 3:
         raise BodyError(f"the torque has {len(torque)} components: give three, along the axes of the body")
     tau = ImmutableMatrix([parse(t) if isinstance(t, str) else exact_expression(t) for t in torque])
@@ -55,6 +56,7 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
     return (pi + ImmutableMatrix(body.gyrostatic_momentum)).cross(omega) + tau
 
 
+@checked
 def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
     """The least and the largest abs(M)² of a free body at an energy.
 
@@ -90,7 +92,6 @@ def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
     >>> gs.mechanics.momentum_limits(gs.Gyrostat((1, 2, 3), (0, 0, 0)), 5)
     (10, 30)
     """
-    require(body, Gyrostat, "the body")
     if any(body.gyrostatic_momentum):
         raise ScopeError("the ellipsoid is centred only without a rotor; the body has l = "
                          f"{body.gyrostatic_momentum}")
@@ -100,6 +101,7 @@ def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
     return twice * Min(*body.moments), twice * Max(*body.moments)
 
 
+@checked
 def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int = 15) -> Expr:
     """Period of M in the body, for a free rigid body; infinite on the separatrix.
 

@@ -4,13 +4,15 @@ from sympy import ImmutableMatrix
 from ..algebra.exact import is_identically_zero
 from ..algebra.numbers import shown
 from ..algebra.polynomials import lowest_terms
-from ..errors import EquilibriumError, ScopeError, require
+from ..arguments import checked
+from ..errors import EquilibriumError, ScopeError
 from .body import Gyrostat
 from .circular_orbit import axes_of, by_gradient_alone, orbital_rate
 from .coupled import CoupledPotential
 from .system import assemble
 
 
+@checked
 def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int = 1, pitch: int = 2,
                             yaw: int = 3) -> Gyrostat:
     """The body with the rotor that holds it at rest in the frame of its circular orbit.
@@ -52,8 +54,6 @@ def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int =
     >>> gs.analyze(gs.earth_pointing(gs.assemble(held, orbit))).verdict({}).verdict.name
     'STABLE'
     """
-    require(body, Gyrostat, "the body")
-    require(orbit, CoupledPotential, "the orbit")
     scene = assemble(body, orbit)
     if not by_gradient_alone(scene):
         raise ScopeError("earth_pointing_gyrostat is of a satellite in the gravity gradient of a "

@@ -1,7 +1,8 @@
 """The Lagrangian of a gyrostat in a field, in Euler's angles: momenta and the effective potential."""
 from sympy import Expr, ImmutableMatrix, Rational, cos, sin
 
-from ..errors import ScopeError, require
+from ..arguments import checked
+from ..errors import ScopeError
 from ..notation import symbol
 from .attitude import ANGLES, RATES, angular_velocity, direction, nodes
 from .body import Gyrostat
@@ -9,6 +10,7 @@ from .coupled import in_one_direction
 from .potential import Potential
 
 
+@checked
 def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix:
     """M = I ω + l in body components, in the angles and their rates.
 
@@ -35,11 +37,11 @@ def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix
     ...                                           (0, 0, 0)))[2]
     I3*(phi_dot*cos(theta) + psi_dot)
     """
-    require(body, Gyrostat, "the body")
     return ImmutableMatrix([moment * rate + rotor for moment, rate, rotor in zip(
         body.moments, angular_velocity(convention), body.gyrostatic_momentum)])
 
 
+@checked
 def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: str = "zxz") -> Expr:
     """L = ½ ω·Iω + l·ω − U(k), in the angles and their rates.
 
@@ -72,7 +74,6 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     ...                         gs.uniform_field())
     I1*phi_dot**2*sin(theta)**2/2 + I1*theta_dot**2/2 + I3*(phi_dot*cos(theta) + psi_dot)**2/2 - m0*cos(theta)
     """
-    require(body, Gyrostat, "the body")
     in_one_direction(potential, "the Lagrangian")
     omega = angular_velocity(convention)
     kinetic = Rational(1, 2) * sum(moment * rate**2 for moment, rate in zip(body.moments, omega))
@@ -87,6 +88,7 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     return kinetic + rotor - (potential.expression.subs(k) if potential else 0)
 
 
+@checked
 def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
     """(p_φ, p_θ, p_ψ) = ∂L/∂(φ̇, θ̇, ψ̇).
 
@@ -119,6 +121,7 @@ def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
     return p_phi, p_theta, p_psi
 
 
+@checked
 def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     """V(θ) of a body of revolution in U(k3).
 
@@ -153,8 +156,6 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     >>> gs.mechanics.effective_potential(gs.symmetric_gyrostat(), gs.uniform_field())
     m0*cos(theta) + (-l + p_psi)**2/(2*I3) + (p_phi - p_psi*cos(theta))**2/(2*I1*sin(theta)**2)
     """
-    require(body, Gyrostat, "the body")
-    require(potential, Potential, "the potential")
     in_one_direction(potential, "the effective potential")
     if not body.is_of_revolution() or not potential.axial:
         raise ScopeError("θ moves by itself only for a body of revolution in U(k3); here inertia = "

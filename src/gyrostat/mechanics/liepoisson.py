@@ -15,6 +15,7 @@ from sympy import Add, Expr, ImmutableMatrix, Symbol, expand, zeros
 
 from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring, derivatives, lowest_terms
+from ..arguments import checked
 from ..errors import BodyError, ScopeError, StructureError
 from ..kept import cached_property
 from ..notation import NOTATION, Stored, symbol
@@ -77,6 +78,7 @@ class LiePoisson(Shown, Stored):
             if any(entry := [lowest_terms(e) for e in self.tensor * self.gradient(casimir)]):
                 raise StructureError(f"{casimir} is not a Casimir: B ∇C = {entry}, not 0")
 
+    @checked
     def gradient(self, f: Expr) -> ImmutableMatrix:
         """∇f.
 
@@ -91,6 +93,7 @@ class LiePoisson(Shown, Stored):
         """
         return _gradient(f, self.coordinates)
 
+    @checked
     def hessian(self, f: Expr) -> ImmutableMatrix:
         """D²f.
 
@@ -135,6 +138,7 @@ class LiePoisson(Shown, Stored):
         return expand(Add(*(a * entry * b for a, row in rows if a
                             for entry, b in zip(row, slopes) if entry and b)))
 
+    @checked
     def jacobiator(self, i: int, j: int, k: int) -> Expr:
         """{xᵢ, {xⱼ, xₖ}} + cyclic, which is 0 for every Poisson tensor.
 
@@ -177,6 +181,7 @@ def _hessian(f: Expr, coordinates: tuple[Symbol, ...]) -> ImmutableMatrix:
     return ImmutableMatrix([derivatives(g, coordinates) for g in _gradient(f, coordinates).flat()])
 
 
+@checked
 def lie_poisson(directions: Sequence[str] = ("k",),
                 gyrostatic_momentum: Sequence[Any] | None = None) -> LiePoisson:
     """The space of a gyrostat: so(3)* without directions, e(3)* with one, so(3)* ⋉ (R³ × R³) with two.

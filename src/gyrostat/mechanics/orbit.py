@@ -6,6 +6,7 @@ from sympy import Add, Expr, ImmutableMatrix, S
 from ..algebra.margins import Signs
 from ..algebra.matrices import null_space, row_reduce
 from ..algebra.polynomials import Ring
+from ..arguments import checked
 from ..errors import SingularOrbitError
 from .derivation import rows_at_point, signs_over
 from .equilibria import Equilibrium
@@ -18,6 +19,7 @@ def differentials(eq: Equilibrium, functions: Sequence[Expr]) -> list[list[Expr]
     return [[entry for (entry,) in rows_at_point(eq, eq.system.space.gradient(f))] for f in functions]
 
 
+@checked
 def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
     """Basis of the tangent space of the coadjoint orbit, T = {δx : dC(δx) = 0}.
 
@@ -99,6 +101,7 @@ def is_critical(eq: Equilibrium, function: Expr) -> bool:
     return _rank(eq, rows + differentials(eq, (function,))) == len(rows)
 
 
+@checked
 def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:
     """Basis of the symplectic slice.
 

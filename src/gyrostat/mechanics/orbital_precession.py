@@ -5,7 +5,8 @@ from sympy import Expr, ImmutableMatrix, Rational, S, Symbol, sqrt
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import shown
-from ..errors import EquilibriumError, ScopeError, require
+from ..arguments import checked
+from ..errors import EquilibriumError, ScopeError
 from ..notation import symbol
 from .body import Gyrostat
 from .circular_orbit import along_velocity, by_gradient_alone, in_orbit, orbital_rate, resting_at
@@ -17,6 +18,7 @@ HEIGHT = symbol("n3")
 KINDS = ("cylindrical", "hyperbolic", "conical")
 
 
+@checked
 def orbital_precession(scene: System, kind: str) -> Equilibrium:
     """A symmetric gyrostat in orbit whose axis is at rest in the orbital frame.
 
@@ -58,7 +60,6 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
     >>> print(gs.analyze(conical).sufficient)
     I₁ > I₃, modulo the flow of π₃
     """
-    require(scene, System, "the scene")
     I1, _, I3 = scene.body.moments
     if not in_orbit(scene) or not scene.body.is_of_revolution():
         raise ScopeError("orbital_precession is of a body of revolution in orbit, moments I1, I1, "

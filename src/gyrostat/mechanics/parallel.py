@@ -2,7 +2,8 @@
 from sympy import Expr, ImmutableMatrix, S
 
 from ..algebra.polynomials import lowest_terms
-from ..errors import ScopeError, require
+from ..arguments import checked
+from ..errors import ScopeError
 from .coupled import CoupledPotential
 from .equilibria import Equilibrium
 from .once import once
@@ -11,6 +12,7 @@ from .relations import residual_of
 from .system import system_of
 
 
+@checked
 def parallel_directions(eq: Equilibrium) -> Equilibrium:
     """The same equilibrium in the scene of one direction, where its two directions are parallel.
 
@@ -45,7 +47,6 @@ def parallel_directions(eq: Equilibrium) -> Equilibrium:
     >>> gs.parallel_directions(rising).system.space.casimirs
     (k1*pi1 + k2*pi2 + k3*pi3, k1**2 + k2**2 + k3**2)
     """
-    require(eq, Equilibrium, "the equilibrium")
     found = parallel(eq)
     if found is None:
         raise ScopeError(f"{eq.label} has no two directions that are parallel: analyze(eq) decides it in its "

@@ -6,7 +6,8 @@ from typing import Any
 from sympy import Expr, Matrix, Symbol
 
 from ..algebra.numbers import exact_expression
-from ..errors import EquilibriumError, ScopeError, require
+from ..arguments import checked
+from ..errors import EquilibriumError, ScopeError
 from ..notation import jet, of_the_motion, symbol
 from .coupled import in_one_direction
 from .equilibria import Equilibrium, Relation
@@ -19,6 +20,7 @@ OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 SLOPES = ("dU_1", "dU_2", "dU_3")
 
 
+@checked
 def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) -> Equilibrium:
     """Every permanent rotation of a body in U(k1, k2, k3): ω = omega k, k fixed in the body and in space.
 
@@ -61,7 +63,6 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
     dU_2 = 2*I2*omega**2/3 + 2*sigma/3
     dU_3 = 2*I3*omega**2/3 + 2*sigma/3
     """
-    require(scene, System, "the scene")
     in_one_direction(scene.potential, "permanent_rotation")
     U = scene.potential
     if U is not None and U.axial and U.given and not scene.integrals:

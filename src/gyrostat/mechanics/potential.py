@@ -10,6 +10,7 @@ from ..algebra import magnitudes
 from ..algebra.occurring import occurring
 from ..algebra.parts import BITS, enclosure, immoderate
 from ..algebra.polynomials import Ring
+from ..arguments import checked
 from ..errors import PotentialError, ValuesError
 from ..kept import cached_property
 from ..notation import Stored, jet, jet_name, of_the_motion, symbol
@@ -86,6 +87,7 @@ class Potential(Shown, Stored):
         """The names of the directions."""
         return ("k",)
 
+    @checked
     def changed(self, change: Callable[[Expr], Expr]) -> "Potential":
         """With its expression changed, numbers inserted, say.
 
@@ -144,6 +146,7 @@ class Potential(Shown, Stored):
             else tuple(symbol(jet_name(1, a)) for a in "123")
         )
 
+    @checked
     def following(self, derivative: Symbol) -> tuple[Expr, ...]:
         """Derivatives along k1, k2, k3 of a symbol of the jet.
 
@@ -161,6 +164,7 @@ class Potential(Shown, Stored):
             return Rational(0), Rational(0), symbol(jet_name(order + 1))
         return tuple(symbol(jet_name(order + 1, "".join(sorted(axes + a)))) for a in "123")
 
+    @checked
     def value(self, derivative: Symbol) -> Expr:
         """What a symbol of the jet stands for, as an expression in k.
 

@@ -8,6 +8,7 @@ from sympy.core.function import AppliedUndef
 
 from ..algebra.numbers import exact_expression
 from ..algebra.occurring import occurring
+from ..arguments import checked
 from ..errors import PotentialError, brief
 from .potential import DIRECTIONS, Potential, U
 
@@ -16,6 +17,7 @@ _NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.P
                sympy.ceiling, sympy.frac, sympy.Mod, sympy.re, sympy.im, sympy.arg, sympy.conjugate)
 
 
+@checked
 def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -> Potential:
     """Axially symmetric potential U(k3).
 
@@ -49,6 +51,7 @@ def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -
     return _potential(DIRECTIONS[2:], expression)
 
 
+@checked
 def general_potential(expression: Expr | Callable[..., Expr] | None = None) -> Potential:
     """Potential U(k1, k2, k3).
 

@@ -6,6 +6,7 @@ from typing import Any
 from sympy import Expr, acos, sqrt
 
 from ..algebra.numbers import exact_expression
+from ..arguments import checked
 from ..errors import BodyError, ScopeError
 from .body import Gyrostat
 
@@ -47,6 +48,7 @@ class FreePrecession:
     space_cone: Expr
 
 
+@checked
 def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> FreePrecession:
     """Precession of a free rigid body of revolution.
 

@@ -1,5 +1,6 @@
 """Principal rotations: a free body about a principal axis that also carries l."""
-from ..errors import EquilibriumError, ScopeError, require
+from ..arguments import checked
+from ..errors import EquilibriumError, ScopeError
 from ..notation import symbol
 from .claimed import equilibrium
 from .equilibria import Equilibrium
@@ -7,6 +8,7 @@ from .families import PRINCIPAL
 from .system import System
 
 
+@checked
 def principal_rotation(scene: System, axis: int) -> Equilibrium:
     """Rotation of a free body about a principal axis that also carries l, where M ≠ 0.
 
@@ -38,7 +40,6 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
     >>> gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))), 2).point
     (0, I2*omega2_0, 0)
     """
-    require(scene, System, "the scene")
     if scene.potential is not None:
         raise ScopeError("principal_rotation is for a free body, the scene has a field: use upright, "
                          "hanging or inclined")

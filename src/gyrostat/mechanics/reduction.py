@@ -6,7 +6,8 @@ from sympy import Add, Expr, S, Symbol, factorial
 
 from ..algebra.exact import is_identically_zero
 from ..algebra.polynomials import Ring, by_degree, derivatives, lowest_terms
-from ..errors import ScopeError, StructureError, require
+from ..arguments import checked
+from ..errors import ScopeError, StructureError
 from ..notation import Stored, jet_name, symbol
 from ..shown import Shown
 from .coupled import in_one_direction
@@ -47,6 +48,7 @@ class Reduction(Shown, Stored):
     across: Expr
     twist: Expr
 
+    @checked
     def square(self, U: Expr | None = None) -> Expr:
         """I1² k̇3² = g, a function of k3 and the levels.
 
@@ -140,6 +142,7 @@ class Reduction(Shown, Stored):
         return potential.expression if U is None and potential else U or S.Zero
 
 
+@checked
 @lru_cache(maxsize=64)
 def reduce(scene: System) -> Reduction:
     """The reduced motion, from the bracket and the integrals.
@@ -173,7 +176,6 @@ def reduce(scene: System) -> Reduction:
     >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).twist
     -k3*p_psi + p_phi
     """
-    require(scene, System, "the scene")
     in_one_direction(scene.potential, "reduce")
     if not reducible(scene):
         raise ScopeError("k3 moves by itself only for a body of revolution in U(k3); this scene has "
@@ -201,6 +203,7 @@ def reducible(scene: System) -> bool:
     return scene.potential is not None and scene.potential.axial and scene.body.is_of_revolution()
 
 
+@checked
 def expansion(eq: Equilibrium, order: int) -> list[Expr]:
     """Coefficients of x⁰ … x^order in g on the levels of an equilibrium.
 

@@ -5,11 +5,13 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, cos, sin
 
 from ..algebra.numbers import exact_expression
-from ..errors import ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import ScopeError, ValuesError
 from .circular_orbit import axes_of, in_orbit, resting_at
 from .system import System
 
 
+@checked
 def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 2, 3)) -> tuple[Expr, ...]:
     """The state of a satellite that is turned by some angles and at rest in the frame of its orbit.
 
@@ -48,7 +50,6 @@ def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 
     >>> gs.release(scene, ("90 deg", 0, 0))
     (0, 0, -35, 0, 0, -1, 0, 1, 0)
     """
-    require(scene, System, "the scene")
     if not in_orbit(scene):
         raise ScopeError("release is of a satellite in orbit: assemble(body, circular_orbit())")
     if len(angles) != 3:

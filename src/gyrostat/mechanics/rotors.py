@@ -8,7 +8,8 @@ from sympy import Expr, ImmutableMatrix, Matrix, S, eye, sqrt
 from ..algebra.exact import proved_sign
 from ..algebra.numbers import exact_expression, exact_number
 from ..algebra.quantities import not_mixed
-from ..errors import BodyError, brief, require
+from ..arguments import checked
+from ..errors import BodyError, brief
 from .body import Gyrostat
 from .spherical import lowest
 
@@ -82,6 +83,7 @@ class Rotor:
         return ImmutableMatrix(a * a.T)
 
 
+@checked
 def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lumped: bool) -> Gyrostat:
     """The gyrostat that a body with rotors is.
 
@@ -120,8 +122,6 @@ def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lum
     >>> body.moments, body.gyrostatic_momentum
     ((120, 110, 80), (0, 5*pi, 0))
     """
-    for rotor in rotors:
-        require(rotor, Rotor, "a rotor")
     total, l = Matrix(Gyrostat(inertia, (0, 0, 0)).tensor), [S.Zero] * 3
     for n, rotor in enumerate(rotors, 1):
         if not lumped and rotor.transverse is None:

@@ -6,12 +6,14 @@ from sympy import Expr, ImmutableMatrix
 
 from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import lowest_terms
-from ..errors import EquilibriumError, ScopeError, require
+from ..arguments import checked
+from ..errors import EquilibriumError, ScopeError
 from .coupled import CoupledPotential
 from .equilibria import Equilibrium
 from .system import System
 
 
+@checked
 def steady_motion(scene: System, *directions: Sequence[Any], omega: Sequence[Any] = (0, 0, 0),
                   label: str = "E") -> Equilibrium:
     """The equilibrium at given directions in the body: π = I (ω − β), so that the body turns at ω.
@@ -53,7 +55,6 @@ def steady_motion(scene: System, *directions: Sequence[Any], omega: Sequence[Any
     >>> gs.linearize(gs.steady_motion(two, (1, 0, 0), (0, 1, 0))).factors()[0]
     (lamda**2 + 3, 1)
     """
-    require(scene, System, "the scene")
     potential = scene.potential
     if not isinstance(potential, CoupledPotential):
         raise ScopeError("steady_motion is of a body in two directions, or with a coupling β: use "

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from sympy import Add, Expr, ImmutableMatrix, Symbol, diag
 
 from ..algebra.exact import evaluate, sign
-from ..errors import require
+from ..arguments import checked
 from ..kept import cached_property
 from ..notation import Stored, jet
 from ..shown import Shown
@@ -78,6 +78,7 @@ class System(Shown, Stored):
         """Those that were given."""
         return self.integrals[len(self.linear_integrals):]
 
+    @checked
     def integrals_at(self, state: Sequence[Expr]) -> tuple[Expr, ...]:
         """Those that are conserved on the level of the Casimirs of a state.
 
@@ -152,6 +153,7 @@ class System(Shown, Stored):
         return jet_jacobian(self.jet_field, self.space.coordinates, tuple(following))
 
 
+@checked
 def assemble(body: Gyrostat, potential: Potential | None = None,
              integrals: Sequence[Expr | str] = ()) -> System:
     """The scene of a body: on so(3)* without a potential, on e(3)* with one.
@@ -187,9 +189,7 @@ def assemble(body: Gyrostat, potential: Potential | None = None,
     >>> gs.assemble(body, gs.general_potential(0), integrals=("M1^2 + M2^2 + M3^2",)).integrals
     (pi1**2 + pi2**2 + pi3**2,)
     """
-    require(body, Gyrostat, "the body")
     if potential is not None:
-        require(potential, Potential, "the potential")
         potential = potential_of_body(potential, body)
     scene = system_of(body, potential)
     for given in texts_or_expressions(integrals):

@@ -2,7 +2,8 @@
 from sympy import Expr, S, sqrt
 
 from ..algebra.exact import plain, sign_of_constant
-from ..errors import EquilibriumError, ScopeError, require
+from ..arguments import checked
+from ..errors import EquilibriumError, ScopeError
 from ..notation import symbol
 from .coupled import in_one_direction
 from .equilibria import Equilibrium
@@ -13,6 +14,7 @@ from .system import System
 K3, OMEGA, DU = symbol("k3"), symbol("omega"), symbol("dU")
 
 
+@checked
 def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
     """E3: precession at the rate omega about the vertical, tilted at 0 < θ < π, k3 = cos θ; ω = omega·k.
 
@@ -52,6 +54,7 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
     return _tilted(E3.label, scene, OMEGA, eliminate)
 
 
+@checked
 def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
     """The body at rest at a tilt where U'(k3) = 0, for every l.
 
@@ -84,7 +87,6 @@ def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
 
 
 def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Equilibrium:
-    require(scene, System, "the scene")
     in_one_direction(scene.potential, label)
     body, potential = scene.body, scene.potential
     if potential is None or not potential.axial or not body.is_of_revolution():

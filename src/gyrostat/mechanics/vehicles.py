@@ -7,6 +7,7 @@ from sympy import Expr, ImmutableMatrix, S
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..algebra.polynomials import lowest_terms
+from ..arguments import checked
 from ..errors import BodyError
 from ..notation import symbol
 from .body import Gyrostat, tensor_of
@@ -17,6 +18,7 @@ IMPULSE, DOWN = "p", "gamma"
 _INERTIA, _MASS = (tuple(symbol(f"{name}{i}") for i in (1, 2, 3)) for name in ("I", "mass"))
 
 
+@checked
 def underwater_vehicle(inertia: Sequence[Any] = _INERTIA, mass: Sequence[Any] = _MASS,
                        coupling: Sequence[Sequence[Any]] | None = None, *,
                        weight: Sequence[Any] | None = None,

@@ -1,5 +1,6 @@
 """Rotation about the vertical, k along the axis e3: upright E1 and hanging E2."""
-from ..errors import EquilibriumError, ScopeError, require
+from ..arguments import checked
+from ..errors import EquilibriumError, ScopeError
 from ..notation import symbol
 from .claimed import equilibrium
 from .coupled import in_one_direction
@@ -9,6 +10,7 @@ from .family import Family
 from .system import System
 
 
+@checked
 def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
     """E1: spinning about the upward vertical, k3 = 1.
 
@@ -43,6 +45,7 @@ def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
     return _vertical(E1, scene, spin)
 
 
+@checked
 def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
     """E2: spinning about the downward vertical, k3 = -1.
 
@@ -78,7 +81,6 @@ def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
 
 
 def _vertical(family: Family, scene: System, spin: str) -> Equilibrium:
-    require(scene, System, "the scene")
     in_one_direction(scene.potential, family.label)
     if scene.potential is None:
         raise ScopeError(f"{family.label} needs a field, the scene has none: use principal_rotation(scene, "

@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from ..algebra.balls import ball
+from ..algebra.balls import accurate
 from ..algebra.floats import Array, in_floats
+from ..arguments import checked
 from ..errors import optional
 from ..mechanics.potential import DIRECTIONS
 from ..mechanics.system import System
@@ -22,10 +23,10 @@ CURVES, CELLS = 14, 96                                     # levels; cells along
 # along a separatrix; its start, off the saddle; its longest length; for a difference; of levels, for the same
 STEP, START, LONGEST, NEAR, SAME = 0.01, 1e-3, 60.0, 1e-5, 1e-9
 ROUNDS, CLOSE = 30, 1e-15                                  # of Newton's method; of the values, when it ends
-PRECISION = 128                                            # bits of a critical point
 SHAPES = {"minimum": "v", "saddle": "D", "maximum": "^", "degenerate": "o"}
 
 
+@checked
 def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = None, ax: Any = None,
                            **kwargs: Any) -> Any:
     """Draw U + (C1 − l·k)²/(2 k·Ik) on the sphere abs(k) = 1, seen as ax.view_init says.
@@ -115,7 +116,7 @@ def _marked(ax: Any, points: Sequence[CriticalPoint], eye: Array) -> list[Any]:
 
 
 def _place(point: CriticalPoint) -> Array:
-    return np.array([float(ball(x, PRECISION).mid()) for x in point.rotation.k])
+    return np.array([float(accurate(x, 60).mid()) for x in point.rotation.k])
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array
-from ..errors import MissingExtraError, ValuesError, optional, require
+from ..arguments import checked
+from ..errors import MissingExtraError, ValuesError, optional
 from ..printing.files import written
 from ..trajectories import Motion
 from .globe import FADED, parted, polygons, stage
@@ -21,6 +22,7 @@ FINE, FINEST = 8, 1024                                     # points of the path 
 NO_BODY = "no rigid body has these moments of inertia"
 
 
+@checked
 def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
     """The body at the given times, one picture for each, with the path of one of its axes on the unit sphere.
 
@@ -104,7 +106,6 @@ def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int, int]:
     """The rotations from the body to space, shape (n, 3, 3), the path of the axis that is followed, its
     points to a step, and which axis it is.
     """
-    require(motion, Motion, "the motion")
     turns = motion.attitude(np.asarray(times, dtype=float))
     top = motion.scene.potential is not None and motion.scene.body.is_of_revolution()
     steps, axis, fine = np.arange(len(turns)), 2 if top else int(np.abs(turns[0, 2]).argmax()), FINE
@@ -116,6 +117,7 @@ def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int, int]:
         fine *= 2
 
 
+@checked
 def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> None:
     """Write an animation: .gif by Pillow, .mp4 by ffmpeg, where that program is installed.
 

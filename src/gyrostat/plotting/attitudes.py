@@ -6,7 +6,8 @@ import numpy as np
 from sympy import Expr
 
 from ..algebra.precision import own_precision
-from ..errors import ScopeError, require
+from ..arguments import checked
+from ..errors import ScopeError
 from ..mechanics.circular_orbit import in_orbit
 from ..mechanics.system import System
 from ..stability.decision import Verdict
@@ -20,6 +21,7 @@ LENGTH = 0.22                                              # of the line along n
 FIRST, WIDEST = 64, 1e-12                                  # bits of the first enclosure; of one that is drawn
 
 
+@checked
 def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: Any = None,
                    **kwargs: Any) -> Any:
     """Draw every attitude in which a gyrostat satellite rests, by its vertical in the body.
@@ -62,7 +64,6 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable', 'unstable', '$n$ from $r$']
     """
-    require(scene, System, "the scene")
     if not in_orbit(scene):
         raise ScopeError("attitudes are those of a satellite in orbit: assemble(body, circular_orbit())")
     found = [e for e in relative_equilibria(scene, values or {}) if isinstance(e, OrbitalEquilibrium)]

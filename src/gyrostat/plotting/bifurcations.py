@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..algebra.numbers import exact_number
+from ..arguments import checked
 from ..mechanics.families import E1, E2, E3
 from ..mechanics.system import System
 from ..notation import symbol
@@ -31,6 +32,7 @@ MOMENTUM, RATE = (1, 1, 0), (0, 1, 0)                      # dimensions
 CLEARANCE = 0.11                                           # of the names, in k3
 
 
+@checked
 def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], values: Mapping[str, Any],
                              ax: Any = None, **kwargs: Any) -> Any:
     """Draw every relative equilibrium against one parameter, with its stability.

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array
+from ..arguments import checked
 from ..errors import ValuesError
 from ..notation import dimension_of, order
 from .chart_curves import curves
@@ -18,6 +19,7 @@ SHOWN = 2000
 FINEST = 150
 
 
+@checked
 def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: Any) -> Any:
     r"""Draw a stability chart of two axes.
 
@@ -93,6 +95,7 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     return ax
 
 
+@checked
 def caption(ds: Any) -> str:
     """The equilibrium, U, what is fixed and what the others determine, as a title.
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array
+from ..arguments import checked
 from ..errors import ScopeError
 from ..mechanics.precession import free_precession
 from .globe import across, arrow, circle, polygons, towards
@@ -78,6 +79,7 @@ def _tilted(angle: float) -> Array:
     return np.array([0.0, np.sin(angle), np.cos(angle)])
 
 
+@checked
 def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = None, **kwargs: Any) -> Any:
     r"""Draw the cones of a free body of revolution, seen as ax.view_init says.
 

@@ -10,7 +10,8 @@ from ..algebra.exact import evaluate, sign_of_constant
 from ..algebra.floats import Array, in_floats
 from ..algebra.numbers import exact_number
 from ..algebra.roots import between, in_order, real_roots
-from ..errors import ValuesError, require
+from ..arguments import checked
+from ..errors import ValuesError
 from ..mechanics.lagrange import effective_potential
 from ..mechanics.reduction import ENERGY, K3, P, V, reduce
 from ..mechanics.system import System
@@ -72,7 +73,6 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     >>> [round(float(k3), 4) for k3 in found.turning_points]
     [0.2843, 0.7957]
     """
-    require(scene, System, "the scene")
     names_of(scene)                                    # in U(k3), given: or refused
     numbers = numbers_of(scene, values, ("p_phi", "p_psi"))
     potential = effective_potential(scene.body,
@@ -119,6 +119,7 @@ def _angles(n: int, special: Sequence[float]) -> Array:
     return theta[(theta > 0) & (theta < np.pi)]
 
 
+@checked
 def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: Any = None, ax: Any = None,
                              **kwargs: Any) -> Any:
     r"""Draw V(θ) of a body of revolution on a level of its momenta: ½ I1 θ̇² + V = energy.

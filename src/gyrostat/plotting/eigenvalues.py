@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array
+from ..arguments import checked
 from ..mechanics.equilibria import Equilibrium
 from ..notation import dimension_of, typeset
 from ..stability.spectra import spectrum
@@ -14,6 +15,7 @@ from .looks import DARK, GREY, axes_of, axis, label, legend, named, with_dimensi
 SHAPES = {"Hamiltonian Hopf": "x", "zero eigenvalue": "+", "real pairs meet": "1"}
 
 
+@checked
 def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], values: Mapping[str, Any],
                      ax: Any = None, **kwargs: Any) -> Any:
     r"""Draw the eigenvalues of the linearised field in the complex plane, along a parameter.

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array, in_floats
-from ..errors import optional, require
+from ..arguments import checked
+from ..errors import optional
 from ..mechanics.reduction import K3, V
 from ..mechanics.system import System
 from ..stability.asked import names_of
@@ -45,7 +46,6 @@ def energy_momentum(scene: System, values: Mapping[str, Any]) -> EnergyMomentum:
     >>> [(v, h, pole.decision.verdict.name) for v, h, pole in found.poles]
     [(1.0, 1.5, 'UNSTABLE'), (-1.0, -0.5, 'STABLE')]
     """
-    require(scene, System, "the scene")
     names_of(scene)                                    # in U(k3), given: or refused
     return critical_values(scene, numbers_of(scene, values, ("p_psi",)))
 
@@ -58,6 +58,7 @@ def bands(found: EnergyMomentum, momentum: Array, energy: Array) -> Array:
     return below[..., 0].astype(int) + (below[..., 1:] & ~below[..., :-1]).sum(axis=-1)
 
 
+@checked
 def draw_energy_momentum(scene: System, values: Mapping[str, Any],
                          window: tuple[float, float, float, float] | None = None, ax: Any = None,
                          **kwargs: Any) -> Any:

@@ -4,6 +4,7 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array
+from ..arguments import checked
 from ..errors import optional
 from ..trajectories import Motion
 from .animation import attitudes
@@ -13,6 +14,7 @@ from .solids import Face, solid
 TO_COME = "#dde3ea"                                        # of the path
 
 
+@checked
 def view_motion(motion: Motion, times: Any) -> Any:
     """The body at the given times as a figure of Plotly, with a slider.
 

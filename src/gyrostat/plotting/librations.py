@@ -5,7 +5,8 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array
-from ..errors import ScopeError, require
+from ..arguments import checked
+from ..errors import ScopeError
 from ..mechanics.circular_orbit import in_orbit, orbital_rate
 from ..trajectories import Motion, roll_pitch_yaw
 from .headings import heading, of_motion
@@ -17,6 +18,7 @@ STYLES: dict[str, dict[str, Any]] = {"roll": {"color": DARK, "linestyle": (0, (4
 JUMP = 120                                             # degrees from one time to the next
 
 
+@checked
 def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Sequence[int] = (1, 2, 3),
                     **kwargs: Any) -> Any:
     """Draw roll, pitch and yaw of a satellite, in degrees, over its orbits.
@@ -60,7 +62,6 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
     >>> [text.get_text() for text in ax.get_legend().get_texts()], ax.get_xlabel(), ax.get_ylabel()
     (['roll', 'pitch', 'yaw'], 'orbits', 'angle [°]')
     """
-    require(motion, Motion, "the motion")
     if not in_orbit(motion.scene):
         raise ScopeError("librations are those of a satellite in orbit: assemble(body, circular_orbit())")
     times = np.asarray(times, dtype=float)

@@ -7,7 +7,8 @@ import numpy as np
 from ..algebra.exact import sign_of_constant
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
-from ..errors import ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import ScopeError, ValuesError
 from ..mechanics.system import System
 from ..stability.decision import Verdict
 from ..stability.permanent_rotations import permanent_rotations
@@ -20,6 +21,7 @@ from .numbers import body_at, numbers_of
 BAND = 5                                                   # polhodes between two critical energies
 
 
+@checked
 def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any] | None = None,
                          energies: Sequence[float] | None = None, ax: Any = None,
                          **kwargs: Any) -> Any:
@@ -73,7 +75,6 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['polhode', 'separatrix', 'stable', 'unstable']
     """
-    require(scene, System, "the scene")
     if scene.potential is not None:
         raise ScopeError("M keeps its length only in a free body, the scene has the potential "
                          f"{scene.potential.expression}: "

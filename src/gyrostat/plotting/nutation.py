@@ -4,7 +4,8 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array
-from ..errors import ValuesError, require
+from ..arguments import checked
+from ..errors import ValuesError
 from ..trajectories import Motion
 from .globe import circle, curve_on, dots_on, stage
 from .headings import heading, of_motion
@@ -13,6 +14,7 @@ from .looks import BLUE, DARK, GREY, axes_of, label, legend, named
 WIDEST = 0.5                                               # of a chord of the unit sphere: 29°
 
 
+@checked
 def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> Any:
     """Draw the path of the axis of the body in space, on the unit sphere, seen as ax.view_init says.
 
@@ -84,7 +86,6 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
 
 def axis_path(motion: Motion, times: Any) -> Array:
     """The axis of the body in space, e3 where it has no other, shape (n, 3)."""
-    require(motion, Motion, "the motion")
     return close_enough(motion.attitude(np.asarray(times, dtype=float)) @ motion.axis)
 
 

@@ -7,7 +7,8 @@ from sympy import Expr
 
 from ..algebra.exact import proved_sign
 from ..algebra.floats import Array, in_floats
-from ..errors import ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import ScopeError, ValuesError
 from ..mechanics.body import Gyrostat
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
@@ -24,6 +25,7 @@ SMALL, LEAST = 1e-6, 3                                     # beside 0, of abs(M)
 SHADES = {2: "#ffffff", 4: "#e4edf5", 6: "#c3d7e8"}
 
 
+@checked
 def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **kwargs: Any) -> Any:
     r"""Draw where, in a plane of the rotor at a given abs(M), permanent rotations of a free gyrostat meet.
 
@@ -95,7 +97,6 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
 
 def _section(scene: System, values: Mapping[str, Any]) -> tuple[Gyrostat, Expr, list[int]]:
     """The body at its numbers, abs(M), and the two axes along which l is free."""
-    require(scene, System, "the scene")
     if scene.potential is not None:
         raise ScopeError("permanent rotations on a sphere of M are those of a free gyrostat, the scene has "
                          f"the potential {scene.potential.expression}: assemble the body alone")

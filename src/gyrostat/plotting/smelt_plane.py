@@ -8,6 +8,7 @@ from sympy import Expr
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_number, shown
+from ..arguments import checked
 from ..charts.chart import stability_chart
 from ..errors import ValuesError
 from ..mechanics.body import Gyrostat
@@ -25,6 +26,7 @@ POINTS = 400
 NAMES = {"undecided": "gyroscopic, lost by damping"}
 
 
+@checked
 def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None = None, ax: Any = None,
                      **kwargs: Any) -> Any:
     """Draw where a satellite rests stably Earth-pointing, over its ratios of moments.

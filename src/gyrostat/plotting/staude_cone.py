@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 from sympy import S, oo
 
+from ..arguments import checked
 from ..mechanics.system import System
 from ..stability.decision import Verdict
 from ..stability.gyrostat_arcs import GyrostatArc
@@ -22,6 +23,7 @@ FOLD = {"marker": "o", "linestyle": "none", "markersize": 3.5, "color": DARK, "m
 ANY = {"marker": "s", "linestyle": "none", "markersize": 5.5, "color": GREY}
 
 
+@checked
 def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax: Any = None,
                      **kwargs: Any) -> Any:
     """Draw the directions of the permanent rotations of a heavy body, seen as ax.view_init says.

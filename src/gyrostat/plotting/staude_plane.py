@@ -8,6 +8,7 @@ from sympy import Expr, oo
 from ..algebra.exact import proved_sign
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
+from ..arguments import checked
 from ..errors import ValuesError
 from ..mechanics.system import System
 from ..stability.decision import Verdict
@@ -24,6 +25,7 @@ SAMPLES, LEAST = 201, 1e-9                             # of a parabola; beside a
 AXES = {"color": GREY, "linewidth": 0.7, "zorder": 1}
 
 
+@checked
 def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
                       omega: Sequence[Any] | None = None, ax: Any = None, **kwargs: Any) -> Any:
     """Draw the permanent rotations of a heavy body against their rate, in the plane of omega and sigma.

@@ -6,6 +6,7 @@ from typing import Any
 
 from sympy import MatrixBase
 
+from ..arguments import checked
 from ..stability.report import Report
 from .blocks import Block, Display, Heading, Rows, Sentence, Word
 from .document import report_blocks, whole_blocks
@@ -143,6 +144,7 @@ def _words(text: str) -> str:
     return re.sub(r"\S{30,}", lambda word: word[0].replace(",", r",\allowbreak "), words(text))
 
 
+@checked
 def to_latex(obj: Any, symbols: Mapping[Any, str] | None = None, label: str = "gyrostat") -> str:
     r"""LaTeX of a public object: a formula for everything but a report, which becomes a whole document.
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from sympy import Expr, Float
 
-from ..algebra.balls import ball
+from ..algebra.balls import accurate
 from ..mechanics.system import System
 from ..stability.conditions import Condition, Criterion
 from ..stability.decision import Decision
@@ -130,7 +130,7 @@ def rate_data(number: Expr) -> dict[str, Any]:
 
 def double(number: Expr) -> float | None:
     """The double next to a number, None where none is: JSON has no infinity."""
-    enclosed = ball(number, 128)                           # of nested roots sooner than evalf
+    enclosed = accurate(number, 60)                        # of nested roots sooner than evalf
     value = float(enclosed.mid() if enclosed.is_finite() else number.evalf(17))
     return value if math.isfinite(value) else None
 

@@ -7,6 +7,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
+from ..arguments import checked
 from ..errors import optional
 
 
@@ -83,6 +84,7 @@ def cleared(folder: Path, process: int) -> None:
             left.unlink()
 
 
+@checked
 def save_netcdf(dataset: Any, path: str | os.PathLike[str], **kwargs: Any) -> None:
     """Write an xarray.Dataset as netCDF, whole or not at all.
 

@@ -3,6 +3,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from ..arguments import checked
 from ..errors import PublishedError
 from . import claims, counts, evidence, formulas
 from .readings import Reading
@@ -52,6 +53,7 @@ def source_of(finding: Finding) -> Source:
     return load(finding.statement.source if own else finding.statement.file)
 
 
+@checked
 def check(sources: Iterable[str | Path] = SOURCES,
           progress: Callable[[str, int, int], None] | None = None) -> list[Finding]:
     """Check every statement of the sources against what the library derives.

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ..algebra.inputs import is_name, toml_of
+from ..arguments import checked
 from ..errors import GyrostatError, PublishedError, brief
 from ..mechanics.scene_tables import scene_tables
 from .scenes import Scene
@@ -51,6 +52,7 @@ class Source:
     expected: Mapping[str, str]
 
 
+@checked
 def load(source: str | Path) -> Source:
     """The statements of a source, by its name, or by the path of a TOML file of the same format.
 

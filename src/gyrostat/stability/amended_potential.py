@@ -6,7 +6,8 @@ from typing import Any
 from sympy import Expr, Matrix
 
 from ..algebra.exact import evaluate
-from ..errors import ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import ScopeError, ValuesError
 from ..kept import cached_property
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.potential import DIRECTIONS
@@ -85,6 +86,7 @@ class AmendedPotential(Shown, Stored):
         twist = C1 - k.dot(Matrix(body.gyrostatic_momentum))
         return U.expression + twist**2 / (2 * k.dot(body.tensor * k).expand())
 
+    @checked
     def critical_points(self, values: Mapping[str, Any]) -> list[CriticalPoint]:
         """All of them on a level of C1, in the order of k3.
 
@@ -127,6 +129,7 @@ class AmendedPotential(Shown, Stored):
         return [CriticalPoint(rotation) for rotation in heavy_rotations(self.scene, values)]
 
 
+@checked
 def amended_potential(scene: System) -> AmendedPotential:
     """U_c(k) = U + (C1 − l·k)²/(2 k·Ik) on abs(k) = 1, C1 = M·k.
 
@@ -158,7 +161,6 @@ def amended_potential(scene: System) -> AmendedPotential:
     >>> gs.amended_potential(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U)).expression
     k1 + (C1 - k3)**2/(2*k1**2 + 4*k2**2 + 6*k3**2)
     """
-    require(scene, System, "the scene")
     in_one_direction(scene.potential, "amended_potential")
     if scene.potential is None:
         raise ScopeError("the scene has no field, and the vertical no meaning: its rotations are those on a "

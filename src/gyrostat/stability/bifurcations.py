@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from sympy import Expr, S, Symbol, expand
 
 from ..algebra.exact import Point
-from ..errors import EquilibriumError, ValuesError, require
+from ..arguments import checked
+from ..errors import EquilibriumError, ValuesError
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, expansion, reduce
@@ -47,6 +48,7 @@ class Bifurcation(Shown, Stored):
     at: Expr
 
 
+@checked
 def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     """The bifurcations of the relative equilibria of a scene, as equations.
 
@@ -88,7 +90,6 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     pitchfork: -4*M**2 + l**2: 1
     pitchfork: -M**2 + 4*l**2: 1/2
     """
-    require(scene, System, "the scene")
     in_one_direction(scene.potential, "bifurcations")
     if scene.potential is None:
         return tuple(Bifurcation(*row) for row in loci_of_rotations(scene.body))

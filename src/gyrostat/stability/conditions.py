@@ -9,6 +9,7 @@ from sympy import Expr, Symbol
 
 from ..algebra.margins import Signs
 from ..algebra.polynomials import Ring
+from ..arguments import checked
 from ..kept import cached_property
 from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
@@ -90,6 +91,7 @@ class Criterion(Shown, Stored):
         return self.notion in ("spectral", "energy sink")
 
 
+@checked
 def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
     """The same criterion without the conditions that follow from the others.
 

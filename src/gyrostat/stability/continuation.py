@@ -13,7 +13,8 @@ from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_number
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import between, stations
-from ..errors import ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import ScopeError, ValuesError
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.families import E3, POLES
 from ..mechanics.reduction import reducible
@@ -50,6 +51,7 @@ class Continuation:
     marks: list[Mark]
 
 
+@checked
 def continuation(scene: System, name: str, ends: tuple[Any, Any],
                  values: Mapping[str, Any]) -> Continuation | RotationContinuation | HeavyContinuation:
     """The branches of E1, E2 and E3, or of permanent rotations, over a range of one parameter, complete.
@@ -96,7 +98,6 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     >>> [(mark.kind, mark.value) for mark in found.marks], len(found.pieces)
     ([('pitchfork', 1/2)], 10)
     """
-    require(scene, System, "the scene")
     in_one_direction(scene.potential, "continuation")
     low, high = (exact_number(end, name) for end in ends)
     if sign_of_constant(high - low) != 1:

@@ -5,6 +5,7 @@ from sympy import Expr, Matrix, S
 
 from ..algebra.margins import Signs
 from ..algebra.polynomials import lowest_terms
+from ..arguments import checked
 from ..mechanics.derivation import rows_at_point, signs_over
 from ..mechanics.equilibria import Equilibrium
 from .amended_form import amended_form, dot
@@ -18,6 +19,7 @@ from .sextic import factors_in_squares, items_of_factors
 Minor = tuple[str, int, Expr]                              # its name, its order, what it is
 
 
+@checked
 def spectral_criterion(linearization: Linearization) -> Criterion:
     """Necessary for stability: no eigenvalue has a positive real part.
 
@@ -77,6 +79,7 @@ def _of_sextic(linearization: Linearization) -> Criterion:
     return Criterion("spectral", (tuple(condition_of(signs.ring, item, eq) for item in items),))
 
 
+@checked
 def formal_criterion(variation: SecondVariation) -> Criterion:
     """Sufficient for stability: the second variation is definite.
 
@@ -121,6 +124,7 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     return _definite(variation, "formal", minors, signs, (1, -1))
 
 
+@checked
 def secular_criterion(variation: SecondVariation) -> Criterion:
     """Sufficient for stability under internal damping: the second variation is positive definite.
 

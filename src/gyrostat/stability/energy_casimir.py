@@ -6,6 +6,7 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
 from ..algebra.matrices import determinant, multiply, row_reduce
+from ..arguments import checked
 from ..kept import cached_property
 from ..mechanics.derivation import rows_at_point, signs_over
 from ..mechanics.equilibria import Equilibrium
@@ -86,6 +87,7 @@ def blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
     return sorted(blocks)
 
 
+@checked
 def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
     """ν with ∇h + Σ νⱼ ∇Fⱼ = 0 at the equilibrium.
 
@@ -129,6 +131,7 @@ def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
     return tuple(values[j] for j in range(len(functions)))
 
 
+@checked
 def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMatrix:
     """D²(h + Σ νⱼ Fⱼ) at the equilibrium, ν its multipliers.
 
@@ -164,6 +167,7 @@ def _augmented(eq: Equilibrium, with_multipliers: Iterable[tuple[Expr, Expr]]) -
     return total
 
 
+@checked
 def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation:
     """Second variation of the augmented Hamiltonian at an equilibrium.
 
@@ -201,6 +205,7 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     return restricted(eq, slice_and_symmetries(eq), functions)
 
 
+@checked
 def secular_variation(eq: Equilibrium) -> SecondVariation:
     """The second variation with the Casimirs alone, modulo the flows of the integrals.
 

@@ -6,7 +6,8 @@ from sympy import Add, S
 from ..algebra.exact import proved_sign
 from ..algebra.margins import Signs
 from ..algebra.numbers import exact_expression
-from ..errors import ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import ScopeError, ValuesError
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.rotors import Rotor
 from .conditions import Criterion, condition_of
@@ -14,6 +15,7 @@ from .implication import Item, reduced
 from .sphere import sphere_of
 
 
+@checked
 def energy_sink_criterion(eq: Equilibrium, rotor: Rotor, *, platform_damping: Any,
                           rotor_damping: Any) -> Criterion:
     """Whether a dual spinner keeps its axis with weak dampers in the platform and in the rotor.
@@ -60,8 +62,6 @@ def energy_sink_criterion(eq: Equilibrium, rotor: Rotor, *, platform_damping: An
     >>> print(gs.energy_sink_criterion(despun, wheel, platform_damping=c_p, rotor_damping=c_r))
     c_p > 24 c_r
     """
-    require(eq, Equilibrium, "the equilibrium")
-    require(rotor, Rotor, "the rotor")
     damping = [exact_expression(c, name) for name, c in (("platform_damping", platform_damping),
                                                          ("rotor_damping", rotor_damping))]
     known = [c for c in damping if not c.free_symbols]

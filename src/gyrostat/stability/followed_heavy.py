@@ -10,7 +10,7 @@ import numpy as np
 from flint import fmpq_mpoly, fmpq_poly
 from sympy import Add, Expr, Matrix, Rational, S, eye
 
-from ..algebra.balls import ball, fraction_of
+from ..algebra.balls import accurate, ball, fraction_of
 from ..algebra.exact import Point, evaluate, proved_sign
 from ..algebra.floats import Array
 from ..algebra.matrices import adjugate
@@ -222,10 +222,10 @@ class _Node(NamedTuple):
 
 
 def _node(t: Fraction, rotation: HeavyRotation) -> _Node:
-    k = np.array([float(ball(x, PRECISION).mid()) for x in rotation.k])
+    k = np.array([float(accurate(x, 60).mid()) for x in rotation.k])
     inertia, rotor, _, _ = data = data_at(rotation.scene, (S.Zero,) * 3)
     I, l, c, Q = (np.array(x, float) for x in (inertia, rotor, data.gradient, data.hessian))
-    omega = float(ball(rotation.omega, PRECISION).mid())
+    omega = float(accurate(rotation.omega, 60).mid())
     sigma = float(k @ (c + Q @ k - omega * l - omega**2 * I @ k))
     return _Node(t, sigma, tuple(k), rotation.decision.verdict)
 

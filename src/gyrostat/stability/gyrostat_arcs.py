@@ -11,6 +11,7 @@ from ..algebra.exact import plain, proved_sign
 from ..algebra.numbers import exact_number
 from ..algebra.roots import between
 from ..algebra.strands import Span, Strand, strands
+from ..arguments import checked
 from ..errors import ValuesError
 from ..kept import cached_property
 from ..mechanics.system import System
@@ -91,6 +92,7 @@ class GyrostatArc(Shown, Stored):
         span = self._span(at)
         return self._among_others(span, at) if at == span.high else self.curve.at(span.place, at)
 
+    @checked
     def near(self, omega: Fraction) -> tuple[tuple[float, ...], float]:
         """k, and sigma of ∇U = omega² Ik + omega l + sigma k, in doubles.
 

@@ -9,7 +9,7 @@ from sympy import Expr, Float, Matrix, Rational, S, sqrt
 from ..algebra.balls import ball
 from ..algebra.exact import evaluate, proved_sign
 from ..algebra.matrices import cross
-from ..algebra.precision import own_precision
+from ..algebra.precision import doubled, own_precision
 from ..kept import cached_property
 from ..mechanics.claimed import equilibrium
 from ..mechanics.equilibria import Equilibrium
@@ -165,9 +165,17 @@ class HeavyRotation(Shown, Stored):
     @property
     def _halves(self) -> tuple[Expr, Expr]:
         """p/2 and √abs(p²/4 − q): of −λ² half the sum, and half the distance."""
-        form = self.form if all(isinstance(x, Rational) for x in (*self.k, self.omega)) else AmendedForm(
-            *(Float(x.mid().str(DIGITS, radius=False), DIGITS) for x in self._enclosed(4 * PRECISION)))
+        form = self.form if all(isinstance(x, Rational) for x in (*self.k, self.omega)) else self._rounded
         return form.p / 2, sqrt(abs(form.p**2 / 4 - form.q)) if self.signs[3] else S.Zero
+
+    @property
+    def _rounded(self) -> AmendedForm:
+        """The form in decimals."""
+        for precision in doubled(4 * PRECISION):
+            found = self._enclosed(precision)
+            if all(x.rel_accuracy_bits() > 4 * DIGITS for x in found):
+                break
+        return AmendedForm(*(Float(x.mid().str(DIGITS, radius=False), DIGITS) for x in found))
 
     def _enclosed(self, precision: int) -> AmendedForm:
         """The form in balls."""
@@ -181,11 +189,12 @@ class HeavyRotation(Shown, Stored):
     @cached_property
     def signs(self) -> tuple[int | None, ...]:
         """Of trace, determinant, p and p² − 4q."""
-        with own_precision(PRECISION):
-            trace, determinant, p, q = self._enclosed(PRECISION)
-            found = [_sign(x) for x in (trace, determinant, p, p**2 - 4 * q)]
-        if None not in found:
-            return tuple(found)
+        for precision in doubled(PRECISION):
+            with own_precision(precision):
+                trace, determinant, p, q = self._enclosed(precision)
+                found = [_sign(x) for x in (trace, determinant, p, p**2 - 4 * q)]
+            if None not in found:
+                return tuple(found)
         exact = self.form.trace, self.form.determinant, self.form.p, self.form.p**2 - 4 * self.form.q
         return tuple(proved_sign(evaluate(x, {})) if sign is None else sign for sign, x in zip(found, exact))
 

@@ -6,6 +6,7 @@ from sympy import Expr, I, ImmutableMatrix, Mul, Poly, Pow, S, roots, sqrt
 
 from ..algebra.matrices import characteristic_coefficients, multiply
 from ..algebra.polynomials import Ring
+from ..arguments import checked
 from ..errors import ScopeError
 from ..kept import cached_property
 from ..mechanics.derivation import rows_at_point, signs_over
@@ -136,6 +137,7 @@ class Linearization(Shown, Stored):
         return None if r is None else (square_root(p + 2 * r) / 2, square_root(p - 2 * r) / 2)
 
 
+@checked
 @once
 def linearize(eq: Equilibrium) -> Linearization:
     """The field linearised at an equilibrium, on the tangent space of its coadjoint orbit.

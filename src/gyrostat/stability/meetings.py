@@ -9,7 +9,8 @@ from ..algebra.exact import Point, evaluate, proved_sign
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.roots import in_order, real_roots
 from ..algebra.stations import critical_points, stations
-from ..errors import ValuesError, require
+from ..arguments import checked
+from ..errors import ValuesError
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.families import POLES
 from ..mechanics.reduction import K3, OMEGA, P, V, reduce
@@ -66,6 +67,7 @@ class BifurcationPoint(Shown, Stored):
     k: tuple[Expr, ...] | None = None
 
 
+@checked
 def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[BifurcationPoint]:
     """The values of one name at which relative equilibria meet, all others being given; exact and complete.
 
@@ -103,7 +105,6 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     >>> [(b.kind, b.value, b.nu) for b in gs.bifurcation_points(free, "M", {"l": 1})]
     [('pitchfork', 1/2, 1), ('pitchfork', 2, 1/2)]
     """
-    require(scene, System, "the scene")
     in_one_direction(scene.potential, "bifurcation_points")
     if scene.potential is None:
         return _of_rotations(scene, name, values)

@@ -1,5 +1,6 @@
 """One equilibrium of a gyrostat satellite in a circular orbit, and what is decided of it."""
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,7 +10,7 @@ from sympy import Expr, Float
 from ..algebra.balls import ball
 from ..algebra.exact import evaluate, proved_sign
 from ..algebra.matrices import adjugate, cross
-from ..algebra.precision import own_precision
+from ..algebra.precision import doubled, own_precision
 from ..algebra.real_fields import BITS, FieldNumbers
 from ..kept import cached_property
 from ..mechanics.circular_orbit import orbital_rate, resting_at
@@ -25,7 +26,7 @@ from .report import Report
 from .secular import KEEPS, lost
 
 PRECISION, DIGITS = BITS, 30                               # bits that decide; digits of a rate
-TIGHT = arb("1e-60")                                       # of its square
+TIGHT = arb("1e-60")                                       # of its square, over ω0²
 LEAST = settled(True, "the energy has a minimum: K is positive definite", Rung.SECOND_VARIATION)
 ODD = settled(False, "K has an odd number of negative squares: an eigenvalue has a positive real part",
               Rung.SPECTRUM, "spectral")
@@ -127,8 +128,11 @@ class OrbitalEquilibrium(Shown, Stored):
     @cached_property
     def signs(self) -> tuple[int | None, ...]:
         """Of e1, e2, e3 of K, then of c2, c1, c0 and the discriminant of the sextic; None is not proved."""
-        with own_precision(PRECISION):
-            found = [1 if x > 0 else -1 if x < 0 else None for x in self._enclosed(PRECISION)]
+        for precision in doubled(PRECISION):
+            with own_precision(precision):
+                found = [1 if x > 0 else -1 if x < 0 else None for x in self._enclosed(precision)]
+            if self.locus or None not in found[:3]:
+                break
         if None in found[:3] and not self.locus:
             exact = invariants(self.scene.body.tensor.tolist(), self.scene.body.gyrostatic_momentum, self.n,
                                self.r, orbital_rate(self.scene))
@@ -146,27 +150,35 @@ class OrbitalEquilibrium(Shown, Stored):
     def growth_rate(self) -> Expr | None:
         """The largest real part of an eigenvalue [1/T]; None where there is none that is positive."""
         with own_precision(2 * PRECISION):
-            rates = [root.sqrt().real for root in self._squares
-                     if not (root.real < 0 and root.imag.contains(0))]
+            rates = [x.sqrt().real for x in self._squares if not (x.real < 0 and x.imag.contains(0))]
             largest = max((x for x in rates if x > 0), key=lambda x: float(x.mid()), default=None)
             return None if largest is None else _decimal(largest)
 
     @cached_property
     def _squares(self) -> list[acb]:
         """λ², the roots of the sextic's cubic; but one that is 0, where K is singular."""
-        with own_precision(2 * PRECISION):
-            (a, b, c, gap), d = self._enclosed(2 * PRECISION)[3:], ball(
-                self.scene.body.tensor.det(method="berkowitz"), 2 * PRECISION)
-            if self.locus or self.signs[2] == 0:
-                if (a**2 - 4 * b * d).contains(0):
-                    return [acb(-a / (2 * d))] * 2
-                return list(acb_poly([b, a, d]).roots(TIGHT))
-            if not gap.contains(0):
-                return list(acb_poly([c, b, a, d]).roots(TIGHT))
-            if (apart := a**2 - 3 * b * d).contains(0):
-                return [acb(-a / (3 * d))] * 3
-            double = (9 * d * c - a * b) / (2 * apart)
-            return [acb(x) for x in (double, double, -a / d - 2 * double)]
+        found = list[acb]()
+        for precision in doubled(2 * PRECISION):
+            with own_precision(precision), suppress(ValueError):       # two roots are closer than that
+                found = self._squares_at(precision)
+                if all(x.rel_accuracy_bits() > 4 * DIGITS for x in found):
+                    break
+        return found
+
+    def _squares_at(self, precision: int) -> list[acb]:
+        a, b, c, gap = self._enclosed(precision)[3:]
+        d = ball(self.scene.body.tensor.det(method="berkowitz"), precision)
+        tight = TIGHT * ball(orbital_rate(self.scene), precision) ** 2
+        if self.locus or self.signs[2] == 0:
+            if (a**2 - 4 * b * d).contains(0):
+                return [acb(-a / (2 * d))] * 2
+            return list(acb_poly([b, a, d]).roots(tight))
+        if not gap.contains(0):
+            return list(acb_poly([c, b, a, d]).roots(tight))
+        if (apart := a**2 - 3 * b * d).contains(0):
+            return [acb(-a / (3 * d))] * 3
+        double = (9 * d * c - a * b) / (2 * apart)
+        return [acb(x) for x in (double, double, -a / d - 2 * double)]
 
     def _enclosed(self, precision: int) -> tuple[arb, ...]:
         """The invariants in balls."""
@@ -179,11 +191,12 @@ class OrbitalEquilibrium(Shown, Stored):
     def _reached(self) -> bool:
         """Whether internal damping reaches every motion: t·In and n·In − r·Ir do not both vanish."""
         rows = self.scene.body.tensor.tolist()
-        with own_precision(PRECISION):
-            found = unreached([balls(row, PRECISION) for row in rows], balls(self.normal, PRECISION),
-                              balls(self.vertical, PRECISION))
-            if any(not x.contains(0) for x in found):
-                return True
+        for precision in doubled(PRECISION):
+            with own_precision(precision):
+                found = unreached([balls(row, precision) for row in rows], balls(self.normal, precision),
+                                  balls(self.vertical, precision))
+                if any(not x.contains(0) for x in found):
+                    return True
         return any(proved_sign(evaluate(x, {})) for x in unreached(rows, self.n, self.r))
 
 

@@ -2,7 +2,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from ..errors import require
+from ..arguments import checked
 from ..mechanics.circular_orbit import in_orbit
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.reduction import reducible
@@ -18,6 +18,7 @@ from .orbital_equilibrium import OrbitalEquilibrium
 from .permanent_rotations import rotations_at
 
 
+@checked
 def relative_equilibria(scene: System, values: Mapping[str, Any]
                         ) -> list[Branch] | list[PermanentRotation] | list[HeavyRotation] | list[
                             OrbitalEquilibrium]:
@@ -90,7 +91,6 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     >>> [(b.momentum, b.decision.verdict.name) for b in gs.relative_equilibria(free, {"M": 1})[::2]]
     [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
     """
-    require(scene, System, "the scene")
     if in_orbit(scene):
         return orbital_equilibria(scene, values)
     in_one_direction(scene.potential, "relative_equilibria")

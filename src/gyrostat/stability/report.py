@@ -5,6 +5,7 @@ from typing import Any
 
 from sympy import Expr
 
+from ..arguments import checked
 from .conditions import sources
 from .decision import Decision, undecided
 from .ladder import Ladder
@@ -73,6 +74,7 @@ class Report(Ladder):
         return found.with_margins(margins, scene_note(self.equilibrium.system, numbers),
                                   sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
 
+    @checked
     def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
         """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
 
@@ -112,6 +114,7 @@ class Report(Ladder):
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
         return normal_form(self.equilibrium, numbers, degree)
 
+    @checked
     def window(self, values: Mapping[str, Any] | None = None) -> Window:
         """D4 as the rational function of the names that have no number, and the conditions beside it.
 
@@ -148,6 +151,7 @@ class Report(Ladder):
         refuse_any_direction(self.equilibrium)
         return window_of(self.equilibrium, exact_values(self.equilibrium, values or {}, (), self.parameters))
 
+    @checked
     def itself(self, values: Mapping[str, Any]) -> Decision:
         """The decision on the point itself, where verdict speaks of it modulo a flow.
 

@@ -10,6 +10,7 @@ from sympy import Expr, S, Symbol, oo
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.numbers import exact_number
+from ..arguments import checked
 from ..errors import ValuesError
 from ..notation import Stored, symbol
 from ..shown import Shown
@@ -129,6 +130,7 @@ class Solution(Shown, Stored):
     name: str
     parts: tuple[SolvedCondition, ...]
 
+    @checked
     def contains(self, values: Mapping[str, Any]) -> bool | None:
         """Whether the set contains a value, at numbers for all names.
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from sympy import Expr, S, Symbol, oo, sqrt
 
 from ..algebra.polynomials import Ring, by_degree
+from ..arguments import checked
 from ..errors import ScopeError
 from ..notation import symbol
 from .cases import Closed, Context
@@ -17,6 +18,7 @@ from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder, SolvedCondition
 CLOSED = Closed()
 
 
+@checked
 def solve_condition(condition: Condition, name: str, boundary: Ends | None = None,
                     domain: Sequence[Expr] = ()) -> SolvedCondition:
     """The exact set of one parameter where a strict condition holds.

@@ -13,7 +13,8 @@ from ..algebra.numbers import exact_number
 from ..algebra.polynomials import Ring
 from ..algebra.roots import in_order
 from ..algebra.zeros import changes_of_sign, inner, zeros_inside, zeros_of
-from ..errors import ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import ScopeError, ValuesError
 from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
@@ -72,6 +73,7 @@ class Spectrum:
     collisions: list[Collision]
 
 
+@checked
 def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
              values: Mapping[str, Any]) -> Spectrum:
     """The eigenvalues of an equilibrium at values of one parameter, and where they meet.
@@ -111,7 +113,6 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     >>> [(collision.kind, collision.value, collision.changes) for collision in found.collisions]
     [('Hamiltonian Hopf', 1.25, True)]
     """
-    require(eq, Equilibrium, "the equilibrium")
     refuse_any_direction(eq)
     linear = linearize(eq)
     parts = _parts(linear)

@@ -13,6 +13,7 @@ from ..algebra.exact import Point, evaluate, is_identically_zero, sign
 from ..algebra.numbers import exact_number, shown
 from ..algebra.polynomials import Ring
 from ..algebra.roots import real_roots
+from ..arguments import checked
 from ..errors import ScopeError, ValuesError
 from ..mechanics.directions import in_any_direction
 from ..mechanics.equilibria import Equilibrium
@@ -28,6 +29,7 @@ from .tilts import along_tilts
 from .values import refuse_any_direction, unknown
 
 
+@checked
 def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None = None) -> Solution:
     """The exact set of one parameter for which an equilibrium exists and is stable.
 

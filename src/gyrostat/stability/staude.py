@@ -7,7 +7,8 @@ from sympy import Expr, Matrix, S
 
 from ..algebra.exact import is_identically_zero
 from ..algebra.matrices import cross
-from ..errors import ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import ScopeError, ValuesError
 from ..kept import cached_property
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.system import System, at_numbers, names_of_scene
@@ -87,6 +88,7 @@ class StaudeCone(Shown, Stored):
         body = self.scene.body
         return (body.tensor * Matrix(DIRECTION)).flat(), body.gyrostatic_momentum, slopes
 
+    @checked
     def arcs(self, values: Mapping[str, Any]) -> list[StaudeArc] | list[GyrostatArc]:
         """Every admissible arc.
 
@@ -130,6 +132,7 @@ class StaudeCone(Shown, Stored):
         return list(staude_arcs(here, c))
 
 
+@checked
 def staude_cone(scene: System) -> StaudeCone:
     """The cone of the permanent rotations of a body in a field; with a rotor, a curve on the sphere.
 
@@ -164,7 +167,6 @@ def staude_cone(scene: System) -> StaudeCone:
     >>> [(arc.low, arc.high) for arc in cone.arcs({})]
     [(-oo, -3), (-3, -2), (-2, -1), (-1, oo)]
     """
-    require(scene, System, "the scene")
     in_one_direction(scene.potential, "staude_cone")
     if scene.potential is None:
         raise ScopeError("Staude's cone is of a body in a field, and the scene has none: give a potential; "

@@ -9,7 +9,8 @@ from sympy import Expr, ImmutableMatrix, Rational
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..algebra.numbers import exact_number
-from ..errors import AccuracyError, ValuesError, require
+from ..arguments import checked
+from ..errors import AccuracyError, ValuesError
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.standard import seen_at
@@ -105,6 +106,7 @@ class Confirmation:
                 "the equilibrium is too close to a boundary for these sizes, give smaller ones")
 
 
+@checked
 def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SIZES) -> Confirmation:
     """Follow motions that start close to an equilibrium, and compare how far they go with the verdict.
 
@@ -147,7 +149,6 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     >>> sleeping.decision.verdict.name, sleeping.expected, round(sleeping.slope, 3), sleeping.agrees
     ('STABLE', 0.5, 0.5, True)
     """
-    require(report, Report, "the report")
     in_one_direction(report.equilibrium.system.potential, "a confirmation by motions")
     eq, decision = report.equilibrium, report.verdict(values)
     numbers = exact_values(eq, values, report.required, report.parameters)

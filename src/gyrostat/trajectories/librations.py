@@ -4,9 +4,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..algebra.floats import Array
+from ..arguments import checked
 from ..mechanics.circular_orbit import axes_of
 
 
+@checked
 def roll_pitch_yaw(turns: Array, pointing: Sequence[int] = (1, 2, 3)) -> Array:
     """The angles of a satellite against the axes t, n, r of its orbit.
 

@@ -8,7 +8,8 @@ from sympy import Expr, ImmutableMatrix, Symbol
 
 from ..algebra.numbers import exact_number
 from ..algebra.quantities import not_mixed
-from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError, require
+from ..arguments import checked
+from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, at_numbers
 from ..stability.values import check_names
@@ -22,6 +23,7 @@ from .top.motion import AxialMotion
 from .turned import of_revolution, turned_free, turned_top
 
 
+@checked
 def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None = None, *,
            precision: int | None = None,
            tolerance: float | None = None) -> Motion:
@@ -71,7 +73,6 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     >>> max(top.drift(np.linspace(0, 1e12, 100)).values()) < 1e-14
     True
     """
-    require(scene, System, "the scene")
     scene = with_numbers(scene, values or {})
     if len(state) != len(scene.space.coordinates):
         raise ValuesError(f"the state has {len(state)} numbers, the scene {len(scene.space.coordinates)} "

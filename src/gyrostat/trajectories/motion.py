@@ -6,6 +6,7 @@ import numpy as np
 from sympy import Expr
 
 from ..algebra.floats import Array
+from ..arguments import checked
 from ..errors import ValuesError, optional
 from ..kept import cached_property
 from ..mechanics.system import System
@@ -219,6 +220,7 @@ class Motion:
         """What is known of the motion, in doubles, and the numbers that it is of, exact, as texts."""
         return attributes(self.scene, self.state, self._route, self.energy, self.note)
 
+    @checked
     def to_xarray(self, t: Any, pointing: Sequence[int] = (1, 2, 3)) -> Any:
         """The motion as an xarray.Dataset.
 
