@@ -1,11 +1,12 @@
 """The permanent rotations of any body in a field polynomial in k, of any degree, by elimination."""
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from typing import NamedTuple
 
 from sympy import Expr, Matrix, Poly, PolynomialError, Rational, S
 
 from ..algebra.exact import evaluate
 from ..algebra.matrices import cross
-from ..algebra.sphere_zeros import zeros_on_sphere
+from ..algebra.sphere_sets import zeros_on_sphere
 from ..errors import ScopeError
 from ..mechanics.system import System
 from ..notation import symbol
@@ -25,20 +26,27 @@ def degree_in_k(scene: System, where: str) -> int:
                          f"where it is one; {INSTEAD} in any field") from None
 
 
-def directions_at_rate(scene: System, omega: Expr) -> list[tuple[Expr, ...]]:
-    """Every k with (∇U − omega l − omega² Ik) × k = 0: of U of degree d at most 2 (d² − d + 1)."""
+class Found(NamedTuple):
+    """A direction; of a circle of them the axis, of another curve a polynomial that vanishes on it."""
+
+    k: tuple[Expr, ...]
+    circle: tuple[Expr, ...] | None = None
+    curve: Expr | None = None
+
+
+def directions_at_rate(scene: System, omega: Expr) -> Iterator[Found]:
+    """Every k with (∇U − omega l − omega² Ik) × k = 0: of U of degree d at most 2 (d² − d + 1), or curves."""
     k, inertia, rotor, gradient = _parts(scene, omega)
-    return _found(gradient - omega * rotor - omega**2 * inertia * k, k, S.One, f"omega = {omega}")
+    return _found(gradient - omega * rotor - omega**2 * inertia * k, S.One)
 
 
-def rates_by_elimination(scene: System, level: Expr) -> Iterator[tuple[Expr, tuple[Expr, ...]]]:
+def rates_by_elimination(scene: System, level: Expr) -> Iterator[tuple[Expr, Found]]:
     """Every omega and k with omega k·Ik = C1 − l·k, and the same."""
     k, inertia, rotor, gradient = _parts(scene, level)
     J, top = k.dot(inertia * k), level - rotor.dot(k)
-    force = J**2 * gradient - J * top * rotor - top**2 * inertia * k
-    for point in _found(force, k, J, f"C1 = {level}"):
-        at = dict(zip(DIRECTION, point))
-        yield evaluate(top, at) / evaluate(J, at), point
+    for found in _found(J**2 * gradient - J * top * rotor - top**2 * inertia * k, J):
+        at = dict(zip(DIRECTION, found.k))
+        yield evaluate(top, at) / evaluate(J, at), found
 
 
 def _parts(scene: System, number: Expr) -> tuple[Matrix, Matrix, Matrix, Matrix]:
@@ -54,8 +62,12 @@ def _parts(scene: System, number: Expr) -> tuple[Matrix, Matrix, Matrix, Matrix]
     return Matrix(DIRECTION), Matrix(body.tensor), Matrix(body.gyrostatic_momentum), gradient
 
 
-def _found(force: Matrix, k: Sequence[Expr], but: Expr, where: str) -> list[tuple[Expr, ...]]:
-    if (found := zeros_on_sphere(cross(force, k), DIRECTION, but)) is None:
-        raise ScopeError(f"at {where} no finite number of rotations is found: there may be circles of them; "
-                         f"{INSTEAD}")
-    return [tuple(k) for k in found]
+def _found(force: Matrix, but: Expr) -> Iterator[Found]:
+    """Every k along the force, or against it."""
+    if (zeros := zeros_on_sphere(cross(force, DIRECTION), DIRECTION, but)) is None:
+        yield Found((S.Zero, S.Zero, S.One), (S.Zero,) * 3)
+        return
+    yield from (Found(tuple(k)) for k in zeros.points)
+    for curve in zeros.curves:
+        equation = None if curve.axis else curve.expression(DIRECTION)
+        yield from (Found(k, curve.axis, equation) for k in curve.samples)

@@ -1,7 +1,7 @@
 """One permanent rotation of any body in a field, and what is decided of it."""
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from flint import arb
 from sympy import Expr, Float, Matrix, Rational, S, sqrt
@@ -16,7 +16,7 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.system import System
 from ..notation import Stored
 from ..shown import Shown
-from .amended_form import AmendedForm, amended_form
+from .amended_form import AmendedForm, amended_form, dot
 from .decision import Decision, Verdict
 from .heavy_polynomials import DIRECTION
 from .local_motion import LocalMotion
@@ -33,15 +33,19 @@ SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a
                   "positive real part", (), rung="spectrum")
 LEAVES = Decision(Verdict.UNSTABLE, "spectral", (), "the amended potential has a maximum, and the gyroscopic "
                   "forces do not hold it: an eigenvalue has a positive real part", (), rung="spectrum")
+ACROSS = Decision(Verdict.UNSTABLE, "spectral", (), "the rotation lies on a curve of rotations, and an "
+                  "eigenvalue has a positive real part", (), rung="spectrum")
+ALONG = Decision(Verdict.UNDECIDED, "", (), "the rotation lies on a curve of rotations, along which the "
+                 "amended potential does not change", ())
 
 
 class Data(NamedTuple):
-    """Of a scene at numbers, in a direction: of the body, and of U."""
+    """Of a scene at numbers, in a direction: of the body, and of U; exact, or in balls."""
 
-    inertia: list[list[Expr]]
-    rotor: list[Expr]
-    gradient: list[Expr]
-    hessian: list[list[Expr]]
+    inertia: list[list[Any]]
+    rotor: list[Any]
+    gradient: list[Any]
+    hessian: list[list[Any]]
 
 
 @dataclass(frozen=True, repr=False)
@@ -58,6 +62,8 @@ class HeavyRotation(Shown, Stored):
         [1/T]
     circle : tuple of Expr, shape (3,), or None
         along the axis about which k may be turned, (0, 0, 0) for any: a continuum of equilibria
+    curve : Expr or None
+        of a continuum that is no circle a polynomial in k1, k2, k3 that vanishes on it, where abs(k) = 1
 
     Examples
     --------
@@ -75,6 +81,7 @@ class HeavyRotation(Shown, Stored):
     k: tuple[Expr, ...]
     omega: Expr
     circle: tuple[Expr, ...] | None = None
+    curve: Expr | None = None
 
     @cached_property
     def point(self) -> tuple[Expr, ...]:
@@ -84,7 +91,9 @@ class HeavyRotation(Shown, Stored):
 
     @property
     def locus(self) -> str:
-        """What it belongs to: "" for a point, else a circle or the sphere of equilibria, in words."""
+        """What it belongs to: "" for a point, else a curve or the sphere of equilibria, in words."""
+        if self.curve is not None:
+            return f"a curve, {self.curve} = 0"
         if self.circle is None:
             return ""
         return circle_in_words(self.circle) if any(self.circle) else "the whole sphere"
@@ -107,6 +116,8 @@ class HeavyRotation(Shown, Stored):
     def decision(self) -> Decision:
         """The verdict on the point itself."""
         trace, determinant, p, discriminant = self.signs
+        if self.curve is not None:
+            return ACROSS if p == -1 else ALONG
         if determinant == -1:
             return SADDLE
         if determinant == 1 and trace == 1:
@@ -133,6 +144,8 @@ class HeavyRotation(Shown, Stored):
     def damped(self) -> Decision:
         """The verdict under internal damping."""
         trace, determinant, *_ = self.signs
+        if self.curve is not None:
+            return ALONG
         if not (determinant and trace) or not self._reached:
             return Report(self.equilibrium).verdict({}, damped=True)
         growing = 1 if determinant == -1 else 0 if trace == 1 else 2
@@ -171,11 +184,15 @@ class HeavyRotation(Shown, Stored):
     def _enclosed(self, precision: int) -> AmendedForm:
         """The form in balls."""
         with own_precision(precision):
-            k = [ball(x, precision) for x in self.k]
-            inertia, rotor, gradient, curved = self._data
-            rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
-            vectors = [[ball(e, precision) for e in vector] for vector in (rotor, gradient)]
-            return amended_form(rows[0], vectors[0], vectors[1], rows[1], k, ball(self.omega, precision))
+            k, data, omega = self._balls(precision)
+            return amended_form(*data, k, omega)
+
+    def _balls(self, precision: int) -> tuple[list[arb], Data, arb]:
+        """k, what is of the scene there, and omega, in balls."""
+        inertia, rotor, gradient, curved = self._data
+        rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
+        k, *vectors = ([ball(e, precision) for e in vector] for vector in (self.k, rotor, gradient))
+        return k, Data(rows[0], vectors[0], vectors[1], rows[1]), ball(self.omega, precision)
 
     @cached_property
     def signs(self) -> tuple[int | None, ...]:
@@ -183,6 +200,8 @@ class HeavyRotation(Shown, Stored):
         with own_precision(PRECISION):
             trace, determinant, p, q = self._enclosed(PRECISION)
             found = [_sign(x) for x in (trace, determinant, p, p**2 - 4 * q)]
+        if self.curve is not None:                         # along it the second variation is 0, and q with it
+            return found[0], 0, found[2], found[2] and 1
         if None not in found:
             return tuple(found)
         exact = self.form.trace, self.form.determinant, self.form.p, self.form.p**2 - 4 * self.form.q
@@ -190,10 +209,14 @@ class HeavyRotation(Shown, Stored):
 
     @property
     def _reached(self) -> bool:
-        """Whether internal damping reaches every motion: M × k or ∇U × k does not vanish."""
-        _, rotor, gradient, _ = self._data
-        M = [x + l for x, l in zip(self.point, rotor)]
-        return any(proved_sign(evaluate(x, {})) for x in (*cross(M, self.k), *cross(gradient, self.k)))
+        """Whether internal damping reaches every motion: M × k and the second variation of U across k are
+        not both 0. With M × k = 0 the torque is 0 too, ∇U × k = omega M × k.
+        """
+        with own_precision(PRECISION):
+            k, (inertia, rotor, gradient, curved), omega = self._balls(PRECISION)
+            if not all(x.contains(0) for x in _unreached(inertia, rotor, gradient, curved, k, omega)):
+                return True
+        return any(proved_sign(evaluate(x, {})) for x in _unreached(*self._data, self.k, self.omega))
 
 
 def data_at(scene: System, k: Sequence[Expr]) -> Data:
@@ -209,3 +232,12 @@ def data_at(scene: System, k: Sequence[Expr]) -> Data:
 
 def _sign(x: arb) -> int | None:
     return 1 if x > 0 else -1 if x < 0 else None
+
+
+def _unreached(inertia: Sequence[Sequence[Any]], rotor: Sequence[Any], gradient: Sequence[Any],
+               curved: Sequence[Sequence[Any]], k: Sequence[Any], omega: Any) -> list[Any]:
+    """M × k, and D²U − k·∇U between vectors across k."""
+    M, along = [omega * dot(row, k) + l for row, l in zip(inertia, rotor)], dot(gradient, k)
+    rows = [[x - along * (n == m) for m, x in enumerate(row)] for n, row in enumerate(curved)]
+    columns = zip(*(cross(row, k) for row in rows))
+    return [*cross(M, k), *(x for column in columns for x in cross(column, k))]
