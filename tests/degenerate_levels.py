@@ -1,8 +1,8 @@
 """Bodies in polynomial fields drawn so that complex curves, or real ones, lie among the rotations."""
 from fractions import Fraction as F
 
-KINDS = ("at rest", "missing components", "Clebsch", "Brun", "Brun on its curve", "equal moments", "Kovalevskaya",
-         "cubic at rest", "cubic", "a factor", "at a rate")
+KINDS = ("at rest", "missing components", "Clebsch", "Brun", "Brun on its curve", "equal moments",
+         "Kovalevskaya", "cubic at rest", "cubic", "a factor", "at a rate")
 
 
 def drawn(rnd, kind):
@@ -47,7 +47,7 @@ def drawn(rnd, kind):
     elif kind == "cubic":
         terms, level = sparse(first + cubes, 0.3), number() * rnd.randint(0, 1)
         rotor = [number(2) * rnd.randint(0, 1) for _ in range(3)]
-    elif kind == "a factor":                               # of a power of a form: all of its zeros are critical
+    elif kind == "a factor":                               # a power: all zeros of its base are critical
         form, power = {e: number() for e in (first if rnd.random() < 0.5 else squares)}, rnd.randint(2, 3)
         terms = {(0, 0, 0): F(1)}
         for _ in range(power):

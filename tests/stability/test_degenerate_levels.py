@@ -1,4 +1,4 @@
-"""Every rotation where complex curves, or real ones, lie among them: against Newton's method, at 50 digits."""
+"""Every rotation where curves, complex or real, lie among them: against Newton's method, at 50 digits."""
 import random
 
 import any_level

@@ -45,4 +45,10 @@ def arcs_data(arcs: Arcs) -> dict[str, Any]:
         "k": [str(x) for x in (arc.curve.k if isinstance(arc, GyrostatArc) else arc.n)],
         "ends": [{"k": [number_data(x) for x in end.k], "omega": number_data(end.omega)} for end in arc.ends],
         "pieces": [{"low": number_data(piece.low), "high": number_data(piece.high),
-                    "decision": decision_data(piece.decision)} for piece in arc.pieces]} for arc in arcs]}
+                    "decision": decision_data(piece.decision)} for piece in arc.pieces],
+        "circles": _circles(arc) if isinstance(arc, GyrostatArc) else []} for arc in arcs]}
+
+
+def _circles(arc: GyrostatArc) -> list[dict[str, Any]]:
+    return [{"k": [number_data(x) for x in circle.k], "omega": number_data(circle.omega),
+             "locus": circle.locus} for circle in arc.circles]
