@@ -19,7 +19,7 @@ from ..notation import Stored, symbol
 from ..shown import Shown
 from .asked import exact_point
 from .decision import Decision, Verdict
-from .rotors_in_rpm import explained, without_pi
+from .rotors_in_rpm import without_pi
 from .secular import KEPT, LOST, modes
 from .sphere import DRIFTS, circle_in_words, extremum
 from .values import unknown
@@ -184,9 +184,8 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
         return [PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)]
     if isinstance(body.inertia, ImmutableMatrix):
         inside, size, unit = without_pi(Matrix(body.gyrostatic_momentum), radius)
-        points = explained(lambda: list(points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)), body,
-                           radius)
-        found = [_rotation(body, nu, [unit * x for x in M], axis) for nu, M, axis in points]
+        found = [_rotation(body, nu, [unit * x for x in M], axis)
+                 for nu, M, axis in points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)]
     else:
         found = list(_about_axes(body, radius))
     return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]
@@ -197,7 +196,7 @@ def _about_axes(body: Gyrostat, radius: Expr) -> Iterator[tuple[list[float], Per
     inertia, rotor = body.moments, body.gyrostatic_momentum
     inside, size, _ = without_pi(Matrix(rotor), radius)
     secular = Add(*(l**2 / (1 - NU * moment) ** 2 for l, moment in zip(inside, inertia))) - size**2
-    for nu in explained(lambda: real_roots(secular, NU), body, radius) or ():
+    for nu in real_roots(secular, NU) or ():
         M = [l / (1 - nu * moment) if l else S.Zero for l, moment in zip(rotor, inertia)]
         yield _rotation(body, nu, M, None)
     for moment in dict.fromkeys(inertia):

@@ -151,7 +151,7 @@ def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, K
     moments, rotor = scene.body.moments, scene.body.gyrostatic_momentum
     if not all(isinstance(x, Rational) for x in (*moments, *rotor, *c)):
         raise ScopeError(f"inertia = {moments}, l = {rotor}, c = {c}: with a rotor the arcs are found at "
-                         "rational numbers")
+                         "rational numbers: round the others to decimals, or give one rate omega")
     b = tuple(x - OMEGA * y for x, y in zip(c, rotor))
     squares = {m: Add(*(y**2 for n, y in zip(moments, b) if n == m)).expand() for m in moments}
     known: Known = {S.Zero: {S.Zero: False}}               # at omega = 0, where all d_i are sigma
