@@ -102,6 +102,10 @@ class Equilibrium(Shown, Stored):
             raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}"
                                    f"{unknown}: k is a direction, |k| = 1; divide it by its length")
         for value in (*self.field_values, *self.constraints):
+            if value.has(S.ComplexInfinity) and (names := self._exponents()):
+                raise EquilibriumError(f"{self.label} is out of reach: there U or one of its derivatives is 0 to "
+                                       f"a power in which {', '.join(names)} stands: put numbers into U first, in "
+                                       f"Python U.subs({names[0]}, 2)")
             if value.is_finite is False or value.is_real is False or value.has(S.NaN):
                 raise EquilibriumError(f"{self.label} is out of reach: U or one of its derivatives is "
                                        f"{shown(value)} there, not a finite real number")
@@ -115,6 +119,12 @@ class Equilibrium(Shown, Stored):
                 raise EquilibriumError(f"{self.label} is out of reach: U is not smooth there, the argument "
                                        "of a root, logarithm or inverse function is not proved to be inside "
                                        f"its range, {argument} > 0")
+
+    def _exponents(self) -> list[str]:
+        """The names in the exponents of U."""
+        U = self.system.potential
+        powers = U.expression.atoms(Pow) if U is not None else set()
+        return sorted({s.name for power in powers for s in power.exp.free_symbols})
 
     def _check_held(self, held: Held) -> None:
         """The directions have the lengths and the angle that the scene gives them."""

@@ -5,6 +5,7 @@ from functools import lru_cache
 from sympy import Add, Expr, S, Symbol, factorial
 
 from ..algebra.exact import is_identically_zero
+from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring, by_degree, derivatives, lowest_terms
 from ..errors import ScopeError, StructureError, require
 from ..notation import Stored, jet_name, symbol
@@ -47,12 +48,12 @@ class Reduction(Shown, Stored):
     across: Expr
     twist: Expr
 
-    def square(self, U: Expr | None = None) -> Expr:
+    def square(self, U: Expr | str | None = None) -> Expr:
         """I1² k̇3² = g, a function of k3 and the levels.
 
         Parameters
         ----------
-        U : Expr or None
+        U : Expr, str or None
             in place of the scene's potential [M L²/T²]
 
         Returns
@@ -135,9 +136,11 @@ class Reduction(Shown, Stored):
         level = self.system.body.moments[0] * OMEGA * self.across + V - self.twist
         return lowest_terms(expression.xreplace({V: level}))
 
-    def _field(self, U: Expr | None) -> Expr:
+    def _field(self, U: Expr | str | None) -> Expr:
         potential = self.system.potential
-        return potential.expression if U is None and potential else U or S.Zero
+        if U is None:
+            return S.Zero if potential is None else potential.expression
+        return exact_expression(U, "U")
 
 
 @lru_cache(maxsize=64)

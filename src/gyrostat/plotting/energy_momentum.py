@@ -46,7 +46,7 @@ def energy_momentum(scene: System, values: Mapping[str, Any]) -> EnergyMomentum:
     [(1.0, 1.5, 'UNSTABLE'), (-1.0, -0.5, 'STABLE')]
     """
     require(scene, System, "the scene")
-    names_of(scene)                                    # in U(k3), given: or refused
+    names_of(scene)
     return critical_values(scene, numbers_of(scene, values, ("p_psi",)))
 
 

@@ -2,10 +2,12 @@
 from collections.abc import Mapping
 from typing import Any
 
+from sympy import ImmutableMatrix
+
 from ..algebra.exact import Point, evaluate, proved_sign
 from ..algebra.numbers import exact_number
 from ..algebra.quantities import not_mixed
-from ..errors import ScopeError, ValuesError
+from ..errors import ScopeError, ValuesError, brief
 from ..mechanics.recognition import Recognition, recognise
 from ..mechanics.reduction import ENERGY, K3, OMEGA, P, V, reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
@@ -13,26 +15,39 @@ from ..notation import symbol
 from .values import check_names, unknown
 
 PI3, C1 = symbol("pi3_0"), symbol("C1")
+OTHERS = "relative_equilibria finds those of another body in a field"
+MARKED = "where rotations of another body in a field meet, continuation marks over a range of one name"
 # of the motion: a rate about the vertical, a level, a tilt, a tilt on a level
 ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
 
 
-def names_of(scene: System) -> set[str]:
-    """Names of the moments, of l and of the parameters of U, of a scene whose relative equilibria can be
-    found.
+def names_of(scene: System, instead: str = OTHERS) -> set[str]:
+    """Names of the moments, of l and of the parameters of U, of a body of revolution in a given U(k3).
+
+    Any other scene is refused, with what there is instead.
     """
-    if not reducible(scene) or not scene.potential or not scene.potential.given:
-        raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene "
-                         "has inertia "
-                         f"{scene.body.moments}, U = {scene.potential and scene.potential.expression}: use "
-                         "upright, hanging, inclined "
-                         "or equilibrium")
+    if scene.potential is not None and not scene.potential.given:
+        raise ScopeError(f"U = {scene.potential.expression} is unspecified, and all equilibria are found in "
+                         "a field that is given: give one; conditions in any field are those of upright, "
+                         "hanging and inclined")
+    require_revolution(scene, instead)
+    assert scene.potential is not None
     needed = {s for e in (*scene.body.moments, scene.body.gyrostatic_momentum[2], scene.potential.expression)
               for s in e.free_symbols}
     if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY}):
         raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: "
                          "rename it")
     return {s.name for s in needed - {K3}}
+
+
+def require_revolution(scene: System, instead: str) -> None:
+    """Refuse a scene that is no body of revolution in U(k3)."""
+    if reducible(scene):
+        return
+    inertia = scene.body.inertia
+    shown = "a full inertia tensor" if isinstance(inertia, ImmutableMatrix) else f"inertia = {brief(inertia)}"
+    field = "no field" if scene.potential is None else f"U = {brief(scene.potential.expression)}"
+    raise ScopeError(f"{shown}, {field}: this is no body of revolution about axis 3 in a field U(k3); {instead}")
 
 
 def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:

@@ -15,6 +15,7 @@ from ..mechanics.reduction import K3, OMEGA, P, expansion, reduce
 from ..mechanics.system import System
 from ..notation import Stored, jet, symbol
 from ..shown import Shown
+from .asked import MARKED, require_revolution
 from .kinds import precessions_leave, tilt_leaves
 from .rotation_loci import loci_of_rotations
 
@@ -92,6 +93,7 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     in_one_direction(scene.potential, "bifurcations")
     if scene.potential is None:
         return tuple(Bifurcation(*row) for row in loci_of_rotations(scene.body))
+    require_revolution(scene, MARKED)
     relation, motion = relation_at_rate(scene), reduce(scene)
     slope = relation.diff(K3) + symbol("d2U")
     found: list[tuple[str, tuple[Expr, ...], Expr]] = [

@@ -3,11 +3,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from sympy import Add, Expr, S, Symbol, oo, sqrt, zeros
 
 from ..algebra.exact import evaluate, proved_sign
+from ..algebra.numbers import exact_number
 from ..algebra.roots import between, in_order, real_roots
 from ..kept import cached_property
 from ..mechanics.system import System
@@ -81,20 +82,21 @@ class StaudeArc(Shown, Stored):
         """abs(n), in the parameter [1/T²]."""
         return sqrt(_squared(self.n))
 
-    def rotation(self, at: Expr) -> HeavyRotation:
+    def rotation(self, at: Any) -> HeavyRotation:
         """The permanent rotation at a value of the parameter, exact, of positive rate.
 
         That of −omega has the same verdict.
 
         Parameters
         ----------
-        at : Expr
-            an exact number between low and high
+        at : number
+            exact, between low and high
 
         Returns
         -------
         HeavyRotation
         """
+        at = exact_number(at, str(self.parameter))
         n = [evaluate(x, {self.parameter: at}) for x in self.n]
         length = sqrt(_squared(n))
         return HeavyRotation(self.scene, tuple(evaluate(x / length, {}) for x in n), sqrt(length))
