@@ -47,7 +47,8 @@ def require_revolution(scene: System, instead: str) -> None:
     inertia = scene.body.inertia
     shown = "a full inertia tensor" if isinstance(inertia, ImmutableMatrix) else f"inertia = {brief(inertia)}"
     field = "no field" if scene.potential is None else f"U = {brief(scene.potential.expression)}"
-    raise ScopeError(f"{shown}, {field}: this is no body of revolution about axis 3 in a field U(k3); {instead}")
+    raise ScopeError(f"{shown}, {field}: this is no body of revolution about axis 3 in a field U(k3); "
+                     + instead)
 
 
 def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:

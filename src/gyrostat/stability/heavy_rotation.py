@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from flint import arb
-from sympy import Expr, Float, Matrix, Rational, S, sqrt
+from sympy import Expr, Float, Matrix, Rational, S, sqrt, zeros
 
 from ..algebra.balls import ball
 from ..algebra.exact import evaluate, proved_sign
@@ -13,6 +13,7 @@ from ..algebra.precision import own_precision
 from ..kept import cached_property
 from ..mechanics.claimed import equilibrium
 from ..mechanics.equilibria import Equilibrium
+from ..mechanics.near_pole import near_pole, refuse_rough
 from ..mechanics.system import System
 from ..notation import Stored
 from ..shown import Shown
@@ -224,6 +225,10 @@ def data_at(scene: System, k: Sequence[Expr]) -> Data:
     U = scene.potential
     assert U is not None
     at = dict(zip(DIRECTION, k))
+    if near := near_pole(U, k[2]):
+        refuse_rough("a rotation about axis 3", U, near, (), near.positive)
+        slope = [S.Zero, S.Zero, near.derivative(1)]       # of the curvature nothing is asked across k
+        return Data(scene.body.tensor.tolist(), list(scene.body.gyrostatic_momentum), slope, zeros(3).tolist())
     slopes = U.gradient()
     rows = slopes, *(U.following(d) if d else (S.Zero,) * 3 for d in slopes)
     first, *second = ([evaluate(U.value(d), at) if d else S.Zero for d in row] for row in rows)

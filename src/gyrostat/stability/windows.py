@@ -23,6 +23,7 @@ from .resonances import (
 )
 
 NOTION = "Lyapunov (Arnold-Moser)"
+ROUGH = "U has powers of 1 ∓ k3 there that are not whole, and normal forms ask for more derivatives"
 HELD = Decision(Verdict.UNDECIDED, "", (), "the amended potential has a maximum, held by gyroscopic forces: "
                 "normal forms decide its points", ())
 TWISTED = Decision(Verdict.STABLE, NOTION, (), "the amended potential has a maximum, held by gyroscopic "
@@ -49,7 +50,7 @@ def resonances_up_to(order: int) -> list[tuple[int, int]]:
 
 def decide_window(motion: LocalMotion) -> Finding:
     """What normal forms decide where gyroscopic forces hold a maximum of the amended potential."""
-    found = _decided(motion)
+    found = settled(None, ROUGH) if motion.rough else _decided(motion)
     return found._replace(why=f"the amended potential has a maximum, held by gyroscopic forces; {found.why}",
                           pointwise=True)
 
