@@ -1,5 +1,6 @@
 """What decide answers where the numbers are those of a body in a field, and none of its motion: the arcs."""
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from sympy import Expr
@@ -8,8 +9,10 @@ from ..mechanics.reduction import reducible
 from ..mechanics.system import names_of_scene
 from ..printing.blocks import Block, Heading
 from ..printing.data import decision_data, number_data
+from ..printing.decision import note_blocks
 from ..printing.results import result_blocks
 from ..stability.gyrostat_arcs import GyrostatArc
+from ..stability.notes import scene_note
 from ..stability.staude import staude_cone
 from ..stability.staude_arcs import StaudeArc
 from .asked import Asked, scene_of
@@ -34,21 +37,26 @@ def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Arc
 
 def arcs_blocks(arcs: Arcs) -> list[Block]:
     """Ends, direction, rate and verdicts of each."""
-    return [block for n, arc in enumerate(arcs, 1)
-            for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))]
+    return [*(block for n, arc in enumerate(arcs, 1)
+              for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))),
+            *note_blocks(scene_note(arcs[0].scene, {}))]
 
 
 def arcs_data(arcs: Arcs) -> dict[str, Any]:
     """The arcs as data for JSON; of an infinite number the decimal is none."""
+    note = scene_note(arcs[0].scene, {})
     return {"arcs": [{
         "parameter": str(arc.parameter), "low": number_data(arc.low), "high": number_data(arc.high),
         "k": [str(x) for x in (arc.curve.k if isinstance(arc, GyrostatArc) else arc.n)],
         "ends": [{"k": [number_data(x) for x in end.k], "omega": number_data(end.omega)} for end in arc.ends],
         "pieces": [{"low": number_data(piece.low), "high": number_data(piece.high),
-                    "decision": decision_data(piece.decision)} for piece in arc.pieces],
-        "circles": _circles(arc) if isinstance(arc, GyrostatArc) else []} for arc in arcs]}
+                    "decision": decision_data(replace(piece.decision, note=""))} for piece in arc.pieces]}
+        | _circles(arc) for arc in arcs]} | ({"note": note} if note else {})
 
 
-def _circles(arc: GyrostatArc) -> list[dict[str, Any]]:
-    return [{"k": [number_data(x) for x in circle.k], "omega": number_data(circle.omega),
-             "locus": circle.locus} for circle in arc.circles]
+def _circles(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
+    """Those that an arc crosses, if any."""
+    if not isinstance(arc, GyrostatArc) or not arc.circles:
+        return {}
+    return {"circles": [{"k": [number_data(x) for x in circle.k], "omega": number_data(circle.omega),
+                         "locus": circle.locus} for circle in arc.circles]}

@@ -14,7 +14,7 @@ from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
 from .values import check_names, unknown
 
-PI3, C1 = symbol("pi3_0"), symbol("C1")
+PI3, C1, LENGTH = symbol("pi3_0"), symbol("C1"), symbol("M")
 OTHERS = "relative_equilibria finds those of another body in a field"
 MARKED = "where rotations of another body in a field meet, continuation marks over a range of one name"
 # of the motion: a rate about the vertical, a level, a tilt, a tilt on a level
@@ -116,3 +116,25 @@ def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, 
                           "the scene: "
                           + ", or ".join(" and ".join(sorted(way)) for way in ways))
     return found, {own[name]: value for name, value in values.items() if name not in names}
+
+
+def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | None = None) -> Point:
+    """The values as exact numbers, one for every name of a scene without a field and for M, but for one that
+    is free.
+    """
+    needed = {s.name for s in names_of_scene(scene)}
+    if LENGTH.name in needed:
+        raise ScopeError("the body depends on M, which is the length of the momentum here: rename it")
+    needed |= {LENGTH.name}
+    if free is not None and free not in needed:
+        raise ValuesError(unknown(free, sorted(needed), "the scene"))
+    numbers = exact_point(scene, values, needed)
+    if free is not None and free in values:
+        raise ValuesError(f"{free} is free, and has the value {values[free]} too: leave out one of the two")
+    if missing := sorted(needed - values.keys() - {free}):
+        raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each; M is "
+                          "the length of π + l")
+    if LENGTH in numbers and proved_sign(numbers[LENGTH]) not in ((0, 1) if free is None else (1,)):
+        raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a number that "
+                          f"is {'not negative' if free is None else 'positive'}")
+    return numbers

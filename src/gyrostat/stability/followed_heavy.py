@@ -25,8 +25,9 @@ from ..notation import symbol
 from .asked import exact_point
 from .critical import admissible, within
 from .decision import Verdict
+from .heavy_data import data_at
 from .heavy_polynomials import degree_in_k
-from .heavy_rotation import HeavyRotation, data_at
+from .heavy_rotation import HeavyRotation
 from .heavy_rotations import heavy_rotations
 from .meetings import BifurcationPoint
 from .values import unknown

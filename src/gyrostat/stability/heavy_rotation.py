@@ -1,26 +1,23 @@
 """One permanent rotation of any body in a field, and what is decided of it."""
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
 
 from flint import arb
-from sympy import Expr, Float, Matrix, Rational, S, sqrt, zeros
+from sympy import Expr, Float, Matrix, Rational, S, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import evaluate, proved_sign
-from ..algebra.matrices import cross
 from ..algebra.precision import own_precision
 from ..kept import cached_property
 from ..mechanics.claimed import equilibrium
 from ..mechanics.equilibria import Equilibrium
-from ..mechanics.near_pole import near_pole, refuse_rough
 from ..mechanics.system import System
 from ..notation import Stored
 from ..shown import Shown
-from .amended_form import AmendedForm, amended_form, dot
+from .amended_form import AmendedForm, amended_form
 from .decision import Decision, Verdict
-from .heavy_polynomials import DIRECTION
+from .heavy_data import Data, data_at, unreached
 from .local_motion import LocalMotion
+from .notes import noted
 from .report import Report
 from .secular import KEPT, LOST, modes
 from .sphere import circle_in_words
@@ -38,15 +35,6 @@ ACROSS = Decision(Verdict.UNSTABLE, "spectral", (), "the rotation lies on a curv
                   "eigenvalue has a positive real part", (), rung="spectrum")
 ALONG = Decision(Verdict.UNDECIDED, "", (), "the rotation lies on a curve of rotations, along which the "
                  "amended potential does not change", ())
-
-
-class Data(NamedTuple):
-    """Of a scene at numbers, in a direction: of the body, and of U; exact, or in balls."""
-
-    inertia: list[list[Any]]
-    rotor: list[Any]
-    gradient: list[Any]
-    hessian: list[list[Any]]
 
 
 @dataclass(frozen=True, repr=False)
@@ -116,6 +104,9 @@ class HeavyRotation(Shown, Stored):
     @cached_property
     def decision(self) -> Decision:
         """The verdict on the point itself."""
+        return noted(self._decided(), self.scene)
+
+    def _decided(self) -> Decision:
         trace, determinant, p, discriminant = self.signs
         if self.curve is not None:
             return ACROSS if p == -1 else ALONG
@@ -144,6 +135,9 @@ class HeavyRotation(Shown, Stored):
     @cached_property
     def damped(self) -> Decision:
         """The verdict under internal damping."""
+        return noted(self._decided_under_damping(), self.scene)
+
+    def _decided_under_damping(self) -> Decision:
         trace, determinant, *_ = self.signs
         if self.curve is not None:
             return ALONG
@@ -215,34 +209,10 @@ class HeavyRotation(Shown, Stored):
         """
         with own_precision(PRECISION):
             k, (inertia, rotor, gradient, curved), omega = self._balls(PRECISION)
-            if not all(x.contains(0) for x in _unreached(inertia, rotor, gradient, curved, k, omega)):
+            if not all(x.contains(0) for x in unreached(inertia, rotor, gradient, curved, k, omega)):
                 return True
-        return any(proved_sign(evaluate(x, {})) for x in _unreached(*self._data, self.k, self.omega))
-
-
-def data_at(scene: System, k: Sequence[Expr]) -> Data:
-    """The same of a scene."""
-    U = scene.potential
-    assert U is not None
-    at = dict(zip(DIRECTION, k))
-    if near := near_pole(U, k[2]):
-        refuse_rough("a rotation about axis 3", U, near, (), near.positive)
-        slope = [S.Zero, S.Zero, near.derivative(1)]       # of the curvature nothing is asked across k
-        return Data(scene.body.tensor.tolist(), list(scene.body.gyrostatic_momentum), slope, zeros(3).tolist())
-    slopes = U.gradient()
-    rows = slopes, *(U.following(d) if d else (S.Zero,) * 3 for d in slopes)
-    first, *second = ([evaluate(U.value(d), at) if d else S.Zero for d in row] for row in rows)
-    return Data(scene.body.tensor.tolist(), list(scene.body.gyrostatic_momentum), first, second)
+        return any(proved_sign(evaluate(x, {})) for x in unreached(*self._data, self.k, self.omega))
 
 
 def _sign(x: arb) -> int | None:
     return 1 if x > 0 else -1 if x < 0 else None
-
-
-def _unreached(inertia: Sequence[Sequence[Any]], rotor: Sequence[Any], gradient: Sequence[Any],
-               curved: Sequence[Sequence[Any]], k: Sequence[Any], omega: Any) -> list[Any]:
-    """M × k, and D²U − k·∇U between vectors across k."""
-    M, along = [omega * dot(row, k) + l for row, l in zip(inertia, rotor)], dot(gradient, k)
-    rows = [[x - along * (n == m) for m, x in enumerate(row)] for n, row in enumerate(curved)]
-    columns = zip(*(cross(row, k) for row in rows))
-    return [*cross(M, k), *(x for column in columns for x in cross(column, k))]

@@ -14,9 +14,10 @@ from ..errors import ScopeError, ValuesError
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
 from .asked import C1, exact_point
+from .heavy_data import data_at
 from .heavy_levels import rates_on_level
 from .heavy_polynomials import DIRECTION, degree_in_k, directions_at_rate, rates_by_elimination
-from .heavy_rotation import PRECISION, HeavyRotation, data_at
+from .heavy_rotation import PRECISION, HeavyRotation
 
 OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 

@@ -16,10 +16,9 @@ from ..mechanics.reduction import K3, OMEGA, P, V, reduce
 from ..mechanics.system import System, at_numbers
 from ..notation import Stored, symbol
 from ..shown import Shown
-from .asked import MARKED, exact_point, names_of
+from .asked import LENGTH, MARKED, exact_point, names_of, numbers_of_rotations
 from .bifurcations import bifurcations, insert, relation_at_rate
 from .kinds import AT_RATE, ON_LEVEL, defined, kind_of, tilt_leaves
-from .permanent_rotations import LENGTH, numbers_of_rotations
 from .rotation_meetings import places_where_rotations_meet
 from .values import unknown
 

@@ -21,6 +21,7 @@ from ..shown import Shown
 from .amended_form import dot, trace
 from .decision import Decision, Verdict
 from .in_frame import HELD
+from .notes import noted
 from .report import Report
 from .secular import KEPT, LOST, modes
 
@@ -90,6 +91,9 @@ class OrbitalEquilibrium(Shown, Stored):
     @cached_property
     def decision(self) -> Decision:
         """The verdict on the point itself."""
+        return noted(self._decided(), self.scene)
+
+    def _decided(self) -> Decision:
         if self.scene.linear_integrals:
             return Report(self.equilibrium).verdict({})
         trace_, second, whole, *spectrum = self.signs
@@ -109,6 +113,9 @@ class OrbitalEquilibrium(Shown, Stored):
     @cached_property
     def damped(self) -> Decision:
         """The verdict under internal damping."""
+        return noted(self._decided_under_damping(), self.scene)
+
+    def _decided_under_damping(self) -> Decision:
         if self.scene.linear_integrals:
             return Report(self.equilibrium).verdict({}, damped=True)
         trace_, second, whole, *_ = self.signs

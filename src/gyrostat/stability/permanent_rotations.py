@@ -7,24 +7,23 @@ from flint import arb, arb_mat
 from sympy import Add, Expr, ImmutableMatrix, Matrix, Rational, S, eye, sqrt
 
 from ..algebra.balls import ball
-from ..algebra.exact import Point, proved_sign
+from ..algebra.exact import proved_sign
 from ..algebra.pencils import points_on_sphere
 from ..algebra.precision import own_precision
 from ..algebra.roots import real_roots
-from ..errors import ScopeError, ValuesError
 from ..kept import cached_property
 from ..mechanics.body import Gyrostat
-from ..mechanics.system import System, at_numbers, names_of_scene
+from ..mechanics.system import System, at_numbers
 from ..notation import Stored, symbol
 from ..shown import Shown
-from .asked import exact_point
+from .asked import LENGTH, numbers_of_rotations
 from .decision import Decision, Verdict
+from .notes import inertia_note
 from .rotors_in_rpm import without_pi
 from .secular import KEPT, LOST, modes
 from .sphere import DRIFTS, circle_in_words, extremum
-from .values import unknown
 
-NU, LENGTH = symbol("nu"), symbol("M")
+NU = symbol("nu")
 PRECISION = 128                                            # bits that put the rotations in order
 EXTREMUM = Decision(Verdict.STABLE, "Lyapunov", (), "the energy is an extremum on the momentum sphere", ())
 SADDLE = Decision(Verdict.UNSTABLE, "spectral", (), "the energy is a saddle on the momentum sphere: an "
@@ -84,7 +83,7 @@ class PermanentRotation(Shown, Stored):
 
         In principal axes M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν.
         """
-        if self.nu is None or self.decision not in (EXTREMUM, SADDLE):
+        if self.nu is None or self._kind not in (EXTREMUM, SADDLE):
             return S.Zero
         if isinstance(self.body.inertia, ImmutableMatrix):
             M = Matrix(self.momentum)
@@ -95,14 +94,22 @@ class PermanentRotation(Shown, Stored):
     @cached_property
     def damped(self) -> Decision:
         """The verdict under internal damping, which keeps M; of a circle, modulo the turns about its axis."""
+        return replace(self._decided_under_damping(), note=self.decision.note)
+
+    @property
+    def _kind(self) -> Decision:
+        """The decision, without what is said of the body."""
+        return replace(self.decision, note="")
+
+    def _decided_under_damping(self) -> Decision:
         if self.nu is None or self.sphere:
             return replace(self.decision, notion="secular", growing=0)
-        if self.decision not in (EXTREMUM, SADDLE, ON_CIRCLE):
+        if self._kind not in (EXTREMUM, SADDLE, ON_CIRCLE):
             sign, why = extremum(self.body, self.momentum, self.nu)
             return _damped(sign if sign is None else sign == 1, why, 0 if sign == 1 else None)
         M, D = Matrix(self.momentum), self.body.inverse - self.nu * eye(3)
         rising = proved_sign(D.trace() * M.dot(M) - M.dot(D * M)) == 1
-        growing = 1 if self.decision == SADDLE else 0 if rising else 1 if self.circle else 2
+        growing = 1 if self._kind == SADDLE else 0 if rising else 1 if self.circle else 2
         along = Add(*(x * symbol(f"pi{n}") for n, x in enumerate(self.circle or (), 1)))
         return replace(_damped(not growing, "" if rising else modes(growing), growing),
                        modulo=(along,) if self.circle else ())
@@ -129,28 +136,6 @@ def rotations_at(scene: System, values: Mapping[str, Any]) -> list[PermanentRota
     """Every permanent rotation of a scene without a field, at numbers for its names and M = abs(π + l)."""
     numbers = numbers_of_rotations(scene, values)
     return permanent_rotations(at_numbers(scene, numbers).body, numbers[LENGTH])
-
-
-def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | None = None) -> Point:
-    """The values as exact numbers, one for every name of a scene without a field and for M, but for one that
-    is free.
-    """
-    needed = {s.name for s in names_of_scene(scene)}
-    if LENGTH.name in needed:
-        raise ScopeError("the body depends on M, which is the length of the momentum here: rename it")
-    needed |= {LENGTH.name}
-    if free is not None and free not in needed:
-        raise ValuesError(unknown(free, sorted(needed), "the scene"))
-    numbers = exact_point(scene, values, needed)
-    if free is not None and free in values:
-        raise ValuesError(f"{free} is free, and has the value {values[free]} too: leave out one of the two")
-    if missing := sorted(needed - values.keys() - {free}):
-        raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each; M is "
-                          "the length of π + l")
-    if LENGTH in numbers and proved_sign(numbers[LENGTH]) not in ((0, 1) if free is None else (1,)):
-        raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a number that "
-                          f"is {'not negative' if free is None else 'positive'}")
-    return numbers
 
 
 def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]:
@@ -180,15 +165,17 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
     (0, -1, 0) 1/4 UNSTABLE
     (-1, 0, 0) 1/2 STABLE
     """
+    note = inertia_note(body, {})
     if proved_sign(radius) == 0:
-        return [PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)]
+        return [PermanentRotation(body, (S.Zero,) * 3, None, replace(AT_REST, note=note))]
     if isinstance(body.inertia, ImmutableMatrix):
         inside, size, unit = without_pi(Matrix(body.gyrostatic_momentum), radius)
         found = [_rotation(body, nu, [unit * x for x in M], axis)
                  for nu, M, axis in points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)]
     else:
         found = list(_about_axes(body, radius))
-    return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]
+    return [replace(rotation, decision=replace(rotation.decision, note=note))
+            for _, rotation in sorted(found, key=lambda pair: pair[0])]
 
 
 def _about_axes(body: Gyrostat, radius: Expr) -> Iterator[tuple[list[float], PermanentRotation]]:

@@ -18,6 +18,7 @@ from .amended_form import amended_form
 from .decision import Decision, Verdict
 from .heavy_rotation import HeavyRotation
 from .local_motion import LocalMotion
+from .notes import noted
 from .window_families import cuts_in_windows
 from .windows import HELD, TWISTED
 
@@ -161,13 +162,13 @@ class StaudeArc(Shown, Stored):
         """The parts of a stretch that gyroscopic forces hold, between resonances and where D4 is 0."""
         cuts = _cuts(self.scene, self.n, self.parameter)
         if cuts is None:
-            yield Piece(low, high, HELD)
+            yield Piece(low, high, noted(HELD, self.scene))
             return
         inside = [x for x in cuts if (low == -oo or proved_sign(x - low) == 1)
                   and (high == oo or proved_sign(high - x) == 1)]
         for a, b in pairwise([low, *inside, high]):
             stable = self.rotation(between(a, b)).decision.verdict is Verdict.STABLE
-            yield Piece(a, b, TWISTED if stable else HELD)
+            yield Piece(a, b, noted(TWISTED if stable else HELD, self.scene))
 
 
 def staude_arcs(scene: System, c: Sequence[Expr]) -> Iterator[StaudeArc]:

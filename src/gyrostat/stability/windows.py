@@ -1,6 +1,7 @@
 """What decides where gyroscopic forces hold a maximum of the amended potential: Arnold's theorem."""
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from math import gcd
 from typing import Any
 
@@ -34,7 +35,7 @@ LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Finding]] = {
 
 def along_stretch(decision: Decision) -> Decision:
     """What a decision at one point of a stretch says of all, where the margins keep their signs."""
-    return HELD if decision.pointwise else decision
+    return replace(HELD, note=decision.note) if decision.pointwise else decision
 
 
 def resonance_margin(p: Any, q: Any, first: int, second: int) -> Any:
