@@ -77,6 +77,8 @@ def _rational(f: Expr, scene: System, asked: Expr) -> Expr:
     They are if they have one factor, such as π² where l and omega are in rpm and U has the factor too.
     """
     polynomial = Poly(f, *DIRECTION)
+    if polynomial.is_zero:
+        return S.Zero
     numbers = polynomial.coeffs()
     scaled = [lowest_terms(x / numbers[0]) for x in numbers]
     if not all(isinstance(x, Rational) for x in scaled):
