@@ -51,7 +51,8 @@ def test_texts_are_read_by_the_grammar():
     assert not gs.axial_potential("U(k3)").given and not gs.general_potential("U(k1, k2, k3)").given
     assert gs.coupled_potential("-k1 - 2*e2").expression == -k1 - 2 * e2
     assert gs.coupled_potential("k1", ("k",), ("k1", "0", "-2*k2")).drift == (k1, 0, -2 * k2)
-    assert (gs.circular_orbit("omega0", potential="3*n1").expression - gs.circular_orbit().expression) == 3 * n1
+    field, beside = gs.circular_orbit(), gs.circular_orbit("omega0", potential="3*n1")
+    assert beside.expression - field.expression == 3 * n1
     assert gs.Gyrostat(("I1", "I1", "I3 + 1"), ("0", "0", "2*l")).gyrostatic_momentum == (0, 0, 2 * l)
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential("k3"))
     assert gs.equilibrium(scene, ("0", "0", "3*w", "0", "0", "1")).point[2] == 3 * gs.symbol("w")

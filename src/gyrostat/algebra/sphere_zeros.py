@@ -41,8 +41,9 @@ def finite_zeros(given: Sequence[Terms], left_out: Sequence[Terms], above: Seque
         return None
     for f in left_out:
         algebra = algebra.without(f)
-    # all zeros come with their opposites where each polynomial is even or odd
-    paired = all(len({sum(e) % 2 for e in f}) < 2 for f in (*given, *left_out, *above))
+    # all zeros come with their opposites where each polynomial is even or odd, with the same quotients
+    paired = all(len({sum(e) % 2 for e in f}) < 2 for f in (*given, *left_out)) and len(
+        {sum(e) % 2 for f in (left_out[0], *above) for e in f}) == 1
     return algebra.points(paired, algebra.quotients(above, left_out[0]))
 
 

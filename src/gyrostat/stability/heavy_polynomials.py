@@ -1,5 +1,5 @@
 """The permanent rotations of any body in a field polynomial in k, of any degree, by elimination."""
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from sympy import Add, Expr, Matrix, Mul, Poly, PolynomialError, Rational, S
@@ -28,9 +28,10 @@ def degree_in_k(scene: System, where: str) -> int:
 
 
 class Found(NamedTuple):
-    """A direction; of a circle of them the axis, of another curve a polynomial that vanishes on it."""
+    """A direction and a rate; of a circle of them the axis, of another curve a polynomial that is 0 on it."""
 
     k: tuple[Expr, ...]
+    omega: Expr
     circle: tuple[Expr, ...] | None = None
     curve: Expr | None = None
 
@@ -38,16 +39,14 @@ class Found(NamedTuple):
 def directions_at_rate(scene: System, omega: Expr) -> Iterator[Found]:
     """Every k with (∇U − omega l − omega² Ik) × k = 0: of U of degree d at most 2 (d² − d + 1), or curves."""
     k, inertia, rotor, gradient = _parts(scene)
-    return _found(gradient - omega * rotor - omega**2 * inertia * k, S.One, scene, omega)
+    return _found(gradient - omega * rotor - omega**2 * inertia * k, omega, S.One, scene, omega)
 
 
-def rates_by_elimination(scene: System, level: Expr) -> Iterator[tuple[Expr, Found]]:
-    """Every omega and k with omega k·Ik = C1 − l·k, and the same."""
+def rates_by_elimination(scene: System, level: Expr) -> Iterator[Found]:
+    """Every k on a level, omega k·Ik = C1 − l·k, with the same."""
     k, inertia, rotor, gradient = _parts(scene)
     J, top = k.dot(inertia * k), level - rotor.dot(k)
-    for found in _found(J**2 * gradient - J * top * rotor - top**2 * inertia * k, J, scene, level):
-        at = dict(zip(DIRECTION, found.k))
-        yield evaluate(top, at) / evaluate(J, at), found
+    return _found(J**2 * gradient - J * top * rotor - top**2 * inertia * k, top, J, scene, level)
 
 
 def _parts(scene: System) -> tuple[Matrix, Matrix, Matrix, Matrix]:
@@ -59,16 +58,24 @@ def _parts(scene: System) -> tuple[Matrix, Matrix, Matrix, Matrix]:
     return Matrix(DIRECTION), Matrix(body.tensor), Matrix(body.gyrostatic_momentum), gradient
 
 
-def _found(force: Matrix, but: Expr, scene: System, asked: Expr) -> Iterator[Found]:
-    """Every k along the force, or against it."""
-    *across, left_out = (_rational(f, scene, asked) for f in (*cross(force, DIRECTION), but))
-    if (zeros := zeros_on_sphere(across, DIRECTION, left_out)) is None:
-        yield Found((S.Zero, S.Zero, S.One), (S.Zero,) * 3)
+def _found(force: Matrix, top: Expr, bottom: Expr, scene: System, asked: Expr) -> Iterator[Found]:
+    """Every k along the force, or against it, with omega = top/bottom."""
+    def rate(k: Sequence[Expr]) -> Expr:
+        at = dict(zip(DIRECTION, k))
+        return evaluate(evaluate(top, at) / evaluate(bottom, at), {}) if top else S.Zero
+
+    *across, left_out = (_rational(f, scene, asked) for f in (*cross(force, DIRECTION), bottom))
+    # where its numbers are rational the rate is one of the field of k
+    over = [top] if left_out == bottom != 1 and all(isinstance(x, Rational) for x in _coefficients(top)) else []
+    if (zeros := zeros_on_sphere(across, DIRECTION, left_out, over)) is None:
+        up = S.Zero, S.Zero, S.One
+        yield Found(up, rate(up), (S.Zero,) * 3)
         return
-    yield from (Found(tuple(k)) for k in zeros.points)
+    for point in zeros.points:
+        yield Found(tuple(point[:3]), point[3] if over else rate(point))
     for curve in zeros.curves:
         equation = None if curve.axis else curve.expression(DIRECTION)
-        yield from (Found(k, curve.axis, equation) for k in curve.samples)
+        yield from (Found(k, rate(k), curve.axis, equation) for k in curve.samples)
 
 
 def _rational(f: Expr, scene: System, asked: Expr) -> Expr:
@@ -76,10 +83,9 @@ def _rational(f: Expr, scene: System, asked: Expr) -> Expr:
 
     They are if they have one factor, such as π² where l and omega are in rpm and U has the factor too.
     """
-    polynomial = Poly(f, *DIRECTION)
-    if polynomial.is_zero:
-        return S.Zero
-    numbers = polynomial.coeffs()
+    polynomial, numbers = Poly(f, *DIRECTION), _coefficients(f)
+    if polynomial.is_zero or all(isinstance(x, Rational) for x in numbers):
+        return f
     scaled = [lowest_terms(x / numbers[0]) for x in numbers]
     if not all(isinstance(x, Rational) for x in scaled):
         given = [asked, *scene.body.gyrostatic_momentum, *scene.body.tensor, *numbers]
@@ -88,3 +94,7 @@ def _rational(f: Expr, scene: System, asked: Expr) -> Expr:
                          "more, all rotations are found at rational numbers, or those with one factor: round "
                          f"it to decimals, {number.evalf(10)}, or {INSTEAD}")
     return Add(*(x * Mul(*(k**n for k, n in zip(DIRECTION, e))) for x, e in zip(scaled, polynomial.monoms())))
+
+
+def _coefficients(f: Expr) -> list[Expr]:
+    return list(Poly(f, *DIRECTION).coeffs())

@@ -166,16 +166,21 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
     (-1, 0, 0) 1/2 STABLE
     """
     note = inertia_note(body, {})
+    found = _by_energy(body, radius)
+    return [replace(r, decision=replace(r.decision, note=note)) for r in found] if note else found
+
+
+def _by_energy(body: Gyrostat, radius: Expr) -> list[PermanentRotation]:
+    """The same, without what is said of the body."""
     if proved_sign(radius) == 0:
-        return [PermanentRotation(body, (S.Zero,) * 3, None, replace(AT_REST, note=note))]
+        return [PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)]
     if isinstance(body.inertia, ImmutableMatrix):
         inside, size, unit = without_pi(Matrix(body.gyrostatic_momentum), radius)
         found = [_rotation(body, nu, [unit * x for x in M], axis)
                  for nu, M, axis in points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)]
     else:
         found = list(_about_axes(body, radius))
-    return [replace(rotation, decision=replace(rotation.decision, note=note))
-            for _, rotation in sorted(found, key=lambda pair: pair[0])]
+    return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]
 
 
 def _about_axes(body: Gyrostat, radius: Expr) -> Iterator[tuple[list[float], PermanentRotation]]:
