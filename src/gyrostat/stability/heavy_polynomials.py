@@ -65,8 +65,9 @@ def _found(force: Matrix, top: Expr, bottom: Expr, scene: System, asked: Expr) -
         return evaluate(evaluate(top, at) / evaluate(bottom, at), {}) if top else S.Zero
 
     *across, left_out = (_rational(f, scene, asked) for f in (*cross(force, DIRECTION), bottom))
-    # where its numbers are rational the rate is one of the field of k
-    over = [top] if left_out == bottom != 1 and all(isinstance(x, Rational) for x in _coefficients(top)) else []
+    # if its numbers are rational, the rate is in the field of k
+    rational = left_out == bottom != 1 and all(isinstance(x, Rational) for x in _coefficients(top))
+    over = [top] if rational else []
     if (zeros := zeros_on_sphere(across, DIRECTION, left_out, over)) is None:
         up = S.Zero, S.Zero, S.One
         yield Found(up, rate(up), (S.Zero,) * 3)
