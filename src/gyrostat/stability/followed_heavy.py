@@ -105,7 +105,7 @@ def followed_heavy(scene: System, name: str, low: Expr, high: Expr,
     above, below = minors * vector, pencil[:, 0].dot(minors[:, 0])
     curve = PlaneCurve(above.dot(above) - below**2, SIGMA, free, ends=())
     if not curve.rational:
-        raise ScopeError("rotations are followed at rational numbers: write the others as fractions")
+        raise ScopeError("rotations are followed at rational numbers: round the others to decimals")
     met = _double_points(curve, low, high)
     inner = in_order(list({t for t, _ in met} - {low, high}))
     spans = [_between(scene, name, values, a, b) for a, b in pairwise([low, *inner, high])]
