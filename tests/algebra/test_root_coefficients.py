@@ -55,16 +55,12 @@ def test_numbers_that_depend_on_each_other():
     assert real_roots(total * x - 1, x)[0].evalf(20) > 0
 
 
-@pytest.mark.parametrize("refused", [x**3 - pi, exp(x) - 2, sin(x), x - gs.symbol("y"), sqrt(x) - 1,
-                                     x**3 * log(2) - 1, x**4 - cos(1),
-                                     I * x - I,
+@pytest.mark.parametrize("refused", [exp(x) - 2, sin(x), x - gs.symbol("y"), sqrt(x) - 1, I * x - I,
                                      x - CRootOf(x**3 - x - 1, 1), x**2 - sqrt(1 - sqrt(2)),
                                      (x - 1) ** Rational(1, 3)])
-def test_what_is_not_a_polynomial_with_real_algebraic_coefficients(refused):
-    """Transcendental coefficients from degree 3 on, functions, other names, roots of x, complex coefficients:
-    refused, not overlooked.
-    """
-    with pytest.raises(ScopeError, match="is not a polynomial in x with algebraic coefficients"):
+def test_what_is_not_a_polynomial_with_real_coefficients(refused):
+    """Functions, other names, roots of x, complex coefficients: refused, not overlooked."""
+    with pytest.raises(ScopeError, match="is not a fraction of polynomials in x with real numbers for"):
         real_roots(refused, x)
 
 

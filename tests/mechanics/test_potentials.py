@@ -32,7 +32,8 @@ def test_callables_and_expressions_agree():
 @pytest.mark.parametrize(("given", "why"), [
     (m0**2, "does not depend"), (m0 * k1, "k1"), (gs.symbol("omega") * k3, "omega"),
     (gs.symbol("pi3_0") * k3, "pi3_0"),
-    (gs.symbol("dU") * k3, "dU"), ("m0*k3", "not an expression"), (True, "not an expression"),
+    (gs.symbol("dU") * k3, "dU"), ("m0*k3*k1", "k1"), ("m0*k3(2)", "cannot read"),
+    (True, "not an expression"),
     (Function("V")(k3), "unspecified"),
     (sympy.I * 2, "finite real"), (sympy.oo, "finite real"),
     (sympy.Abs(k3), "smooth"), (sympy.Piecewise((k3, k3 > 0), (0, True)), "smooth")])
@@ -40,6 +41,28 @@ def test_what_is_no_potential_is_refused(given, why):
     """Parameters without k3, names of the motion, text, other functions, numbers that are not real."""
     with pytest.raises(ValueError, match=why):
         gs.axial_potential(given)
+
+
+def test_texts_are_read_by_the_grammar():
+    """As on the command line, in every place for an expression; nothing in them is executed."""
+    k1, k2, e2, n1, l = map(gs.symbol, ("k1", "k2", "e2", "n1", "l"))
+    assert gs.axial_potential("m₀·k3 + k3^2/2").expression == m0 * k3 + k3**2 / 2
+    assert gs.general_potential("k1*k2 + k3").expression == k1 * k2 + k3
+    assert not gs.axial_potential("U(k3)").given and not gs.general_potential("U(k1, k2, k3)").given
+    assert gs.coupled_potential("-k1 - 2*e2").expression == -k1 - 2 * e2
+    assert gs.coupled_potential("k1", ("k",), ("k1", "0", "-2*k2")).drift == (k1, 0, -2 * k2)
+    field, beside = gs.circular_orbit(), gs.circular_orbit("omega0", potential="3*n1")
+    assert beside.expression - field.expression == 3 * n1
+    assert gs.Gyrostat(("I1", "I1", "I3 + 1"), ("0", "0", "2*l")).gyrostatic_momentum == (0, 0, 2 * l)
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential("k3"))
+    assert gs.equilibrium(scene, ("0", "0", "3*w", "0", "0", "1")).point[2] == 3 * gs.symbol("w")
+    assert gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential("k3"))).square("k3^2").has(k3**2)
+    for slot in (gs.axial_potential, gs.general_potential, gs.coupled_potential,
+                 lambda text: gs.circular_orbit(potential=text), lambda text: gs.Gyrostat((text, 1, 1))):
+        with pytest.raises(ValueError, match="cannot read"):
+            slot("__import__('os').system('true')")
+    with pytest.raises(ValueError, match="a direction fixed in space"):
+        gs.circular_orbit(potential="k3")
 
 
 def test_floats_are_the_rationals_they_are():

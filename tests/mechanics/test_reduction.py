@@ -15,7 +15,8 @@ from sympy import Rational, S, cancel, cos, sin, sqrt
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError
 from gyrostat.mechanics import lagrange
-from gyrostat.mechanics.reduction import expansion, reduce
+from gyrostat.mechanics.reduced_series import expansion
+from gyrostat.mechanics.reduction import reduce
 from gyrostat.notation import jet_name
 from gyrostat.stability.linearization import linearize
 

@@ -154,7 +154,7 @@ def test_what_cannot_be_drawn_is_refused():
     with pytest.raises(ScopeError, match="give a field of lower degree"):
         high = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**60 - k3**2 + k3))
         draw_bifurcation_diagram(high, "omega", (0, 1), {"I1": 2, "I3": 1, "l": 1})
-    with pytest.raises(ScopeError, match="given U"):
+    with pytest.raises(ScopeError, match="U.k3. is unspecified"):
         draw_bifurcation_diagram(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()),
                                  "omega", (0, 1), {"I1": 2, "I3": 1, "l": 0})
 

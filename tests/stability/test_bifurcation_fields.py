@@ -194,9 +194,16 @@ def test_what_is_asked_must_be_clear(values, name, message):
 
 def test_scenes_out_of_scope(scene, asymmetric):
     """Unspecified U, three moments, a transcendental U."""
-    for refused in (scene, asymmetric):
-        with pytest.raises(ScopeError, match="this scene has"):
+    for refused, why in ((scene, "is unspecified, and all equilibria are found in a field"),
+                         (asymmetric, "no body of revolution about axis 3 .*continuation marks")):
+        with pytest.raises(ScopeError, match=why):
             bifurcation_points(refused, "l", {"I1": 2, "I3": 1, "omega": 1})
+    k1, k2 = gs.symbol("k1"), gs.symbol("k2")
+    for inertia in ((1, 2, 3), [[2, 1, 0], [1, 2, 0], [0, 0, 3]]):
+        other = gs.assemble(gs.Gyrostat(inertia, (1, 0, 1)), gs.general_potential(k1 + k2))
+        for asked in (lambda: bifurcation_points(other, "omega", {}), lambda: gs.bifurcations(other)):  # noqa: B023
+            with pytest.raises(ScopeError, match="no body of revolution about axis 3 .*continuation marks"):
+                asked()
     waves = gs.assemble(gs.symmetric_gyrostat(),
                         gs.axial_potential(lambda k3: gs.symbol("a") * 2 ** (k3 / 2)))
     with pytest.raises(ScopeError, match="algebraic coefficients"):

@@ -5,7 +5,7 @@ import pytest
 from branching import a1, fraction, in_field, k3, signs
 from draw import moments, nonzero, numbers, tilts
 from hypothesis import given, settings
-from sympy import S, cos, exp, pi, sqrt
+from sympy import S, cos, exp, sqrt
 
 import gyrostat as gs
 from gyrostat.algebra.exact import sign_of_constant
@@ -124,15 +124,15 @@ def test_scenes_of_which_not_all_is_known(scene):
     """
     general = gs.assemble(gs.symmetric_gyrostat(), gs.general_potential())
     for refused in (scene, general):
-        with pytest.raises(ScopeError, match="for a body of revolution in a given U.k3.; this scene has"):
+        with pytest.raises(ScopeError, match="is unspecified, and all equilibria are found in a field"):
             relative_equilibria(refused, {"I1": 2, "I3": 1, "l": 1, "omega": 1})
     for name in ("C1", "p_psi", "p_phi", "energy"):
         with pytest.raises(ScopeError,
                            match=f"depends on {name}, a name of the motion or of its levels: rename it"):
             relative_equilibria(in_field(gs.symbol(name) * k3),
                                 {"I1": 2, "I3": 1, "l": 1, name: 1, "omega": 1})
-    for U, omega in ((exp(k3), 1), (cos(k3), 1), (k3**4, pi), (sqrt(2 + k3), 1)):
-        with pytest.raises(ScopeError, match="is not a polynomial in k3 with algebraic coefficients"):
+    for U, omega in ((exp(k3), 1), (cos(k3), 1), (sqrt(2 + k3), 1)):
+        with pytest.raises(ScopeError, match="is not a fraction of polynomials in k3 with real numbers"):
             relative_equilibria(in_field(U), {"I1": 2, "I3": 1, "l": 1, "omega": omega})
     with pytest.raises(ArgumentError, match="the scene is a"):
         relative_equilibria(gs.upright(scene), {})

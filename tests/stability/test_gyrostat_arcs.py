@@ -24,6 +24,9 @@ SPECIAL = {"c on an axis": ((1, 2, 3), (0, 0, 2), (1, Fraction(1, 2), -1)),
            "two moments": ((2, 2, 3), (1, 1, 2), (1, 0, Fraction(1, 2))),
            "two moments, in a plane": ((2, 2, 3), (0, 1, 1), (0, 1, 0)),
            "three moments": ((2, 2, 2), (1, 1, 3), (1, 0, Fraction(3, 2))),
+           "a circle at one rate": ((1, 2, 1), (2, 1, 4), (1, 1, 2)),
+           "no circle at that rate": ((1, 1, 2), (1, 1, 3), (1, 1, 1)),
+           "a circle beside crossings": ((1, 1, 2), (2, 4, 1), (1, 2, Fraction(1, 2))),
            "two folds at one rate": ((1, 2, 3), (1, 1, 1), (Fraction(1, 2), 1, Fraction(1, 2)))}
 DEFAULT = ("on one axis", "two moments", "three moments", "in a plane")
 
@@ -156,6 +159,23 @@ def test_where_branches_cross(arcs):
     assert set(still) == {tuple(s * x / sqrt(14) for x in (1, -2, 3)) for s in (1, -1)}
 
 
+def test_a_circle_of_one_rate_is_named():
+    """b = c − omega l vanishes across axis 2 at omega = 2, where k2 = −1/4: two arcs cross it, along l."""
+    arcs = arcs_of(*SPECIAL["a circle at one rate"])
+    met = [(arc, circle) for arc in arcs for circle in arc.circles]
+    assert [circle.omega for _, circle in met] == [2, 2]
+    assert {circle.k for _, circle in met} == {
+        (side * sqrt(3) / 4, Rational(-1, 4), side * sqrt(3) / 2) for side in (1, -1)}
+    for arc, circle in met:
+        assert circle.locus == "the circle about axis 2" and arc.rotation(2).k == circle.k
+        for side in (-1, 1):
+            beside = np.array(arc.near(2 + side * Fraction(1, 10**8))[0])
+            assert np.abs(np.array(circle.k, float) - beside).max() < 1e-6
+        assert "Where ω = 2 every direction of the circle about axis 2, through k = (" in " ".join(
+            str(arc).split())
+    assert not any(arc.circles for arc in arcs_of(*SPECIAL["no circle at that rate"]))
+
+
 def test_as_text():
     arc = next(arc for arc in arcs_of(*SPECIAL["on one axis"]) if arc.curve.unknown == k2)
     said = " ".join(str(arc).split())
@@ -167,7 +187,7 @@ def test_as_text():
 def test_what_is_refused():
     for inertia, c, rotor, why in (
             ((2, 2, 3), (0, 0, 1), (0, 0, 1), r"l = \(0, 0, 1\): the body is one of revolution"),
-            ((2, 2, 3), (1, 1, 0), (2, 2, Fraction(1, 10)), "at omega = 1/2 permanent rotations are about"),
+            ((2, 2, 2), (1, 1, 0), (2, 2, 0), r"l = \(2, 2, 0\): the body is one of revolution"),
             ((1, 2, 3), (0, 0, 0), (0, 0, 1), "the body is free; assemble it without a potential")):
         with pytest.raises(ScopeError, match=why):
             arcs_of(inertia, c, rotor)

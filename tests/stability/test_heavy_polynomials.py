@@ -12,7 +12,6 @@ from sympy import Rational, sqrt
 
 import gyrostat as gs
 from gyrostat.algebra.balls import ball
-from gyrostat.algebra.sphere_zeros import zeros_on_sphere
 from gyrostat.errors import ScopeError
 
 DIRECTION = (k1, k2, k3)
@@ -82,19 +81,6 @@ def test_the_number_of_critical_points():
             (0,), (1,), (2,), (0, 1), (0, 2), (1, 2), (0, 1, 2))}
 
 
-def test_zeros_that_count_twice_and_zeros_left_out():
-    assert sorted(map(tuple, zeros_on_sphere([k1**2, k2], DIRECTION))) == [(0, 0, -1), (0, 0, 1)]
-    half = Rational(1, 2)
-    both = [k1 * k3, (k2 - 1) * (2 * k2 - 1) * k2, k1 * (k1 - half)]
-    assert set(map(tuple, zeros_on_sphere(both, DIRECTION, but=k2))) == {
-        (0, 1, 0), (0, half, sqrt(3) / 2), (0, half, -sqrt(3) / 2)}
-    assert set(map(tuple, zeros_on_sphere(both, DIRECTION))) == {
-        (0, 1, 0), (0, half, sqrt(3) / 2), (0, half, -sqrt(3) / 2), (0, 0, 1), (0, 0, -1)}
-    assert zeros_on_sphere([k1 - 2, k3 - 1, k2 - 1], DIRECTION) == []
-    assert zeros_on_sphere([k1], DIRECTION) is None
-    assert zeros_on_sphere([k1**2 + k2**2 + k3**2 - 1], DIRECTION) is None
-
-
 def test_several_rotations_of_one_rate_on_a_level():
     """b = c − omega l vanishes across a principal axis at omega = 1; or along a circle of rotations."""
     third = Rational(1, 3)
@@ -125,11 +111,8 @@ def test_equal_moments_and_circles(inertia, rotor, c, Q, level, count):
 def test_what_is_refused():
     body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
     turned = gs.assemble(body, gs.general_potential(k3**3 + k1 * (k1**2 + k2**2 + k3**2)))
-    with pytest.raises(ScopeError, match="sqrt.2. is not rational: .*; give a direction"):
-        gs.relative_equilibria(turned, {"omega": sqrt(2)})
-    level = gs.assemble(body, gs.general_potential(k3**3))
-    with pytest.raises(ScopeError, match="at omega = 0 no finite number of rotations is found"):
-        gs.relative_equilibria(level, {"omega": 0})
+    with pytest.raises(ScopeError, match="1 . sqrt.2. is not rational: .* 2.414213562, or give a direction"):
+        gs.relative_equilibria(turned, {"omega": sqrt(2) + 1})
     cosine = gs.assemble(body, gs.general_potential(k1 * (1 + k2) / (2 + k3)))
     with pytest.raises(ScopeError, match="is not a polynomial in k: all rotations at a rate omega"):
         gs.relative_equilibria(cosine, {"omega": 1})

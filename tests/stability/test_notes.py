@@ -72,3 +72,33 @@ def test_a_motion_prints_what_is_known_of_it():
     assert lines[0] == "Motion: elliptic"
     assert [line.split()[0] for line in lines[1:]] == ["period", "precession", "spin", "k3", "error"]
     assert f"{top.period:.12g}" in lines[1] and str(top) == repr(top)
+
+
+IMPOSSIBLE = "no rigid body has the moments 1, 2, 4"
+
+
+@pytest.mark.parametrize("field, rotor, asked", [
+    (None, (0, 0, 0), {"M": 1}), (None, (0, 0, 1), {"M": 0}),
+    (gs.general_potential("k1 + 2*k2"), (0, 0, 1), {"omega": 1}),
+    (gs.general_potential("k1 + k3"), (0, 0, 0), {"C1": 1}),
+    (gs.general_potential("13/5*k3"), (0, 0, 1), {"k1": 0, "k2": "3/5", "k3": "4/5"}),
+    (gs.circular_orbit(1), (0, 0, 0), {})])
+def test_every_rotation_of_a_list_has_the_note(field, rotor, asked):
+    """As a verdict about one has it, under damping too."""
+    for inertia, said in (((1, 2, 4), IMPOSSIBLE), ((2, 3, 4), "")):
+        for rotation in gs.relative_equilibria(gs.assemble(gs.Gyrostat(inertia, rotor), field), asked):
+            for decision in (rotation.decision, rotation.damped):
+                assert decision.note.startswith(said) and bool(decision.note) is bool(said)
+
+
+def test_pieces_of_arcs_have_the_note():
+    for rotor in ((0, 0, 0), (0, 0, 1)):
+        scene = gs.assemble(gs.Gyrostat((1, 2, 4), rotor), gs.general_potential("k1 + k2 + k3"))
+        arcs = gs.staude_cone(scene).arcs({})
+        assert all(piece.decision.note.startswith(IMPOSSIBLE) for arc in arcs for piece in arc.pieces)
+
+
+def test_the_satellite_in_a_field_fixed_in_space():
+    """U = k·Ik is noted on every rotation of a level."""
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential("k1^2 + 2*k2^2 + 3*k3^2"))
+    assert all("gravity gradient" in r.decision.note for r in gs.relative_equilibria(scene, {"C1": 1}))

@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 import sympy
 from flint import arb, ctx, fmpq
-from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, Symbol
+from sympy import Add, CRootOf, Expr, Float, Mul, Pow, Rational, Symbol
 
 from .algebraic import real_root
 from .precision import own_precision
@@ -17,6 +17,20 @@ NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
 _FUNCTIONS = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
     "atanh")}
+
+
+class Enclosed(Expr):
+    """A real constant that encloses itself."""
+
+    is_commutative = is_real = is_number = True
+
+    def enclosed(self, precision: int) -> arb:
+        """An enclosure, of so many bits or wider."""
+        raise NotImplementedError
+
+    def _eval_evalf(self, prec: int) -> Float:
+        middle = ball(self, prec + 16).mid()
+        return Float(middle.str(int(prec * 0.302) + 4, radius=False), precision=prec)
 
 
 def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:
@@ -69,6 +83,8 @@ def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
         return arb.pi() if node is sympy.pi else arb(1).exp()
     if isinstance(node, CRootOf):
         return real_root(node, ctx.prec)
+    if isinstance(node, Enclosed):
+        return node.enclosed(ctx.prec)
     if type(node).__name__ in _FUNCTIONS and len(node.args) == 1:
         return _function(node, values) if values else _constant(node, ctx.prec)
     return arb("nan")

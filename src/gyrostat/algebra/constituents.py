@@ -5,6 +5,7 @@ from math import gcd, lcm
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, cos, cosh, exp, log, sin, sinh, tanh
 
 from .algebraic import TURNS, turn
+from .enclosed_roots import RealRoot
 
 
 class Constituents:
@@ -58,6 +59,10 @@ class Constituents:
                     self._collect(sin(coefficient * rest), seen)
                 else:
                     self._angles[cos, rest].append(coefficient)
+        elif isinstance(node, RealRoot):
+            for c in node.coefficients:
+                self._collect(c, seen)
+            self.plain[node] = None
         elif isinstance(node, log) and isinstance(node.args[0], Rational):
             self.integers |= {int(node.args[0].p), int(node.args[0].q)}
         else:

@@ -9,8 +9,8 @@ import sympy
 from flint import arb, fmpq, fmpq_mpoly
 from sympy import CRootOf, Derivative, Dummy, Expr, Integer, Rational, Subs, Symbol
 
-from ..errors import ScopeError
-from .algebraic import separation
+from ..errors import ScopeError, brief
+from .algebraic import is_algebraic, separation
 from .balls import ball
 from .polynomials import Ring
 from .transcendental import vanishes
@@ -165,7 +165,8 @@ def proved_sign(constant: Expr, refusal: Callable[[], Exception] | None = None) 
         return found
     if refusal is not None:
         raise refusal()
-    raise ScopeError(f"the sign of {constant} is not proved: write its algebraic numbers in one root")
+    raise ScopeError(f"the sign of {brief(constant)} is not proved: " + (
+        "write its algebraic numbers in one root" if is_algebraic(constant) else "round to decimals"))
 
 
 def is_identically_zero(expression: Expr) -> bool | None:

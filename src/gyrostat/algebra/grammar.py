@@ -16,7 +16,7 @@ from functools import reduce
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Pow, Rational
+from sympy import Add, Expr, Mul, Pow, Rational, log
 
 from ..notation import symbol
 from . import magnitudes, parts
@@ -86,8 +86,9 @@ class Parser(Limited):
             if self.take("**"):
                 exponent = self.factor().value
                 if not isinstance(exponent, Rational):
+                    power = str(Mul(exponent, log(result.value, evaluate=False), evaluate=False))[:60]
                     self.fail(f"the exponent {str(exponent)[:60]} is not a rational number",
-                              "write a**x as exp(x*log(a))")
+                              f"put a number in its place, or write exp({power}), of a positive base")
                 result = self.power(result, exponent)
         self.depth -= 1
         return result

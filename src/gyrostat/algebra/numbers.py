@@ -57,8 +57,15 @@ def double(value: Expr) -> str:
 def exact_expression(value: Any, name: str = "value") -> Expr:
     """An expression in our symbols, matched by name, its floats the dyadic rationals they are.
 
-    Or an exact number.
+    Or an exact number. A text is read by the grammar, as on the command line.
+
+    Examples
+    --------
+    >>> exact_expression("k1*k2 + m0*k3"), exact_expression("25 g m^2", "I1"), exact_expression(0.5)
+    (k1*k2 + k3*m0, 1/40, 1/2)
     """
+    if isinstance(value, str):
+        return in_si(value, name)[0]
     if isinstance(value, Expr) and value.free_symbols:
         roots = occurring(value, CRootOf)
         if taken := [root for root in roots if root.poly.gen == symbol(root.poly.gen.name)]:

@@ -12,6 +12,7 @@ from sympy import Add, Expr, I, Mul, Pow, Rational, S, Symbol, cot, tan
 
 from . import magnitudes
 from .arithmetic import Arithmetic, in_arithmetic
+from .balls import Enclosed, ball
 from .occurring import occurring
 
 FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {name: getattr(sympy, name) for name in (
@@ -197,6 +198,8 @@ def enclosure(expression: Expr, known: Mapping[Symbol, arb] = NOTHING) -> arb | 
             return known.get(node)
         if isinstance(node, Rational):
             return magnitudes.number(node)
+        if isinstance(node, Enclosed):
+            return ball(node, magnitudes.PRECISION)
         if node is S.Pi:
             return magnitudes.pi()
         return magnitudes.applied("exp", magnitudes.number(S.One)) if node is S.Exp1 else NotImplemented

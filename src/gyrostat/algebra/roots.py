@@ -3,15 +3,16 @@
 Rational, quadratic surds, or roots of a named polynomial.
 """
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cmp_to_key
 
 from flint import arb, fmpq, fmpq_mpoly, fmpq_poly
 from sympy import Add, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
 
-from ..errors import ScopeError
+from ..errors import ScopeError, brief
 from .algebraic import is_algebraic
 from .balls import ball, ends
+from .enclosed_roots import roots_by_enclosures
 from .exact import proved_sign
 from .polynomials import Ring, by_degree
 from .root_numbers import roots_of
@@ -27,7 +28,7 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
     Complete: the polynomial is factored over ℚ and the real roots of each factor are counted. Algebraic
     coefficients are eliminated by resultants with their minimal polynomials, and of the roots of that norm
     those of the polynomial are kept. With transcendental coefficients, or algebraic ones that depend on each
-    other, factors of degree 1 and 2 are solved by formula.
+    other, factors of degree 1 and 2 are solved by formula, and the roots of the others are isolated.
 
     Parameters
     ----------
@@ -45,8 +46,8 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
     Raises
     ------
     ScopeError
-        the expression is not rational in x, or has a coefficient that is not real, or is not algebraic in a
-        factor of higher degree
+        the expression is not rational in x, has a coefficient that is not real, or its roots are not told
+        apart
 
     Examples
     --------
@@ -71,19 +72,19 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
     ways = (_by_norm, _by_formulas) if len(constants) <= FEW else (_by_formulas, _by_norm)
     found = next((roots for way in ways if (roots := way(ring, top, x)) is not None), None)
     if found is None and all(map(is_algebraic, constants)):
-        raise ScopeError(f"the algebraic numbers of {expression} depend on each other: write them in one "
-                         "root")
+        raise ScopeError(f"the algebraic numbers of {brief(expression)} depend on each other: write them in "
+                         "one root")
     if found is None:
-        raise _beyond(expression, x)
+        found = _by_enclosures(ring, top, x)
     found = [r for r in found if bottom.is_one() or proved_sign(inserted(ring, bottom, {x: r})) != 0]
     return [r for r in found if (low is None or proved_sign(r - low) == 1)
             and (high is None or proved_sign(high - r) == 1)]
 
 
 def _beyond(expression: Expr, x: Symbol) -> ScopeError:
-    return ScopeError(f"{expression} is not a polynomial in {x} with algebraic coefficients: its roots are "
-                      "not found; give numbers for "
-                      "its parameters, and a field that is polynomial in k3")
+    return ScopeError(f"{brief(expression)} is not a fraction of polynomials in {x} with real numbers for "
+                      "coefficients: its roots are not found; give numbers for its parameters, and a field "
+                      "that is polynomial in k3")
 
 
 def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
@@ -108,13 +109,31 @@ def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None
 
 def _by_formulas(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
     """The real roots in order, None where a factor is of a degree above 2."""
+    factors = _factors(ring, polynomial, x)
+    return None if any(len(c) > 3 for c in factors) else _apart(r for c in factors for r in _solved(c))
+
+
+def _by_enclosures(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr]:
+    """The real roots in order, those of higher degree isolated by balls."""
     found: list[Expr] = []
+    for c in _factors(ring, polynomial, x):
+        if (roots := _solved(c) if len(c) < 4 else roots_by_enclosures(c)) is None:
+            raise ScopeError(f"the roots {x} of {brief(ring.expression(polynomial))} are not told apart: "
+                             "round its numbers to decimals")
+        found += roots
+    return _apart(found)
+
+
+def _factors(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[list[Expr]]:
+    """The coefficients of each factor in which x occurs."""
     place = ring.generators.index(x)
-    for factor, _ in polynomial.factor()[1]:
-        if (degree := factor.degrees()[place]) > 2:
-            return None
-        found += _solved([ring.expression(c) for c in by_degree(factor, place, degree)]) if degree else []
-    ordered = in_order(found)
+    return [[ring.expression(c) for c in by_degree(factor, place, degree)]
+            for factor, _ in polynomial.factor()[1] if (degree := factor.degrees()[place])]
+
+
+def _apart(numbers: Iterable[Expr]) -> list[Expr]:
+    """In order, each once."""
+    ordered = in_order(list(numbers))
     return [r for n, r in enumerate(ordered) if not n or proved_sign(r - ordered[n - 1])]
 
 

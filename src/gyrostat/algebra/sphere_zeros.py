@@ -1,24 +1,21 @@
-"""Where polynomials over ℚ vanish on the sphere k·k = 1, if that is in finitely many points."""
-from collections.abc import Callable, Iterator, Mapping, Sequence
+"""The finitely many points of the sphere k·k = 1 in which polynomials over ℚ vanish."""
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 from itertools import count
 
 from flint import fmpq, fmpq_mat, fmpq_poly
-from sympy import Expr, S, Symbol
+from sympy import S
 
 from ..kept import cached_property
-from .polynomials import Ring
 from .real_fields import Conjugates, FieldNumbers
+from .sphere_curves import AXES, ONE, Exponents, Terms, on_sphere, product
 
-Exponents = tuple[int, ...]
-Terms = Mapping[Exponents, fmpq]
-ONE, AXES = (0, 0, 0), ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 SPHERE: Terms = {(2, 0, 0): fmpq(1), (0, 2, 0): fmpq(1), (0, 0, 2): fmpq(1), ONE: fmpq(-1)}
 
 
-def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
-                    but: Expr = S.One, over_it: Sequence[Expr] = ()) -> list[FieldNumbers] | None:
-    """Every real common zero of polynomials with k·k = 1, exact; None where no finite number is found.
+def finite_zeros(given: Sequence[Terms], left_out: Sequence[Terms], above: Sequence[Terms]
+                 ) -> Iterable[FieldNumbers] | None:
+    """Every real common zero of polynomials that have finitely many complex ones; None if that is not found.
 
     Degree by degree the polynomials times monomials span part of their ideal. The monomials that lead no
     element of it are a basis of the quotient algebra as soon as the multiplications by k1, k2, k3 commute and
@@ -28,38 +25,26 @@ def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
 
     Parameters
     ----------
-    polynomials : sequence of Expr
-        with rational coefficients
-    k : sequence of Symbol, shape (3,)
-    but : Expr
-        a polynomial whose zeros are left out
-    over_it : sequence of Expr
-        polynomials f whose quotients f/but at the zero follow its coordinates; of the parity of but
+    given : sequence of Terms
+        none of them 0
+    left_out : sequence of Terms
+        polynomials whose zeros are left out
+    above : sequence of Terms
+        of which the quotients by the first of these follow the coordinates
 
     References
     ----------
     Mourrain, A new criterion for normal form algorithms, AAECC-13 (1999) 430-442; Rouillier, Solving
     zero-dimensional systems through the rational univariate representation, AAECC 9 (1999) 433-461.
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> k1, k2, k3 = k = [gs.symbol(f"k{n}") for n in (1, 2, 3)]
-    >>> [tuple(x) for x in zeros_on_sphere([k1 * k2, k3 * k2, k1 * k3], k, but=k1 + k3)]
-    [(0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0)]
     """
-    ring = Ring([*polynomials, but, *over_it, *k])
-    places = [ring.generators.index(x) for x in k]
-    terms = [list(ring.numerator(f).to_dict().items()) for f in (*polynomials, but, *over_it)]
-    reduced = [_on_sphere({tuple(e[n] for n in places): c for e, c in f}) for f in terms]
-    given, (left_out, *above) = reduced[:len(polynomials)], reduced[len(polynomials):]
-    algebra = _algebra([f for f in given if f])
-    # all zeros come with their opposites where each polynomial is even or odd
-    paired = all(len({sum(e) % 2 for e, _ in f}) < 2 for f in terms)
-    if algebra is None:
+    if (algebra := _algebra(given)) is None:
         return None
-    algebra = algebra.without(left_out)
-    return list(algebra.points(paired, algebra.quotients(above, left_out)))
+    for f in left_out:
+        algebra = algebra.without(f)
+    # all zeros come with their opposites where each polynomial is even or odd, with the same quotients
+    paired = all(len({sum(e) % 2 for e in f}) < 2 for f in (*given, *left_out)) and len(
+        {sum(e) % 2 for f in (left_out[0], *above) for e in f}) == 1
+    return algebra.points(paired, algebra.quotients(above, left_out[0]))
 
 
 class _Algebra:
@@ -191,7 +176,7 @@ def _up_to(degree: int, given: Sequence[Terms]) -> _Algebra | None:
     for f in given:
         for m in _monomials(degree - max(map(sum, f))):
             row = [fmpq(0)] * len(columns)
-            for e, c in _on_sphere({_product(e, m): c for e, c in f.items()}).items():
+            for e, c in on_sphere({product(e, m): c for e, c in f.items()}).items():
                 row[place[e]] = c
             rows.append(row)
     reduced, rank = fmpq_mat(rows).rref()
@@ -208,7 +193,7 @@ def _up_to(degree: int, given: Sequence[Terms]) -> _Algebra | None:
         return [fmpq(int(e == b)) for b in basis]
 
     def multiplied(axis: Exponents) -> fmpq_mat:
-        products = [_on_sphere({_product(b, axis): fmpq(1)}).items() for b in basis]
+        products = [on_sphere({product(b, axis): fmpq(1)}).items() for b in basis]
         images = [[(c, coordinates(e)) for e, c in terms] for terms in products]
         return fmpq_mat([[sum((c * x[n] for c, x in terms), fmpq(0)) for terms in images]
                          for n in range(len(basis))])
@@ -219,21 +204,3 @@ def _up_to(degree: int, given: Sequence[Terms]) -> _Algebra | None:
 def _monomials(degree: int) -> list[Exponents]:
     """With k3 at most once: a basis of the polynomials on the sphere."""
     return [(a, b, c) for c in (0, 1) for a in range(degree + 1 - c) for b in range(degree + 1 - a - c)]
-
-
-def _on_sphere(terms: Terms) -> dict[Exponents, fmpq]:
-    """With 1 − k1² − k2² for k3²."""
-    done: dict[Exponents, fmpq] = {}
-    left = dict(terms)
-    while left:
-        (a, b, c), number = left.popitem()
-        if c < 2:
-            done[a, b, c] = done.get((a, b, c), fmpq(0)) + number
-            continue
-        for e, sign in (((a, b, c - 2), 1), ((a + 2, b, c - 2), -1), ((a, b + 2, c - 2), -1)):
-            left[e] = left.get(e, fmpq(0)) + sign * number
-    return {e: c for e, c in done.items() if c}
-
-
-def _product(e: Exponents, m: Exponents) -> Exponents:
-    return tuple(x + y for x, y in zip(e, m))

@@ -7,7 +7,7 @@ rational numbers together (Lindemann and Weierstrass); logarithms of rationals t
 Beyond those a constant that is 0 may not be found to be.
 """
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import reduce
 from typing import Any
 
@@ -33,6 +33,7 @@ from sympy import (
 
 from .algebraic import TURNS, coprime, is_algebraic, separation
 from .constituents import Constituents, multiples
+from .enclosed_roots import RealRoot
 from .polynomials import by_degree
 from .quotients import Fraction, Quotients
 
@@ -94,7 +95,7 @@ class _Form:
         self._algebraic = [isinstance(key, Expr) and is_algebraic(key) for key in meaning]
         self._ring = Quotients()
         for place, node in zip(reversed(range(len(plain))), plain):
-            if is_algebraic(node):
+            if is_algebraic(node) or isinstance(node, RealRoot):
                 self._relate(place, node)
         outer = [(int(v.exp.q), self.fraction(v.base), self._gens[v], v) for v in reversed(plain)
                  if isinstance(v, Pow) and isinstance(v.exp, Rational) and not is_algebraic(v)]
@@ -107,13 +108,21 @@ class _Form:
         """Reduce by what a root satisfies over those inside it, if that has no denominator."""
         g = self._gens[node]
         if isinstance(node, CRootOf):
-            coefficients = enumerate(reversed(node.poly.monic().all_coeffs()))
-            self._ring.relate(place, node.poly.degree(),
-                              sum((self.fraction(c)[0] * g**n for n, c in coefficients), self._zero))
+            self._solves(place, g, node.poly.all_coeffs()[::-1])
+        elif isinstance(node, RealRoot):
+            self._solves(place, g, node.coefficients)
         elif isinstance(node, Pow):
             top, bottom = self.fraction(node.base)
             if bottom.is_constant():
                 self._ring.relate(place, int(node.exp.q), g ** int(node.exp.q) - top / bottom)
+
+    def _solves(self, place: int, g: fmpq_mpoly, coefficients: Sequence[Expr]) -> None:
+        """The relation of a root of a polynomial over ℚ, or of a monic one."""
+        parts = [self.fraction(c) for c in coefficients]
+        if all(below.is_constant() for _, below in parts):
+            lead = parts[-1][0] / parts[-1][1]
+            self._ring.relate(place, len(parts) - 1, sum(
+                (above / (below * lead) * g**n for n, (above, below) in enumerate(parts)), self._zero))
 
     def fraction(self, node: Expr) -> Fraction:
         """Numerator and denominator in the variables."""

@@ -1,7 +1,6 @@
 """What decide answers: the equilibrium that the numbers name, or all that they allow."""
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from sympy import Expr
 
@@ -12,7 +11,6 @@ from ..mechanics.families import E3, EARTH_POINTING, FAMILIES, POLES
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
-from ..printing.data import damped_data, decision_data, number_data, rate_data
 from ..stability.branch import Branch
 from ..stability.branches import branches_at, pole_at
 from ..stability.decision import Decision
@@ -231,13 +229,3 @@ def _heavy(found: HeavyRotation) -> Answer:
         rates["growth_rate"] = found.growth_rate
     place["omega"] = found.omega
     return Answer(label, symbol("k3"), found.decision, found.damped, found.itself, place, rates)
-
-
-def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
-    """The answers as data for JSON."""
-    return {"equilibria": [a.data() if isinstance(a, Missing) else
-        {"label": a.label} | {name: number_data(x) for name, x in a.place.items()}
-                           | {name: rate_data(x) for name, x in a.rates.items()}
-                           | {"decision": decision_data(a.decision),
-                              "damped_decision": None if a.damped is None else damped_data(a.damped)}
-        | ({"itself": decision_data(a.itself)} if a.itself is not None else {}) for a in answers]}

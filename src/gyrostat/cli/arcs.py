@@ -1,5 +1,6 @@
 """What decide answers where the numbers are those of a body in a field, and none of its motion: the arcs."""
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from sympy import Abs, Expr, factor_terms
@@ -10,8 +11,10 @@ from ..mechanics.reduction import reducible
 from ..mechanics.system import names_of_scene
 from ..printing.blocks import Block, Heading
 from ..printing.data import decision_data, number_data, strings
+from ..printing.decision import note_blocks
 from ..printing.results import result_blocks
 from ..stability.gyrostat_arcs import GyrostatArc
+from ..stability.notes import scene_note
 from ..stability.staude import staude_cone
 from ..stability.staude_arcs import StaudeArc
 from .asked import Asked, scene_of
@@ -36,8 +39,9 @@ def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Arc
 
 def arcs_blocks(arcs: Arcs) -> list[Block]:
     """Ends, direction, rate and verdicts of each."""
-    return [block for n, arc in enumerate(arcs, 1)
-            for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))]
+    return [*(block for n, arc in enumerate(arcs, 1)
+              for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))),
+            *note_blocks(scene_note(arcs[0].scene, {}))]
 
 
 def _along(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
@@ -51,9 +55,19 @@ def _along(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
 
 def arcs_data(arcs: Arcs) -> dict[str, Any]:
     """The arcs as data for JSON; of an infinite number the decimal is none."""
+    note = scene_note(arcs[0].scene, {})
     return {"arcs": [{
         "parameter": str(arc.parameter), "low": number_data(arc.low), "high": number_data(arc.high),
         **_along(arc),
         "ends": [{"k": [number_data(x) for x in end.k], "omega": number_data(end.omega)} for end in arc.ends],
         "pieces": [{"low": number_data(piece.low), "high": number_data(piece.high),
-                    "decision": decision_data(piece.decision)} for piece in arc.pieces]} for arc in arcs]}
+                    "decision": decision_data(replace(piece.decision, note=""))} for piece in arc.pieces]}
+        | _circles(arc) for arc in arcs]} | ({"note": note} if note else {})
+
+
+def _circles(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
+    """Those that an arc crosses, if any."""
+    if not isinstance(arc, GyrostatArc) or not arc.circles:
+        return {}
+    return {"circles": [{"k": [number_data(x) for x in circle.k], "omega": number_data(circle.omega),
+                         "locus": circle.locus} for circle in arc.circles]}

@@ -14,9 +14,10 @@ from select import select
 from typing import Any
 
 from ..errors import GyrostatError, ValuesError
-from .answers import answers_at, answers_data
+from .answers import answers_at
 from .asked import asked_of, scene_of
 from .batch_lines import question
+from .listed import answers_data
 from .options import numbers_of
 from .output import internal
 from .watch import held_back, left_alone, limited

@@ -10,8 +10,9 @@ from ..printing.normal_form import window_data
 from ..printing.symbols import occurring, symbol_rows
 from ..printing.tables import conditions_table
 from ..printing.text import text
+from ..stability.notes import scene_note
 from ..stability.stabilizing import inserted
-from .asked import asked_of
+from .asked import asked_of, scene_of
 from .between import between, between_blocks
 from .energy_sink import sink_of
 from .equilibria import known_names, labels_of, of_each, reports_of, some
@@ -30,6 +31,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     asked = asked_of(given, {*numbers, given.solve_for})
     labels, others = labels_of(asked, given.equilibrium, numbers)
     some(labels, others)
+    out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
     if given.solve_for:
         return solve(given, asked, labels, numbers, out)
     reports, missing = reports_of(asked, labels, numbers)

@@ -6,16 +6,18 @@ from sympy import Expr, Rational
 from ..notation import symbol
 from ..printing.blocks import Block, Display, Heading, Word, sentence
 from ..printing.data import double, json_text
-from ..printing.decision import damped_block, decision_blocks, reason_block
+from ..printing.decision import damped_block, decision_blocks, note_blocks, reason_block
 from ..printing.ends import number as rounded
 from ..printing.normal_form import form_blocks, form_data, window_blocks, window_data
 from ..printing.text import text
+from ..stability.notes import scene_note
 from ..stability.window_families import Window
-from .answers import Answer, answers_at, answers_data, normal_form_of
+from .answers import Answer, answers_at, normal_form_of
 from .arcs import arcs_at, arcs_blocks, arcs_data
-from .asked import asked_of
+from .asked import asked_of, scene_of
 from .batch import run as each
 from .equilibria import Missing
+from .listed import answers_data, note_once
 from .options import numbers_of
 from .output import Output
 from .scene_files import with_scene
@@ -36,6 +38,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     asked = asked_of(given, numbers)
     if given.normal_form:
         form = normal_form_of(asked, given.equilibrium, numbers, given.normal_form)
+        out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
         if isinstance(form, Window):
             data, blocks = window_data(form), window_blocks(form)
         else:
@@ -49,8 +52,9 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.format == "json":
         out(json_text(answers_data(answers)))
     else:
-        out(text([block for a in answers for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))]
-                 or [sentence(_NOWHERE)], out.width))
+        note, bare = note_once(answers)
+        blocks = [block for a in bare for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))]
+        out(text([*(blocks or [sentence(_NOWHERE)]), *note_blocks(note)], out.width))
     return 0
 
 

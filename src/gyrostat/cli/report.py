@@ -2,6 +2,7 @@
 import argparse
 from typing import Any
 
+from ..notation import symbol
 from ..printing.article import article, document
 from ..printing.blocks import Block
 from ..printing.data import damped_data, decision_data, json_text, report_data, scene_data
@@ -9,6 +10,7 @@ from ..printing.decision import damped_block, decision_blocks
 from ..printing.document import report_blocks, whole_blocks
 from ..printing.text import text
 from ..stability.decision import Decision
+from ..stability.notes import scene_note
 from ..stability.report import Report
 from .asked import asked_of, scene_of
 from .equilibria import both_verdicts, enough, its_own, known_names, labels_of, of_each, reports_of
@@ -37,6 +39,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
         found, undecided = of_each(list(decided), lambda label: [
             (label, both_verdicts(decided[label], its_own(decided[label], numbers)))])
         decisions, missing = dict(found), missing + undecided
+    if not decisions:
+        out.noted(scene_note(scene, {symbol(name): x for name, x in numbers.items()}))
     missing = missing + others
     after = [block for m in missing for block in m.blocks()]
     if given.format == "json":

@@ -10,7 +10,8 @@ when they are built, and what is asked of them is derived `once`; those with a n
 `family` (`vertical`, `tilted`, `principal`, `permanent_rotation`, about one of the `directions`; `steady`
 motions in two, which may be `parallel`), `relations` tie the names in them. At each the coadjoint orbit has
 a tangent space, in it the symplectic slice (`orbit`), all in one ring (`derivation`). A body of revolution
-has one degree of freedom (`reduction`); which scene is one, about which axis, is proved (`spherical`,
+has one degree of freedom (`reduction`), expanded near an equilibrium (`reduced_series`), in fractional powers
+at a pole where U has them (`near_pole`); which scene is one, about which axis, is proved (`spherical`,
 `recognition`, `standard`). A tensor is turned into principal `axes`. Euler's angles are in `attitude`, the
 Lagrangian in them in `lagrange`, the classical formulas in `freebody` and `precession`.
 """
@@ -24,7 +25,8 @@ if TYPE_CHECKING:
     from .freebody import momentum_limits, polhode_period, torque_equations
     from .lagrange import angular_momentum, effective_potential, lagrangian, momenta
     from .precession import FreePrecession, free_precession
-    from .reduction import Reduction, expansion
+    from .reduced_series import expansion
+    from .reduction import Reduction
 
 __all__ = ["angle_rates", "angular_momentum", "angular_velocity",
            "effective_potential", "expansion", "free_precession", "FreePrecession", "lagrangian", "momenta",
@@ -36,5 +38,6 @@ __getattr__, __dir__ = later(__name__, {
     "axes": "principal_axes",
     "freebody": "momentum_limits polhode_period torque_equations",
     "lagrange": "angular_momentum effective_potential lagrangian momenta",
-    "precession": "FreePrecession free_precession", "reduction": "Reduction expansion",
+    "precession": "FreePrecession free_precession", "reduced_series": "expansion",
+    "reduction": "Reduction",
 })

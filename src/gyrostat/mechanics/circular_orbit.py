@@ -45,9 +45,10 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     mu, radius : number, text or Expr
         in place of the rate: the gravitational parameter [L³/T²] and the radius of the orbit [L],
         ω0² = mu/radius³
-    potential : Expr, or number 0
-        another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient: −B n·μ of a magnet μ in a field
-        B along the normal, f ρ·(n × r) of a constant drag f at the point ρ of the body [M L²/T²]
+    potential : Expr, str or callable
+        another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient, or a text or a function of it:
+        −B n·μ of a magnet μ in a field B along the normal, f ρ·(n × r) of a constant drag f at the point ρ of
+        the body [M L²/T²]
     rotors : sequence of Rotor
         those of gyrostat_with_rotors: the tensor of the body is without the axial moments of the free ones,
         on which gravity acts
@@ -98,6 +99,8 @@ def _components(name: str) -> list[Symbol]:
 
 def _beside(potential: Any) -> Expr:
     """Another energy in the directions of the orbit."""
+    if not callable(potential):
+        potential = exact_expression(potential, "U")
     fixed = sorted(str(k) for k in getattr(potential, "free_symbols", set()) & set(DIRECTIONS))
     if fixed:
         raise PotentialError(f"U = {potential} has {', '.join(fixed)}, a direction fixed in space, and "

@@ -111,8 +111,9 @@ def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
 
     Parameters
     ----------
-    expression : Expr, number or callable
-        U in the components, k1, k2, k3, e1, e2, e3, and real parameters [M L²/T²]; or a function of them
+    expression : Expr, str, number or callable
+        U in the components, k1, k2, k3, e1, e2, e3, and real parameters [M L²/T²], or a text of it; or a
+        function of them
     directions : sequence of str
         one or two names
     drift : sequence, shape (3,)

@@ -6,12 +6,12 @@ from typing import Any, TypeVar
 from sympy import Expr, S, Symbol
 
 from ..algebra.exact import is_identically_zero, plain, sign
-from ..algebra.numbers import shown
 from ..errors import EquilibriumError, require
 from ..kept import cached_property
 from ..notation import INTERNAL, Stored, jet
 from ..shown import Shown
 from .coupled import CoupledPotential, Held
+from .near_pole import NearPole, left_positive, near_pole, refuse_rough
 from .potential import smooth_where_positive
 from .relations import residual_of
 from .system import System
@@ -73,8 +73,7 @@ class Equilibrium(Shown, Stored):
         if len(self.point) != (n := len(self.system.space.coordinates)):
             raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give "
                                    "one for each coordinate")
-        # 0 and ±1 are known by what they are, not by spelling
-        object.__setattr__(self, "point", tuple(map(plain, self.point)))
+        object.__setattr__(self, "point", tuple(map(plain, self.point)))   # 0 and ±1, however they are spelt
         left = []
         for coordinate, rate in zip(self.system.space.coordinates, self.at_point(self.system.jet_field)):
             if residual := residual_of(rate, self.insert):
@@ -101,20 +100,13 @@ class Equilibrium(Shown, Stored):
             unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
             raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}"
                                    f"{unknown}: k is a direction, |k| = 1; divide it by its length")
-        for value in (*self.field_values, *self.constraints):
-            if value.is_finite is False or value.is_real is False or value.has(S.NaN):
-                raise EquilibriumError(f"{self.label} is out of reach: U or one of its derivatives is "
-                                       f"{shown(value)} there, not a finite real number")
+        refuse_rough(self.label, self.system.potential, self.near_pole,
+                     (*self.field_values, *self.constraints), self._inner_arguments())
         for residual in self.constraints:
             if not residual.free_symbols:
                 what = "is not proved to be" if sign(residual, {}) is None else "is not"
                 raise EquilibriumError(f"{self.label} {what} an equilibrium: a relation on the derivatives "
                                        f"of U is off by {residual}")
-        for argument in self._inner_arguments():
-            if not argument.free_symbols and sign(argument, {}) != 1:
-                raise EquilibriumError(f"{self.label} is out of reach: U is not smooth there, the argument "
-                                       "of a root, logarithm or inverse function is not proved to be inside "
-                                       f"its range, {argument} > 0")
 
     def _check_held(self, held: Held) -> None:
         """The directions have the lengths and the angle that the scene gives them."""
@@ -128,8 +120,13 @@ class Equilibrium(Shown, Stored):
         """What has to be positive for a given U to be smooth at the point: arguments of roots."""
         if not (potential := self.system.potential) or not potential.given:
             return ()
-        return tuple(dict.fromkeys(self.insert(self._placed(a))
-                                   for a in smooth_where_positive(potential.expression)))
+        found = map(self._placed, smooth_where_positive(potential.expression))
+        return tuple(dict.fromkeys(map(self.insert, left_positive(self.near_pole, found))))
+
+    @cached_property
+    def near_pole(self) -> NearPole | None:
+        """U in powers of 1 ∓ k3, where k3 = ±1 and U(k3) has roots of what is 0 there; else None."""
+        return near_pole(self.system.potential, plain(self.point[-1]))
 
     def _placed(self, expression: Expr) -> Expr:
         """An expression in k, at the point."""
@@ -193,8 +190,9 @@ class Equilibrium(Shown, Stored):
         if not potential or not potential.given:
             return expression
         for s in expression.free_symbols - self._jet.keys():
-            if jet(s.name):
-                self._jet[s] = self._placed(potential.value(s))
+            if order := jet(s.name):
+                near, value = self.near_pole, potential.value(s)
+                self._jet[s] = near.derivative(order[0]) if near else self._placed(value)
         return expression.xreplace(self._jet)
 
     @cached_property
@@ -215,6 +213,8 @@ class Equilibrium(Shown, Stored):
         potential = self.system.potential
         if not potential or not potential.given:
             return ()
+        if near := self.near_pole:                         # where nothing is asked of the curvature
+            return self.insert(near.coefficient(0)), self.insert(near.derivative(1))
         first = [d for d in potential.gradient() if d]
         jets = [*first, *(d for s in first for d in potential.following(s) if d)]
         return tuple(self.insert(e) for e in (self._placed(potential.expression), *jets))

@@ -18,14 +18,15 @@ _NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.P
 
 
 @checked
-def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -> Potential:
+def axial_potential(expression: Expr | str | Callable[[Symbol], Expr] | None = None) -> Potential:
     """Axially symmetric potential U(k3).
 
     Parameters
     ----------
-    expression : Expr, number, callable or None
-        U in k3 and real parameters [M L²/T²]; a function of the symbol k3; or None, U left unspecified.
-        Symbols are matched by name, floats are the dyadic rationals they are.
+    expression : Expr, str, number, callable or None
+        U in k3 and real parameters [M L²/T²]; a text of it, as on the command line; a function of the symbol
+        k3; or None or "U(k3)", U left unspecified. Symbols are matched by name, floats are the dyadic
+        rationals they are.
 
     Returns
     -------
@@ -43,8 +44,8 @@ def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.axial_potential(lambda k3: k3**2 / 2).expression
-    k3**2/2
+    >>> gs.axial_potential(lambda k3: k3**2 / 2).expression, gs.axial_potential("m0*k3").expression
+    (k3**2/2, k3*m0)
     >>> gs.axial_potential().expression
     U(k3)
     """
@@ -52,14 +53,14 @@ def axial_potential(expression: Expr | Callable[[Symbol], Expr] | None = None) -
 
 
 @checked
-def general_potential(expression: Expr | Callable[..., Expr] | None = None) -> Potential:
+def general_potential(expression: Expr | str | Callable[..., Expr] | None = None) -> Potential:
     """Potential U(k1, k2, k3).
 
     Parameters
     ----------
-    expression : Expr, callable or None
-        U in k1, k2, k3 and real parameters [M L²/T²]; a function of the three symbols; or None, U left
-        unspecified
+    expression : Expr, str, callable or None
+        U in k1, k2, k3 and real parameters [M L²/T²]; a text of it, as on the command line; a function of the
+        three symbols; or None or "U(k1,k2,k3)", U left unspecified
 
     Returns
     -------
@@ -80,6 +81,8 @@ def general_potential(expression: Expr | Callable[..., Expr] | None = None) -> P
 
 
 def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
+    if isinstance(given, str) and "".join(given.split()) == f"U({','.join(map(str, variables))})":
+        given = None
     if given is None:
         return Potential(variables, U(*variables))
     if callable(given) and not isinstance(given, Expr):
@@ -91,7 +94,7 @@ def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
                                  f"({brief(str(error))}): "
                                  "give an expression, or a function that makes one, with sympy.cos for "
                                  "numpy.cos") from error
-    if isinstance(given, (str, bool)):
+    if isinstance(given, bool):
         raise PotentialError(f"U = {brief(given)} is not an expression: build it from symbol('k3'), or "
                              "give a function of "
                              f"{', '.join(map(str, variables))}")

@@ -2,20 +2,20 @@
 from dataclasses import dataclass
 from functools import lru_cache
 
-from sympy import Add, Expr, S, Symbol, factorial
+from sympy import Expr, S
 
 from ..algebra.exact import is_identically_zero
-from ..algebra.polynomials import Ring, by_degree, derivatives, lowest_terms
+from ..algebra.numbers import exact_expression
+from ..algebra.polynomials import derivatives, lowest_terms
 from ..arguments import checked
 from ..errors import ScopeError, StructureError
-from ..notation import Stored, jet_name, symbol
+from ..notation import Stored, symbol
 from ..shown import Shown
 from .coupled import in_one_direction
-from .equilibria import Equilibrium
 from .system import System
 
 K3, ENERGY, V, P = symbol("k3"), symbol("energy"), symbol("p_phi"), symbol("p_psi")
-OMEGA, DEVIATION = symbol("omega"), Symbol("deviation")  # a symbol that is none of a user's, which are real
+OMEGA = symbol("omega")
 
 
 @dataclass(frozen=True, repr=False)
@@ -49,12 +49,12 @@ class Reduction(Shown, Stored):
     twist: Expr
 
     @checked
-    def square(self, U: Expr | None = None) -> Expr:
+    def square(self, U: Expr | str | None = None) -> Expr:
         """I1² k̇3² = g, a function of k3 and the levels.
 
         Parameters
         ----------
-        U : Expr or None
+        U : Expr, str or None
             in place of the scene's potential [M L²/T²]
 
         Returns
@@ -137,9 +137,11 @@ class Reduction(Shown, Stored):
         level = self.system.body.moments[0] * OMEGA * self.across + V - self.twist
         return lowest_terms(expression.xreplace({V: level}))
 
-    def _field(self, U: Expr | None) -> Expr:
+    def _field(self, U: Expr | str | None) -> Expr:
         potential = self.system.potential
-        return potential.expression if U is None and potential else U or S.Zero
+        if U is None:
+            return S.Zero if potential is None else potential.expression
+        return exact_expression(U, "U") if isinstance(U, str) else U
 
 
 @checked
@@ -201,53 +203,3 @@ def reduce(scene: System) -> Reduction:
 def reducible(scene: System) -> bool:
     """Whether the scene is a body of revolution in a field U(k3)."""
     return scene.potential is not None and scene.potential.axial and scene.body.is_of_revolution()
-
-
-@checked
-def expansion(eq: Equilibrium, order: int) -> list[Expr]:
-    """Coefficients of x⁰ … x^order in g on the levels of an equilibrium.
-
-    k3 = ±(1 − x) at a pole, else k3 + x. U is expanded in its derivatives dU, d2U, … at the equilibrium,
-    and a relation on them is inserted. The first two vanish.
-
-    Parameters
-    ----------
-    eq : Equilibrium
-        of a body of revolution in U(k3)
-    order : int
-
-    Returns
-    -------
-    list of Expr
-        order + 1 of them
-
-    Raises
-    ------
-    ScopeError
-        the body is not of revolution, or U is not U(k3)
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> gs.mechanics.expansion(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())), 3)[2:]
-    [4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2, -2*I1*d2U - 2*I1*dU]
-    """
-    motion, scene = reduce(eq.system), eq.system
-    pi3, k3 = scene.space.coordinates[2], eq.at
-    inward = -k3 if k3**2 == 1 else S.One
-    step = inward * DEVIATION
-    # U − U(k3)
-    field = Add(*(symbol(jet_name(n)) * step**n / factorial(n) for n in range(1, order + 1)))
-    levels = {V: scene.space.casimirs[0], P: pi3 + scene.body.gyrostatic_momentum[2],
-              ENERGY: scene.body.kinetic_energy(scene.space.coordinates[:3])}
-    levels = {level: value.xreplace(dict(zip(scene.space.coordinates, eq.point)))
-              for level, value in levels.items()}
-    g = motion.square(field).xreplace({K3: K3 + step}).xreplace(levels | {K3: k3})
-    for name, value in eq.relations:
-        if name == symbol("dU"):
-            g = g.xreplace({name: value})
-    ring = Ring([g, DEVIATION])
-    top, bottom = ring.fraction(g)
-    place = ring.generators.index(DEVIATION)
-    parts = by_degree(ring.reduce(top), place, max(top.degrees()[place], order))
-    return [ring.quotient(part, bottom) for part in parts[:order + 1]]

@@ -94,25 +94,33 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
 
 
 def _marked(ax: Any, points: Sequence[CriticalPoint], eye: Array) -> list[Any]:
-    """The critical points by kind and verdict, circles as lines; what stands in the legend for them."""
+    """The critical points by kind and verdict, curves as lines; what stands in the legend for them."""
     handles = []
     for point in points:
-        if point.rotation.circle is not None:
-            k, axis = _place(point), np.array([float(x) for x in point.rotation.circle])
-            axis = axis / np.linalg.norm(axis)
+        if point.rotation.locus:
             style = line(point.rotation.decision.verdict)
-            radius, height = float(np.linalg.norm(np.cross(k, axis))), float(k @ axis)
-            curve_on(ax, circle(axis, radius, height), eye, **style)
-            handles.append(named(style, f"circle, {point.rotation.decision.verdict.name.lower()}"))
+            for curve in _continuum(point):
+                curve_on(ax, curve, eye, **style)
+            what = "circle" if point.rotation.curve is None else "curve"
+            handles.append(named(style, f"{what}, {point.rotation.decision.verdict.name.lower()}"))
     for kind, shape in SHAPES.items():
         for verdict in Verdict:
             places = [_place(point) for point in points if point.kind == kind
-                      and point.rotation.circle is None and point.rotation.decision.verdict is verdict]
+                      and not point.rotation.locus and point.rotation.decision.verdict is verdict]
             if places:
                 style = {**marker(verdict), "marker": shape}
                 dots_on(ax, np.array(places), eye, **style)
                 handles.append(named(style, f"{kind}, {verdict.name.lower()}"))
     return handles
+
+
+def _continuum(point: CriticalPoint) -> list[Array]:
+    """The circle on which a critical point lies, or the pieces of another curve."""
+    if point.rotation.curve is not None:
+        return _level_curves(_Field.of(point.rotation.curve, {}), np.zeros(1))
+    k, axis = _place(point), np.array([float(x) for x in point.rotation.circle or ()])
+    axis = axis / np.linalg.norm(axis)
+    return [circle(axis, float(np.linalg.norm(np.cross(k, axis))), float(k @ axis))]
 
 
 def _place(point: CriticalPoint) -> Array:
@@ -156,8 +164,11 @@ class _Field:
         return k
 
 
-def _level_curves(potential: _Field) -> list[Array]:
-    """Curves of levels that divide the sphere into equal areas, in pieces, each on a face of a cube."""
+def _level_curves(potential: _Field, levels: Array | None = None) -> list[Array]:
+    """Curves of levels, in pieces, each on a face of a cube.
+
+    Default: levels that divide the sphere into equal areas.
+    """
     tangent = np.tan(np.linspace(-np.pi / 4, np.pi / 4, CELLS + 1))
     x, y = np.meshgrid(tangent, tangent)
     faces = []
@@ -166,7 +177,8 @@ def _level_curves(potential: _Field) -> list[Array]:
         k = axis + x[..., None] * first + y[..., None] * second
         faces.append((axis, first, second, _unit(k)))
     heights = [potential.value(k) for *_, k in faces]
-    levels = np.quantile(heights, (np.arange(CURVES) + 0.5) / CURVES)
+    if levels is None:
+        levels = np.quantile(heights, (np.arange(CURVES) + 0.5) / CURVES)
     found = []
     for (axis, first, second, _), height in zip(faces, heights):
         lines = optional("contourpy", "plot").contour_generator(x, y, height)

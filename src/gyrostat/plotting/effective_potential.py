@@ -73,7 +73,7 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     >>> [round(float(k3), 4) for k3 in found.turning_points]
     [0.2843, 0.7957]
     """
-    names_of(scene)                                    # in U(k3), given: or refused
+    names_of(scene, "draw_amended_potential is the picture of another body in a field")
     numbers = numbers_of(scene, values, ("p_phi", "p_psi"))
     potential = effective_potential(scene.body,
                                     scene.potential).xreplace(dict(numbers))  # type: ignore[arg-type]

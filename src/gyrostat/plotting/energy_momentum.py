@@ -46,7 +46,7 @@ def energy_momentum(scene: System, values: Mapping[str, Any]) -> EnergyMomentum:
     >>> [(v, h, pole.decision.verdict.name) for v, h, pole in found.poles]
     [(1.0, 1.5, 'UNSTABLE'), (-1.0, -0.5, 'STABLE')]
     """
-    names_of(scene)                                    # in U(k3), given: or refused
+    names_of(scene)
     return critical_values(scene, numbers_of(scene, values, ("p_psi",)))
 
 

@@ -12,8 +12,8 @@ from ..errors import ScopeError, ValuesError
 from ..mechanics.body import Gyrostat
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
-from ..stability.asked import exact_point
-from ..stability.permanent_rotations import LENGTH, NU
+from ..stability.asked import LENGTH, exact_point
+from ..stability.permanent_rotations import NU
 from ..stability.rotor_planes import fold_intervals, fold_squares, numbers_of_rotations_over
 from .headings import heading, of_sphere
 from .looks import BLUE, DARK, axes_of, axis, legend, named

@@ -2,7 +2,7 @@
 from itertools import islice
 from typing import Any
 
-from sympy import Expr, Mul
+from sympy import Expr, Mul, Rational
 
 from ..algebra.readable import readable
 from ..mechanics.reduction import ENERGY, K3, P, V, reduce
@@ -43,7 +43,7 @@ def boundary_blocks(report: Report) -> list[Block]:
         sentence(between, "the motion of ", K3, " by itself decides, on the level of the equilibrium: ",
                  motion, " with"),
         Display(Word(g, f"⟨{g}⟩"), reduce(eq.system).square().xreplace(levels), label="reduced")]
-    series = Word(f"{g} = c₃ x³ + c₄ x⁴ + …", rf"⟨{g}⟩ = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots")
+    series = _series(g, boundary)
     place: tuple[Any, ...] = (DISTANCE, " the deviation of ", K3)
     if boundary.pole:
         place = (K3, " = ", eq.at * (1 - DISTANCE), ", ", Word("x ≥ 0", r"⟨x⟩ \geq 0"))
@@ -53,6 +53,16 @@ def boundary_blocks(report: Report) -> list[Block]:
     first = "; the first coefficient that is not 0 decides. Up to positive factors:"
     return [*blocks, sentence("There ", series, ", with ", *place, first), *map(rung_display, rungs),
             sentence(*_outcome(boundary, rungs, more, report.sufficient.modulo))]
+
+
+def _series(g: str, boundary: Boundary) -> Word:
+    """g by its powers, of which a pole has fractional ones where U has."""
+    near = boundary.equilibrium.near_pole
+    if near is None or near.smooth:
+        return Word(f"{g} = c₃ x³ + c₄ x⁴ + …", rf"⟨{g}⟩ = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots")
+    first, second = (2 + Rational(n, near.order) for n in (1, 2))
+    return Word(f"{g} = Σ cₚ xᵖ, p = {first}, {second}, …",
+                rf"⟨{g}⟩ = \sum ⟨c⟩_p ⟨x⟩^p,\ p = {first}, {second}, \dots")
 
 
 def undecided(report: Report) -> bool:

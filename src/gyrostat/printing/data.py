@@ -75,7 +75,8 @@ def boundary_data(report: Report) -> dict[str, Any] | None:
     if not undecided(report) or report.boundary is None:
         return None
     (rungs, _), last = ladder(report.boundary), report.boundary.last
-    return {"rungs": [{"power": r.power, "escapes": r.escapes} | condition_data(r.condition) for r in rungs],
+    return {"rungs": [{"power": r.power if isinstance(r.power, int) else str(r.power), "escapes": r.escapes}
+                      | condition_data(r.condition) for r in rungs],
             "last": None if last is None else int(last)}
 
 

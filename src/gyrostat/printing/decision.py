@@ -40,9 +40,12 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
         blocks.append(sentence("Certificate: h", *(part for F, a in decision.certificate
                                                    for part in (" + (", a, ") (", F, ")")),
                                " has a definite second variation on the orbit.", at=at))
-    if decision.note:
-        blocks.append(sentence(f"Note: {decision.note}."))
-    return blocks
+    return [*blocks, *note_blocks(decision.note)]
+
+
+def note_blocks(note: str) -> list[Block]:
+    """What is unusual about the numbers, if anything."""
+    return [sentence(f"Note: {note}.")] if note else []
 
 
 def reason_block(decision: Decision) -> Sentence:

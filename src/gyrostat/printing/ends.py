@@ -3,14 +3,14 @@ from typing import Any
 
 from sympy import Abs, CRootOf, Expr, Float, Pow
 
-from ..algebra.balls import accurate
+from ..algebra.balls import Enclosed, accurate
 from ..algebra.readable import readable
 from .blocks import Word
 
 
 def number(value: Expr) -> Any:
     """An end as it reads best: the root of a polynomial as a decimal, a fraction factored."""
-    if value.has(CRootOf, Float):
+    if value.has(CRootOf, Enclosed, Float):
         near = value if value.is_Float else Float(accurate(value, 110).mid().str(30, radius=False), 30)
         digits = str(near.n(12))
         return Word(f"{digits.replace('-', '−')}…", rf"{digits}\dots")

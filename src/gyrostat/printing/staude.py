@@ -7,6 +7,7 @@ from sympy import Add, Expr, S, oo, sqrt
 from ..algebra.readable import readable
 from ..notation import symbol
 from ..stability.gyrostat_arcs import GyrostatArc
+from ..stability.heavy_rotation import HeavyRotation
 from ..stability.staude import StaudeCone
 from ..stability.staude_arcs import End, Piece, StaudeArc
 from .blocks import Block, Display, Word, equations, listed, sentence
@@ -41,7 +42,13 @@ def gyrostat_arc_blocks(arc: GyrostatArc) -> list[Block]:
     low, high = arc.ends
     return [sentence("Arc from ", *_end(low), " to ", *_end(high), " along it |", VECTOR, "| = 1:"),
             *(Display(symbol(f"k{n}"), x) for n, x in enumerate(arc.curve.k, 1) if x != symbol(f"k{n}")),
-            *_verdicts(OMEGA, arc.pieces)]
+            *_verdicts(OMEGA, arc.pieces), *map(_crossed, arc.circles)]
+
+
+def _crossed(rotation: HeavyRotation) -> Block:
+    return sentence("Where ", *equations([(OMEGA, number(rotation.omega))]), " every direction of ",
+                    rotation.locus, ", through ", VECTOR, " = (", *listed(map(number, rotation.k)),
+                    "), is that of a permanent rotation")
 
 
 def _verdicts(parameter: Expr, pieces: Iterable[Piece]) -> Iterator[Block]:

@@ -14,8 +14,9 @@ them (`window_families`); a `rotation_report` in any direction. Every relative e
 `relative_equilibria`: in U(k3) by `branches` as it is `asked`, each a `branch`, of a free body by
 `permanent_rotations` (`rotors_in_rpm`), of any other by `heavy_rotations`, each a `heavy_rotation`, on a
 level of C1 by `heavy_levels`, in any polynomial by `heavy_polynomials`, decided by the
-closed forms of `amended_form`; they are critical points of the `amended_potential`, and on arcs: Staude's
-cone (`staude`, `staude_arcs`), with a rotor the curves of `gyrostat_arcs` (`rate_curves`). Where they meet,
+closed forms of `amended_form` of its `heavy_data`; they are critical points of the `amended_potential`, and
+on arcs: Staude's cone (`staude`, `staude_arcs`), with a rotor the curves of `gyrostat_arcs` (`rate_curves`).
+Where they meet,
 `bifurcations` say in equations and `meetings` in numbers, each of one of the `kinds`; `critical`, `pieces`,
 `followed` and `continuation` follow them along a parameter (of a free body `rotation_loci`,
 `rotation_meetings`, `followed_rotations`, `rotor_planes`; of a heavy one `followed_heavy`); `critical_values`

@@ -128,6 +128,8 @@ class Amended:
 
         Where it is of degree 2 and vanishes along a direction, the leading form along the valley there.
         """
+        if self.equilibrium.near_pole is not None:
+            return None, "the second variation is degenerate, and U has powers of 1 ∓ k3 that are not whole"
         for degree in (4, 8, HIGHEST):
             if wanted := {s.name for e in self._slopes(degree).values() for s in e.free_symbols}:
                 return None, f"the second variation is degenerate, give {', '.join(sorted(wanted))} to decide"

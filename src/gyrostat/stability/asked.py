@@ -2,37 +2,53 @@
 from collections.abc import Mapping
 from typing import Any
 
+from sympy import ImmutableMatrix
+
 from ..algebra.exact import Point, evaluate, proved_sign
 from ..algebra.numbers import exact_number
 from ..algebra.quantities import not_mixed
-from ..errors import ScopeError, ValuesError
+from ..errors import ScopeError, ValuesError, brief
 from ..mechanics.recognition import Recognition, recognise
 from ..mechanics.reduction import ENERGY, K3, OMEGA, P, V, reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
 from .values import check_names, unknown
 
-PI3, C1 = symbol("pi3_0"), symbol("C1")
+PI3, C1, LENGTH = symbol("pi3_0"), symbol("C1"), symbol("M")
+OTHERS = "relative_equilibria finds those of another body in a field"
+MARKED = "where rotations of another body in a field meet, continuation marks over a range of one name"
 # of the motion: a rate about the vertical, a level, a tilt, a tilt on a level
 ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
 
 
-def names_of(scene: System) -> set[str]:
-    """Names of the moments, of l and of the parameters of U, of a scene whose relative equilibria can be
-    found.
+def names_of(scene: System, instead: str = OTHERS) -> set[str]:
+    """Names of the moments, of l and of the parameters of U, of a body of revolution in a given U(k3).
+
+    Any other scene is refused, with what there is instead.
     """
-    if not reducible(scene) or not scene.potential or not scene.potential.given:
-        raise ScopeError("all equilibria are found for a body of revolution in a given U(k3); this scene "
-                         "has inertia "
-                         f"{scene.body.moments}, U = {scene.potential and scene.potential.expression}: use "
-                         "upright, hanging, inclined "
-                         "or equilibrium")
+    if scene.potential is not None and not scene.potential.given:
+        raise ScopeError(f"U = {scene.potential.expression} is unspecified, and all equilibria are found in "
+                         "a field that is given: give one; conditions in any field are those of upright, "
+                         "hanging and inclined")
+    require_revolution(scene, instead)
+    assert scene.potential is not None
     needed = {s for e in (*scene.body.moments, scene.body.gyrostatic_momentum[2], scene.potential.expression)
               for s in e.free_symbols}
     if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY}):
         raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: "
                          "rename it")
     return {s.name for s in needed - {K3}}
+
+
+def require_revolution(scene: System, instead: str) -> None:
+    """Refuse a scene that is no body of revolution in U(k3)."""
+    if reducible(scene):
+        return
+    inertia = scene.body.inertia
+    shown = "a full inertia tensor" if isinstance(inertia, ImmutableMatrix) else f"inertia = {brief(inertia)}"
+    field = "no field" if scene.potential is None else f"U = {brief(scene.potential.expression)}"
+    raise ScopeError(f"{shown}, {field}: this is no body of revolution about axis 3 in a field U(k3); "
+                     + instead)
 
 
 def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:
@@ -100,3 +116,25 @@ def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, 
                           "the scene: "
                           + ", or ".join(" and ".join(sorted(way)) for way in ways))
     return found, {own[name]: value for name, value in values.items() if name not in names}
+
+
+def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | None = None) -> Point:
+    """The values as exact numbers, one for every name of a scene without a field and for M, but for one that
+    is free.
+    """
+    needed = {s.name for s in names_of_scene(scene)}
+    if LENGTH.name in needed:
+        raise ScopeError("the body depends on M, which is the length of the momentum here: rename it")
+    needed |= {LENGTH.name}
+    if free is not None and free not in needed:
+        raise ValuesError(unknown(free, sorted(needed), "the scene"))
+    numbers = exact_point(scene, values, needed)
+    if free is not None and free in values:
+        raise ValuesError(f"{free} is free, and has the value {values[free]} too: leave out one of the two")
+    if missing := sorted(needed - values.keys() - {free}):
+        raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each; M is "
+                          "the length of π + l")
+    if LENGTH in numbers and proved_sign(numbers[LENGTH]) not in ((0, 1) if free is None else (1,)):
+        raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a number that "
+                          f"is {'not negative' if free is None else 'positive'}")
+    return numbers

@@ -5,17 +5,19 @@ Of a body of revolution E3 leaves E1 or E2, and tilts meet; of a free gyrostat p
 from contextlib import suppress
 from dataclasses import dataclass
 
-from sympy import Expr, S, Symbol, expand
+from sympy import Expr, Integer, S, Symbol, expand
 
 from ..algebra.exact import Point
 from ..arguments import checked
 from ..errors import EquilibriumError, ValuesError
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.families import POLES
-from ..mechanics.reduction import K3, OMEGA, P, expansion, reduce
+from ..mechanics.reduced_series import powers_of_distance
+from ..mechanics.reduction import K3, OMEGA, P, reduce
 from ..mechanics.system import System
 from ..notation import Stored, jet, symbol
 from ..shown import Shown
+from .asked import MARKED, require_revolution
 from .kinds import precessions_leave, tilt_leaves
 from .rotation_loci import loci_of_rotations
 
@@ -93,6 +95,7 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     in_one_direction(scene.potential, "bifurcations")
     if scene.potential is None:
         return tuple(Bifurcation(*row) for row in loci_of_rotations(scene.body))
+    require_revolution(scene, MARKED)
     relation, motion = relation_at_rate(scene), reduce(scene)
     slope = relation.diff(K3) + symbol("d2U")
     found: list[tuple[str, tuple[Expr, ...], Expr]] = [
@@ -101,7 +104,7 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     for family in POLES.values():
         with suppress(EquilibriumError):                   # U is infinite at the pole
             eq = family.of(scene)
-            found.append((precessions_leave(family), (expansion(eq, 2)[2],), eq.at))
+            found.append((precessions_leave(family), (powers_of_distance(eq, 2)[Integer(2)],), eq.at))
     found.append(("fold on a level", (motion.precession(), motion.restoring()), K3))
     return tuple(Bifurcation(*row) for row in found)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
-from sympy import Expr, Mul, S, Symbol
+from sympy import Expr, Mul, Rational, S, Symbol
 
 from ..algebra.exact import sign
 from ..algebra.margins import Signs
@@ -15,7 +15,8 @@ from ..algebra.polynomials import Ring
 from ..kept import cached_property
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.once import once
-from ..mechanics.reduction import expansion, reducible
+from ..mechanics.reduced_series import powers_of_distance
+from ..mechanics.reduction import reducible
 from ..notation import Stored, jet, symbol
 from ..shown import Shown
 from .conditions import Condition
@@ -33,14 +34,15 @@ class Rung:
 
     Parameters
     ----------
-    power : int
+    power : int or Rational
+        a fraction at a pole where U has such powers
     condition : Condition
         margin > 0: the coefficient is negative
     escapes : bool
         the power is odd and k3 may move both ways: unstable whatever the sign
     """
 
-    power: int
+    power: int | Rational
     condition: Condition
     escapes: bool
 
@@ -57,7 +59,8 @@ class Boundary(Shown, Stored):
     On the level of the equilibrium I1² k̇3² = g = c₃ x³ + c₄ x⁴ + …, with k3 = ±(1 − x), x ≥ 0, at E1 and E2
     and k3 + x at a tilt. The first coefficient that is not 0 decides: where g < 0 beside the point, k3 is
     held (Lyapunov stable, modulo the spin at a tilt), where g > 0 on a side, a motion leaves along it. If all
-    vanish, g = 0 and every k3 nearby is a motion: unstable.
+    vanish, g = 0 and every k3 nearby is a motion: unstable. At a pole where U(k3) has roots the powers are
+    fractions (mechanics.near_pole, which says what is asked of U there).
 
     Parameters
     ----------
@@ -104,11 +107,13 @@ class Boundary(Shown, Stored):
         >>> [rung.condition.margin for rung in islice(boundary.rungs(), 3)]
         [d2U + dU, -3*d2U - 2*d3U, 2*d3U + d4U]
         """
-        power, potential = 3, self.equilibrium.system.potential
+        near, potential = self.equilibrium.near_pole, self.equilibrium.system.potential
+        step = 1 if near is None or near.smooth else Rational(1, near.order)
         highest = self.last or (HIGHEST if potential and potential.given else None)
+        power = 2 + step
         while highest is None or power <= highest:
             yield self.rung(power)
-            power += 1
+            power += step
 
     def decisive(self) -> Iterator[Rung]:
         """The ladder with the coefficient of x² below it, which is 0 where the criteria are those of g.
@@ -121,13 +126,14 @@ class Boundary(Shown, Stored):
         yield self.rung(2)
         yield from self.rungs()
 
-    def rung(self, power: int) -> Rung:
+    def rung(self, power: int | Rational) -> Rung:
         """The rung of one power of x, from 2 on."""
         if power not in self._known:
             eq, order = self.equilibrium, 5
             while order < power:
                 order *= 2
-            for n, coefficient in enumerate(expansion(eq, order)[2:], 2):
+            for exponent, coefficient in powers_of_distance(eq, order).items():
+                n = int(exponent) if exponent.is_Integer else exponent
                 value = eq.insert(coefficient)
                 margin, even = Signs.over([value], eq.existence()).normal_form(-value)
                 self._known[n] = Rung(n, Condition(margin, True, f"coefficient of x^{n}", even, eq.at),
@@ -135,7 +141,7 @@ class Boundary(Shown, Stored):
         return self._known[power]
 
     @cached_property
-    def _known(self) -> dict[int, Rung]:
+    def _known(self) -> dict[int | Rational, Rung]:
         """The rungs that have been derived, by their power."""
         return {}
 
@@ -187,7 +193,8 @@ class Boundary(Shown, Stored):
         where = "on the boundary " if rung.power > 2 else ""
         compared = "<" if sign > 0 else ">"
         moves = "k3 is held" if stable else "a motion leaves along x"
-        return settled(stable, f"{where}g = c x^{rung.power} + … with c {compared} 0, {moves}{kind}",
+        power = rung.power if isinstance(rung.power, int) else f"({rung.power})"
+        return settled(stable, f"{where}g = c x^{power} + … with c {compared} 0, {moves}{kind}",
                        Decided.REDUCED_MOTION)
 
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
-from sympy import Expr, Integer, S, Symbol, sqrt
+from sympy import Expr, Integer, Pow, S, Symbol, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import Point, evaluate, proved_sign, sign_of_constant
@@ -95,8 +95,10 @@ class SceneAtNumbers:
         self.l = evaluate(scene.body.gyrostatic_momentum[2], numbers)
         body = {symbol("I1"): self.I1, symbol("I3"): self.I3, symbol("l"): self.l}
         parameters = {s: numbers[s] for s in scene.potential.parameters}
-        own = {s: x for s, x in parameters.items() if s in _BODY and (s == symbol("l") or body.get(s) != x)}
         potential = scene.potential
+        powers = {s for power in potential.expression.atoms(Pow) for s in power.exp.free_symbols}
+        own = {s: x for s, x in parameters.items()
+               if s in powers or s in _BODY and (s == symbol("l") or body.get(s) != x)}
         self.potential = (
             replace(potential, expression=potential.expression.xreplace(own)) if own else potential
         )

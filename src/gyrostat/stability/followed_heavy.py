@@ -25,8 +25,9 @@ from ..notation import symbol
 from .asked import exact_point
 from .critical import admissible, within
 from .decision import Verdict
+from .heavy_data import data_at
 from .heavy_polynomials import degree_in_k
-from .heavy_rotation import HeavyRotation, data_at
+from .heavy_rotation import HeavyRotation
 from .heavy_rotations import heavy_rotations
 from .meetings import BifurcationPoint
 from .values import unknown
@@ -104,7 +105,7 @@ def followed_heavy(scene: System, name: str, low: Expr, high: Expr,
     above, below = minors * vector, pencil[:, 0].dot(minors[:, 0])
     curve = PlaneCurve(above.dot(above) - below**2, SIGMA, free, ends=())
     if not curve.rational:
-        raise ScopeError("rotations are followed at rational numbers: write the others as fractions")
+        raise ScopeError("rotations are followed at rational numbers: round the others to decimals")
     met = _double_points(curve, low, high)
     inner = in_order(list({t for t, _ in met} - {low, high}))
     spans = [_between(scene, name, values, a, b) for a, b in pairwise([low, *inner, high])]

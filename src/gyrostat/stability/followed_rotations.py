@@ -18,11 +18,12 @@ from ..errors import ValuesError
 from ..mechanics.body import Gyrostat
 from ..mechanics.system import System, at_numbers
 from ..notation import symbol
+from .asked import LENGTH, numbers_of_rotations
 from .critical import admissible, within
 from .decision import Verdict
 from .free_rotation import PermanentRotation
 from .meetings import BifurcationPoint, bifurcation_points
-from .permanent_rotations import LENGTH, numbers_of_rotations, permanent_rotations
+from .permanent_rotations import permanent_rotations
 from .rotation_meetings import body_at, rotation_curve
 
 # between two stations, closer together at both; how near the first and the last are to them

@@ -73,7 +73,7 @@ class PermanentRotation(Shown, Stored):
 
         In principal axes M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν.
         """
-        if self.nu is None or self.decision not in (EXTREMUM, SADDLE):
+        if self.nu is None or self._kind not in (EXTREMUM, SADDLE):
             return S.Zero
         if isinstance(self.body.inertia, ImmutableMatrix):
             M = Matrix(self.momentum)
@@ -90,18 +90,26 @@ class PermanentRotation(Shown, Stored):
     @property
     def itself(self) -> Decision | None:
         """What holds of the point where the decision is modulo turns about an axis; else None."""
-        return settled(False, DRIFTS, Rung.DRIFT) if self.circle else None
+        return settled(False, DRIFTS, Rung.DRIFT, note=self.decision.note) if self.circle else None
 
     @cached_property
     def damped(self) -> Decision:
         """The verdict under internal damping, which keeps M; of a circle, modulo the turns about its axis."""
+        return replace(self._decided_under_damping(), note=self.decision.note)
+
+    @property
+    def _kind(self) -> Decision:
+        """The decision, without what is said of the body."""
+        return replace(self.decision, note="")
+
+    def _decided_under_damping(self) -> Decision:
         if self.nu is None:
             return replace(self.decision, notion="secular", growing=0)
-        if self.decision not in (EXTREMUM, SADDLE) and not self.circle:
+        if self._kind not in (EXTREMUM, SADDLE) and not self.circle:
             return secular_of(self.equilibrium).decide(Point({}), {})
         M, D = Matrix(self.momentum), self.body.inverse - self.nu * eye(3)
         rising = proved_sign(D.trace() * M.dot(M) - M.dot(D * M)) == 1
-        growing = 1 if self.decision == SADDLE else 0 if rising else 1 if self.circle else 2
+        growing = 1 if self._kind == SADDLE else 0 if rising else 1 if self.circle else 2
         return replace(lost(growing) if growing else KEEPS, modulo=self.decision.modulo)
 
     @property

@@ -129,6 +129,13 @@ class GyrostatArc(Shown, Stored):
                     and all(proved_sign(x) in (0, sign) for x, sign in zip(rotation.k, signs)))
 
     @cached_property
+    def circles(self) -> tuple[HeavyRotation, ...]:
+        """Where it crosses a circle of rotations of one rate: of a body with equal moments."""
+        met = [self._among_others(span, span.high) for span in self.strand.spans[:-1]
+               if span.high in self.curve.through]
+        return tuple(rotation for rotation in met if rotation.circle is not None)
+
+    @cached_property
     def ends(self) -> tuple[End, End]:
         """Where omega goes to low and to high: two rotations become one, or a principal axis, omega → ±∞."""
         first, last = self.strand.spans[0], self.strand.spans[-1]

@@ -18,9 +18,7 @@ from ..notation import symbol
 
 OMEGA, SIGMA, EPSILON = symbol("omega"), symbol("sigma"), symbol("epsilon")
 PRECISION = 512                                            # bits
-UNTOLD = ("the rotations on that level of C1 are not told apart by omega: there are circles of them, or a "
-          "symmetry")
-OTHER = "; give omega instead, of which all are found, or a direction k1, k2, k3"
+UNTOLD = "the rotations on that level of C1 are not told apart by omega"
 Found = tuple[Expr, tuple[Expr, ...], tuple[Expr, ...] | None]
 
 
@@ -62,11 +60,11 @@ def rates_on_level(inertia: Matrix, curved: Matrix, linear: Matrix, rotor: Matri
     Raises
     ------
     ScopeError
-        a number is not rational, or the rotations of one omega are not told apart
+        a number is not rational, or the rotations of one omega are not told apart: heavy_polynomials has them
     """
     numbers = [*inertia, *curved, *linear, *rotor, level]
     if not all(isinstance(x, Rational) for x in numbers):
-        raise ScopeError("all rotations on a level of C1 are found at rational numbers" + OTHER)
+        raise ScopeError("a number is not rational")
     yield from _with_parts_along(Field(inertia, curved, linear, rotor, level), [0, 1, 2])
 
 
@@ -92,7 +90,7 @@ def _across(field: Field, n: int, others: list[int]) -> Iterator[Found]:
     placed = part.pencil.xreplace({SIGMA: field.curved[n, n] - OMEGA**2 * moment})
     above, below = placed.adjugate() * part.vector, placed.det(method="berkowitz").expand()
     if (singular := real_roots(below, OMEGA)) is None:
-        raise ScopeError(UNTOLD + OTHER)
+        raise ScopeError(UNTOLD)
     for root in singular:
         if all(proved_sign(evaluate(x, {OMEGA: root})) == 0 for x in above):
             yield from (found for found in _one_by_one(field, root, others + [n]) if found[1][n] != 0)
@@ -100,7 +98,7 @@ def _across(field: Field, n: int, others: list[int]) -> Iterator[Found]:
     a = Matrix(rest)
     twist = OMEGA * (a.dot(part.inertia * a) + moment * (1 - a.dot(a))) + part.rotor.dot(a) - field.level
     if (roots := real_roots(twist, OMEGA)) is None:
-        raise ScopeError(UNTOLD + OTHER)
+        raise ScopeError(UNTOLD)
     for root in roots:
         if proved_sign(square := evaluate(1 - a.dot(a), {OMEGA: root})) == 1:
             inside = dict(zip(others, (evaluate(x, {OMEGA: root}) for x in rest)))
@@ -118,7 +116,7 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
     shared = reduce(lambda f, g: f.gcd(g), above, below)   # two equal moments
     above, below = [x / shared for x in above], below / shared
     if below.gcd(shared) != shared:
-        raise ScopeError(UNTOLD + OTHER)
+        raise ScopeError(UNTOLD)
     omega, sigma, epsilon = (ring.gens[x] for x in (OMEGA, SIGMA, EPSILON))
 
     def total(parts: Any) -> fmpq_mpoly:
@@ -133,7 +131,7 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
     moment += number(level) * -length                      # of a lower degree in sigma
     place, name = ring.generators.index(EPSILON), str(length.context().names()[ring.generators.index(SIGMA)])
     if not (resultant := _in_omega(ring, length.resultant(moment, name))):
-        raise ScopeError(UNTOLD + OTHER)
+        raise ScopeError(UNTOLD)
     changed = [length.resultant(moment + epsilon * x, name).derivative(place) for x in (1, sigma, sigma + 1)]
     ones, sigmas, _ = (_in_omega(ring, x) for x in changed)
     for factor, _ in resultant.factor()[1]:
@@ -168,14 +166,13 @@ def _embedded(parts: list[Expr], axes: list[int]) -> tuple[Expr, ...]:
 def _one_by_one(field: Field, root: Expr, axes: list[int]) -> Iterator[Found]:
     """Of all rotations of a rate those on the level with k in the span of some axes."""
     if not isinstance(root, Rational):
-        raise ScopeError(f"several rotations may have the rate omega = {root}" + OTHER)
+        raise ScopeError(UNTOLD)
     here = {OMEGA: root}
     for _, k, circle in points_on_sphere(field.pencil.xreplace(here), field.vector.xreplace(here), S.One,
                                          SIGMA):
         at = Matrix(k)
         if circle is not None and not _on_one_level(field, root, at, Matrix(circle)):
-            raise ScopeError(f"at omega = {root} there is a circle of rotations, not all on one level of C1"
-                             + OTHER)
+            raise ScopeError(UNTOLD)
         value = root * at.dot(field.inertia * at) + field.rotor.dot(at)
         if proved_sign(evaluate(value - field.level, {})) == 0 and not any(
                 proved_sign(k[n]) for n in range(3) if n not in axes):

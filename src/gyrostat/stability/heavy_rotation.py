@@ -1,14 +1,11 @@
 """One permanent rotation of any body in a field, and what is decided of it."""
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 from flint import arb
 from sympy import Expr, Float, Matrix, Rational, S, sqrt
 
 from ..algebra.balls import ball
 from ..algebra.exact import evaluate, proved_sign
-from ..algebra.matrices import cross
 from ..algebra.precision import doubled, own_precision
 from ..kept import cached_property
 from ..mechanics.claimed import equilibrium
@@ -17,9 +14,10 @@ from ..mechanics.system import System
 from ..notation import Stored
 from ..shown import Shown
 from .amended_form import AmendedForm, amended_form
-from .decision import Decision, Rung, settled
-from .heavy_polynomials import DIRECTION
+from .decision import Decision, Rung, settled, undecided
+from .heavy_data import Data, data_at, unreached
 from .local_motion import LocalMotion
+from .notes import noted
 from .report import Report
 from .secular import KEEPS, lost
 from .sphere import circle_in_words
@@ -32,15 +30,10 @@ SADDLE = settled(False, "the amended potential has a saddle: an eigenvalue has a
                  Rung.SPECTRUM, "spectral")
 LEAVES = settled(False, "the amended potential has a maximum, and the gyroscopic forces do not hold it: an "
                  "eigenvalue has a positive real part", Rung.SPECTRUM, "spectral")
-
-
-class Data(NamedTuple):
-    """Of a scene at numbers, in a direction: of the body, and of U."""
-
-    inertia: list[list[Expr]]
-    rotor: list[Expr]
-    gradient: list[Expr]
-    hessian: list[list[Expr]]
+ACROSS = settled(False, "the rotation lies on a curve of rotations, and an eigenvalue has a positive "
+                 "real part", Rung.SPECTRUM, "spectral")
+ALONG = undecided("the rotation lies on a curve of rotations, along which the amended potential does not "
+                  "change")
 
 
 @dataclass(frozen=True, repr=False)
@@ -57,6 +50,8 @@ class HeavyRotation(Shown, Stored):
         [1/T]
     circle : tuple of Expr, shape (3,), or None
         along the axis about which k may be turned, (0, 0, 0) for any: a continuum of equilibria
+    curve : Expr or None
+        of a continuum that is no circle a polynomial in k1, k2, k3 that vanishes on it, where abs(k) = 1
 
     Examples
     --------
@@ -74,6 +69,7 @@ class HeavyRotation(Shown, Stored):
     k: tuple[Expr, ...]
     omega: Expr
     circle: tuple[Expr, ...] | None = None
+    curve: Expr | None = None
 
     @cached_property
     def point(self) -> tuple[Expr, ...]:
@@ -83,7 +79,9 @@ class HeavyRotation(Shown, Stored):
 
     @property
     def locus(self) -> str:
-        """What it belongs to: "" for a point, else a circle or the sphere of equilibria, in words."""
+        """What it belongs to: "" for a point, else a curve or the sphere of equilibria, in words."""
+        if self.curve is not None:
+            return f"a curve, {self.curve} = 0"
         if self.circle is None:
             return ""
         return circle_in_words(self.circle) if any(self.circle) else "the whole sphere"
@@ -105,7 +103,12 @@ class HeavyRotation(Shown, Stored):
     @cached_property
     def decision(self) -> Decision:
         """The verdict; of a body that is of revolution modulo the turn about its axis."""
+        return noted(self._decided(), self.scene)
+
+    def _decided(self) -> Decision:
         trace, determinant, p, discriminant = self.signs
+        if self.curve is not None:
+            return ACROSS if p == -1 else ALONG
         if determinant == -1:
             return SADDLE
         if determinant == 1 and trace == 1:
@@ -120,7 +123,7 @@ class HeavyRotation(Shown, Stored):
     @cached_property
     def itself(self) -> Decision | None:
         """What holds of the point where the decision is modulo the flow of an integral; else None."""
-        return Report(self.equilibrium).itself({}) if self.decision.modulo else None
+        return noted(Report(self.equilibrium).itself({}), self.scene) if self.decision.modulo else None
 
     @property
     def _motion(self) -> LocalMotion:
@@ -134,7 +137,12 @@ class HeavyRotation(Shown, Stored):
     @cached_property
     def damped(self) -> Decision:
         """The verdict under internal damping."""
+        return noted(self._decided_under_damping(), self.scene)
+
+    def _decided_under_damping(self) -> Decision:
         trace, determinant, *_ = self.signs
+        if self.curve is not None:
+            return ALONG
         if not (determinant and trace) or not self._reached:
             return Report(self.equilibrium).verdict({}, damped=True)
         growing = 1 if determinant == -1 else 0 if trace == 1 else 2
@@ -180,11 +188,15 @@ class HeavyRotation(Shown, Stored):
     def _enclosed(self, precision: int) -> AmendedForm:
         """The form in balls."""
         with own_precision(precision):
-            k = [ball(x, precision) for x in self.k]
-            inertia, rotor, gradient, curved = self._data
-            rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
-            vectors = [[ball(e, precision) for e in vector] for vector in (rotor, gradient)]
-            return amended_form(rows[0], vectors[0], vectors[1], rows[1], k, ball(self.omega, precision))
+            k, data, omega = self._balls(precision)
+            return amended_form(*data, k, omega)
+
+    def _balls(self, precision: int) -> tuple[list[arb], Data, arb]:
+        """k, what is of the scene there, and omega, in balls."""
+        inertia, rotor, gradient, curved = self._data
+        rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
+        k, *vectors = ([ball(e, precision) for e in vector] for vector in (self.k, rotor, gradient))
+        return k, Data(rows[0], vectors[0], vectors[1], rows[1]), ball(self.omega, precision)
 
     @cached_property
     def signs(self) -> tuple[int | None, ...]:
@@ -193,6 +205,8 @@ class HeavyRotation(Shown, Stored):
             with own_precision(precision):
                 trace, determinant, p, q = self._enclosed(precision)
                 found = [_sign(x) for x in (trace, determinant, p, p**2 - 4 * q)]
+            if self.curve is not None:                     # along it the second variation is 0, and q with it
+                return found[0], 0, found[2], found[2] and 1
             if None not in found:
                 return tuple(found)
         exact = self.form.trace, self.form.determinant, self.form.p, self.form.p**2 - 4 * self.form.q
@@ -200,21 +214,14 @@ class HeavyRotation(Shown, Stored):
 
     @property
     def _reached(self) -> bool:
-        """Whether internal damping reaches every motion: M × k or ∇U × k does not vanish."""
-        _, rotor, gradient, _ = self._data
-        M = [x + l for x, l in zip(self.point, rotor)]
-        return any(proved_sign(evaluate(x, {})) for x in (*cross(M, self.k), *cross(gradient, self.k)))
-
-
-def data_at(scene: System, k: Sequence[Expr]) -> Data:
-    """The same of a scene."""
-    U = scene.potential
-    assert U is not None
-    at = dict(zip(DIRECTION, k))
-    slopes = U.gradient()
-    rows = slopes, *(U.following(d) if d else (S.Zero,) * 3 for d in slopes)
-    first, *second = ([evaluate(U.value(d), at) if d else S.Zero for d in row] for row in rows)
-    return Data(scene.body.tensor.tolist(), list(scene.body.gyrostatic_momentum), first, second)
+        """Whether internal damping reaches every motion: M × k and the second variation of U across k are
+        not both 0. With M × k = 0 the torque is 0 too, ∇U × k = omega M × k.
+        """
+        with own_precision(PRECISION):
+            k, (inertia, rotor, gradient, curved), omega = self._balls(PRECISION)
+            if not all(x.contains(0) for x in unreached(inertia, rotor, gradient, curved, k, omega)):
+                return True
+        return any(proved_sign(evaluate(x, {})) for x in unreached(*self._data, self.k, self.omega))
 
 
 def _sign(x: arb) -> int | None:

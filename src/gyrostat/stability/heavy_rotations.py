@@ -14,9 +14,10 @@ from ..errors import ScopeError, ValuesError
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
 from .asked import C1, exact_point
+from .heavy_data import data_at
 from .heavy_levels import rates_on_level
 from .heavy_polynomials import DIRECTION, degree_in_k, directions_at_rate, rates_by_elimination
-from .heavy_rotation import PRECISION, HeavyRotation, data_at
+from .heavy_rotation import PRECISION, HeavyRotation
 
 OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 
@@ -44,7 +45,7 @@ def heavy_rotations(scene: System, values: Mapping[str, Any]) -> list[HeavyRotat
 def _at_rate(scene: System, omega: Expr) -> Iterator[HeavyRotation]:
     """(omega² I − Q + sigma) k = c − omega l, where U = c·k + k·Qk/2; any other polynomial by elimination."""
     if degree_in_k(scene, "at a rate omega") > 2:
-        yield from (HeavyRotation(scene, k, omega) for k in directions_at_rate(scene, omega))
+        yield from (HeavyRotation(scene, *found) for found in directions_at_rate(scene, omega))
         return
     linear, curved = _quadratic(scene)
     pencil = omega**2 * scene.body.tensor - curved + SIGMA * eye(3)
@@ -61,7 +62,7 @@ def _on_level(scene: System, level: Expr) -> list[HeavyRotation]:
         with contextlib.suppress(ScopeError):
             return [HeavyRotation(scene, k, omega, circle)
                     for omega, k, circle in rates_on_level(inertia, curved, linear, rotor, level)]
-    return [HeavyRotation(scene, k, omega) for omega, k in rates_by_elimination(scene, level)]
+    return [HeavyRotation(scene, *found) for found in rates_by_elimination(scene, level)]
 
 
 def _quadratic(scene: System) -> tuple[Matrix, Matrix]:

@@ -40,6 +40,8 @@ class LocalMotion:
         gives p and q of λ⁴ + p λ² + q [1/T², 1/T⁴], asked where balls do not decide
     square_of_k : Expr
         abs(k)², not 1 where M, k and h are of another scale
+    rough : bool
+        whether U has powers of 1 ∓ k3 at a pole that are not whole: normal forms ask for more derivatives
     """
 
     inverse: tuple[tuple[Expr, ...], ...]
@@ -49,6 +51,7 @@ class LocalMotion:
     potential: Expr
     coefficients: Callable[[], tuple[Expr, Expr]]
     square_of_k: Expr = S.One
+    rough: bool = False
 
     @cached_property
     def p(self) -> Expr:
@@ -145,7 +148,7 @@ def motion_along(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -
                                                  for x, x0, n in zip(DIRECTIONS, k, orders)))
                   for orders, slope in slopes.items()))
     return LocalMotion(tuple(tuple(inverse[3 * i:3 * i + 3]) for i in range(3)), tuple(l), tuple(k),
-                       tuple(x + y for x, y in zip(pi, l)), U, lambda: (p, q))
+                       tuple(x + y for x, y in zip(pi, l)), U, lambda: (p, q), rough=eq.near_pole is not None)
 
 
 @once

@@ -17,10 +17,9 @@ from ..mechanics.reduction import K3, OMEGA, P, V, reduce
 from ..mechanics.system import System, at_numbers
 from ..notation import Stored, symbol
 from ..shown import Shown
-from .asked import exact_point, names_of
+from .asked import LENGTH, MARKED, exact_point, names_of, numbers_of_rotations
 from .bifurcations import bifurcations, insert, relation_at_rate
 from .kinds import AT_RATE, ON_LEVEL, defined, kind_of, tilt_leaves
-from .permanent_rotations import LENGTH, numbers_of_rotations
 from .rotation_meetings import places_where_rotations_meet
 from .values import unknown
 
@@ -108,7 +107,7 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     in_one_direction(scene.potential, "bifurcation_points")
     if scene.potential is None:
         return _of_rotations(scene, name, values)
-    known = names_of(scene) | {"omega", "pi3_0", "C1"}
+    known = names_of(scene, MARKED) | {"omega", "pi3_0", "C1"}
     if name not in known:
         raise ValuesError(unknown(name, sorted(known), "the scene"))
     free, numbers = symbol(name), exact_point(scene, values, known)

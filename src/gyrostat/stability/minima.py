@@ -1,7 +1,7 @@
 """Whether the energy is least on the orbit where its second variation is degenerate."""
 from collections.abc import Iterator, Mapping
 
-from sympy import Add, Expr, S, Symbol, factorial
+from sympy import Add, Expr, Rational, S, Symbol, factorial
 
 from ..algebra.exact import evaluate, sign_of_constant
 from ..mechanics.equilibria import Equilibrium
@@ -46,8 +46,8 @@ def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
 
     Its first term beside the point decides; at E1 and E2 on the one side that there is.
     """
-    pole = eq.at if eq.at**2 == 1 else S.Zero
-    for power, term in enumerate(_expanded(eq, numbers)):
+    pole = eq.at**2 == 1
+    for power, term in _expanded(eq, numbers):
         if power < (1 if pole else 2):
             continue
         if term.free_symbols:
@@ -58,31 +58,52 @@ def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
             return None, NO_SIGN
         if sign:
             what = f"the amended potential goes with the power {power} of the change of k3"
-            return (sign * (-pole) ** power == 1 if pole else power % 2 == 0 and sign == 1), what
+            return (sign == 1 if pole else power % 2 == 0 and sign == 1), what
     return None, f"up to the power {HIGHEST} of k3 the amended potential does not change"
 
 
-def _expanded(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[Expr]:
-    """The coefficients of W in the change x of k3."""
+def _expanded(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[tuple[Rational, Expr]]:
+    """The powers of the change x of k3 in W with their coefficients; at a pole x = 1 ∓ k3."""
+    near, root = eq.near_pole, 1 if eq.near_pole is None else eq.near_pole.order
+    kinetic = _kinetic(eq, numbers)
+    for n in range(HIGHEST * root + 1):
+        whole, left = divmod(n, root)
+        slope = _slope(eq, whole, numbers) if near is None else _at(eq, near.coefficient(n) if n else S.Zero,
+                                                                    numbers)
+        yield Rational(n, root), evaluate(slope if left else next(kinetic) + slope, {})
+
+
+def _kinetic(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[Expr]:
+    """The coefficients of the powers of x in W − U."""
     body, k3 = eq.system.body, evaluate(eq.insert(eq.at), numbers)
     (I1, _, I3), l = ([evaluate(eq.insert(m), numbers) for m in body.moments],
                       evaluate(eq.insert(body.gyrostatic_momentum[2]), numbers))
     pi, k = ([evaluate(eq.insert(x), numbers) for x in vector] for vector in (eq.point[:3], eq.point[3:]))
     # (C1 − l k3 − l x)², C1 − l k3 = π·k
-    rest = Add(*(p * x for p, x in zip(pi, k)))
-    above = [rest**2, -2 * rest * l, l**2]
-    below = [2 * (I1 + (I3 - I1) * k3**2), 4 * (I3 - I1) * k3, 2 * (I3 - I1)]
-    kinetic: list[Expr] = []
-    for power in range(HIGHEST + 1):
-        top = above[power] if power < 3 else S.Zero
-        top -= Add(*(below[n] * kinetic[power - n] for n in (1, 2) if n <= power))
-        kinetic.append(evaluate(top / below[0], {}))
-        yield evaluate(kinetic[power] + _slope(eq, power, numbers) / factorial(power), {})
+    rest, way = Add(*(p * x for p, x in zip(pi, k))), _way(eq)
+    above = [rest**2, -2 * way * rest * l, l**2]
+    below = [2 * (I1 + (I3 - I1) * k3**2), 4 * way * (I3 - I1) * k3, 2 * (I3 - I1)]
+    found: list[Expr] = []
+    while True:
+        n = len(found)
+        top = (above[n] if n < 3 else S.Zero) - Add(*(below[m] * found[n - m] for m in (1, 2) if m <= n))
+        found.append(evaluate(top / below[0], {}))
+        yield found[-1]
 
 
 def _slope(eq: Equilibrium, order: int, numbers: Mapping[Symbol, Expr]) -> Expr:
-    """A derivative of U at the point."""
+    """The coefficient of a power of x in U, by its derivative at the point."""
     if order == 0:
         return S.Zero
-    value = eq.insert(eq.at_point(symbol(jet_name(order))))
+    return _at(eq, eq.at_point(symbol(jet_name(order))) * _way(eq) ** order / factorial(order), numbers)
+
+
+def _at(eq: Equilibrium, expression: Expr, numbers: Mapping[Symbol, Expr]) -> Expr:
+    """At the numbers, where they are enough."""
+    value = eq.insert(expression)
     return evaluate(value, numbers) if value.free_symbols <= numbers.keys() else value
+
+
+def _way(eq: Equilibrium) -> Expr:
+    """Of k3 for x: at a pole away from it."""
+    return -eq.at if eq.at**2 == 1 else S.One

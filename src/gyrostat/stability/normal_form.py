@@ -17,7 +17,7 @@ from ..notation import Stored
 from ..shown import Shown
 from .birkhoff import W1, W2, Z1, Z2, Modes, linear_motion, modes, normalised, twist
 from .local_motion import LocalMotion, fraction, local_motion
-from .windows import resonance_margin, resonances_up_to
+from .windows import ROUGH, resonance_margin, resonances_up_to
 
 PRECISION, DIGITS = 512, 20                                # bits; digits of a number that is not exact
 Frequencies = tuple[Expr, Expr]
@@ -67,6 +67,8 @@ def normal_form(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) ->
     if isinstance(motion, list):
         raise ValuesError(f"{eq.label} needs {', '.join(motion)} for a normal form of degree {degree}: "
                           "give a number for each")
+    if motion.rough:
+        raise ScopeError(f"{eq.label} has no normal form: {ROUGH}")
     _oscillates(eq, motion)
     resonant = tuple(pair for pair in resonances_up_to(degree)
                      if _sign(resonance_margin(motion.p, motion.q, *pair)) == 0)

@@ -3,6 +3,7 @@
 Not an error, and not to be overlooked.
 """
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 
 from sympy import Add, Expr, ImmutableMatrix, Poly, Rational, S, Symbol, eye, sqrt
@@ -13,6 +14,7 @@ from ..mechanics.body import Gyrostat
 from ..mechanics.coupled import CoupledPotential
 from ..mechanics.system import System
 from ..notation import symbol
+from .decision import Decision
 
 K = tuple(map(symbol, ("k1", "k2", "k3")))
 # three components rounded to doubles change |k|² by no more
@@ -21,7 +23,13 @@ ROUNDED = Rational(1, 2**51)
 
 def scene_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     """Of a scene at numbers, as far as they are given: inertia, then field; "" where nothing is unusual."""
-    return ". ".join(filter(None, (inertia_note(scene, numbers), gradient_note(scene, numbers))))
+    return ". ".join(filter(None, (inertia_note(scene.body, numbers), gradient_note(scene, numbers))))
+
+
+def noted(decision: Decision, scene: System) -> Decision:
+    """A decision of a scene of numbers, with what is unusual about them."""
+    note = scene_note(scene, {})
+    return replace(decision, note=note) if note else decision
 
 
 def state_note(scene: System, state: Sequence[Expr]) -> str:
@@ -29,15 +37,15 @@ def state_note(scene: System, state: Sequence[Expr]) -> str:
     return ". ".join(filter(None, (scene_note(scene, {}), directions_note(scene, state))))
 
 
-def inertia_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
+def inertia_note(body: Gyrostat, numbers: Mapping[Symbol, Expr]) -> str:
     """A sentence if the moments break the triangle inequality, as no rigid body's do."""
-    if not _names(scene.body.entries) <= numbers.keys():
+    if not _names(body.entries) <= numbers.keys():
         return ""
-    if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(scene.body)):
-        if isinstance(scene.body.inertia, ImmutableMatrix):
+    if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(body)):
+        if isinstance(body.inertia, ImmutableMatrix):
             return ("no rigid body has this inertia tensor: a principal moment exceeds the sum of the others "
                     "(a body in a fluid may)")
-        moments = [evaluate(m, numbers) for m in scene.body.moments]
+        moments = [evaluate(m, numbers) for m in body.moments]
         return (f"no rigid body has the moments {', '.join(map(str, moments))}: one exceeds the sum of the "
                 "others (a body in a fluid may)")
     return ""

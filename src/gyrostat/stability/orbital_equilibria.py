@@ -6,7 +6,8 @@ from sympy import Add, Expr, Rational, S, sqrt
 
 from ..algebra.exact import evaluate, proved_sign
 from ..algebra.matrices import cross
-from ..algebra.sphere_zeros import zeros_on_sphere
+from ..algebra.real_fields import FieldNumbers
+from ..algebra.sphere_sets import zeros_on_sphere
 from ..errors import ScopeError, ValuesError
 from ..mechanics.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbital_rate
 from ..mechanics.system import System, at_numbers, names_of_scene
@@ -73,11 +74,18 @@ def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalEq
     quartic = scale**2 * level**2 - 16 * Add(*(x**2 for x in c))
     mean = Add(*(x * y for x, y in zip(along, R)))
     normal = [-4 * (a * Add(*(x**2 for x in R)) - mean * x) for a, x in zip(along, R)]
-    found = zeros_on_sphere([cubic, quartic], R, level, normal)
-    if found is None:
-        raise ScopeError("no finite number of equilibria is found: there may be curves of them; give an "
-                         "attitude, steady_motion(scene, n, r)")
-    yield from (OrbitalEquilibrium(scene, place[3:].over(scale), place[:3]) for place in found)
+    yield from (OrbitalEquilibrium(scene, place[3:].over(scale), place[:3])
+                for place in _finite([cubic, quartic], R, level, normal))
+
+
+def _finite(polynomials: Sequence[Expr], k: Sequence[Expr], but: Expr = S.One, over_it: Sequence[Expr] = ()
+            ) -> list[FieldNumbers]:
+    """The zeros on the sphere, which are refused where they are no points."""
+    zeros = zeros_on_sphere(polynomials, k, but, over_it)
+    if zeros is None or zeros.curves:
+        curve = zeros and f", {zeros.curves[0].expression(k)} = 0" or ""
+        raise ScopeError(f"the equilibria lie on curves{curve}: give an attitude, steady_motion(scene, n, r)")
+    return zeros.points
 
 
 def _principal(scene: System, l: Sequence[Expr], scale: Expr, axis: int | None
@@ -97,7 +105,7 @@ def _principal(scene: System, l: Sequence[Expr], scale: Expr, axis: int | None
         own = Add(*(moment * x * y for moment, x, y in zip(scene.body.moments, N, t)))
         given = Add(*(x * y for x, y in zip(l, t)))
         held = own + given if scale == 1 else own**2 - scale**2 * given**2
-        for n in zeros_on_sphere([held, Add(*(x * y for x, y in zip(v, N)))], N) or ():
+        for n in _finite([held, Add(*(x * y for x, y in zip(v, N)))], N):
             if scale == 1 or proved_sign(evaluate(own * given * scale, dict(zip(N, n)))) != 1:
                 for side in (S.One, S.NegativeOne):
                     yield OrbitalEquilibrium(scene, n, tuple(side * x / length for x in v))

@@ -22,6 +22,7 @@ from ..shown import Shown
 from .amended_form import dot, trace
 from .decision import Decision, Rung, settled, undecided
 from .in_frame import HELD, on_curve
+from .notes import noted
 from .report import Report
 from .secular import KEEPS, lost
 
@@ -91,6 +92,9 @@ class OrbitalEquilibrium(Shown, Stored):
     @cached_property
     def decision(self) -> Decision:
         """The verdict; of a body of revolution modulo the turn about its axis."""
+        return noted(self._decided(), self.scene)
+
+    def _decided(self) -> Decision:
         if self.scene.linear_integrals:
             return Report(self.equilibrium).verdict({})
         trace_, second, whole, *spectrum = self.signs
@@ -116,6 +120,9 @@ class OrbitalEquilibrium(Shown, Stored):
     @cached_property
     def damped(self) -> Decision:
         """The verdict under internal damping."""
+        return noted(self._decided_under_damping(), self.scene)
+
+    def _decided_under_damping(self) -> Decision:
         if self.scene.linear_integrals:
             return Report(self.equilibrium).verdict({}, damped=True)
         trace_, second, whole, *_ = self.signs

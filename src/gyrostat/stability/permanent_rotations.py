@@ -7,49 +7,26 @@ from flint import arb, arb_mat
 from sympy import Add, Expr, ImmutableMatrix, Matrix, S, eye, sqrt
 
 from ..algebra.balls import ball
-from ..algebra.exact import Point, proved_sign
+from ..algebra.exact import proved_sign
 from ..algebra.pencils import points_on_sphere
 from ..algebra.precision import own_precision
 from ..algebra.roots import real_roots
-from ..errors import ScopeError, ValuesError
 from ..mechanics.body import Gyrostat
-from ..mechanics.system import System, at_numbers, names_of_scene
+from ..mechanics.system import System, at_numbers
 from ..notation import symbol
-from .asked import exact_point
+from .asked import LENGTH, numbers_of_rotations
 from .free_rotation import ANYWHERE, AT_REST, EXTREMUM, SADDLE, PermanentRotation, on_circle
-from .rotors_in_rpm import explained, without_pi
+from .notes import inertia_note
+from .rotors_in_rpm import without_pi
 from .sphere import extremum
-from .values import unknown
 
-NU, LENGTH = symbol("nu"), symbol("M")
+NU = symbol("nu")
 PRECISION = 128                                            # bits that put the rotations in order
 
 def rotations_at(scene: System, values: Mapping[str, Any]) -> list[PermanentRotation]:
     """Every permanent rotation of a scene without a field, at numbers for its names and M = abs(π + l)."""
     numbers = numbers_of_rotations(scene, values)
     return permanent_rotations(at_numbers(scene, numbers).body, numbers[LENGTH])
-
-
-def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | None = None) -> Point:
-    """The values as exact numbers, one for every name of a scene without a field and for M, but for one that
-    is free.
-    """
-    needed = {s.name for s in names_of_scene(scene)}
-    if LENGTH.name in needed:
-        raise ScopeError("the body depends on M, which is the length of the momentum here: rename it")
-    needed |= {LENGTH.name}
-    if free is not None and free not in needed:
-        raise ValuesError(unknown(free, sorted(needed), "the scene"))
-    numbers = exact_point(scene, values, needed)
-    if free is not None and free in values:
-        raise ValuesError(f"{free} is free, and has the value {values[free]} too: leave out one of the two")
-    if missing := sorted(needed - values.keys() - {free}):
-        raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each; M is "
-                          "the length of π + l")
-    if LENGTH in numbers and proved_sign(numbers[LENGTH]) not in ((0, 1) if free is None else (1,)):
-        raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a number that "
-                          f"is {'not negative' if free is None else 'positive'}")
-    return numbers
 
 
 def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]:
@@ -79,13 +56,19 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
     (0, -1, 0) 1/4 UNSTABLE
     (-1, 0, 0) 1/2 STABLE
     """
+    note = inertia_note(body, {})
+    found = _by_energy(body, radius)
+    return [replace(r, decision=replace(r.decision, note=note)) for r in found] if note else found
+
+
+def _by_energy(body: Gyrostat, radius: Expr) -> list[PermanentRotation]:
+    """The same, without what is said of the body."""
     if proved_sign(radius) == 0:
         return [PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)]
     if isinstance(body.inertia, ImmutableMatrix):
         inside, size, unit = without_pi(Matrix(body.gyrostatic_momentum), radius)
-        points = explained(lambda: list(points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)), body,
-                           radius)
-        found = [_rotation(body, nu, [unit * x for x in M], axis) for nu, M, axis in points]
+        found = [_rotation(body, nu, [unit * x for x in M], axis)
+                 for nu, M, axis in points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)]
     else:
         found = list(_about_axes(body, radius))
     return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]
@@ -96,7 +79,7 @@ def _about_axes(body: Gyrostat, radius: Expr) -> Iterator[tuple[list[float], Per
     inertia, rotor = body.moments, body.gyrostatic_momentum
     inside, size, _ = without_pi(Matrix(rotor), radius)
     secular = Add(*(l**2 / (1 - NU * moment) ** 2 for l, moment in zip(inside, inertia))) - size**2
-    for nu in explained(lambda: real_roots(secular, NU), body, radius) or ():
+    for nu in real_roots(secular, NU) or ():
         M = [l / (1 - nu * moment) if l else S.Zero for l, moment in zip(rotor, inertia)]
         yield _rotation(body, nu, M, None)
     for moment in dict.fromkeys(inertia):

@@ -1,6 +1,6 @@
 """The permanent rotations of a gyrostat in a uniform field as plane curves over the rate omega."""
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from sympy import Add, Expr, Mul, Rational, S, Symbol, oo, sqrt
@@ -44,6 +44,8 @@ class RateCurve(Stored):
         a polynomial in it and omega, of which it is a root
     k : tuple of Expr, shape (3,)
         in both
+    through : tuple of Expr
+        the rates at which branches cross in a circle of rotations, of a body with equal moments
     """
 
     scene: System
@@ -51,6 +53,7 @@ class RateCurve(Stored):
     unknown: Symbol
     equation: Expr
     k: tuple[Expr, ...]
+    through: tuple[Expr, ...] = ()
 
     @cached_property
     def plane(self) -> PlaneCurve:
@@ -69,12 +72,24 @@ class RateCurve(Stored):
     def all_at(self, omega: Expr) -> list[tuple[Expr, HeavyRotation]]:
         """sigma and rotation of all with k_i = 0 where b_i is 0 at every omega, in the order of sigma."""
         found = []
-        for rotation in heavy_rotations(self.scene, {"omega": omega}):
-            k = rotation.k
-            if not any(proved_sign(x) for x, y in zip(k, self.b) if not y):
-                found.append((self.sigma(rotation), rotation))
+        for whole in heavy_rotations(self.scene, {"omega": omega}):
+            for rotation in self._on_branches(whole):
+                if not any(proved_sign(x) for x, y in zip(rotation.k, self.b) if not y):
+                    found.append((self.sigma(rotation), rotation))
         order = in_order([sigma for sigma, _ in found])
         return sorted(found, key=lambda pair: order.index(pair[0]))
+
+    def _on_branches(self, rotation: HeavyRotation) -> list[HeavyRotation]:
+        """The rotation; of a circle of them those two at which branches pass, along b."""
+        if rotation.circle is None:
+            return [rotation]
+        within = [not x for x in rotation.circle]          # the axes in whose plane k may be turned
+        slopes = [y.coeff(OMEGA, 1) if turns else S.Zero for y, turns in zip(self.b, within)]
+        square = Add(*(x**2 for x, turns in zip(rotation.k, within) if turns))
+        scale = sqrt(square / dot(slopes, slopes))
+        return [replace(rotation, k=tuple(evaluate(side * y, {}) if turns else x
+                                          for x, y, turns in zip(rotation.k, slopes, within)))
+                for side in (-scale, scale)]
 
     def sigma(self, rotation: HeavyRotation) -> Expr:
         """Of a rotation on it, exact."""
@@ -125,39 +140,34 @@ def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, K
     """The curves that have every rotation, and the multiple roots on them that are no folds.
 
     Where a b_i is 0 at one omega, so are d_i = sigma + omega² I_i and k_i d_i: two rotations with k_i of two
-    signs have one sigma, and their branches cross; or there is none, or one with k_i = 0.
+    signs have one sigma, and their branches cross; or there is none, or one with k_i = 0. Of equal moments
+    those are two points of a circle of rotations, along b_i and b_j.
 
     Raises
     ------
     ScopeError
-        a number is not rational, or there are circles of rotations
+        a number is not rational, or there are circles of rotations at every omega
     """
     moments, rotor = scene.body.moments, scene.body.gyrostatic_momentum
     if not all(isinstance(x, Rational) for x in (*moments, *rotor, *c)):
         raise ScopeError(f"inertia = {moments}, l = {rotor}, c = {c}: with a rotor the arcs are found at "
-                         "rational numbers")
+                         "rational numbers: round the others to decimals, or give one rate omega")
     b = tuple(x - OMEGA * y for x, y in zip(c, rotor))
     squares = {m: Add(*(y**2 for n, y in zip(moments, b) if n == m)).expand() for m in moments}
     known: Known = {S.Zero: {S.Zero: False}}               # at omega = 0, where all d_i are sigma
-    for i, m in enumerate(moments):
+    through = []
+    for m in moments:
         for at in real_roots(squares[m], OMEGA) or ():
             if at != 0:
                 crossing = proved_sign(_left(squares, m, at)) == 1
                 known.setdefault(at, {})[-at**2 * m] = crossing
-                if crossing and moments.count(m) > 1:
-                    raise ScopeError(f"at omega = {at} permanent rotations are about every direction of a "
-                                     "circle, and an arc has one at each rate: ask relative_equilibria at "
-                                     "that omega")
-        if not b[i] and any(moments[n] == m and not b[n] for n in range(3) if n != i):
-            raise ScopeError(f"inertia = {moments}, c = {tuple(c)}, l = {rotor}: the body is one of "
-                             "revolution in its field, and its rotations are circles of directions: ask "
-                             "relative_equilibria")
+                through += [at] if crossing and moments.count(m) > 1 else []
     free = [m for m, square in squares.items() if square]
     d = {m: SIGMA + OMEGA**2 * m for m in free}
     equation = Add(*(squares[m] * Mul(*(d[n]**2 for n in free if n != m)) for m in free),
                    -Mul(*(d[m]**2 for m in free)))
-    yield RateCurve(scene, b, SIGMA, equation, tuple(y / d[m] if y else S.Zero for y, m in zip(b, moments))
-                    ), known
+    yield RateCurve(scene, b, SIGMA, equation, tuple(y / d[m] if y else S.Zero for y, m in zip(b, moments)),
+                    tuple(dict.fromkeys(through))), known
     for i, m in enumerate(moments):
         if not b[i] and not squares[m]:
             unknown = DIRECTION[i]

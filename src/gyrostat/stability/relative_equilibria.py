@@ -38,9 +38,10 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     Of any other body in a field: numbers for the moments, the rotor and the parameters of U, and one of
 
     - omega: every permanent rotation ω = omega k of that rate, (∇U − omega l − omega² Ik) × k = 0, in a U
-      polynomial in k; of degree d at most 2 (d² − d + 1), or circles of them where it is 1 or 2
+      polynomial in k; of degree d at most 2 (d² − d + 1), or circles and other curves of them
     - C1: every permanent rotation on that level of C1 = M·k, the critical points of the amended potential
-      U + (C1 − l·k)²/(2 k·Ik), at rational numbers and in the same U; minima − saddles + maxima = 2
+      U + (C1 − l·k)²/(2 k·Ik), at rational numbers and in the same U; minima − saddles + maxima = 2 if all
+      are points that are not degenerate
     - k1, k2, k3: every rate of a permanent rotation in that direction, omega² Ik × k + omega l × k = ∇U × k.
 
     Of a free body or gyrostat: numbers for the moments and the rotor, and M, the length of M = π + l: every
@@ -63,7 +64,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     -------
     list of Branch, of HeavyRotation, of PermanentRotation or of OrbitalEquilibrium
         complete; of a body in a field in the order of k3 from E1 down to E2, then of omega, without a pole
-        where U is infinite; of a free one by energy
+        where U is infinite, of a circle of rotations a point, of another curve a point and its equation; of a
+        free one by energy
 
     Raises
     ------
@@ -71,8 +73,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
         names are missing, unknown or too many, or a number is not admissible
     ScopeError
         U is unspecified; of a body of revolution it is not rational in k3; of any other, at a rate or on a
-        level, not a polynomial; a number is not rational, on a level or in a U of degree 3 or more; or there
-        are infinitely many rotations
+        level, not a polynomial; or a number is not rational, on a level or in a U of degree 3 or more, and
+        they have no common factor
 
     References
     ----------

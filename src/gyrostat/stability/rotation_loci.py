@@ -6,7 +6,8 @@ from sympy import Add, Expr, ImmutableMatrix, Matrix, Mul, S, eye
 
 from ..mechanics.body import Gyrostat
 from ..notation import symbol
-from .permanent_rotations import LENGTH, NU
+from .asked import LENGTH
+from .permanent_rotations import NU
 
 MOMENTUM = tuple(symbol(f"M{n}") for n in (1, 2, 3))
 Locus = tuple[str, tuple[Expr, ...], Expr]

@@ -1,14 +1,15 @@
 """Where permanent rotations of a free gyrostat meet, as numbers: folds, pitchforks, circles."""
 from collections.abc import Iterator
 
-from sympy import Expr, Matrix, S, Symbol, eye
+from sympy import Expr, Matrix, S, Symbol, eye, pi
 
 from ..algebra.exact import Point, evaluate, proved_sign
 from ..algebra.pencils import along_kernel
 from ..algebra.plane_curves import PlaneCurve
+from ..errors import ScopeError
 from ..mechanics.body import Gyrostat
 from .permanent_rotations import NU
-from .rotors_in_rpm import explained, without_pi
+from .rotors_in_rpm import without_pi
 
 Place = tuple[str, Expr, Expr, tuple[Expr, ...]]
 
@@ -20,8 +21,15 @@ def rotation_curve(body: Gyrostat, radius: Expr, free: Symbol) -> PlaneCurve:
     """
     above, below = _fraction(body)
     inside, size, _ = without_pi(above, radius)
-    return explained(lambda: PlaneCurve(inside.dot(inside) - size**2 * below**2, NU, free, ends=()), body,
-                     radius)
+    try:
+        return PlaneCurve(inside.dot(inside) - size**2 * below**2, NU, free, ends=())
+    except ScopeError:
+        if not any(x.has(pi) for x in (*body.gyrostatic_momentum, radius)):
+            raise
+    rotor = ", ".join(map(str, body.gyrostatic_momentum))
+    raise ScopeError(f"l = ({rotor}) and M = {radius}: with pi in one of them only, as a rate in rpm brings "
+                     "it, where rotations meet is not found: give M as a multiple of pi too, 20*pi, or round "
+                     "the wheel to decimals")
 
 
 def places_where_rotations_meet(body: Gyrostat, radius: Expr, free: Symbol) -> Iterator[Place]:

@@ -11,6 +11,7 @@ from ..arguments import checked
 from ..errors import ScopeError, ValuesError
 from ..kept import cached_property
 from ..mechanics.coupled import in_one_direction
+from ..mechanics.recognition import recognise
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import Stored
 from ..shown import Shown
@@ -109,8 +110,8 @@ class StaudeCone(Shown, Stored):
         Raises
         ------
         ScopeError
-            U is not c·k, the axes are not principal, every direction, or every one of a circle, is that of
-            a permanent rotation; with a rotor, a number is not rational
+            U is not c·k, the axes are not principal, or the body is one of revolution in its field; with a
+            rotor, a number is not rational
         ValuesError
             a name is missing or unknown, or a number is not admissible
         """
@@ -123,13 +124,13 @@ class StaudeCone(Shown, Stored):
         if not any(c):
             raise ScopeError("U does not depend on k: the body is free; assemble it without a potential, and "
                              "relative_equilibria finds its permanent rotations")
-        if StaudeCone(here).turned:
-            return list(gyrostat_arcs(here, c))
-        if is_identically_zero(StaudeCone(here).polynomial):
-            raise ScopeError(f"inertia = {here.body.moments}, c = {c}: the body is one of revolution in its "
-                             "field, and permanent rotations are about every direction: ask "
-                             "relative_equilibria")
-        return list(staude_arcs(here, c))
+        turned = StaudeCone(here).turned
+        if recognise(here):
+            rotor = f", l = {here.body.gyrostatic_momentum}" if turned else ""
+            raise ScopeError(f"inertia = {here.body.moments}, c = {c}{rotor}: the body is one of revolution "
+                             "in its field, and its permanent rotations are about whole circles of "
+                             "directions: ask relative_equilibria")
+        return list(gyrostat_arcs(here, c)) if turned else list(staude_arcs(here, c))
 
 
 @checked

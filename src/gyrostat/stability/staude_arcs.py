@@ -3,11 +3,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from sympy import Add, Expr, S, Symbol, oo, sqrt, zeros
 
 from ..algebra.exact import evaluate, proved_sign
+from ..algebra.numbers import exact_number
 from ..algebra.roots import between, in_order, real_roots
 from ..kept import cached_property
 from ..mechanics.system import System
@@ -17,6 +18,7 @@ from .amended_form import amended_form
 from .decision import Decision
 from .heavy_rotation import HeavyRotation
 from .local_motion import LocalMotion
+from .notes import noted
 from .window_families import cuts_in_windows
 from .windows import HELD, between_resonances
 
@@ -81,20 +83,21 @@ class StaudeArc(Shown, Stored):
         """abs(n), in the parameter [1/T²]."""
         return sqrt(_squared(self.n))
 
-    def rotation(self, at: Expr) -> HeavyRotation:
+    def rotation(self, at: Any) -> HeavyRotation:
         """The permanent rotation at a value of the parameter, exact, of positive rate.
 
         That of −omega has the same verdict.
 
         Parameters
         ----------
-        at : Expr
-            an exact number between low and high
+        at : number
+            exact, between low and high
 
         Returns
         -------
         HeavyRotation
         """
+        at = exact_number(at, str(self.parameter))
         n = [evaluate(x, {self.parameter: at}) for x in self.n]
         length = sqrt(_squared(n))
         return HeavyRotation(self.scene, tuple(evaluate(x / length, {}) for x in n), sqrt(length))
@@ -159,12 +162,12 @@ class StaudeArc(Shown, Stored):
         """The parts of a stretch that gyroscopic forces hold, between resonances and where D4 is 0."""
         cuts = _cuts(self.scene, self.n, self.parameter)
         if cuts is None:
-            yield Piece(low, high, HELD)
+            yield Piece(low, high, noted(HELD, self.scene))
             return
         inside = [x for x in cuts if (low == -oo or proved_sign(x - low) == 1)
                   and (high == oo or proved_sign(high - x) == 1)]
         for a, b in pairwise([low, *inside, high]):
-            yield Piece(a, b, between_resonances(self.rotation(between(a, b)).decision))
+            yield Piece(a, b, noted(between_resonances(self.rotation(between(a, b)).decision), self.scene))
 
 
 def staude_arcs(scene: System, c: Sequence[Expr]) -> Iterator[StaudeArc]:

@@ -20,7 +20,7 @@ from ..shown import Shown
 from .averages import averages
 from .local_motion import LocalMotion, motion_along
 from .values import refuse_any_direction
-from .windows import resonance_margin
+from .windows import ROUGH, resonance_margin
 
 DEGREE, MOST = 4, 3                                        # of U; names where h3 is not 0
 
@@ -109,6 +109,8 @@ def motion_in_field(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> LocalMot
     in_one_direction(potential, "a normal form")
     refuse_any_direction(eq)
     motion = motion_along(eq, numbers, DEGREE)
+    if motion.rough:
+        raise ScopeError(f"{eq.label} has no D4: {ROUGH}")
     if not potential.given and any(x.free_symbols for x in motion.k):
         raise ScopeError(f"{eq.label}: U is unspecified, and k is not a point: give U for D4")
     return motion

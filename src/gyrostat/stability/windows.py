@@ -24,6 +24,7 @@ from .resonances import (
     third_order_resonance,
 )
 
+ROUGH = "U has powers of 1 ∓ k3 there that are not whole, and normal forms ask for more derivatives"
 HELD = undecided("the amended potential has a maximum, held by gyroscopic forces: normal forms decide its "
                  "points")
 LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Decision]] = {
@@ -32,7 +33,7 @@ LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Decision]] = {
 
 def along_stretch(decision: Decision) -> Decision:
     """What a decision at one point of a stretch says of all, where the margins keep their signs."""
-    return HELD if decision.pointwise else decision
+    return replace(HELD, note=decision.note) if decision.pointwise else decision
 
 
 def between_resonances(decision: Decision) -> Decision:
@@ -56,7 +57,7 @@ def resonances_up_to(order: int) -> list[tuple[int, int]]:
 
 def decide_window(motion: LocalMotion) -> Decision:
     """What normal forms decide where gyroscopic forces hold a maximum of the amended potential."""
-    found = _decided(motion)
+    found = undecided(ROUGH) if motion.rough else _decided(motion)
     return replace(found, pointwise=True, reason="the amended potential has a maximum, held by gyroscopic "
                    f"forces; {found.reason}")
 

@@ -244,7 +244,7 @@ def _on_boundary(boundary: Boundary, numbers: Point) -> float | None:
 
     At a pole, where 1 − k3 is half the square of the distance, 1/(2n) unless π3 + l = 0.
     """
-    n = next(rung.power for rung in boundary.rungs() if sign_at(rung.condition, numbers, {})) - 2
+    n = float(next(rung.power for rung in boundary.rungs() if sign_at(rung.condition, numbers, {}))) - 2
     eq = boundary.equilibrium
     axial = evaluate(eq.insert(eq.point[2] + eq.system.body.gyrostatic_momentum[2]), numbers)
     return 1 / (2 * n) if boundary.pole and sign_of_constant(axial) != 0 else 1 / (n + 1)
