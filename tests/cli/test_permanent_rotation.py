@@ -53,7 +53,7 @@ def test_a_family_with_one_parameter_of_u(capsys):
 @pytest.mark.parametrize(("verb", "options", "why"), [
     ("conditions", ["--direction", "1,1,1"], "|k|² − 1 = 2: k is a direction"),
     ("conditions", ["--direction", "1,0"], "give three expressions that make a unit"),
-    ("conditions", ["--direction", "k1,0,0"], "direction depends on k1, a name of the motion"),
+    ("conditions", ["--direction", "k1,0,0"], "direction depends on k1, the direction of the field"),
     ("conditions", ["--potential", "k1+k2"], "no parameter that ∇U(k) determines"),
     ("conditions", ["--potential", "U(k3)"], "this scene has U = U(k3): use U(k1, k2, k3)"),
     ("conditions", ["--potential", "none"], "needs a field"),

@@ -9,6 +9,8 @@ from ..notation import symbol
 from .body import Gyrostat
 from .potential import Potential
 
+_MOMENTS = tuple(symbol(f"I{i}") for i in (1, 2, 3))
+
 
 def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] = MappingProxyType({})
                 ) -> Expr:
@@ -16,9 +18,8 @@ def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] 
 
     All at once with those of a tensor: what is inserted has names too.
     """
-    own = [symbol(f"I{i}") for i in (1, 2, 3)]
     # a tensor has none
-    names = dict(zip(own, body.moments)) if expression.free_symbols & {*own} else {}
+    names = dict(zip(_MOMENTS, body.moments)) if expression.free_symbols & {*_MOMENTS} else {}
     names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
     names |= {symbol("l"): body.gyrostatic_momentum[2], **tensor}
     return expression.xreplace({name: value for name, value in names.items() if name != value})

@@ -7,11 +7,12 @@ from ..errors import optional
 from ..mechanics.circular_orbit import by_gradient_alone, orbital_rate
 from ..mechanics.potential import Potential
 from ..mechanics.system import System
-from ..notation import order, symbol, typeset
+from ..notation import order, symbol
 from ..printing.latex import tex
 from ..printing.linebreaks import broken, width
 from ..printing.names import Names
 from ..trajectories import Motion
+from ..typesetting import typeset
 from .looks import room
 
 # points of a line at 10 pt, as wide as a page and at least; lines of U

@@ -6,9 +6,11 @@ from sympy import Expr
 
 from ..algebra.numbers import shown
 from ..algebra.readable import readable
+from ..registry import Letters
 from ..stability.report import Decision, Verdict
 from .blocks import Block, Display, Sentence, Word, modulo_flow, sentence
 from .conditions import source_word
+from .letters import letter, letters_in
 
 LONG = 200                                                 # characters of a margin that is shown by its name
 OF = "margin of "
@@ -27,23 +29,31 @@ _TITLES = {Verdict.STABLE: "Lyapunov stable", Verdict.UNSTABLE: "unstable", Verd
 def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Block]:
     """The verdict at the numbers given."""
     modulo = (" ", *modulo_flow(decision.modulo)) if decision.modulo and decision.notion else ()
-    level = ON_LEVEL if decision.notion.endswith(ON_LEVEL) else ""
+    letters = letters_of_decision(decision)
+    level = letters.prose(ON_LEVEL) if decision.notion.endswith(ON_LEVEL) else ""
     blocks: list[Block] = [sentence(f"{of}: {_TITLES[decision.verdict]}{level}", *modulo,
                                     f"; {_proved(decision)}.")]
     for margin, name, value in named_margins(decision):
-        left = source_word(name, OF) if name else readable(margin)
+        left = source_word(name, letters, OF) if name else readable(margin)
         said = shown(value)
         blocks.append(Display(left, Word(said, said), at, "=" if str(value) in said else "≈", "value"))
     if any(name in ("t", "s") for _, name, _ in named_margins(decision)):
-        blocks.append(sentence("Here t and s are the trace and the determinant of the second variation of "
-                               "the amended potential on the plane across k."))
+        trace, determinant = letter(letters, "t"), letter(letters, "s")
+        blocks.append(sentence("Here ", trace, " and ", determinant, " are the trace and the determinant of "
+                               "the second variation of the amended potential on the plane across ",
+                               letter(letters, "vector_k"), "."))
     if decision.certificate:
-        blocks.append(sentence("Certificate: h", *(part for F, a in decision.certificate
+        blocks.append(sentence("Certificate: ", letter(letters, "h"), *(part for F, a in decision.certificate
                                                    for part in (" + (", a, ") (", F, ")")),
                                " has a definite second variation on the orbit.", at=at))
     if decision.note:
-        blocks.append(sentence(f"Note: {decision.note}."))
+        blocks.append(sentence(f"Note: {letters.prose(decision.note)}."))
     return blocks
+
+
+def letters_of_decision(decision: Decision) -> Letters:
+    """The letters beside the names in its margins."""
+    return letters_in([margin for margin, _ in decision.margins])
 
 
 def _proved(decision: Decision) -> str:
@@ -55,7 +65,8 @@ def _proved(decision: Decision) -> str:
 
 def reason_block(decision: Decision) -> Sentence:
     """The notion and the reason."""
-    return sentence(f"Reason{f' ({decision.notion})' if decision.notion else ''}: {decision.reason}.")
+    notion = f" ({decision.notion})" if decision.notion else ""
+    return sentence(letters_of_decision(decision).prose(f"Reason{notion}: {decision.reason}."))
 
 
 def named_margins(decision: Decision) -> Iterator[tuple[Expr, str, Expr]]:

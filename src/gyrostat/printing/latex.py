@@ -25,6 +25,7 @@ from ..stability.report import Decision, Report
 from .blocks import Block, Display, Sentence, Word, rate_of
 from .conditions import comparison, trivial
 from .in_frame import motion_form
+from .letters import letters_in
 from .linebreaks import width
 from .names import Names, raised
 from .order import ordered_factors, ordered_terms, over, signed
@@ -175,7 +176,7 @@ def _body(body: Gyrostat, names: Names) -> str:
 
 @_formula.register
 def _potential(potential: Potential, names: Names) -> str:
-    return f"{names.of('U')} = {tex(potential.expression, names)}"
+    return f"{names.of(letters_in([potential.expression]).of('U'))} = {tex(potential.expression, names)}"
 
 
 @_formula.register
@@ -185,7 +186,8 @@ def _decision(decision: Decision, names: Names) -> str:
         return rf"\text{{{verdict}}}"
     proof = "".join(rf" + \left({tex(a, names)}\right) \left({tex(F, names)}\right)"
                     for F, a in decision.certificate)
-    shown = rf" \quad \text{{by }} {names.of('h')}{proof}" if proof else ""
+    energy = names.of(letters_in(margin for margin, _ in decision.margins).of("h"))
+    shown = rf" \quad \text{{by }} {energy}{proof}" if proof else ""
     return rf"\text{{{verdict} ({decision.notion})}}" + _modulo(decision.modulo, names) + shown
 
 

@@ -25,7 +25,7 @@ from .decision import Verdict
 from .report import Report
 
 DU = symbol("dU")
-_BODY = frozenset(map(symbol, ("I1", "I2", "I3", "l", "l1", "l2", "l3")))
+_MOMENTS = frozenset(map(symbol, ("I1", "I2", "I3")))
 
 
 def branches_at(scene: System, values: Mapping[str, Any]) -> list[Branch]:
@@ -96,7 +96,7 @@ class SceneAtNumbers:
         self.l = evaluate(scene.body.gyrostatic_momentum[2], numbers)
         body = {symbol("I1"): self.I1, symbol("I3"): self.I3, symbol("l"): self.l}
         parameters = {s: numbers[s] for s in scene.potential.parameters}
-        own = {s: x for s, x in parameters.items() if s in _BODY and (s == symbol("l") or body.get(s) != x)}
+        own = {s: x for s, x in parameters.items() if s in _MOMENTS and body.get(s) != x}
         potential = scene.potential
         self.potential = (
             replace(potential, expression=potential.expression.xreplace(own)) if own else potential

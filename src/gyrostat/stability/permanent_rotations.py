@@ -11,13 +11,13 @@ from ..algebra.exact import Point, proved_sign
 from ..algebra.pencils import points_on_sphere
 from ..algebra.precision import own_precision
 from ..algebra.roots import real_roots
-from ..errors import ScopeError, ValuesError
+from ..errors import ValuesError
 from ..kept import cached_property
 from ..mechanics.body import Gyrostat
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import Stored, symbol
 from ..shown import Shown
-from .asked import exact_point
+from .asked import exact_point, refuse_as_level
 from .decision import Decision, Verdict
 from .rotors_in_rpm import explained, without_pi
 from .secular import KEPT, LOST, modes
@@ -136,8 +136,7 @@ def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | N
     is free.
     """
     needed = {s.name for s in names_of_scene(scene)}
-    if LENGTH.name in needed:
-        raise ScopeError("the body depends on M, which is the length of the momentum here: rename it")
+    refuse_as_level(scene, LENGTH.name)
     needed |= {LENGTH.name}
     if free is not None and free not in needed:
         raise ValuesError(unknown(free, sorted(needed), "the scene"))
@@ -146,7 +145,7 @@ def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | N
         raise ValuesError(f"{free} is free, and has the value {values[free]} too: leave out one of the two")
     if missing := sorted(needed - values.keys() - {free}):
         raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each; M is "
-                          "the length of π + l")
+                          "the length of the angular momentum Iω + l")
     if LENGTH in numbers and proved_sign(numbers[LENGTH]) not in ((0, 1) if free is None else (1,)):
         raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a number that "
                           f"is {'not negative' if free is None else 'positive'}")

@@ -7,7 +7,7 @@ from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..errors import ScopeError
 from ..kept import cached_property
 from ..mechanics.standard import placed
-from .closed_form import DETERMINANT, DISCRIMINANT, ClosedForm, P, Q, T, closed_form
+from .closed_form import ClosedForm, closed_form
 from .conditions import Criterion
 from .decision import Finding, settled
 from .energy_casimir import SecondVariation
@@ -79,12 +79,12 @@ class RotationReport(Report):
         return DampedRotation(self.equilibrium)
 
     def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> tuple[Finding, tuple[Expr, ...]]:
-        form = self.closed.at(numbers)
-        margins |= {T: form.trace, DETERMINANT: form.determinant}
+        form, own = self.closed.at(numbers), self.closed.named
+        margins |= {own.trace: form.trace, own.determinant: form.determinant}
         if _signs([form.trace, form.determinant]) == [1, 1]:
             return settled(True, "the second variation is definite on the symplectic slice",
                            rung="second variation"), ()
-        necessary = {P: form.p, Q: form.q, DISCRIMINANT: form.p**2 - 4 * form.q}
+        necessary = {own.p: form.p, own.q: form.q, own.discriminant: form.p**2 - 4 * form.q}
         margins |= necessary
         if -1 in _signs(necessary.values()):
             return settled(False, "an eigenvalue has a positive real part", "spectral",
@@ -112,7 +112,7 @@ class DampedRotation(Secular):
         """As Secular.decide: by t and s, where the damping reaches every motion; else at numbers."""
         closed = closed_form(self.equilibrium)
         form = closed.at(numbers)
-        margins |= {T: form.trace, DETERMINANT: form.determinant}
+        margins |= {closed.named.trace: form.trace, closed.named.determinant: form.determinant}
         trace, determinant = _signs([form.trace, form.determinant])
         if trace == determinant == 1:
             return True, KEPT, 0, ()

@@ -1,0 +1,35 @@
+"""The letters of a document about a scene: those of the table, or another where the scene has that letter."""
+from collections.abc import Iterable
+
+from sympy import Expr
+
+from ..mechanics.system import System, names_of_scene
+from ..registry import Letters
+from .blocks import Word
+
+
+def letters_of(scene: System) -> Letters:
+    """Of a scene."""
+    return Letters((s.name for s in names_of_scene(scene)),
+                   scene.potential.directions if scene.potential else ())
+
+
+def letters_in(expressions: Iterable[Expr]) -> Letters:
+    """Of formulas alone, where no scene is at hand."""
+    return Letters({s.name for e in expressions for s in e.free_symbols}, ("k",))
+
+
+def word(letters: Letters, text: str, latex: str) -> Word:
+    """A word whose letters stand in ⟨ ⟩ in both templates.
+
+    Examples
+    --------
+    >>> word(Letters(["h"]), "⟨h⟩ = ⟨h⟩₀", "⟨h⟩ = ⟨h⟩_0")
+    Word(text='E = E₀', latex='⟨E⟩ = ⟨E⟩_0')
+    """
+    return Word(letters.text(text), letters.latex(latex))
+
+
+def letter(letters: Letters, name: str) -> Word:
+    """One letter as a word."""
+    return word(letters, f"⟨{name}⟩", f"⟨{name}⟩")
