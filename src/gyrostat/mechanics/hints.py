@@ -7,7 +7,7 @@ from ..notation import Use, symbol
 from ..registry import free_letters, refused, use_of, what_they_are, why_refused
 
 K1, K2, K3 = (symbol(f"k{i}") for i in (1, 2, 3))
-THETA, PSI = symbol("theta"), symbol("psi")
+THETA, PHI, PSI = map(symbol, ("theta", "phi", "psi"))
 _TILTS = ("theta", "Theta", "vartheta", "th", "nutation")
 # names of papers for the direction, or for its component along axis 3
 _VERTICAL = ("K3", "k_3", "kz", "k_z", "zeta", "costheta", "cos_theta", "gamma", "gammapp")
@@ -34,6 +34,9 @@ def why_not(expression: Expr, variables: Sequence[Symbol]) -> str:
     if not names:
         return f"depends on {' and '.join(angles)}, an angle of Euler: write " + (
             f"k3 for cos(theta){right}" if right and angles == ["theta"] else _ANGLES)
+    if all(use_of(name) is Use.MOTION for name in names):
+        return (f"depends on {what_they_are(names)}, and a potential on the direction k alone: for a number "
+                f"of your own write another letter{right}")
     return f"depends on {why_refused(names, [s.name for s in own])}{right}"
 
 
@@ -76,9 +79,11 @@ def without_k(expression: Expr, variables: Sequence[Symbol]) -> str:
         return ("; U is a formula, such as m0*k3 of a uniform field; those of fields with a name are in "
                 "docs/reference/fields.md")
     meant, right = _angles_meant(expression) or _components_meant(expression) or ("", expression)
-    if not meant:
-        return ""
     letters = _letters(right, variables)
+    if not meant and letters:
+        return f"; it has {what_they_are([*letters])}, and a potential depends on the direction k alone"
+    if not meant:
+        return "; k3 is the cosine of the angle between axis 3 and the field"
     also = "".join(f", {letter} for {what_they_are([name])}" for name, letter in letters.items())
     return f"; {meant}{also}{_shown(_renamed(right, variables))}"
 
@@ -86,11 +91,13 @@ def without_k(expression: Expr, variables: Sequence[Symbol]) -> str:
 def _angles_meant(expression: Expr) -> tuple[str, Expr] | None:
     """Of an angle between the axis and the field: k3 is its cosine."""
     arguments = {f.args[0] for f in expression.atoms(cos, sin) if f.args[0].is_Symbol}
-    tilts = [s for s in expression.free_symbols if s.name in _TILTS] or list(arguments - {PSI, symbol("phi")})
-    if len(tilts) != 1:
-        return None if not tilts else (_ANGLES, expression)
+    tilts = [s for s in expression.free_symbols if s.name in _TILTS] or list(arguments - {PSI, PHI})
+    if not tilts and {PSI, PHI} & expression.free_symbols or len(tilts) > 1:
+        return _ANGLES, expression
+    if not tilts:
+        return None
     right = in_components(expression, tilts[0])
-    if {PSI, symbol("phi")} & right.free_symbols:
+    if {PSI, PHI} & right.free_symbols:
         return _ANGLES, right
     return f"k3 for cos({tilts[0]})", right
 
