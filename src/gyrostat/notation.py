@@ -154,7 +154,8 @@ def _printed() -> Iterator[Entry]:
             ("x", "deviation of k3, or λ²", "y xi"), ("f_", "factors of the polynomial in λ²", "phi"),
             ("beta", "coupling in the energy", "b"), ("D*", "defect of the eigenvalue 0, twists", "E d"),
             ("N P", "numerator and denominator of D4", "Q R"), ("R_", "what stands under roots", "Q"),
-            ("e_", "axes of the body", "a"), ("nu", "multiplier of a rotation", "mu")):
+            ("e_", "axes of the body", "a"), ("nu", "multiplier of a rotation", "mu"),
+            ("i", "imaginary unit", "j iota")):
         for name in names.split():
             yield Entry(name, name, name, (0, 0), what, use=Use.PRINTED, instead=instead)
 

@@ -5,6 +5,7 @@ from ..algebra.readable import readable
 from ..notation import symbol
 from ..registry import Letters
 from ..stability.amended_potential import AmendedPotential, CriticalPoint
+from ..stability.asked import C1
 from ..stability.heavy_rotation import HeavyRotation
 from ..stability.orbital_equilibrium import OrbitalEquilibrium
 from ..stability.permanent_rotations import PermanentRotation
@@ -46,8 +47,9 @@ def amended_potential(amended: AmendedPotential) -> list[Block]:
     """U_c = …, its two parts each as it reads best."""
     U = amended.scene.potential
     assert U is not None
+    letters = letters_of(amended.scene)
     value = Add(readable(U.expression), readable(amended.expression - U.expression))
-    return [Display(_amended(letters_of(amended.scene)), value)]
+    return [Display(_amended(letters), value.xreplace({C1: symbol(letters.of(C1.name))}))]
 
 
 def _amended(letters: Letters) -> Word:

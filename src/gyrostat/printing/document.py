@@ -26,7 +26,6 @@ from .rotations import definition_blocks, family_blocks
 from .scene import scene_blocks
 from .symbols import occurring, symbol_rows
 
-IMAGINARY = Word("±i", r"\pm i")
 # characters of a formula that does not go into a sentence
 LONG = 80
 
@@ -159,17 +158,18 @@ def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
     parts = linear.frequencies()
     if parts is None:
         return []
+    imaginary = word(letters, "±⟨i⟩", r"\pm ⟨i⟩")
     outer, inner = (_readable_roots(linear.equilibrium.insert_field(part)) for part in parts)
     if inner == 0:
-        return [sentence("Eigenvalues ", IMAGINARY, " ", outer, ".", at=at)]
+        return [sentence("Eigenvalues ", imaginary, " ", outer, ".", at=at)]
     potential = linear.equilibrium.system.potential
     # p stands above
     if inner == outer and potential and potential.given and len(str(2 * outer)) > LONG:
         root = word(letters, "√⟨p⟩", r"\sqrt{⟨p⟩}")
-        return [sentence("Eigenvalues 0, 0 and ", IMAGINARY, " ", root, ".", at=at)]
+        return [sentence("Eigenvalues 0, 0 and ", imaginary, " ", root, ".", at=at)]
     if inner == outer:
-        return [sentence("Eigenvalues 0, 0 and ", IMAGINARY, " ", 2 * outer, ".", at=at)]
-    return [sentence("Eigenvalues ", IMAGINARY, " (", outer, " ", Word("±", r"\pm"), " ", inner, ").", at=at)]
+        return [sentence("Eigenvalues 0, 0 and ", imaginary, " ", 2 * outer, ".", at=at)]
+    return [sentence("Eigenvalues ", imaginary, " (", outer, " ", Word("±", r"\pm"), " ", inner, ").", at=at)]
 
 
 def _readable_roots(expression: Expr) -> Expr:

@@ -10,7 +10,7 @@ from ..mechanics.potential import Potential
 from ..mechanics.system import System
 from ..notation import NOTATION, dimension_of, jet, order, symbol
 from .blocks import Display, Rows, Sentence, Word, listed
-from .letters import letter, letters_in
+from .letters import letter, letters_of
 from .names import placed
 
 Row = tuple[tuple[Any, ...], tuple[Any, ...]]
@@ -51,7 +51,7 @@ def symbol_rows(scene: System, names: Iterable[str]) -> Rows:
     rows += [((symbol(name),), (NOTATION[name].meaning.split(":")[0],))
              for name in ("omega1_0", "omega2_0", "omega3_0", "omega") if name in here]
     if potential:
-        rows.append(_potential(potential))
+        rows.append(_potential(potential, letter(letters_of(scene), "U")))
     given = {row[0][0].name for row in rows if isinstance(row[0][0], Symbol)}
     return Rows((*rows, *_parameters(scene, here - given)))
 
@@ -76,9 +76,7 @@ def _axes(axes: list[int]) -> str:
     return f"axes {', '.join(others)} and {last}" if others else f"axis {last}"
 
 
-def _potential(potential: Potential) -> Row:
-    letters = letters_in([potential.expression])
-    U = letter(letters, "U")
+def _potential(potential: Potential, U: Word) -> Row:
     if potential.given:
         return (U,), ("potential, ", U, " = ", potential.expression)
     derivatives = Word("∂₁U, ∂₂U", r"\partial_1 ⟨U⟩, \partial_2 ⟨U⟩")
