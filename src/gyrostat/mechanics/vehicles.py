@@ -8,7 +8,7 @@ from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..algebra.polynomials import lowest_terms
 from ..errors import BodyError
-from ..notation import Use, symbol
+from ..notation import symbol
 from ..registry import check_names
 from .body import Gyrostat, tensor_of
 from .coupled import coupled_potential, unit_and_orthogonal
@@ -87,7 +87,7 @@ def underwater_vehicle(inertia: Sequence[Any] = _INERTIA, mass: Sequence[Any] = 
 
 def _check_names(entries: Sequence[Expr]) -> None:
     """Refuse names of the motion, and those of the directions."""
-    check_names(entries, "the vehicle", BodyError, Use.ANGLE)
+    check_names(entries, "the vehicle", BodyError)
     moving = {symbol(f"{name}{i}") for name in (IMPULSE, DOWN) for i in (1, 2, 3)}
     if taken := sorted(map(str, moving & set[Symbol]().union(*(e.free_symbols for e in entries)))):
         raise BodyError(f"the vehicle depends on {', '.join(taken)}, a component of the impulse p or of "
