@@ -155,6 +155,7 @@ def _printed() -> Iterator[Entry]:
             ("beta", "coupling in the energy", "b"), ("D*", "defect of the eigenvalue 0, twists", "E d"),
             ("N P", "numerator and denominator of D4", "Q R"), ("R_", "what stands under roots", "Q"),
             ("e_", "axes of the body", "a"), ("nu", "multiplier of a rotation", "mu"),
+            ("V", "effective potential", "W"), ("M_", "components of M in a picture", "Lambda"),
             ("i", "imaginary unit", "j iota")):
         for name in names.split():
             yield Entry(name, name, name, (0, 0), what, use=Use.PRINTED, instead=instead)

@@ -119,5 +119,5 @@ def test_a_field_along_axis_3_is_one_in_k1_k2_k3():
 def test_a_field_in_numbers_has_no_family():
     with pytest.raises(EquilibriumError, match="no parameter that ∇U.k. determines.* relative_equilibria"):
         family(lambda x, y, z: x + 2 * y, (0, 0, 1))
-    with pytest.raises(PotentialError, match="depends on sigma, the multiplier .* such as s, as in U = k1.s"):
+    with pytest.raises(PotentialError, match="depends on sigma, the multiplier .*, as in U = k1.s"):
         family(lambda x, y, z: sigma * x, (0, 0, 1))

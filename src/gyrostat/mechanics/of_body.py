@@ -16,12 +16,15 @@ def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] 
                 ) -> Expr:
     """The expression with the moments and the gyrostatic momentum of the body in place of their names.
 
-    All at once with those of a tensor: what is inserted has names too.
+    All at once with those of a tensor: what is inserted has names too. Where the rotor has the name l along
+    another axis, l is that.
     """
     # a tensor has none
     names = dict(zip(_MOMENTS, body.moments)) if expression.free_symbols & {*_MOMENTS} else {}
     names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
-    names |= {symbol("l"): body.gyrostatic_momentum[2], **tensor}
+    if symbol("l") not in body.symbols:
+        names |= {symbol("l"): body.gyrostatic_momentum[2]}
+    names |= tensor
     return expression.xreplace({name: value for name, value in names.items() if name != value})
 
 
