@@ -1,6 +1,7 @@
 """What the table of names decides: which names an expression may have, and which letters the print takes."""
 import re
 from collections.abc import Collection, Iterable, Sequence
+from itertools import chain, count
 from types import MappingProxyType
 
 from sympy import Expr, Symbol
@@ -69,7 +70,7 @@ def free_letters(names: Iterable[str], taken: Collection[str]) -> dict[str, str]
     found: dict[str, str] = {}
     for name in names:
         own = _ENTRIES[name].instead.split() if name in _ENTRIES else []
-        letters = (*own, *"abcdefgh", *(f"a{n}" for n in range(1, 10**6)))
+        letters = chain(own, "abcdefgh", (f"a{n}" for n in count(1)))
         found[name] = next(x for x in letters if x not in taken and x not in found.values())
     return found
 

@@ -1,6 +1,7 @@
 """A letter in a document has one meaning: where the scene has one of ours, ours is another."""
 import re
 import string
+from functools import cache
 from itertools import chain
 from unicodedata import normalize
 
@@ -104,6 +105,14 @@ def in_text(blocks):
             yield from letters(entry.text if isinstance(entry, Word) else unicode(S(entry), at))
 
 
+@cache
+def neutral(scene):
+    """Of the document with the neutral letter: how often it stands in text and in LaTeX, and alone."""
+    plain = list(scene(NEUTRAL))
+    return (list(in_text(plain)).count("Ξ"), in_latex(plain).count(r"\Xi"),
+            sum(part == gs.symbol(NEUTRAL) for part, _ in formulas(plain)))
+
+
 def in_latex(blocks):
     """All of them in LaTeX, without what is a rate, bold or no formula."""
     shown = " ".join(tex(part, Names(), at) for part, at in formulas(blocks)
@@ -122,11 +131,9 @@ def test_a_letter_of_the_scene_is_no_letter_of_the_print(scene, name):
         with pytest.raises(ScopeError, match="has a parameter C1, .* write another letter for the parameter"):
             list(amended(name))
         return
-    plain, own = list(scene(NEUTRAL)), list(scene(name))
-    wanted = list(in_text(plain)).count("Ξ")
-    # a positive one need not be said to be so
-    known = sum(part == gs.symbol(NEUTRAL) for part, _ in formulas(plain)) if name == "r" else 0
+    own = list(scene(name))
+    wanted, in_formulas, alone = neutral(scene)
+    known = alone if name == "r" else 0                    # a positive one need not be said to be so
     look, latex = normalize("NFD", typeset(name, style="text")), typeset(name)
     assert wanted - known <= list(in_text(own)).count(look) <= wanted, look
-    wanted = in_latex(plain).count(r"\Xi")
-    assert wanted - known <= in_latex(own).count(latex) <= wanted, latex
+    assert in_formulas - known <= in_latex(own).count(latex) <= in_formulas, latex

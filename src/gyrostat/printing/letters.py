@@ -1,5 +1,6 @@
 """The letters of a document about a scene: those of the table, or another where the scene has that letter."""
 from collections.abc import Iterable
+from functools import lru_cache
 
 from sympy import Expr
 
@@ -10,13 +11,18 @@ from .blocks import Word
 
 def letters_of(scene: System) -> Letters:
     """Of a scene."""
-    return Letters((s.name for s in names_of_scene(scene)),
-                   scene.potential.directions if scene.potential else ())
+    return _letters(frozenset(s.name for s in names_of_scene(scene)),
+                    scene.potential.directions if scene.potential else ())
 
 
 def letters_in(expressions: Iterable[Expr]) -> Letters:
     """Of formulas alone, where no scene is at hand."""
-    return Letters({s.name for e in expressions for s in e.free_symbols}, ("k",))
+    return _letters(frozenset(s.name for e in expressions for s in e.free_symbols), ("k",))
+
+
+@lru_cache(maxsize=256)                                # a document asks often for those of one scene
+def _letters(names: frozenset[str], directions: tuple[str, ...]) -> Letters:
+    return Letters(sorted(names), directions)
 
 
 def word(letters: Letters, text: str, latex: str) -> Word:
