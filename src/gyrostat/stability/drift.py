@@ -132,7 +132,7 @@ class Drift(Shown, Stored):
         if constant is None or constant and moving is None:
             return None, f"whether {turning} depends on U near k3; {linear}"
         if constant:
-            return True, "I1 = I3, l = 0 and U is constant: ω and the momentum are fixed in space, and nothing drifts"
+            return True, "I1 = I3, l = 0 and U is constant: ω and M are fixed in space, and nothing drifts"
         return False, f"{turning}, at a rate σ of higher order; {linear}"
 
     def _constant(self, known: Mapping[Symbol, Expr]) -> bool | None:
