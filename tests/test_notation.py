@@ -2,7 +2,8 @@
 import pytest
 from sympy import Symbol
 
-from gyrostat.notation import NOTATION, jet, jet_name, own, symbol, typeset
+from gyrostat.notation import NOTATION, jet, jet_name, own, symbol
+from gyrostat.typesetting import typeset
 
 
 def test_moments_masses_and_magnitudes_are_positive_and_everything_else_is_real():

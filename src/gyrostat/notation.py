@@ -1,7 +1,8 @@
-"""Every symbol once: assumptions, LaTeX, Unicode, dimension, meaning."""
+"""The table of names that mean something: assumptions, LaTeX, dimension, meaning, where they may stand."""
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
+from enum import Enum
 from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
@@ -9,9 +10,25 @@ from typing import Any
 from sympy import Expr, Symbol
 
 
+class Use(Enum):
+    """What a name is for; that decides in which expressions of a scene it may stand."""
+
+    BODY = "a moment of the body: it may stand anywhere in a scene, and means that moment"
+    FIELD = "a parameter of the named fields: in an expression of your own it is a parameter of yours"
+    ROTOR = "the rotor: it may stand in the rotor, and is refused in a potential and in an inertia tensor"
+    MOTION = "the motion: it is refused in a potential and in a body"
+    ANGLE = "Euler's angles: refused in a potential, whose variables are k1, k2, k3"
+    TIME = "the time: it is refused wherever a scene has numbers"
+    LEVEL = "yours in a potential or a body; verbs that ask for a level by this name then refuse the scene"
+    PRINTED = "a letter of what is printed: in your expressions it is yours, and the print takes another"
+
+
 @dataclass(frozen=True)
 class Entry:
-    """What one name means; dimension (a, b) and length c stand for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ."""
+    """What one name means; dimension (a, b) and length c stand for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ.
+
+    Where the name is somebody else's, one of the names in `instead` is proposed, or taken.
+    """
 
     name: str
     latex: str
@@ -20,6 +37,8 @@ class Entry:
     meaning: str
     positive: bool = False
     length: int = 0
+    use: Use = Use.MOTION
+    instead: str = ""
 
 
 def units(energy: int, rate: int, length: int) -> str:
@@ -46,90 +65,105 @@ def jet(name: str) -> tuple[int, str] | None:
 
 # of the J_n of the table; those above are real parameters like any other
 _ORDERS = range(3, 10)
+_SUB = "₀₁₂₃₄₅₆₇₈₉"
 
 
 def _table() -> Mapping[str, Entry]:
-    sub = "₀₁₂₃₄₅₆₇₈₉"
-    rows = [Entry(f"pi{i}_0", rf"\pi_{i}^0", f"π{sub[i]}⁰", (1, 1), f"π{i} at the equilibrium")
+    """Names of the mathematics, in the order in which they are written in formulas."""
+    rows = [Entry(f"pi{i}_0", rf"\pi_{i}^0", f"π{_SUB[i]}⁰", (1, 1), f"π{i} at the equilibrium", instead="P")
             for i in (1, 2, 3)]
-    rows += [Entry(f"omega{i}_0", rf"\omega_{i}^0", f"ω{sub[i]}⁰", (0, 1),
-                   f"body rate about axis {i} at the equilibrium")
+    rows += [Entry(f"omega{i}_0", rf"\omega_{i}^0", f"ω{_SUB[i]}⁰", (0, 1),
+                   f"body rate about axis {i} at the equilibrium", instead="Omega w")
              for i in (1, 2, 3)]
-    rows += [Entry(f"pi{i}", rf"\pi_{i}", f"π{sub[i]}", (1, 1),
-                   f"angular momentum of the locked body, axis {i}")
+    rows += [Entry(f"pi{i}", rf"\pi_{i}", f"π{_SUB[i]}", (1, 1),
+                   f"angular momentum of the locked body, axis {i}", instead="P")
              for i in (1, 2, 3)]
-    rows += [Entry("omega", r"\omega", "ω", (0, 1), "rate about the vertical: ω = omega·k"),
-             Entry("l", "l", "l", (1, 1), "gyrostatic momentum of the rotor")]
-    rows += [Entry(f"l{i}", f"l_{i}", f"l{sub[i]}", (1, 1), f"gyrostatic momentum, axis {i}")
-             for i in (1, 2, 3)]
-    rows += [Entry(f"I{i}", f"I_{i}", f"I{sub[i]}", (1, 0), f"principal moment of inertia, axis {i}", True)
-             for i in (1, 2, 3)]
-    rows += [Entry("m0", "m_0", "m₀", (1, 2), "weight times height of the centre of mass: m g z0"),
-             Entry("m1", "m_1", "m₁", (0, 2), "3 g / r, r the distance of the centre of attraction"),
+    rows += [Entry("omega", r"\omega", "ω", (0, 1), "rate about the vertical: ω = omega·k",
+                   instead="Omega w"),
+             Entry("l", "l", "l", (1, 1), "gyrostatic momentum of the rotor", use=Use.ROTOR, instead="L a")]
+    rows += [Entry(f"l{i}", f"l_{i}", f"l{_SUB[i]}", (1, 1), f"gyrostatic momentum, axis {i}", use=Use.ROTOR,
+                   instead=f"L{i} a{i}") for i in (1, 2, 3)]
+    rows += [Entry(f"I{i}", f"I_{i}", f"I{_SUB[i]}", (1, 0), f"principal moment of inertia, axis {i}", True,
+                   use=Use.BODY) for i in (1, 2, 3)]
+    rows += [Entry("m0", "m_0", "m₀", (1, 2), "weight times height of the centre of mass: m g z0",
+                   use=Use.FIELD),
+             Entry("m1", "m_1", "m₁", (0, 2), "3 g / r, r the distance of the centre of attraction",
+                   use=Use.FIELD),
              Entry("r", "r", "r", (0, 0), "distance of the centre of attraction from the fixed point", True,
-                   1)]
-    rows += [Entry(f"J{n}", f"J_{n}", f"J{sub[n]}", (1, 0), f"∫ |x|^{n} P_{n}(x3/|x|) dm over the body",
-                   length=n - 2) for n in _ORDERS]
-    rows += [Entry("omega0", r"\omega_0", "ω₀", (0, 1), "rate of the orbit", True)]
-    rows += [Entry("p0", "p_0", "p₀", (1, 1), "magnitude of the impulse in an ideal fluid", True, -1)]
-    rows += [Entry(f"mass{i}", rf"\bar{{m}}_{i}", f"mass{sub[i]}", (1, 0),
-                   f"mass with added mass of the fluid, axis {i}", True, -2)
+                   1, Use.FIELD)]
+    rows += [Entry(f"J{n}", f"J_{n}", f"J{_SUB[n]}", (1, 0), f"∫ |x|^{n} P_{n}(x3/|x|) dm over the body",
+                   length=n - 2, use=Use.FIELD) for n in _ORDERS]
+    rows += [Entry("omega0", r"\omega_0", "ω₀", (0, 1), "rate of the orbit", True, use=Use.FIELD)]
+    rows += [Entry("p0", "p_0", "p₀", (1, 1), "magnitude of the impulse in an ideal fluid", True, -1,
+                   Use.FIELD)]
+    rows += [Entry(f"mass{i}", rf"\bar{{m}}_{i}", f"mass{_SUB[i]}", (1, 0),
+                   f"mass with added mass of the fluid, axis {i}", True, -2, Use.FIELD)
              for i in (1, 2, 3)]
-    rows += [Entry(f"k{i}", f"k_{i}", f"k{sub[i]}", (0, 0),
-                   f"direction of the field (Poisson vector), axis {i}")
+    rows += [Entry(f"k{i}", f"k_{i}", f"k{_SUB[i]}", (0, 0),
+                   f"direction of the field (Poisson vector), axis {i}", instead=f"c{i}")
              for i in (1, 2, 3)]
     rows += [Entry(jet_name(n), "U" + "'" * n, "U" + "′″‴"[n - 1], (1, 2), f"derivative {n} of U along k3")
              for n in (1, 2, 3)]
-    rows += [Entry("nu1", r"\nu_1", "ν₁", (0, 1), "multiplier of C1"),
-             Entry("nu2", r"\nu_2", "ν₂", (1, 2), "multiplier of C2"),
-             Entry("nu3", r"\nu_3", "ν₃", (0, 1), "multiplier of an integral"),
-             Entry("lamda", r"\lambda", "λ", (0, 1), "eigenvalue of the linearised field")]
+    rows += [Entry("nu1", r"\nu_1", "ν₁", (0, 1), "multiplier of C1", instead="nu"),
+             Entry("nu2", r"\nu_2", "ν₂", (1, 2), "multiplier of C2", instead="nu"),
+             Entry("nu3", r"\nu_3", "ν₃", (0, 1), "multiplier of an integral", instead="nu"),
+             Entry("lamda", r"\lambda", "λ", (0, 1), "eigenvalue of the linearised field", instead="lambda")]
     return MappingProxyType({row.name: row for row in rows})
 
 
+def _beside() -> Iterator[Entry]:
+    """Names of the motion that no criterion is written in, those of the angles, of the time and of levels."""
+    for i in (1, 2, 3):
+        yield Entry(f"omega{i}", rf"\omega_{i}", f"ω{_SUB[i]}", (0, 1), f"body rate about axis {i}",
+                    instead="Omega w")
+    yield Entry("sigma", r"\sigma", "σ", (1, 2), "multiplier of |k| = 1 of a permanent rotation", instead="s")
+    yield Entry("energy", "h", "h", (1, 2), "energy of the reduced motion", instead="E")
+    yield Entry("p_phi", r"p_\phi", "p_φ", (1, 1), "momentum about the vertical, value of C1", instead="P")
+    yield Entry("p_psi", r"p_\psi", "p_ψ", (1, 1), "momentum about the axis of the body", instead="P")
+    for name, letter, what in (("theta", "θ", "angle of nutation, k3 = cos(theta)"),
+                               ("phi", "φ", "angle of precession"), ("psi", "ψ", "angle of spin")):
+        yield Entry(name, f"\\{name}", letter, (0, 0), what, use=Use.ANGLE, instead="alpha beta")
+    for name in ("t", "time"):
+        yield Entry(name, name, name, (0, -1), "time", use=Use.TIME)
+    yield Entry("C1", "C_1", "C₁", (1, 1), "value of the Casimir M·k", use=Use.LEVEL, instead="c1")
+    yield Entry("M", "M", "M", (1, 1), "length of the angular momentum of a free body", use=Use.LEVEL,
+                instead="m")
+
+
+def _printed() -> Iterator[Entry]:
+    """Letters of what is printed, with those that take their place where a scene has them.
+
+    C_ stands for the letter with numbers below it, C1 and C2, and K* for the letter with them and without.
+    """
+    for names, what, instead in (
+            ("vector_M", "angular momentum Iω + l", ""), ("vector_l", "gyrostatic momentum", ""),
+            ("vector_omega", "angular velocity", ""), ("vector_k", "direction of the field", ""),
+            ("vector_I", "inertia tensor", ""), ("vector_n vector_r", "directions of an orbit", ""),
+            ("vector_p vector_gamma", "impulse and direction of gravity of a vehicle", ""),
+            ("h", "energy", "E W"), ("B", "Poisson tensor", "P"), ("U", "potential", "V"),
+            ("C", "Casimir of a free body, |M|²", "Z"), ("C_", "Casimirs in a field, C1 = M·k", "Z Gamma"),
+            ("F* G", "functions in the bracket, integrals, gyroscopic term", "Phi Psi"),
+            ("T", "basis of the tangent space of the orbit", "Y"), ("S", "basis of the slice", "X"),
+            ("J*", "linearised field, k·Ik, actions", "L"), ("H", "second variation", "Q X"),
+            ("Delta*", "minors of H, square of a frequency", "d"), ("lamda", "eigenvalue", "Lambda"),
+            ("p", "coefficient of λ² in the characteristic polynomial", "P a"),
+            ("q", "its last coefficient", "Q b"), ("t s", "trace and determinant of K", "tau d"),
+            ("K*", "second variation of the amended potential", "Y Gamma"),
+            ("A*", "inertia of the motion near a rotation", "R"), ("v_", "2 ω Ik + l", "w"),
+            ("g", "square of I1 dk3/dt, or gyroscopic vector", "f"), ("c_", "coefficients of g", "b"),
+            ("x", "deviation of k3, or λ²", "y xi"), ("f_", "factors of the polynomial in λ²", "phi"),
+            ("beta", "coupling in the energy", "b"), ("D*", "defect of the eigenvalue 0, twists", "E d"),
+            ("N P", "numerator and denominator of D4", "Q R"), ("R_", "what stands under roots", "Q"),
+            ("e_", "axes of the body", "a"), ("nu", "multiplier of a rotation", "mu"),
+            ("V", "effective potential", "W"), ("M_", "components of M in a picture", "Lambda"),
+            ("i", "imaginary unit", "j iota")):
+        for name in names.split():
+            yield Entry(name, name, name, (0, 0), what, use=Use.PRINTED, instead=instead)
+
+
 NOTATION = _table()
+REGISTRY = (*NOTATION.values(), *_beside(), *_printed())
 _PLACES = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
-PARAMETERS = frozenset({"I1", "I2", "I3", "l", "l1", "l2", "l3", "m0", "m1", "r", "p0", "omega0", "mass1",
-                        "mass2", "mass3"} | {f"J{n}" for n in _ORDERS})   # a body or a potential may use it
-INTERNAL = frozenset({"nu1", "nu2", "nu3", "lamda"})   # names that a derivation introduces itself
-
-
-def dimension_of(name: str) -> tuple[int, int, int] | None:
-    """The dimension of a name, (a, b, c) for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ; None of a parameter of the user.
-
-    Examples
-    --------
-    >>> dimension_of("l"), dimension_of("d2U"), dimension_of("a")
-    ((1, 1, 0), (1, 2, 0), None)
-    """
-    if jet(name):
-        return 1, 2, 0
-    entry = NOTATION.get(name)
-    return None if entry is None else (*entry.dimension, entry.length)
-
-
-def order(name: str) -> tuple[int, str, int]:
-    """Where a name stands among others: as in the table, derivatives of U with U.
-
-    Parameters of the user before k, a mass first, as in m g z0, the others by name, a2 before a10.
-
-    Examples
-    --------
-    >>> sorted(["k3", "z0", "g", "m"], key=order)
-    ['m', 'g', 'z0', 'k3']
-    """
-    if name in _PLACES:
-        return _PLACES[name], "", 0
-    place = _PLACES["d3U"] if jet(name) else _PLACES["k1"] - 1
-    word = name.rstrip("0123456789")
-    return place, "" if word == "m" else word, int(name[len(word):] or 0)
-
-
-def of_the_motion(symbols: Iterable[Symbol]) -> list[str]:
-    """The names among the symbols that mean something of the motion, and so cannot be parameters of a body or
-    a potential.
-    """
-    return sorted(s.name for s in symbols if jet(s.name) or (s.name in NOTATION and s.name not in PARAMETERS))
 
 
 @lru_cache(maxsize=4096)                                # a second symbol of one name is equal to the first
@@ -163,64 +197,39 @@ def own(expression: Expr) -> Expr:
     return expression.xreplace({s: symbol(s.name) for s in expression.free_symbols if s != symbol(s.name)})
 
 
+def dimension_of(name: str) -> tuple[int, int, int] | None:
+    """The dimension of a name, (a, b, c) for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ; None of a parameter of the user.
+
+    Examples
+    --------
+    >>> dimension_of("l"), dimension_of("d2U"), dimension_of("a")
+    ((1, 1, 0), (1, 2, 0), None)
+    """
+    if jet(name):
+        return 1, 2, 0
+    entry = NOTATION.get(name)
+    return None if entry is None else (*entry.dimension, entry.length)
+
+
+def order(name: str) -> tuple[int, str, int]:
+    """Where a name stands among others: as in the table, derivatives of U with U, rates with what changes.
+
+    Parameters of the user before k, a mass first, as in m g z0, the others by name, a2 before a10.
+
+    Examples
+    --------
+    >>> sorted(["k3", "z0", "g", "m"], key=order)
+    ['m', 'g', 'z0', 'k3']
+    """
+    if (coordinate := name.removesuffix("_dot")) in _PLACES:
+        return _PLACES[coordinate], "", 0
+    place = _PLACES["d3U"] if jet(name) else _PLACES["k1"] - 1
+    word = name.rstrip("0123456789")
+    return place, "" if word == "m" else word, int(name[len(word):] or 0)
+
+
 class Stored:
     """Dataclasses that are pickled without what was derived: that is derived again where it is asked for."""
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
-
-
-def typeset(name: str, at: Any = None, style: str = "latex") -> str:
-    """A name as it is printed; derivatives of U take their argument from at."""
-    if order_axes := jet(name):
-        return _typeset_jet(*order_axes, at, style)
-    if entry := NOTATION.get(name):
-        return entry.latex if style == "latex" else entry.text
-    return _typeset_parameter(name, style)
-
-
-def _typeset_jet(order: int, axes: str, at: Any, style: str) -> str:
-    latex = style == "latex"
-    if axes:
-        return rf"\partial_{{{axes}}} U" if latex else "∂" + axes.translate(str.maketrans("123", "₁₂₃")) + "U"
-    if order <= 3:
-        primes = "'" * order if latex else "′″‴"[order - 1]
-    else:
-        primes = f"^{{({order})}}" if latex else "⁽" + str(order).translate(SUPERSCRIPTS) + "⁾"
-    argument = "k3" if at is None else str(at).replace("-", "-" if latex else "−")
-    return f"U{primes}({typeset(argument, style=style) if argument == 'k3' else argument})"
-
-
-SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
-SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-GREEK = MappingProxyType({
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η",
-    "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ",
-    "sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω",
-    "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ",
-    "Psi": "Ψ", "Omega": "Ω"})
-# a letter or a word, its number, with or without _, and a subscript
-_NAME = re.compile(r"([A-Za-z]+?)(?:_?(\d+))?(?:_([A-Za-z][A-Za-z0-9]*))?")
-
-
-def _typeset_parameter(name: str, style: str) -> str:
-    """A user's parameter: a letter or Greek name with its subscripts, a word upright, else as it is."""
-    latex = style == "latex"
-    if rate := re.fullmatch(r"(\w+)_(d?dot)", name):        # a rate: one dot, or two in phi_ddot
-        inner = _typeset_parameter(rate[1], style)
-        dots = "\u0307" if rate[2] == "dot" else "\u0308"
-        return rf"\{rate[2]}{{{inner}}}" if latex else f"{inner[0]}{dots}{inner[1:]}"
-    if name.startswith("delta_") and len(name) > 6 and not name[6:].isdecimal():          # a variation
-        return (r"\delta " if latex else "δ") + typeset(name[6:], style=style)
-    word, digits, below = match.groups("") if (match := _NAME.fullmatch(name)) else ("", "", "")
-    single = word in GREEK or len(word) == 1
-    # m_0 is not the m0 of the table
-    if not word or (below and not single) or (digits and f"_{digits}" in name and word + digits in NOTATION):
-        return r"\mathrm{" + name.replace("_", r"\_") + "}" if latex else name
-    if below and below.rstrip("0123456789") in GREEK:
-        below = _typeset_parameter(below, style)
-    if not latex:
-        return GREEK.get(word, word) + digits.translate(SUBSCRIPTS) + (f"_{below}" if below else "")
-    shown = "\\" + word if word in GREEK else word if single else rf"\mathrm{{{word}}}"
-    subscripts = ",".join(filter(None, (digits, below)))
-    return f"{shown}_{{{subscripts}}}" if subscripts else shown

@@ -37,7 +37,7 @@ findings = cache(lambda source: check([source]))
 @pytest.fixture
 def checked_once(monkeypatch):
     """The sources are checked by the first test that asks for them."""
-    monkeypatch.setattr("gyrostat.cli.verify.check",
+    monkeypatch.setattr("gyrostat.cli.verify.each",
                         lambda sources, progress=None: [f for source in sources for f in findings(source)])
 
 
@@ -106,6 +106,18 @@ def test_verify_a_file_of_ones_own(capsys, tmp_path):
     status, out, err = verify(capsys, str(path))
     assert status == 2 and out == "" and f"{path}: stable: " in err and "mass is not a name" in err
     assert verify(capsys, "VV2004")[0] == 2
+
+
+def test_what_was_checked_before_is_shown(capsys, tmp_path):
+    """Of a file in which a later formula cannot be read: what is found, then the sentence, exit status 2."""
+    path = tmp_path / "mine.toml"
+    later = OWN[OWN.index("[[formula]]"):].replace("stable", "later").replace("2*I1*m0", "2*I1*mass")
+    path.write_text(OWN + "\n" + later)
+    status, out, err = verify(capsys, str(path))
+    assert status == 2 and "✗ misprint" in out and "has the real part" in " ".join(out.split())
+    assert "mine.toml: later: " in err and err.count("\n") == 1
+    status, out, _ = verify(capsys, str(path), "--format", "json")
+    assert (status, out) == (2, "")
 
 
 def test_progress_on_a_terminal(capsys, tmp_path, monkeypatch):

@@ -67,7 +67,7 @@ def test_general_unspecified_field():
 
 def test_names_of_the_derivation_are_refused(scene):
     """A point in nu1 would be confused with a multiplier."""
-    with pytest.raises(EquilibriumError, match="nu1, a name that the derivation introduces"):
+    with pytest.raises(EquilibriumError, match="nu1, the multiplier of C1"):
         gs.equilibrium(scene, (0, 0, gs.symbol("nu1"), 0, 0, 1))
 
 

@@ -3,7 +3,7 @@ import pytest
 from sympy import Matrix, cos, simplify, sin
 
 import gyrostat as gs
-from gyrostat.errors import EquilibriumError, ScopeError, ValuesError
+from gyrostat.errors import EquilibriumError, PotentialError, ScopeError, ValuesError
 
 a, m0, omega, sigma = map(gs.symbol, ("a", "m0", "omega", "sigma"))
 c = [gs.symbol(f"c{n}") for n in (1, 2, 3)]
@@ -90,9 +90,9 @@ def test_what_a_claimed_point_expresses_is_checked():
 @pytest.mark.parametrize(("direction", "message"), [
     ((1, 1, 0), r"k = \(1, 1, 0\) with \|k\|² − 1 = 1: k is a direction"),
     ((1, 0), "direction has 2 entries: give the three components of k"),
-    ((sin(gs.symbol("c1")), 0, cos(gs.symbol("c1"))), "c1 is a name of the scene and one of the family"),
-    ((sin(sigma), 0, cos(sigma)), "sigma is a name of the scene and one of the family"),
-    ((sin(omega), 0, cos(omega)), "direction depends on omega, a name of the motion")])
+    ((sin(gs.symbol("c1")), 0, cos(gs.symbol("c1"))), "c1 is a name of the scene and one of the direction"),
+    ((sin(sigma), 0, cos(sigma)), "direction depends on sigma, the multiplier"),
+    ((sin(omega), 0, cos(omega)), "direction depends on omega, the rate about the vertical")])
 def test_directions_that_are_none(direction, message):
     with pytest.raises(EquilibriumError, match=message):
         family(linear, direction)
@@ -119,5 +119,5 @@ def test_a_field_along_axis_3_is_one_in_k1_k2_k3():
 def test_a_field_in_numbers_has_no_family():
     with pytest.raises(EquilibriumError, match="no parameter that ∇U.k. determines.* relative_equilibria"):
         family(lambda x, y, z: x + 2 * y, (0, 0, 1))
-    with pytest.raises(EquilibriumError, match="sigma is a name of the scene"):
+    with pytest.raises(PotentialError, match="depends on sigma, the multiplier .*, as in U = k1.s"):
         family(lambda x, y, z: sigma * x, (0, 0, 1))

@@ -80,12 +80,13 @@ def test_results_have_labels(e1, e3):
 def test_a_paper_has_its_own_symbols(e1, e3):
     """In every formula, matrix, sentence and derivative of U of a document; what it has not is refused."""
     symbols = {"I1": "A", "I3": "C", "l": r"\sigma", "sigma": r"\rho", "U": "V", "k3": r"\gamma",
-               "pi3": "M_3", "vector_pi": "M", "vector_M": "G", "x": r"\xi"}
+               "pi3": "M_3", "vector_M": r"\mathbf{G}", "vector_omega": r"\Omega", "x": r"\xi"}
     tex = to_latex([e1, e3], symbols=symbols)
     assert not re.search(r"I_1|I_3|k_3|\\pi_3(?!\^0)|(?<![A-Za-z{])U(?!p|nder)|\bx\b", tex)
-    for part in ("V'(1)", r"V''(\gamma)", r"\dot{M}_3 = 0", r"\dot{\gamma} =", r"A^2 \dot{\gamma}^2 = g",
-                 r"gyrostatic momentum $l$ = ($0$, $0$, $\sigma$), $G = M + l$", r"$A$ $>$ 0 & principal",
-                 r"$A = C,\ \sigma = 0,\ \omega \neq 0$", r"\partial\rho/\partial \gamma", r"c_3 \xi^3"):
+    for part in ("V'(1)", r"V''(\gamma)", r"\dot{M}_3 = 0", r"\dot{\gamma} =",
+                 r"$A^{2} \dot{\gamma}^{2}$ = $g$", r"$A$ $>$ 0 & principal",
+                 r"gyrostatic momentum $l$ = ($0$, $0$, $\sigma$), $\mathbf{G} = I \Omega + l$",
+                 r"$A$ = $C$, $\sigma$ = 0, $\omega \neq 0$", r"\partial\rho/\partial \gamma", r"c_3 \xi^3"):
         assert part in tex, part
     with pytest.raises(gs.errors.ValuesError, match=r"l and sigma would both be \\sigma: give one of them"):
         to_latex(e3, symbols={"l": r"\sigma"})

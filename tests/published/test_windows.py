@@ -120,9 +120,11 @@ def test_names_without_numbers(tmp_path):
 @pytest.mark.few(2)
 @pytest.mark.parametrize("name", ["p", "q", "D4", "h"])
 def test_a_parameter_with_the_name_of_a_quantity(tmp_path, name):
-    """One sentence where a formula uses it; it was taken for the quantity."""
-    with pytest.raises(ValueError, match=f"parameter {name}, which is also the name .* another name"):
+    """A quantity asks for a let that says which of the two is meant."""
+    with pytest.raises(ValueError, match=f"quantity has {name}, a letter of the scene .*: say which by let"):
         finding(tmp_path, NAMED.format(name=name), name, name)
+    own = finding(tmp_path, NAMED.format(name=name), name, name, extra=f'let = {{ {name} = "{name}" }}\n')
+    assert own.status == "confirmed" and own.outcome.derived == gs.symbol(name)
     assert finding(tmp_path, NAMED.format(name=name), "k3", "1").status == "confirmed"
 
 

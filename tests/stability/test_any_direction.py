@@ -195,9 +195,13 @@ def test_what_takes_ranges_asks_for_stereographic_coordinates(families):
 
 
 def test_a_parameter_with_the_name_of_a_definition():
-    report = family(gs.symbol("q") * k1 + gs.symbol("a") * k2)
-    with pytest.raises(ScopeError, match="has a parameter q, a name in which the conditions"):
-        report.verdict({})
+    """It is the user's: the definitions take other names, and nothing else changes."""
+    plain = family(gs.symbol("b1") * k1 + gs.symbol("b2") * k2).closed.definitions
+    for first, second in ("qp", "sG", "JK", "vA"):
+        report = family(gs.symbol(first) * k1 + gs.symbol(second) * k2)
+        names = [name.name for name, _ in report.closed.definitions]
+        assert not {first, second} & set(names) and len(set(names)) == len(plain)
+        assert {first, second}.isdisjoint(str(report.necessary) + str(report.sufficient))
 
 
 def test_bodies_of_revolution_are_recognised_at_numbers(families):

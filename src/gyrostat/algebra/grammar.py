@@ -18,7 +18,8 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Mul, Pow, Rational, log
 
-from ..notation import symbol
+from ..notation import Use, symbol
+from ..registry import AUTONOMOUS, use_of
 from . import magnitudes, parts
 from .limits import Limited
 from .parts import DEGREE, FUNCTIONS, HYPERBOLIC, PARTIAL, Cost, Part
@@ -139,14 +140,27 @@ class Parser(Limited):
 
     def named(self, token: str) -> Part:
         if token in FUNCTIONS:
-            self.fail(f"the function {token} has no argument", f"write {token}(...)")
+            kind, after = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
+            argument = after if kind in ("name", "number") else "..."
+            self.fail(f"the function {token} has no argument", f"write {token}({argument})")
         return Part(sympy.pi, ball=magnitudes.pi()) if token == "pi" else Part(symbol(token), Cost(degree=1))
 
     def call(self, token: str) -> Part:
         if token not in FUNCTIONS:
-            self.fail(f"{token} is not a function of the grammar", self.guess(token, list(FUNCTIONS)))
+            self.fail(*self.no_function(token))
         self.called()
         return self.apply(token, self.atom())
+
+    def no_function(self, token: str) -> tuple[str, str]:
+        """Why a name is no function, and what to write: of the time, of k, or another one."""
+        argument = self.tokens[self.place + 1][1] if self.place + 1 < len(self.tokens) else ""
+        if use_of(argument) is Use.TIME:
+            why, todo = AUTONOMOUS.split(": ")
+            return f"{token}({argument}) is a function of the time, and {why}", todo
+        if token in ("U", "V", "W") and argument in ("k1", "k3"):
+            return (f"{token} is not a function of the grammar", f"give a formula in {argument}; U(k3), or "
+                    "U(k1, k2, k3), as the whole potential stands for any one")
+        return f"{token} is not a function of the grammar", self.guess(token, list(FUNCTIONS))
 
     def guess(self, token: str, functions: Sequence[str]) -> str:
         """What may have been meant."""

@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 from sympy import Expr, Integer, Mul, Pow, Rational, S, pi
 
 from ..errors import ValuesError, brief
-from ..notation import NOTATION
+from ..notation import NOTATION, Use
+from ..registry import free_letters, use_of
 from .grammar import Parser
 
 POWER, FACTORS = 9, 8                                  # of a unit, and of units, at most
@@ -185,8 +186,11 @@ def in_si(value: Any, name: str) -> tuple[Expr, bool]:
     wanted = dimension_of(name)
     if dimension is not None and wanted is not None and dimension != wanted:
         what = f"{name} ({NOTATION[name].meaning})" if name in NOTATION else name
+        free = free_letters([name], {name})[name]
+        own = (f", or write another letter for a number of your own, such as {free}"
+               if use_of(name) in (Use.FIELD, Use.LEVEL) else "")
         raise ValuesError(f"{name} = {brief(value)[1:-1]} is a number of {dimension}, but {what} is one of "
-                          f"{wanted}: give it in a unit of that kind")
+                          f"{wanted}: give it in a unit of that kind{own}")
     return number, dimension is not None
 
 

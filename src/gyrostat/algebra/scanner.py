@@ -6,7 +6,7 @@ from ..errors import ExpressionError, brief
 from .spelling import NAME, RAISED, SIGNS, character, lowered, spelled
 
 LENGTH = 5000
-ROOT = "√"
+ROOT, PRIMES = "√", "'′″‴’"
 _TOKEN = re.compile(rf"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>{NAME})"
                     rf"|(?P<raised>{RAISED})|(?P<sign>\*\*|[-+*/(){''.join(SIGNS)}{ROOT}]))", re.ASCII)
 Token = tuple[str, str]
@@ -35,6 +35,9 @@ class Scanner:
                 if comma := re.search(r"(\d+),(\d+)\Z",
                                       self.text[:place] + re.match(r",?\d*", rest)[0]):  # type: ignore[index]
                     hint = f"write a decimal point, {comma[1]}.{comma[2]}"
+                if rest[0] in PRIMES:
+                    hint = ("names have no primes: write k1, k2, k3 for the direction γ, γ′, γ″, or a number "
+                            "after a letter, b2")
                 what = repr(rest[:12]) if rest[0].isascii() else character(rest[0])
                 self.fail(f"{what} at character {len(self.text) - len(rest) + 1} is not part of the grammar",
                           hint)

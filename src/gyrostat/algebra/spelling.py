@@ -2,7 +2,8 @@
 import re
 from unicodedata import name as title
 
-from ..notation import GREEK, SUBSCRIPTS, SUPERSCRIPTS, jet_name
+from ..notation import jet_name
+from ..typesetting import GREEK, SUBSCRIPTS, SUPERSCRIPTS
 
 # of two words that are printed alike the one in the table of notation; letters that keyboards have twice
 _LETTERS = {letter: word for word, letter in GREEK.items()} | {

@@ -9,10 +9,11 @@ from ..algebra.readable import readable
 from ..errors import optional
 from ..mechanics.circular_orbit import by_gradient_alone
 from ..mechanics.equilibria import Equilibrium
-from ..notation import NOTATION, dimension_of, jet, typeset, units
+from ..notation import NOTATION, dimension_of, jet, units
 from ..printing.latex import tex
 from ..printing.names import Names
 from ..stability.conditions import sources
+from ..typesetting import typeset
 from ..version import __version__
 from .codes import CURVES, FLAGS, RUNGS
 from .request import Request

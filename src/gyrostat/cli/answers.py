@@ -64,7 +64,8 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
     Of one that does not exist in this field, why.
     """
     scene, wanted = scene_of(asked), named(asked, label and [label])
-    if not wanted and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys():
+    own = {s.name for s in names_of_scene(scene)}
+    if not wanted and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys() - own:
         raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and "
                           "pi3_0; or name the --equilibrium")
     if wanted == (E3.label,) and asked.eliminate is None and reducible(scene):
@@ -73,7 +74,7 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
         return [_answer(asked, wanted[0], numbers)]
     if reducible(scene):
         given = scene.potential is not None and scene.potential.given
-        if given and _level(scene, numbers).keys() & set().union(*MOTION) in MOTION:
+        if given and (_level(scene, numbers).keys() - own) & set().union(*MOTION) in MOTION:
             return _all_found(scene, _level(scene, numbers), None)
     elif _asks_for_all(scene, numbers):
         here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})

@@ -2,8 +2,10 @@
 import argparse
 
 from ..charts.progress import Progress
+from ..errors import GyrostatError
 from ..printing.data import json_text
-from ..published import SOURCES, Finding, check, errata, listing
+from ..published import SOURCES, Finding, errata, listing
+from ..published.checks import findings as each
 from .output import Output
 from .paper import paper_of
 
@@ -17,7 +19,15 @@ def run(given: argparse.Namespace, out: Output) -> int:
         if done == total:
             progress.wipe()
 
-    findings = check(given.sources or SOURCES, shown)
+    findings = list[Finding]()
+    try:
+        for finding in each(given.sources or SOURCES, shown):
+            findings.append(finding)
+    except GyrostatError:
+        progress.wipe()
+        if findings and given.format == "text":            # what was checked before is not lost
+            out(listing.text(findings, out.width))
+        raise
     if given.format == "json":
         out(json_text({"statements": listing.to_json(findings)}))
     elif given.format == "latex":

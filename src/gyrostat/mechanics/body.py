@@ -11,7 +11,8 @@ from ..algebra.quantities import not_mixed
 from ..arguments import checked
 from ..errors import ArgumentError, BodyError, ScopeError, article, brief
 from ..kept import cached_property
-from ..notation import Stored, of_the_motion, symbol
+from ..notation import Stored, Use, symbol
+from ..registry import check_names
 from ..shown import Shown
 
 _INERTIA = tuple(symbol(f"I{i}") for i in (1, 2, 3))
@@ -57,8 +58,8 @@ class Gyrostat(Shown, Stored):
         object.__setattr__(self, "gyrostatic_momentum", tuple(map(plain, rotor)))
         object.__setattr__(self, "inertia", tensor_of(inertia) if len(inertia) == 9
                            else _as_first_written(inertia))
-        if taken := of_the_motion(self.symbols):
-            raise BodyError(f"the body depends on {', '.join(taken)}, a name of the motion: rename it")
+        check_names(self.entries, "the inertia", BodyError, Use.ANGLE)
+        check_names(self.gyrostatic_momentum, "the rotor", BodyError, Use.ROTOR, Use.ANGLE)
         for value in self.positive:
             if not value.free_symbols and (sign := sign_of_constant(value)) != 1:
                 what = "is not proved to be" if sign is None else "is not"

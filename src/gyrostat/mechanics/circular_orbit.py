@@ -9,7 +9,8 @@ from ..algebra.exact import is_identically_zero, sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..arguments import checked
 from ..errors import EquilibriumError, PotentialError, ScopeError
-from ..notation import of_the_motion, symbol
+from ..notation import symbol
+from ..registry import check_names
 from .coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
 from .equilibria import Equilibrium
 from .liepoisson import hat
@@ -116,9 +117,10 @@ def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
              if x is not None}
     for name, value in given.items():
         directions = sorted(map(str, value.free_symbols & {*_components(NORMAL), *_components(VERTICAL)}))
-        if moving := [*of_the_motion(value.free_symbols), *directions]:
-            raise PotentialError(f"{name} = {shown(value)} depends on {', '.join(moving)}, a name of the "
-                                 "motion: give a number or another name")
+        check_names([value], f"{name} = {shown(value)}", PotentialError)
+        if directions:
+            raise PotentialError(f"{name} = {shown(value)} depends on {', '.join(directions)}, a direction "
+                                 "that moves: give a number or another name")
         if value.is_nonpositive or not value.free_symbols and sign_of_constant(value) != 1:
             raise PotentialError(f"{name} = {shown(value)}: the {name} of a circular orbit is positive; give "
                                  "a positive number")

@@ -9,7 +9,8 @@ from sympy import Add, Expr, S, Symbol
 from ..algebra.numbers import exact_expression
 from ..arguments import checked
 from ..errors import PotentialError, ScopeError
-from ..notation import symbol
+from ..notation import Use, symbol
+from ..registry import check_names
 from .liepoisson import lie_poisson
 from .potential import Potential
 
@@ -47,6 +48,10 @@ class CoupledPotential(Potential):
 
     drift: tuple[Expr, Expr, Expr] = (S.Zero, S.Zero, S.Zero)
     held: Held = ()
+
+    def _check_names(self) -> None:
+        """Refuse names that are no parameters; an orbit has the rotor in it, which assemble inserts."""
+        check_names(self.parameters, "the potential", PotentialError, Use.ROTOR)
 
     @property
     def coupled(self) -> bool:
@@ -156,6 +161,8 @@ def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
         if left.expand() != 0 or any(_slope(entry, x).free_symbols & {*variables} for x in variables):
             raise PotentialError(f"drift = ({first}, {second}, {third}): {entry} is not linear in "
                                  f"{', '.join(map(str, variables))}: β is a matrix times a direction")
+    check_names({s for e in (U, first, second, third) for s in e.free_symbols} - {*variables},
+                f"U = {U}", PotentialError)
     pairs = tuple((exact_expression(c, "a Casimir"), exact_expression(v, "its value")) for c, v in held)
     return CoupledPotential(variables, U, False, (first, second, third), pairs)
 

@@ -8,7 +8,8 @@ from sympy import Expr, S, Symbol
 from ..algebra.exact import is_identically_zero, plain, sign
 from ..errors import EquilibriumError, require
 from ..kept import cached_property
-from ..notation import INTERNAL, Stored, jet
+from ..notation import Stored, Use, jet
+from ..registry import INTERNAL, use_of, why_refused
 from ..shown import Shown
 from .coupled import CoupledPotential, Held
 from .near_pole import NearPole, left_positive, near_pole, refuse_rough
@@ -61,15 +62,14 @@ class Equilibrium(Shown, Stored):
         require(self.system, System, "the scene")
         moments = [*self.system.body.positive, *(value for name, value in self.relations if name.is_positive)]
         if impossible := [m for m in moments if not m.free_symbols and sign(m, {}) != 1]:
-            raise EquilibriumError(f"{self.label} has a relation that makes a moment, or another positive "
-                                   f"name, {impossible[0]}, which is not proved to be positive: moments of "
-                                   "inertia are positive")
+            raise EquilibriumError(f"{self.label} has a relation that makes a moment or the like "
+                                   f"{impossible[0]}, not proved positive: moments of inertia are positive")
         unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive
                    and m not in self.domain]
         object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
-        if clash := [s for x in self.point for s in sorted(x.free_symbols, key=str) if s.name in INTERNAL]:
-            raise EquilibriumError(f"{self.label} uses {clash[0]}, a name that the derivation introduces: "
-                                   "rename it")
+        names = {s.name for x in (*self.point, *dict(self.relations).values()) for s in x.free_symbols}
+        if clash := sorted(name for name in names if name in INTERNAL or use_of(name) is Use.TIME):
+            raise EquilibriumError(f"{self.label} depends on {why_refused(clash, names)}")
         if len(self.point) != (n := len(self.system.space.coordinates)):
             raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give "
                                    "one for each coordinate")

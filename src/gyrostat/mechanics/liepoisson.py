@@ -18,8 +18,11 @@ from ..algebra.polynomials import Ring, derivatives, lowest_terms
 from ..arguments import checked
 from ..errors import BodyError, ScopeError, StructureError
 from ..kept import cached_property
-from ..notation import NOTATION, Stored, symbol
+from ..notation import NOTATION, Stored, Use, symbol
+from ..registry import check_names
 from ..shown import Shown
+
+_ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))
 
 
 def hat(v: Sequence[Expr]) -> ImmutableMatrix:
@@ -226,15 +229,12 @@ def lie_poisson(directions: Sequence[str] = ("k",),
             not name.isidentifier() or any(f"{name}{i}" in NOTATION for i in (1, 2, 3)))]:
         raise ScopeError(f"directions = {names}: the components of {taken[0]} have another meaning: give a "
                          "name such as k, e, n or r")
-    given = (
-        tuple(gyrostatic_momentum)
-        if gyrostatic_momentum is not None
-        else tuple(symbol(f"l{i}") for i in (1, 2, 3))
-    )
+    given = _ROTOR if gyrostatic_momentum is None else tuple(gyrostatic_momentum)
     if len(given) != 3:
-        raise BodyError(f"gyrostatic_momentum has {len(given)} entries: give three, one for each principal "
-                        "axis")
-    return _space(names, tuple(map(exact_expression, given)))
+        raise BodyError(f"gyrostatic_momentum has {len(given)} entries: give three, one for each axis")
+    rotor = tuple(map(exact_expression, given))
+    check_names(rotor, "the rotor", BodyError, Use.ROTOR, Use.ANGLE)
+    return _space(names, rotor)
 
 
 @lru_cache(maxsize=64)                                  # what is proved of a space is proved once

@@ -9,18 +9,22 @@ from ..notation import symbol
 from .body import Gyrostat
 from .potential import Potential
 
+_MOMENTS = tuple(symbol(f"I{i}") for i in (1, 2, 3))
+
 
 def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] = MappingProxyType({})
                 ) -> Expr:
     """The expression with the moments and the gyrostatic momentum of the body in place of their names.
 
-    All at once with those of a tensor: what is inserted has names too.
+    All at once with those of a tensor: what is inserted has names too. Where the rotor has the name l along
+    another axis, l is that.
     """
-    own = [symbol(f"I{i}") for i in (1, 2, 3)]
     # a tensor has none
-    names = dict(zip(own, body.moments)) if expression.free_symbols & {*own} else {}
+    names = dict(zip(_MOMENTS, body.moments)) if expression.free_symbols & {*_MOMENTS} else {}
     names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
-    names |= {symbol("l"): body.gyrostatic_momentum[2], **tensor}
+    if symbol("l") not in body.symbols:
+        names |= {symbol("l"): body.gyrostatic_momentum[2]}
+    names |= tensor
     return expression.xreplace({name: value for name, value in names.items() if name != value})
 
 

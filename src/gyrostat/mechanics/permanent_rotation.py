@@ -8,7 +8,8 @@ from sympy import Expr, Matrix, Symbol
 from ..algebra.numbers import exact_expression
 from ..arguments import checked
 from ..errors import EquilibriumError, ScopeError
-from ..notation import jet, of_the_motion, symbol
+from ..notation import Use, jet, symbol
+from ..registry import check_names
 from .coupled import in_one_direction
 from .equilibria import Equilibrium, Relation
 from .families import PERMANENT
@@ -96,18 +97,16 @@ def _given(direction: Sequence[Any]) -> tuple[Expr, ...]:
     if len(direction) != 3:
         raise EquilibriumError(f"direction has {len(direction)} entries: give the three components of k")
     k = tuple(exact_expression(x, "direction") for x in direction)
-    if wrong := of_the_motion(set[Symbol]().union(*(x.free_symbols for x in k))):
-        raise EquilibriumError(f"direction depends on {', '.join(wrong)}, a name of the motion: write k in "
-                               "parameters of your own, or leave it out")
+    check_names(k, "direction", EquilibriumError, Use.ANGLE)
     return k
 
 
 def _names_apart(scene: System, k: Sequence[Expr]) -> None:
     """The names of the family are those of nothing else."""
     own, inside = names_of_scene(scene), set[Symbol]().union(*(x.free_symbols for x in k))
-    if clash := sorted(map(str, own & (inside | {SIGMA}) | inside & {SIGMA})):
-        raise EquilibriumError(f"{', '.join(clash)} is a name of the scene and one of the family: rename it "
-                               "in the scene or in the direction")
+    if clash := sorted(map(str, own & inside)):
+        raise EquilibriumError(f"{', '.join(clash)} is a name of the scene and one of the direction: write "
+                               "another letter in one of the two, such as a1")
 
 
 def _solved(U: Potential, scene: System, k: Sequence[Expr],

@@ -3,7 +3,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, cos, log
+from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, log
 from sympy.core.function import AppliedUndef
 
 from ..algebra import magnitudes
@@ -13,12 +13,10 @@ from ..algebra.polynomials import Ring
 from ..arguments import checked
 from ..errors import PotentialError, ValuesError
 from ..kept import cached_property
-from ..notation import Stored, jet, jet_name, of_the_motion, symbol
+from ..notation import Stored, jet, jet_name, symbol
 from ..shown import Shown
+from .hints import why_not, without_k
 
-_ANGLES, _HEIGHTS = ("theta", "Theta", "th"), ("z", "Z", "K3", "k_3", "kz", "k_z", "zeta", "gamma3",
-                                               "gamma_3", "costheta", "cos_theta")
-_IN_ORBIT = {f"{direction}{n}" for direction in "nr" for n in (1, 2, 3)}
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
 U = Function("U", real=True)
 U.__module__ = __name__                                # pickle finds it by this name
@@ -53,15 +51,11 @@ class Potential(Shown, Stored):
     revolution: bool = False
 
     def __post_init__(self) -> None:
-        if taken := of_the_motion(self.parameters):
-            raise PotentialError(f"U = {self.expression} depends on {', '.join(taken)}, which is not a "
-                                 "parameter of a "
-                                 f"potential in {', '.join(map(str, self.variables))}: rename it, or use "
-                                 "general_potential")
+        self._check_names()
         if self.expression.free_symbols and not self.expression.free_symbols & set(self.variables):
             raise PotentialError(f"U = {self.expression} does not depend on "
-                                 f"{', '.join(map(str, self.variables))}: "
-                                 f"write it in the components of k{_meant(self.expression)}")
+                                 f"{', '.join(map(str, self.variables))}: write it in the components of k"
+                                 f"{without_k(self.expression, self.variables)}")
         if self.expression.is_real is False or self.expression.is_finite is False:
             raise PotentialError(f"U = {self.expression} is not a finite real number: check roots, "
                                  "logarithms and denominators")
@@ -71,6 +65,12 @@ class Potential(Shown, Stored):
             ):
                 raise PotentialError(f"U = {self.expression} divides by {power.base}, which is 0 "
                                      "identically: check the denominators")
+
+    def _check_names(self) -> None:
+        """Refuse names that are not parameters of a potential."""
+        if self.expression.free_symbols & set(self.variables) and (
+                why := why_not(self.expression, self.variables)):
+            raise PotentialError(f"U = {self.expression} {why}")
 
     @property
     def given(self) -> bool:
@@ -186,23 +186,6 @@ class Potential(Shown, Stored):
 @lru_cache(maxsize=1024)
 def _derivative(expression: Expr, along: tuple[Symbol, ...]) -> Expr:
     return expression.diff(*along)
-
-
-def _meant(expression: Expr) -> str:
-    """What is likely to have been meant: by a word, a formula; else a component of k."""
-    if _IN_ORBIT & {s.name for s in expression.free_symbols}:
-        return ("; n and r are the directions of a satellite in orbit: circular_orbit(potential=…), --orbit, "
-                "has the gravity gradient already")
-    if expression.is_Symbol and expression.name not in _HEIGHTS:
-        return ("; U is a formula, such as m0*k3 of a uniform field; those of fields with a name are in "
-                "docs/reference/fields.md")
-    meant = [f for f in sorted(expression.atoms(cos), key=str) if str(f.args[0]) in _ANGLES]
-    meant += sorted((s for s in expression.free_symbols if s.name in _HEIGHTS), key=str)
-    return (
-        f"; k3 for {meant[0]}, as in U = {expression.xreplace(dict.fromkeys(meant, DIRECTIONS[2]))}"
-        if meant
-        else ""
-    )
 
 
 @lru_cache(maxsize=256)

@@ -10,6 +10,8 @@ from ..algebra.numbers import exact_expression, exact_number
 from ..algebra.quantities import not_mixed
 from ..arguments import checked
 from ..errors import BodyError, brief
+from ..notation import Use
+from ..registry import check_names
 from .body import Gyrostat
 from .spherical import lowest
 
@@ -58,7 +60,9 @@ class Rotor:
         not_mixed((name, x) for name, x in given.items() if x is not None)
         for name, value in given.items():
             if value is not None:
-                object.__setattr__(self, name, exact_expression(value, name))
+                exact = exact_expression(value, name)
+                check_names([exact], f"{name} = {exact}", BodyError, Use.ROTOR, Use.ANGLE)
+                object.__setattr__(self, name, exact)
         for name in ("axial", "transverse"):
             value = getattr(self, name)
             if value is not None and not value.free_symbols and proved_sign(value) == -1:

@@ -6,6 +6,7 @@ from sympy import Add, Expr, ImmutableMatrix, Symbol, diag
 
 from ..algebra.exact import evaluate, sign
 from ..arguments import checked
+from ..errors import BodyError
 from ..kept import cached_property
 from ..notation import Stored, jet
 from ..shown import Shown
@@ -203,6 +204,9 @@ def assemble(body: Gyrostat, potential: Potential | None = None,
 def system_of(body: Gyrostat, potential: Potential | None, given: Sequence[Expr] = ()) -> System:
     """The scene of a body in a potential whose names are those of the scene: nothing is inserted."""
     space = lie_poisson(potential.directions if potential else (), body.gyrostatic_momentum)
+    if taken := sorted(map(str, body.symbols & set(space.coordinates))):
+        raise BodyError(f"the body depends on {', '.join(taken)}, a component of a direction of this scene: "
+                        "write another letter for a number of your own, such as a1")
     hamiltonian = body.kinetic_energy(space.coordinates[:3]) + (potential.expression if potential else 0)
     if isinstance(potential, CoupledPotential):
         hamiltonian += Add(*(b * p for b, p in zip(potential.drift, space.coordinates)))

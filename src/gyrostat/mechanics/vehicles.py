@@ -2,7 +2,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, S
+from sympy import Expr, ImmutableMatrix, S, Symbol
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_expression, shown
@@ -10,6 +10,7 @@ from ..algebra.polynomials import lowest_terms
 from ..arguments import checked
 from ..errors import BodyError
 from ..notation import symbol
+from ..registry import check_names
 from .body import Gyrostat, tensor_of
 from .coupled import coupled_potential, unit_and_orthogonal
 from .system import System, system_of
@@ -74,6 +75,7 @@ def underwater_vehicle(inertia: Sequence[Any] = _INERTIA, mass: Sequence[Any] = 
     each = _short(M.adjugate() / M.det(method="berkowitz"))
     tensor = _short(J - D * each * D.T)
     _check_positive(tensor, f"J − D M⁻¹ Dᵀ = {_rows(tensor)}")
+    _check_names([*J, *M, *D, *(_exact(weight, "weight") if weight is not None else ())])
     body = Gyrostat(tensor.tolist(), gyrostatic_momentum)
     B = _short(-body.inverse * D * each)
     C = _short(each - B.T * D * each)
@@ -83,6 +85,16 @@ def underwater_vehicle(inertia: Sequence[Any] = _INERTIA, mass: Sequence[Any] = 
         return system_of(body, coupled_potential(U, (IMPULSE,), drift))
     U -= down.dot(ImmutableMatrix(_exact(weight, "weight")))
     return system_of(body, coupled_potential(U, (IMPULSE, DOWN), drift, unit_and_orthogonal((DOWN,))))
+
+
+def _check_names(entries: Sequence[Expr]) -> None:
+    """Refuse names of the motion, and those of the directions."""
+    check_names(entries, "the vehicle", BodyError)
+    moving = {symbol(f"{name}{i}") for name in (IMPULSE, DOWN) for i in (1, 2, 3)}
+    if taken := sorted(map(str, moving & set[Symbol]().union(*(e.free_symbols for e in entries)))):
+        raise BodyError(f"the vehicle depends on {', '.join(taken)}, a component of the impulse p or of "
+                        "gamma, the direction of gravity: write another letter for a number of your own, "
+                        "such as a1")
 
 
 def _exact(given: Sequence[Any], name: str) -> list[Expr]:

@@ -12,6 +12,7 @@ from ..arguments import checked
 from ..mechanics.families import E1, E2, E3
 from ..mechanics.system import System
 from ..notation import symbol
+from ..printing.letters import letters_of
 from ..stability.continuation import Continuation, continuation
 from ..stability.decision import Verdict
 from ..stability.followed_heavy import HeavyContinuation
@@ -134,7 +135,9 @@ def _draw_rotations(found: RotationContinuation, scene: System, name: str,
     ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
     ax.set(xlim=(min(ends), max(ends)))
     ax.set_xlabel(with_dimension("$|M|$", MOMENTUM) if name == LENGTH.name else axis(name))
-    ax.set_ylabel(axis("nu", RATE) if entry is None else axis(f"M{entry + 1}", MOMENTUM))
+    letters = letters_of(scene)
+    ax.set_ylabel(axis(letters.of("nu"), RATE) if entry is None
+                  else axis(letters.of(f"M{entry + 1}"), MOMENTUM))
     said = of_scene(scene, values) if name == LENGTH.name else of_sphere(scene, values, values[LENGTH.name])
     legend(ax, handles, 3, heading(ax, *said))
     return ax

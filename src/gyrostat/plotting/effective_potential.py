@@ -16,6 +16,7 @@ from ..mechanics.lagrange import effective_potential
 from ..mechanics.reduction import ENERGY, K3, P, V, reduce
 from ..mechanics.system import System
 from ..notation import symbol
+from ..printing.letters import letters_of
 from ..stability.asked import names_of
 from ..stability.branch import Branch
 from ..stability.branches import branches_at
@@ -193,8 +194,9 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
             handles.append(named(marker(verdict), meaning(verdict, decisions)))
     ax.set_xticks(np.pi / 4 * np.arange(5), ["$0$", r"$\pi/4$", r"$\pi/2$", r"$3\pi/4$", r"$\pi$"])
     ax.set_xlabel(label("theta"))
-    ax.set_ylabel(axis("V", (1, 2, 0)))
-    shown = {} if energy is None else {"h": energy}
+    letters = letters_of(scene)
+    ax.set_ylabel(axis(letters.of("V"), (1, 2, 0)))
+    shown = {} if energy is None else {letters.of("h"): energy}
     legend(ax, handles, 2, heading(ax, *of_scene(scene, {**values, **shown})))
     return ax
 

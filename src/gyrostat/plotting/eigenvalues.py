@@ -7,8 +7,9 @@ import numpy as np
 from ..algebra.floats import Array
 from ..arguments import checked
 from ..mechanics.equilibria import Equilibrium
-from ..notation import dimension_of, typeset
+from ..notation import dimension_of
 from ..stability.spectra import spectrum
+from ..typesetting import typeset
 from .headings import heading, of_scene
 from .looks import DARK, GREY, axes_of, axis, label, legend, named, with_dimension
 

@@ -12,6 +12,7 @@ from ..arguments import checked
 from ..errors import optional
 from ..mechanics.reduction import K3, V
 from ..mechanics.system import System
+from ..printing.letters import letters_of
 from ..stability.asked import names_of
 from ..stability.branch import Branch
 from ..stability.critical_values import EnergyMomentum, critical_values
@@ -139,7 +140,7 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
         handles.append(named(style, "changes: fold on a level"))
     ax.set(xlim=(left, right), ylim=(low, high))
     ax.set_xlabel(axis("C1", (1, 1, 0)))
-    ax.set_ylabel(axis("h", (1, 2, 0)))
+    ax.set_ylabel(axis(letters_of(scene).of("h"), (1, 2, 0)))
     curves = {x.verdict for x in found.curves if _inside(x.momentum, x.energy, shown)}
     points = {branch.decision.verdict for name, branch in poles.items() if name not in focus}
     modulo = " (curves: modulo the spin)" if Verdict.STABLE in curves else ""

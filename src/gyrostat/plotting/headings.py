@@ -7,11 +7,13 @@ from ..errors import optional
 from ..mechanics.circular_orbit import by_gradient_alone, orbital_rate
 from ..mechanics.potential import Potential
 from ..mechanics.system import System
-from ..notation import order, symbol, typeset
+from ..notation import order, symbol
 from ..printing.latex import tex
+from ..printing.letters import letters_in
 from ..printing.linebreaks import broken, width
 from ..printing.names import Names
 from ..trajectories import Motion
+from ..typesetting import typeset
 from .looks import room
 
 # points of a line at 10 pt, as wide as a page and at least; lines of U
@@ -42,9 +44,9 @@ def numbers(values: Mapping[str, Any]) -> list[str]:
     return [f"${typeset(name)} = {number(values[name])}$" for name in sorted(values, key=order)]
 
 
-def field(latex: str) -> list[str]:
+def field(latex: str, letter: str = "U") -> list[str]:
     """U = …; nothing where Matplotlib cannot set it."""
-    text = rf"$U = {latex}$".replace(r"\dfrac", r"\frac")
+    text = rf"${letter} = {latex}$".replace(r"\dfrac", r"\frac")
     try:
         optional("matplotlib.mathtext", "plot").MathTextParser("path").parse(text)
     except ValueError:
@@ -81,7 +83,7 @@ def _of_field(potential: Potential | None) -> list[str]:
     if potential is None:
         return []
     if potential.given:
-        return field(tex(potential.expression, Names()))
+        return field(tex(potential.expression, Names()), typeset(letters_in([potential.expression]).of("U")))
     return ["$U(k_3)$" if potential.axial else "$U(k)$"]
 
 

@@ -6,9 +6,10 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..errors import ArgumentError, optional
-from ..notation import dimension_of, typeset
+from ..notation import dimension_of
 from ..printing.linebreaks import width
 from ..stability.decision import Decision, Verdict
+from ..typesetting import typeset
 
 DESTROYED = "destroyed by internal damping"            # what is stable, but not under it
 LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""),

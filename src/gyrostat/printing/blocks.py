@@ -50,10 +50,6 @@ class Rows:
 
 
 Block = Heading | Sentence | Display | Rows
-VECTOR_FORM = {False: Word("π̇ = M × ω", r"⟨vector_pi_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩"), True: Word(
-    "π̇ = M × ω + k × ∇U,  k̇ = k × ω",
-    r"⟨vector_pi_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩ + ⟨vector_k⟩\times\nabla ⟨U⟩,"
-    r"\quad ⟨vector_k_dot⟩ = ⟨vector_k⟩\times⟨vector_omega⟩")}
 
 
 def rate_of(name: str) -> Word:

@@ -6,12 +6,15 @@ from sympy import Expr, Mul, Rational
 
 from ..algebra.readable import readable
 from ..mechanics.reduction import ENERGY, K3, P, V, reduce
-from ..notation import SUBSCRIPTS, SUPERSCRIPTS, symbol
+from ..mechanics.system import System
+from ..notation import symbol
+from ..registry import Letters
 from ..stability.boundary import HIGHEST, Boundary, Rung
 from ..stability.report import Report
+from ..typesetting import SUPERSCRIPTS
 from .blocks import Block, Display, Word, modulo_flow, sentence
+from .letters import letters_of, word
 
-DISTANCE = symbol("x")
 # rungs shown of a ladder without an end, of one with an end
 FEW, SEVERAL = 3, 6
 _BETWEEN = "where the necessary condition holds and the sufficient one does not, "
@@ -34,35 +37,42 @@ def boundary_blocks(report: Report) -> list[Block]:
     if report.recognised:
         between = f"The scene is {report.recognised.sentence}; with that axis for the third: {_BETWEEN}"
         eq = boundary.equilibrium
-    levels = {ENERGY: symbol("h"), V: symbol("C1"),
+    letters = letters_of(eq.system)
+    g, distance = letters.of("g"), symbol(letters.of("x"))
+    levels = {ENERGY: symbol(letters.of("h")), V: symbol(letters.of("C1")),
               P: eq.system.space.coordinates[2] + eq.system.body.gyrostatic_momentum[2]}
     levels |= {name: value for name, value in eq.relations if not value.free_symbols and name != K3}
-    g = next(name for name in "gfGF" if name not in report.parameters)     # g is often that of gravity
-    motion = Word(f"I₁² k̇₃² = {g}", f"⟨I1⟩^2 ⟨k3_dot⟩^2 = ⟨{g}⟩")
     blocks: list[Block] = [
         sentence(between, "the motion of ", K3, " by itself decides, on the level of the equilibrium: ",
-                 motion, " with"),
-        Display(Word(g, f"⟨{g}⟩"), reduce(eq.system).square().xreplace(levels), label="reduced")]
-    series = _series(g, boundary)
-    place: tuple[Any, ...] = (DISTANCE, " the deviation of ", K3)
+                 squared_rate(eq.system), " = ", symbol(g), " with"),
+        Display(symbol(g), reduce(eq.system).square().xreplace(levels), label="reduced")]
+    series = _series(letters, boundary)
+    place: tuple[Any, ...] = (distance, " the deviation of ", K3)
     if boundary.pole:
-        place = (K3, " = ", eq.at * (1 - DISTANCE), ", ", Word("x ≥ 0", r"⟨x⟩ \geq 0"))
+        place = (K3, " = ", eq.at * (1 - distance), ", ", word(letters, "⟨x⟩ ≥ 0", r"⟨x⟩ \geq 0"))
     rungs, more = ladder(boundary)
     if not rungs:
         return [*blocks, sentence("There ", series, ", with ", *place, "; all coefficients are 0: unstable.")]
     first = "; the first coefficient that is not 0 decides. Up to positive factors:"
-    return [*blocks, sentence("There ", series, ", with ", *place, first), *map(rung_display, rungs),
+    return [*blocks, sentence("There ", series, ", with ", *place, first),
+            *(rung_display(rung, letters) for rung in rungs),
             sentence(*_outcome(boundary, rungs, more, report.sufficient.modulo))]
 
 
-def _series(g: str, boundary: Boundary) -> Word:
+def _series(letters: Letters, boundary: Boundary) -> Word:
     """g by its powers, of which a pole has fractional ones where U has."""
     near = boundary.equilibrium.near_pole
     if near is None or near.smooth:
-        return Word(f"{g} = c₃ x³ + c₄ x⁴ + …", rf"⟨{g}⟩ = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots")
+        return word(letters, "⟨g⟩ = ⟨c3⟩ ⟨x⟩³ + ⟨c4⟩ ⟨x⟩⁴ + …",
+                    r"⟨g⟩ = ⟨c_⟩_3 ⟨x⟩^3 + ⟨c_⟩_4 ⟨x⟩^4 + \dots")
     first, second = (2 + Rational(n, near.order) for n in (1, 2))
-    return Word(f"{g} = Σ cₚ xᵖ, p = {first}, {second}, …",
-                rf"⟨{g}⟩ = \sum ⟨c⟩_p ⟨x⟩^p,\ p = {first}, {second}, \dots")
+    return word(letters, f"⟨g⟩ = Σ ⟨c_⟩ₚ ⟨x⟩ᵖ, p = {first}, {second}, …",
+                rf"⟨g⟩ = \sum ⟨c_⟩_p ⟨x⟩^p,\ p = {first}, {second}, \dots")
+
+
+def squared_rate(scene: System) -> Expr:
+    """I1² k̇3² in the names of the body."""
+    return scene.body.moments[0] ** 2 * symbol("k3_dot") ** 2
 
 
 def undecided(report: Report) -> bool:
@@ -84,11 +94,11 @@ def ladder(boundary: Boundary) -> tuple[list[Rung], bool]:
     return rungs, True
 
 
-def rung_display(rung: Rung) -> Display:
+def rung_display(rung: Rung, letters: Letters) -> Display:
     """−c ∝ what has its sign: the margin, with its even factors."""
-    condition, sub = rung.condition, str(rung.power).translate(SUBSCRIPTS)
+    condition = rung.condition
     value = Mul(condition.margin, *(factor**2 for factor in condition.degenerate))
-    name = Word(f"−c{sub}", f"-⟨c⟩_{{{rung.power}}}")
+    name = word(letters, f"−⟨c{rung.power}⟩", f"-⟨c_⟩_{{{rung.power}}}")
     return Display(name, readable(value), condition.at, "∝", f"c{rung.power}")
 
 
@@ -110,7 +120,8 @@ def _outcome(boundary: Boundary, rungs: list[Rung], more: bool, modulo: tuple[Ex
     if further:
         potential = boundary.equilibrium.system.potential
         if potential is not None and potential.given:
-            power = Word(f"x{str(end).translate(SUPERSCRIPTS)}", f"⟨x⟩^{{{end}}}")
+            power = word(letters_of(boundary.equilibrium.system), f"⟨x⟩{str(end).translate(SUPERSCRIPTS)}",
+                         f"⟨x⟩^{{{end}}}")
             parts += [" And so on, up to ", power, "."]
         else:
             parts.append(" And so on, to any order.")

@@ -1,18 +1,25 @@
 """Where an equilibrium exists, abs(k3) < 1, and its criteria, as comparisons."""
 import re
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
 from sympy import Abs, Expr, Pow, S
 
 from ..algebra.readable import readable
+from ..registry import Letters
 from ..stability.conditions import Condition, Criterion
 from ..stability.linearization import square_root
 from ..stability.report import Report
 from .blocks import Block, Display, Word, modulo_flow, sentence
+from .letters import letters_in, word
 from .order import inequality
 
-POLYNOMIAL = Word("λ⁴ + p λ² + q", r"⟨lamda⟩^4 + ⟨p⟩\,⟨lamda⟩^2 + ⟨q⟩")
+
+def polynomial_of(letters: Letters) -> Word:
+    """λ⁴ + p λ² + q."""
+    return word(letters, "⟨lamda⟩⁴ + ⟨p⟩ ⟨lamda⟩² + ⟨q⟩", r"⟨lamda⟩^4 + ⟨p⟩\,⟨lamda⟩^2 + ⟨q⟩")
+
 
 def existence(domain: Expr, at: Any) -> Display:
     """Where a family exists: abs(x) < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
@@ -25,8 +32,9 @@ def existence(domain: Expr, at: Any) -> Display:
     return Display(Abs(-root if root.could_extract_minus_sign() else root, evaluate=False), S.One, at, "<")
 
 
-def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> list[Block]:
-    """Each alternative as its comparisons, labelled."""
+def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str,
+                     letters: Letters | None = None) -> list[Block]:
+    """Each alternative as its comparisons, labelled; without letters those that its formulas leave."""
     if criterion.alternatives == () and criterion.necessary:
         return [sentence(f"{title}: never.")]
     if criterion.alternatives == ():
@@ -39,7 +47,8 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> l
     for alternative in criterion.alternatives:
         blocks.append(sentence("or") if blocks else sentence(title, *modulo, ":"))
         blocks += _alternative(alternative, at, label)
-    return blocks + _implied(criterion, at)
+    conditions = [c for alternative in criterion.alternatives for c in alternative]
+    return blocks + _implied(conditions, at, letters or letters_in(c.margin for c in conditions))
 
 
 def integral_blocks(report: Report) -> list[Block]:
@@ -68,24 +77,26 @@ def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> lis
     return blocks
 
 
-def _implied(criterion: Criterion, at: Any) -> list[Block]:
+def _implied(conditions: Iterable[Condition], at: Any, letters: Letters) -> list[Block]:
     """What is left out because the other conditions imply it, with the identity that shows it."""
     blocks: list[Block] = []
-    for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
-        name = source_word(proof.source)
+    for proof in (p for c in conditions for p in c.implies):
+        name = source_word(proof.source, letters)
         factor = () if proof.factor == 1 else (readable(proof.factor), " ")
         identity = readable(proof.square), " + ", *factor, "(", readable(proof.by), ")"
-        of = (", in ", POLYNOMIAL, ",") if "p" in proof.source else ()
+        of = (", in ", polynomial_of(letters), ",") if "p" in proof.source else ()
         blocks.append(sentence("The condition on ", name, *of, " adds nothing: up to a positive factor it ",
                                "is ", *identity, ".", at=at))
     return blocks
 
 
-def source_word(source: str, before: str = "") -> Word:
+def source_word(source: str, letters: Letters, before: str = "") -> Word:
     """What a condition came from, p² − 4q or minor 3, after a text."""
-    latex = rf"\text{{{source}}}" if source.startswith("minor") else (
-        re.sub("[pq]", r"⟨\g<0>⟩", source).replace("²", "^2").replace("−", "-"))
-    return Word(before + source, rf"\text{{{before}}}{latex}" if before else latex)
+    if source.startswith("minor"):
+        return Word(before + source, rf"\text{{{before}{source}}}")
+    template = re.sub(r"\b[pqts]\b|(?<=4)q", r"⟨\g<0>⟩", source)
+    latex = template.replace("²", "^2").replace("−", "-")
+    return word(letters, before + template, rf"\text{{{before}}}{latex}" if before else latex)
 
 
 def trivial(condition: Condition) -> bool:

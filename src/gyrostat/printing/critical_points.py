@@ -3,14 +3,17 @@ from sympy import Add, Expr
 
 from ..algebra.readable import readable
 from ..notation import symbol
+from ..registry import Letters
 from ..stability.amended_potential import AmendedPotential, CriticalPoint
+from ..stability.asked import C1
 from ..stability.free_rotation import PermanentRotation
 from ..stability.heavy_rotation import HeavyRotation
 from ..stability.orbital_equilibrium import OrbitalEquilibrium
 from .blocks import Block, Display, Word, equations, listed, sentence
 from .ends import number
+from .letters import letters_of, word
 
-AMENDED, DIRECTION, MOMENTUM = Word("U_c", "U_{c}"), Word("k", "⟨vector_k⟩"), Word("M", "⟨vector_M⟩")
+DIRECTION, MOMENTUM = Word("k", "⟨vector_k⟩"), Word("M", "⟨vector_M⟩")
 NORMAL, VERTICAL = Word("n", "n"), Word("r", "r")
 
 
@@ -35,7 +38,8 @@ def orbital_equilibrium(found: OrbitalEquilibrium) -> list[Block]:
 def critical_point(point: CriticalPoint) -> list[Block]:
     """Which one it is, the value there, and the rotation."""
     kind = "degenerate point" if point.kind == "degenerate" else point.kind
-    return [sentence(f"{kind} of ", AMENDED, " = ", number(point.value), " at ", *_place(point.rotation),
+    amended = _amended(letters_of(point.rotation.scene))
+    return [sentence(f"{kind} of ", amended, " = ", number(point.value), " at ", *_place(point.rotation),
                      _ended(point.rotation))]
 
 
@@ -43,7 +47,14 @@ def amended_potential(amended: AmendedPotential) -> list[Block]:
     """U_c = …, its two parts each as it reads best."""
     U = amended.scene.potential
     assert U is not None
-    return [Display(AMENDED, Add(readable(U.expression), readable(amended.expression - U.expression)))]
+    letters = letters_of(amended.scene)
+    value = Add(readable(U.expression), readable(amended.expression - U.expression))
+    return [Display(_amended(letters), value.xreplace({C1: symbol(letters.of(C1.name))}))]
+
+
+def _amended(letters: Letters) -> Word:
+    """U_c."""
+    return word(letters, "⟨U⟩_c", "⟨U⟩_{c}")
 
 
 def _place(rotation: HeavyRotation) -> tuple[Word | Expr | str, ...]:

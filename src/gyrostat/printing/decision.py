@@ -6,9 +6,12 @@ from sympy import Expr
 
 from ..algebra.numbers import shown
 from ..algebra.readable import readable
-from ..stability.decision import Decision, Verdict
+from ..notation import symbol
+from ..registry import Letters
+from ..stability.decision import C1, Decision, Verdict
 from .blocks import Block, Display, Sentence, Word, listed, modulo_flow, sentence
 from .conditions import source_word
+from .letters import letter, letters_in
 
 LONG = 200                                                 # characters of a margin that is shown by its name
 OF = "margin of "
@@ -25,22 +28,25 @@ _TITLES = {Verdict.STABLE: "Lyapunov stable", Verdict.UNSTABLE: "unstable", Verd
 def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Block]:
     """The verdict at the numbers given."""
     modulo = (" ", *modulo_flow(decision.modulo)) if decision.modulo and decision.notion else ()
-    level = (" on its level of ", *listed(decision.level)) if decision.level else ()
+    letters = letters_of_decision(decision)
+    level = (" on its level of ", *listed(levels_of(decision, letters))) if decision.level else ()
     locus = f" as a set, {decision.locus}" if decision.locus else ""
     blocks: list[Block] = [sentence(f"{of}: {_TITLES[decision.verdict]}", *level, locus, *modulo,
                                     f"; {decision.proved}.")]
     for margin, name, value in named_margins(decision):
-        left = source_word(name, OF) if name else readable(margin)
+        left = source_word(name, letters, OF) if name else readable(margin)
         said = shown(value)
         blocks.append(Display(left, Word(said, said), at, "=" if str(value) in said else "≈", "value"))
     if any(name in ("t", "s") for _, name, _ in named_margins(decision)):
-        blocks.append(sentence("Here t and s are the trace and the determinant of the second variation of "
-                               "the amended potential on the plane across k."))
+        trace, determinant = letter(letters, "t"), letter(letters, "s")
+        blocks.append(sentence("Here ", trace, " and ", determinant, " are the trace and the determinant of "
+                               "the second variation of the amended potential on the plane across ",
+                               letter(letters, "vector_k"), "."))
     if decision.certificate:
-        blocks.append(sentence("Certificate: h", *(part for F, a in decision.certificate
+        blocks.append(sentence("Certificate: ", letter(letters, "h"), *(part for F, a in decision.certificate
                                                    for part in (" + (", a, ") (", F, ")")),
                                " has a definite second variation on the orbit.", at=at))
-    return [*blocks, *note_blocks(decision.note)]
+    return [*blocks, *note_blocks(letters.prose(decision.note))]
 
 
 def note_blocks(note: str) -> list[Block]:
@@ -48,9 +54,20 @@ def note_blocks(note: str) -> list[Block]:
     return [sentence(f"Note: {note}.")] if note else []
 
 
+def letters_of_decision(decision: Decision) -> Letters:
+    """The letters beside the names in its margins."""
+    return letters_in([margin for margin, _ in decision.margins])
+
+
+def levels_of(decision: Decision, letters: Letters) -> list[Expr]:
+    """What is kept where a proof is for one level alone, in these letters."""
+    return [symbol(letters.of(C1.name)) if level == C1 else level for level in decision.level]
+
+
 def reason_block(decision: Decision) -> Sentence:
     """The notion and the reason."""
-    return sentence(f"Reason{f' ({decision.notion})' if decision.notion else ''}: {decision.reason}.")
+    notion = f" ({decision.notion})" if decision.notion else ""
+    return sentence(letters_of_decision(decision).prose(f"Reason{notion}: {decision.reason}."))
 
 
 def named_margins(decision: Decision) -> Iterator[tuple[Expr, str, Expr]]:

@@ -3,10 +3,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, MatrixBase, Pow, S, Symbol
+from sympy import Expr, ImmutableMatrix, Pow, S, Symbol
 
 from ..algebra.readable import entries, readable, split
-from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.families import FAMILIES
 from ..mechanics.system import System
@@ -16,67 +15,19 @@ from ..stability.linearization import Linearization
 from ..stability.orientation_form import rests_in_frame
 from ..stability.report import Report
 from ..stability.rotation_report import RotationReport
-from .blocks import (
-    Block,
-    Display,
-    Heading,
-    Word,
-    equations,
-    joined,
-    listed,
-    rate_of,
-    sentence,
-)
+from ..typesetting import typeset
+from .blocks import Block, Display, Heading, Word, equations, joined, listed, sentence
 from .boundary import boundary_blocks
-from .conditions import POLYNOMIAL, criterion_blocks, existence, integral_blocks
+from .conditions import criterion_blocks, existence, integral_blocks, polynomial_of
 from .drift import drift_blocks
-from .in_frame import CASIMIRS, coupling, frame_blocks, held_blocks, motion_form, parallel_blocks, space_of
+from .in_frame import casimirs, frame_blocks, parallel_blocks
+from .letters import letter, letters_of, word
 from .rotations import definition_blocks, family_blocks
+from .scene import scene_blocks
 from .symbols import occurring, symbol_rows
 
-IMAGINARY = Word("±i", r"\pm i")
 # characters of a formula that does not go into a sentence
 LONG = 80
-
-
-def scene_blocks(scene: System) -> list[Block]:
-    """Body, field, bracket, equations of motion and integrals."""
-    body, space, potential = scene.body, scene.space, scene.potential
-    momentum = Word("M = π + l", "⟨vector_M⟩ = ⟨vector_pi⟩ + ⟨vector_l⟩")
-    field: tuple[Any, ...] = ("no field.",)
-    if potential:
-        field = ("potential ", potential.expression, *coupling(scene), ".")
-    bracket = Word("{F, G} = ∇F·B∇G", r"\{F, G\} = \nabla F\cdot ⟨B⟩\,\nabla G")
-    blocks: list[Block] = [
-        Heading("Scene", label="scene"),
-        sentence(*_inertia(body), ", gyrostatic momentum ",
-                 Word("l", "⟨vector_l⟩"), " = (", *listed(body.gyrostatic_momentum), "), ", momentum, ", ",
-                 *field),
-        sentence(f"Poisson tensor on {space_of(scene)}, ", bracket, "; the Jacobi identity "
-                 "holds (Marsden, Ratiu & Weinstein 1984; with a rotor, Vera & Viguera 2003, §2)."),
-        Display(Word("B", "⟨B⟩"), space.tensor, label="bracket")]
-    names = CASIMIRS if potential else (Word("C", "⟨C⟩"),)
-    blocks += [sentence("Casimirs and Hamiltonian:"),
-               *(Display(n, c, label="casimir") for n, c in zip(names, space.casimirs)),
-               *held_blocks(scene), Display(Word("h", "⟨h⟩"), scene.hamiltonian, label="hamiltonian")]
-    vector = motion_form(scene)
-    blocks += [sentence("Equations of motion, ", vector, ":"),
-               *(Display(rate_of(str(x)), rate, label=f"motion:{x}")
-                 for x, rate in zip(space.coordinates, scene.vector_field()))]
-    return [*blocks, *_integrals(scene)]
-
-
-def _integrals(scene: System) -> list[Block]:
-    """Those that were found, and those that were given with where they are conserved."""
-    commutes, level = Word("{F, h} = 0", r"\{F, ⟨h⟩\} = 0"), Word("C₁ = 0", r"⟨C1⟩ = 0")
-    blocks: list[Block] = []
-    if scene.linear_integrals:
-        blocks.append(sentence("Integral found, ", commutes, ": ", *listed(scene.linear_integrals), "."))
-    for n, F in enumerate(scene.given_integrals, len(scene.linear_integrals) + 1):
-        where = (" where ", level) if F in scene.level_only else ()
-        blocks += [sentence("Integral given, ", commutes, *where, ":"),
-                   Display(Word(f"F{'₀₁₂₃₄₅₆₇₈₉'[n]}", f"F_{n}"), F, label=f"integral{n}")]
-    return blocks
 
 
 def whole_blocks(scene: System, found: Sequence[Block]) -> list[Block]:
@@ -87,27 +38,20 @@ def whole_blocks(scene: System, found: Sequence[Block]) -> list[Block]:
 
 def conditions_blocks(report: Report) -> list[Block]:
     """The conditions of one equilibrium, without the way to them."""
-    eq = report.equilibrium
+    eq, letters = report.equilibrium, letters_of(report.equilibrium.system)
     exists = [existence(d, eq.at) for d in eq.existence() if d.free_symbols]
     return [Heading(eq.label), *family_blocks(eq), *exists,
-            *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
-            *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
+            *criterion_blocks("Necessary", report.necessary, eq.at, "necessary", letters),
+            *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient", letters),
             *integral_blocks(report),
             *boundary_blocks(report),
-            *criterion_blocks("Under internal damping", report.damped, eq.at, "damped"),
+            *criterion_blocks("Under internal damping", report.damped, eq.at, "damped", letters),
             *definition_blocks(report)]
-
-
-def _inertia(body: Gyrostat) -> tuple[Any, ...]:
-    if not isinstance(body.inertia, MatrixBase):
-        return "Principal moments (", *listed(body.moments), ")"
-    rows = [(*listed(row), "; ") for row in body.inertia.tolist()]
-    return "Inertia tensor (", *[part for row in rows for part in row][:-1], ")"
 
 
 def report_blocks(report: Report) -> list[Block]:
     """One equilibrium: point, linearisation, polynomial, second variation, criteria."""
-    eq = report.equilibrium
+    eq, letters = report.equilibrium, letters_of(report.equilibrium.system)
     family = FAMILIES.get(eq.label)
     title = eq.label[0].upper() + eq.label[1:]
     title += f": {family.title}" if family and family.title else ""
@@ -123,14 +67,14 @@ def report_blocks(report: Report) -> list[Block]:
         "Necessary: where a spectral condition fails, an eigenvalue has a positive real part, and the "
         "equilibrium is unstable (Lyapunov 1892). Sufficient: where the second variation is definite, the "
         f"equilibrium is Lyapunov stable (Holm, Marsden, Ratiu & Weinstein 1985){modulo}")]
-    blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at, "necessary"),
+    blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at, "necessary", letters),
                *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at,
-                                 "sufficient"), *integral_blocks(report)]
+                                 "sufficient", letters), *integral_blocks(report)]
     if report.casimirs_only != report.sufficient:
         blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at,
-                                   "casimirs-alone")
+                                   "casimirs-alone", letters)
     blocks += [*boundary_blocks(report), *drift_blocks(report)]
-    blocks += criterion_blocks("Under internal damping (secular)", report.damped, eq.at, "damped")
+    blocks += criterion_blocks("Under internal damping (secular)", report.damped, eq.at, "damped", letters)
     return [*blocks, sentence(
         "That damping takes energy and keeps the Casimirs: fuel that sloshes, a nutation damper; not "
         "friction at a support. There the equilibrium is stable and stays so, elsewhere it is unstable but "
@@ -152,11 +96,12 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
     if potential and potential.given and potential.axial:
         jets = (symbol("dU"), symbol("d2U")) if eq.domain else (symbol("dU"),)
         values = [readable(potential.value(d).subs(symbol("k3"), eq.at)) for d in jets]
-        blocks.append(sentence("Of this potential: ", *equations(zip(jets, values)), ".", at=eq.at))
+        names = [_slope(eq, d) for d in jets]
+        blocks.append(sentence("Of this potential: ", *equations(zip(names, values)), ".", at=eq.at))
     if eq.relations:
         blocks.append(sentence("On the family:"))
-        blocks += [Display(name, value if jet(name.name) else readable(value), eq.at, label="relation")
-                   for name, value in eq.relations]
+        blocks += [Display(_slope(eq, name), value if jet(name.name) else readable(value), eq.at,
+                           label="relation") for name, value in eq.relations]
     blocks += family_blocks(eq)
     if open_ones := [d for d in eq.existence() if d.free_symbols]:
         blocks.append(sentence("It exists where:"))
@@ -165,6 +110,16 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
         blocks += [sentence("Solved for the tilt:"), Display(symbol("k3"), readable(tilt)),
                    sentence("which exists where:"), existence(1 - tilt**2, eq.at)]
     return blocks
+
+
+def _slope(eq: Equilibrium, name: Symbol) -> Any:
+    """A derivative of U as it is named: where U is a letter of the scene, by another one."""
+    letters = letters_of(eq.system)
+    if not jet(name.name) or letters.of("U") == "U":
+        return name
+    shown = [typeset(name.name, eq.at, style).replace("U", typeset(letters.of("U"), style=style))
+             for style in ("text", "latex")]
+    return Word(*shown)
 
 
 def _named_roots(eq: Equilibrium,
@@ -176,41 +131,45 @@ def _named_roots(eq: Equilibrium,
 
 
 def _linearization(report: Report) -> list[Block]:
-    eq, linear = report.equilibrium, report.linearization
+    eq, linear, letters = report.equilibrium, report.linearization, letters_of(report.equilibrium.system)
     matrix, _ = _named_roots(eq, entries(eq.insert_field(linear.matrix)))
     basis, _ = _named_roots(eq, linear.basis.T)
     blocks: list[Block] = [Heading("Linearisation on the tangent space of the coadjoint orbit", 2),
                            sentence("Basis, one vector in each row:"),
-                           Display(Word("T", "⟨T⟩"), basis, eq.at, label="tangent"),
+                           Display(letter(letters, "T"), basis, eq.at, label="tangent"),
                            sentence("The linearised field in that basis (Vera & Viguera 2003, §4.1.1 and "
                                     "§5):"),
-                           Display(Word("J", "⟨J⟩"), matrix, eq.at, label="linearised")]
+                           Display(letter(letters, "J"), matrix, eq.at, label="linearised")]
     values = tuple(map(eq.insert_field, linear.coefficients))
     if len(values) == 1:
-        q = symbol("q")
-        return [*blocks, sentence("Characteristic polynomial ", Word("λ² + q", r"⟨lamda⟩^2 + ⟨q⟩"), " with"),
+        q = symbol(letters.of("q"))
+        polynomial = word(letters, "⟨lamda⟩² + ⟨q⟩", r"⟨lamda⟩^2 + ⟨q⟩")
+        return [*blocks, sentence("Characteristic polynomial ", polynomial, " with"),
                 Display(q, readable(values[0]), eq.at, label="q"), *_eigenvalues(linear, eq.at)]
-    (p, q), (a, b) = values, (symbol("p"), symbol("q"))
-    return [*blocks, sentence("Characteristic polynomial ", POLYNOMIAL, " with"),
+    (p, q), (a, b) = values, (symbol(letters.of("p")), symbol(letters.of("q")))
+    return [*blocks, sentence("Characteristic polynomial ", polynomial_of(letters), " with"),
             Display(a, readable(p), eq.at, label="p"), Display(b, readable(q), eq.at, label="q"),
             Display(a**2 - 4 * b, readable(p**2 - 4 * q), eq.at, label="discriminant"),
             *_eigenvalues(linear, eq.at)]
 
 
 def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
+    letters = letters_of(linear.equilibrium.system)
     parts = linear.frequencies()
     if parts is None:
         return []
+    imaginary = word(letters, "±⟨i⟩", r"\pm ⟨i⟩")
     outer, inner = (_readable_roots(linear.equilibrium.insert_field(part)) for part in parts)
     if inner == 0:
-        return [sentence("Eigenvalues ", IMAGINARY, " ", outer, ".", at=at)]
+        return [sentence("Eigenvalues ", imaginary, " ", outer, ".", at=at)]
     potential = linear.equilibrium.system.potential
     # p stands above
     if inner == outer and potential and potential.given and len(str(2 * outer)) > LONG:
-        return [sentence("Eigenvalues 0, 0 and ", IMAGINARY, " ", Word("√p", r"\sqrt{⟨p⟩}"), ".", at=at)]
+        root = word(letters, "√⟨p⟩", r"\sqrt{⟨p⟩}")
+        return [sentence("Eigenvalues 0, 0 and ", imaginary, " ", root, ".", at=at)]
     if inner == outer:
-        return [sentence("Eigenvalues 0, 0 and ", IMAGINARY, " ", 2 * outer, ".", at=at)]
-    return [sentence("Eigenvalues ", IMAGINARY, " (", outer, " ", Word("±", r"\pm"), " ", inner, ").", at=at)]
+        return [sentence("Eigenvalues 0, 0 and ", imaginary, " ", 2 * outer, ".", at=at)]
+    return [sentence("Eigenvalues ", imaginary, " (", outer, " ", Word("±", r"\pm"), " ", inner, ").", at=at)]
 
 
 def _readable_roots(expression: Expr) -> Expr:
@@ -223,10 +182,11 @@ def _readable_roots(expression: Expr) -> Expr:
 
 def _second_variation(report: Report) -> list[Block]:
     eq, variation = report.equilibrium, report.second_variation
+    letters = letters_of(eq.system)
     matrix, _ = _named_roots(eq, ImmutableMatrix(eq.insert_field(variation.matrix).applyfunc(readable)))
     basis, _ = _named_roots(eq, variation.basis.T)
     blocks: list[Block] = [Heading("Second variation on the symplectic slice", 2)]
-    functions = [name for name, _ in zip(CASIMIRS, eq.system.space.casimirs)]
+    functions: list[Any] = [name for name, _ in zip(casimirs(letters), eq.system.space.casimirs)]
     functions += [function for function, _ in variation.multipliers[len(functions):]]
     values = [split(eq.insert_field(nu)) for _, nu in variation.multipliers]
     each = [(function, ": ", nu) for function, nu in zip(functions, values)]
@@ -241,9 +201,9 @@ def _second_variation(report: Report) -> list[Block]:
         return [*blocks, sentence("The slice is a point.")]
     if variation.basis != report.linearization.basis:
         blocks += [sentence("Basis, one vector in each row:"),
-                   Display(Word("S", "⟨S⟩"), basis, eq.at, label="slice")]
-    blocks.append(Display(Word("H", "⟨H⟩"), matrix, eq.at, label="second-variation"))
-    blocks += [Display(Word(f"Δ{'₀₁₂₃₄'[n]}", rf"\Delta_{n}"), readable(eq.insert_field(minor)), eq.at,
+                   Display(letter(letters, "S"), basis, eq.at, label="slice")]
+    blocks.append(Display(letter(letters, "H"), matrix, eq.at, label="second-variation"))
+    blocks += [Display(letter(letters, f"Delta{n}"), readable(eq.insert_field(minor)), eq.at,
                        label=f"minor{n}")
                for n, minor in enumerate(variation.minors, 1)]
     return blocks

@@ -1,11 +1,9 @@
 """Why a tilted equilibrium is stable modulo a flow, and not as a point."""
 from ..algebra.readable import readable
-from ..notation import symbol
 from ..stability.drift import Drift
 from ..stability.report import Report
 from .blocks import Block, Display, Word, sentence
-
-_SIGMA = Word("σ", "⟨sigma⟩")
+from .letters import letter, letters_of, word
 
 
 def drift_blocks(report: Report) -> list[Block]:
@@ -13,29 +11,34 @@ def drift_blocks(report: Report) -> list[Block]:
     if report.boundary is None or report.boundary.pole:
         return []
     drift, blocks = report.drift, list[Block]()
+    eq = drift.equilibrium
+    letters = letters_of(eq.system)
     if report.recognised:
         blocks.append(sentence(f"The scene is {report.recognised.sentence}; with that axis for the third:"))
     *rates, defect = drift_displays(drift)
-    spin = Word("ω k + σ e₃", "⟨omega⟩ ⟨vector_k⟩ + ⟨sigma⟩ ⟨e3⟩")
+    spin = word(letters, "ω ⟨vector_k⟩ + σ ⟨e3⟩", "⟨omega⟩ ⟨vector_k⟩ + ⟨sigma⟩ ⟨e3⟩")
     blocks += [sentence("The point itself is not Lyapunov stable: near it are relative equilibria ", spin,
-                        " that turn about the axis of the body and leave it, at a rate ", _SIGMA,
+                        " that turn about the axis of the body and leave it, at a rate ",
+                        Word("σ", "⟨sigma⟩"),
                         " with" if drift.omega else " that is free."),
                *rates,
-               sentence("Where ", symbol("p"), " and ", symbol("D"), " are not 0, the linearised flow grows "
-                        "besides, by a Jordan block of the eigenvalue 0:"),
+               sentence("Where ", letter(letters, "p"), " and ", letter(letters, "D"), " are not 0, the "
+                        "linearised flow grows besides, by a Jordan block of the eigenvalue 0:"),
                defect]
     if drift.omega:
-        exception = Word("I₁ = I₃, l = 0, ω ≠ 0", r"⟨I1⟩ = ⟨I3⟩,\ ⟨l⟩ = 0,\ ⟨omega⟩ \neq 0")
-        blocks.append(sentence("The only exception: ", exception, " and a constant ", Word("U", "⟨U⟩"), "."))
+        (I1, _, I3), l = eq.system.body.moments, eq.system.body.gyrostatic_momentum[2]
+        rate = Word("ω ≠ 0", r"⟨omega⟩ \neq 0")
+        blocks.append(sentence("The only exception: ", I1, " = ", I3, ", ", l, " = 0, ", rate,
+                               " and a constant ", letter(letters, "U"), "."))
     return blocks
 
 
 def drift_displays(drift: Drift) -> list[Block]:
     """The rates of the relative equilibria nearby, unless any goes, and D."""
-    at = drift.equilibrium.at
+    at, letters = drift.equilibrium.at, letters_of(drift.equilibrium.system)
     names = (Word("∂σ/∂k₃", r"\partial⟨sigma⟩/\partial ⟨k3⟩"),
              Word("∂σ/∂ω", r"\partial⟨sigma⟩/\partial ⟨omega⟩"))
     blocks: list[Block] = []
     if drift.omega:
         blocks += [Display(name, readable(rate), at, label="drift") for name, rate in zip(names, drift.rates)]
-    return [*blocks, Display(symbol("D"), readable(drift.defect), at, label="jordan")]
+    return [*blocks, Display(letter(letters, "D"), readable(drift.defect), at, label="jordan")]

@@ -1,21 +1,30 @@
 """Two directions, and a coupling β: their scene, and what an equilibrium at rest in their frame has."""
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix
+from sympy import Add, Expr, ImmutableMatrix, Symbol
 
 from ..algebra.readable import readable
 from ..mechanics.coupled import CoupledPotential
 from ..mechanics.system import System
-from ..notation import symbol, typeset
+from ..notation import symbol
+from ..registry import Letters
 from ..stability.orientation_form import orientation_form
 from ..stability.parallel_report import ParallelReport
 from ..stability.report import Report
 from ..stability.sextic import factors_in_squares
-from .blocks import VECTOR_FORM, Block, Display, Heading, Word, equations, listed, sentence
+from .blocks import Block, Display, Heading, Word, equations, listed, sentence
+from .letters import letter, letters_of, word
 
-SQUARE = symbol("x")
-MOTION = Word("I θ̈ + g × θ̇ + K θ = 0", r"⟨I⟩\ddot\theta + ⟨g⟩\times\dot\theta + ⟨K⟩\theta = 0")
-CASIMIRS = tuple(Word(f"C{sub}", rf"⟨C{n}⟩") for n, sub in enumerate("₁₂₃", 1))
+_MOTION = ("⟨vector_I⟩ θ̈ + ⟨g⟩ × θ̇ + ⟨K⟩ θ = 0",
+           r"⟨vector_I⟩\ddot\theta + ⟨g⟩\times\dot\theta + ⟨K⟩\theta = 0")
+_FREE = ("⟨vector_M_dot⟩ = ⟨vector_M⟩ × ⟨vector_omega⟩", r"⟨vector_M_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩")
+_IN_FIELD = (" + ⟨vector_k⟩ × ∇⟨U⟩,  ⟨vector_k_dot⟩ = ⟨vector_k⟩ × ⟨vector_omega⟩",
+             r" + ⟨vector_k⟩\times\nabla ⟨U⟩,\quad ⟨vector_k_dot⟩ = ⟨vector_k⟩\times⟨vector_omega⟩")
+
+
+def casimirs(letters: Letters) -> tuple[Word, ...]:
+    """The names of the Casimirs in a field."""
+    return tuple(letter(letters, f"C{n}") for n in (1, 2, 3))
 
 
 def space_of(scene: System) -> str:
@@ -29,53 +38,54 @@ def coupling(scene: System) -> tuple[Any, ...]:
     """β of the energy, where there is one."""
     if not isinstance(scene.potential, CoupledPotential) or not any(scene.potential.drift):
         return ()
-    energy, beta = Word("β·π", r"\beta\cdot⟨vector_pi⟩"), Word("β", r"\beta")
-    return ", with the energy ", energy, " of ", beta, " = (", *listed(scene.potential.drift), ")"
+    letters = letters_of(scene)
+    energy = word(letters, "⟨beta⟩·(⟨vector_M⟩ − ⟨vector_l⟩)", r"⟨beta⟩\cdot(⟨vector_M⟩ - ⟨vector_l⟩)")
+    return ", with the energy ", energy, " of ", letter(letters, "beta"), " = (", *listed(
+        scene.potential.drift), ")"
 
 
 def held_blocks(scene: System) -> list[Block]:
     """What the Casimirs are."""
     if not isinstance(scene.potential, CoupledPotential) or not scene.potential.held:
         return []
-    names = dict(zip(scene.space.casimirs, CASIMIRS))
+    names = dict(zip(scene.space.casimirs, casimirs(letters_of(scene))))
     pairs = [(names[casimir], value) for casimir, value in scene.potential.held if casimir in names]
     return [sentence("There ", *equations(pairs), ".")]
 
 
-def vector_form(directions: tuple[str, ...]) -> Word:
-    """The equations of motion in vectors."""
-    plain = [typeset(a, style="text") for a in directions]
-    torques = " + ".join(f"{a} × ∂h/∂{a}" for a in plain)
-    turning = ",  ".join(f"{a}̇ = {a} × ω" for a in plain)
-    names = [typeset(a) for a in directions]
-    latex = " + ".join(rf"{a}\times\partial ⟨h⟩/\partial {a}" for a in names)
-    turned = r",\quad ".join(rf"\dot{{{a}}} = {a}\times⟨vector_omega⟩" for a in names)
-    return Word(f"π̇ = M × ω + {torques},  {turning},  ω = ∂h/∂π",
-                rf"⟨vector_pi_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩ + {latex},\quad {turned},\quad "
-                r"⟨vector_omega⟩ = \partial ⟨h⟩/\partial ⟨vector_pi⟩")
-
-
 def motion_form(scene: System) -> Word:
-    """The equations of motion of a scene in vectors."""
-    if scene.coupled and scene.potential:
-        return vector_form(scene.potential.directions)
-    return VECTOR_FORM[scene.potential is not None]
+    """The equations of motion of a scene in vectors; the momentum is M = Iω + l, as π is a number too."""
+    letters = letters_of(scene)
+    if not scene.coupled or not scene.potential:
+        forms = zip(_FREE, _IN_FIELD if scene.potential else ("", ""))
+        return word(letters, *(free + field for free, field in forms))
+    vectors = [f"⟨vector_{a}⟩" for a in scene.potential.directions]
+    rates = [f"⟨vector_{a}_dot⟩" for a in scene.potential.directions]
+    torques = " + ".join(f"{a} × ∂⟨h⟩/∂{a}" for a in vectors)
+    turning = ",  ".join(f"{rate} = {a} × ⟨vector_omega⟩" for rate, a in zip(rates, vectors))
+    latex = " + ".join(rf"{a}\times\partial ⟨h⟩/\partial {a}" for a in vectors)
+    turned = r",\quad ".join(rf"{rate} = {a}\times⟨vector_omega⟩" for rate, a in zip(rates, vectors))
+    return word(letters, f"{_FREE[0]} + {torques},  {turning},  ⟨vector_omega⟩ = ∂⟨h⟩/∂⟨vector_M⟩",
+                rf"{_FREE[1]} + {latex},\quad {turned},\quad "
+                r"⟨vector_omega⟩ = \partial ⟨h⟩/\partial ⟨vector_M⟩")
 
 
 def frame_blocks(report: Report) -> list[Block]:
     """K, g and the factors of the sextic."""
     eq = report.equilibrium
-    form = orientation_form(eq)
+    form, letters = orientation_form(eq), letters_of(eq.system)
+    K, square = letter(letters, "K"), symbol(letters.of("x"))
     blocks: list[Block] = [
         Heading("Linearised motion in the frame of the directions", 2),
-        sentence("Turned by a small ", Word("θ", r"\theta"), " the body moves by ", MOTION, ", with"),
-        Display(Word("K", "⟨K⟩"), ImmutableMatrix(form.stiffness.applyfunc(readable)), eq.at, label="K"),
-        Display(Word("g", "⟨g⟩"), ImmutableMatrix([[*map(readable, form.gyroscopic)]]), eq.at, label="g"),
+        sentence("Turned by a small ", Word("θ", r"\theta"), " the body moves by ",
+                 word(letters, *_MOTION), ", with"),
+        Display(K, ImmutableMatrix(form.stiffness.applyfunc(readable)), eq.at, label="K"),
+        Display(letter(letters, "g"), ImmutableMatrix([[*map(readable, form.gyroscopic)]]), eq.at, label="g"),
         sentence("The second variation on the coadjoint orbit is a positive form of the momenta beside ",
-                 Word("K", "⟨K⟩"), "; with ", Word("x = λ²", r"x = ⟨lamda⟩^2"),
+                 K, "; with ", word(letters, "⟨x⟩ = ⟨lamda⟩²", "⟨x⟩ = ⟨lamda⟩^2"),
                  " the characteristic polynomial has the factors:")]
     for n, (first, *others) in enumerate(dict.fromkeys(factors_in_squares(form.coefficients)), 1):
-        blocks.append(Display(Word(f"f{'₀₁₂₃'[n]}", f"f_{n}"), _polynomial([first, *others]), eq.at,
+        blocks.append(Display(letter(letters, f"f{n}"), _polynomial([first, *others], square), eq.at,
                               label=f"factor{n}"))
     return blocks
 
@@ -90,6 +100,6 @@ def parallel_blocks(report: Report) -> list[Block]:
                      "nothing is claimed where they fail and none of these motions grows.")]
 
 
-def _polynomial(coefficients: list[Expr]) -> Expr:
+def _polynomial(coefficients: list[Expr], square: Symbol) -> Expr:
     size = len(coefficients) - 1
-    return sum((readable(c) * SQUARE ** (size - n) for n, c in enumerate(coefficients)), symbol("x") * 0)
+    return Add(*(readable(c) * square ** (size - n) for n, c in enumerate(coefficients)))

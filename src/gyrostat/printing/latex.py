@@ -25,7 +25,9 @@ from ..stability.linearization import Linearization
 from ..stability.report import Report
 from .blocks import Block, Display, Sentence, Word, rate_of
 from .conditions import comparison, trivial
+from .decision import levels_of
 from .in_frame import motion_form
+from .letters import letters_in
 from .linebreaks import width
 from .names import Names, raised
 from .order import ordered_factors, ordered_terms, over, signed
@@ -176,7 +178,7 @@ def _body(body: Gyrostat, names: Names) -> str:
 
 @_formula.register
 def _potential(potential: Potential, names: Names) -> str:
-    return f"{names.of('U')} = {tex(potential.expression, names)}"
+    return f"{names.of(letters_in([potential.expression]).of('U'))} = {tex(potential.expression, names)}"
 
 
 @_formula.register
@@ -186,8 +188,9 @@ def _decision(decision: Decision, names: Names) -> str:
         return rf"\text{{{verdict}}}"
     proof = "".join(rf" + \left({tex(a, names)}\right) \left({tex(F, names)}\right)"
                     for F, a in decision.certificate)
-    shown = rf" \quad \text{{by }} {names.of('h')}{proof}" if proof else ""
-    level = ", ".join(tex(C, names) for C in decision.level)
+    letters = letters_in(margin for margin, _ in decision.margins)
+    shown = rf" \quad \text{{by }} {names.of(letters.of('h'))}{proof}" if proof else ""
+    level = ", ".join(tex(C, names) for C in levels_of(decision, letters))
     level = rf" \quad \text{{on its level of }} {level}" if level else ""
     locus = rf" \quad \text{{as a set, {decision.locus}}}" if decision.locus else ""
     scope = level + locus + _modulo(decision.modulo, names)

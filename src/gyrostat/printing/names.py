@@ -2,18 +2,15 @@
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 
 from ..errors import ExpressionError, ValuesError, brief
-from ..notation import NOTATION, jet, typeset
+from ..notation import NOTATION, REGISTRY, Use, jet
 from ..stability.values import unknown
+from ..typesetting import typeset
 
-# what stands in formulas beside the notation and a user's parameters
-FIXED = MappingProxyType({
-    "vector_pi": r"\pi", "vector_k": "k", "vector_l": "l", "vector_omega": r"\omega", "vector_M": "M",
-    "U": "U", "B": "B", "C": "C", "C1": "C_{1}", "C2": "C_{2}", "C3": "C_{3}", "I": "I", "K": "K",
-    "h": "h", "T": "T", "J": "J", "S": "S",
-    "H": "H", "D": "D", "p": "p", "q": "q", "g": "g", "c": "c", "x": "x", "sigma": r"\sigma", "e3": "e_3"})
+# what may stand in a document beside the notation and a user's parameters
+LETTERS = frozenset(f"{entry.name.rstrip('_*')}{number}" for entry in REGISTRY if entry.use is Use.PRINTED
+                    for number in ("", "1", "2", "3")) | {"sigma"}
 LONGEST = 60                                           # characters of a symbol
 _GREEK = (r"\\(?:(?:var)?(?:epsilon|theta|rho|sigma|phi|kappa|pi)|alpha|beta|gamma|delta|zeta|eta|iota|lambda"
           r"|mu|nu|xi|tau|upsilon|chi|psi|omega|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Upsilon|Phi|Psi|Omega|ell)"
@@ -62,11 +59,17 @@ class Names:
             k3 = self.of("k3") if shown.endswith("(k_3)") else ""
             return (f"{{{potential}}}" if raised(potential) else potential) + (
                 shown.removeprefix("U").replace("(k_3)", f"({k3})"))
-        if (rated := name.removesuffix("_dot")) != name and rated in {*self.renamed, *NOTATION, *FIXED}:
+        if (rated := name.removesuffix("_dot")) != name and (
+                rated in {*self.renamed, *NOTATION} or rated.startswith(("vector_", "bold_"))):
             latex = self.of(rated)
             base = re.split("[_^']", latex)[0]         # the dot stands on the letter
             return rf"\dot{{{base}}}{latex.removeprefix(base)}"
-        return FIXED.get(name) or typeset(name, at)
+        if name.startswith("vector_"):
+            return typeset(name.removeprefix("vector_"))
+        if name.startswith("bold_"):
+            vector = "vector_" + name.removeprefix("bold_")
+            return self.renamed.get(vector) or rf"\boldsymbol{{{self.of(vector)}}}"
+        return typeset(name, at)
 
     def fill(self, template: str) -> str:
         """LaTeX with the symbols of the names that stand in it, as in ⟨I1⟩^2."""
@@ -93,7 +96,7 @@ class Names:
             if other != name and not {name, other}.isdisjoint(self.renamed):
                 raise ValuesError(f"{other} and {name} would both be {self.of(name)}: give one of them "
                                   "another symbol")
-        known = {*self.used, *NOTATION, *FIXED}
+        known = {*self.used, *NOTATION, *LETTERS}
         for name in self.renamed if whole else ():
             if name not in known:
                 raise ValuesError(unknown(name, sorted(n for n in self.used if not n.endswith("_dot")),

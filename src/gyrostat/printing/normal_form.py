@@ -9,9 +9,10 @@ from ..notation import symbol
 from ..stability.normal_form import NormalForm
 from ..stability.window_families import Window
 from .blocks import Block, Display, Word, sentence
-from .conditions import POLYNOMIAL
+from .conditions import polynomial_of
 from .data import number_data
 from .ends import number
+from .letters import letter, letters_in, word
 
 _DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _POWERS = ("", "", "²", "³")
@@ -49,10 +50,12 @@ def form_data(form: NormalForm) -> dict[str, Any]:
 
 def window_blocks(window: Window) -> list[Block]:
     """Where gyroscopic forces hold a maximum, resonances, D4 and what has its sign."""
-    p, q, N, P, D4 = *map(symbol, ("p", "q", "N", "P")), _named("D", "D", "4")
-    positive = Word("p, q, p² − 4q > 0", r"p, q, p^{2} - 4 q > 0")
+    letters = letters_in([window.p, window.q, window.D4])
+    p, q, N, P = (symbol(letters.of(name)) for name in "pqNP")
+    D4 = letter(letters, "D4")
+    positive = word(letters, "⟨p⟩, ⟨q⟩, ⟨p⟩² − 4⟨q⟩ > 0", r"⟨p⟩, ⟨q⟩, ⟨p⟩^{2} - 4 ⟨q⟩ > 0")
     blocks: list[Block] = [
-        sentence("The eigenvalues are the zeros of ", POLYNOMIAL, ", with:"),
+        sentence("The eigenvalues are the zeros of ", polynomial_of(letters), ", with:"),
         Display(p, readable(window.p), window.at), Display(q, readable(window.q), window.at),
         sentence("Where ", positive, " and the second variation is of both signs, gyroscopic forces hold the "
                  "equilibrium. It is stable there (Arnold) if no resonance 1:2 or 1:3 holds:")]

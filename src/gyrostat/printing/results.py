@@ -12,6 +12,7 @@ from ..algebra.occurring import occurring
 from ..algebra.readable import readable
 from ..mechanics.reduction import Reduction
 from ..notation import symbol
+from ..registry import Letters
 from ..stability.amended_potential import AmendedPotential, CriticalPoint
 from ..stability.bifurcations import Bifurcation
 from ..stability.boundary import Boundary
@@ -29,8 +30,8 @@ from ..stability.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, Sol
 from ..stability.staude import StaudeCone
 from ..stability.staude_arcs import StaudeArc
 from ..stability.window_families import Window
-from .blocks import Block, Display, Word, equations, joined, sentence
-from .boundary import ladder, rung_display
+from .blocks import Block, Display, equations, joined, sentence
+from .boundary import ladder, rung_display, squared_rate
 from .conditions import existence
 from .critical_points import (
     amended_potential,
@@ -41,6 +42,7 @@ from .critical_points import (
 )
 from .drift import drift_displays
 from .ends import number, tidy
+from .letters import letter, letters_in, letters_of
 from .normal_form import form_blocks, window_blocks
 from .staude import arc_blocks, cone_blocks, gyrostat_arc_blocks
 
@@ -87,17 +89,18 @@ def _part(part: SolvedCondition, name: str, title: str) -> list[Block]:
     x = symbol(name)
     blocks: list[Block] = []
     names: dict[Expr, Expr] = {}
+    letters = letters_in([part.margin, x])
     for case in part.cases:
         when = joined(" and ", [(readable(e), f" {_RELATION[relation]} 0") for e, relation in case.when])
         parts = (f"{title} for ", *when) if when else (title,)
-        shown = [_abbreviated(p, names) for p in (*parts, ": ", *_set(case.intervals, x), ".")]
+        shown = [_abbreviated(p, names, letters) for p in (*parts, ": ", *_set(case.intervals, x), ".")]
         blocks.append(sentence(*shown, at=part.at))
     if names:
         blocks += [sentence("There:"), *(Display(name, tidy(e), part.at) for e, name in names.items())]
     return blocks
 
 
-def _abbreviated(value: Any, names: dict[Expr, Expr]) -> Any:
+def _abbreviated(value: Any, names: dict[Expr, Expr], letters: Letters) -> Any:
     """A part of a sentence, with names R1, R2, … for what is long under its roots, inner roots first."""
     if not isinstance(value, Expr):
         return value
@@ -105,7 +108,8 @@ def _abbreviated(value: Any, names: dict[Expr, Expr]) -> Any:
     roots = [p for p in occurring(value, Pow) if p.exp == S.Half]
     for root in sorted(roots, key=lambda p: p.count_ops()):
         if root.base.count_ops() > LONG:
-            done[root] = sqrt(names.setdefault(root.base.xreplace(done), symbol(f"R{len(names) + 1}")))
+            name = symbol(letters.of(f"R{len(names) + 1}"))
+            done[root] = sqrt(names.setdefault(root.base.xreplace(done), name))
     return value.xreplace(done)
 
 
@@ -202,19 +206,21 @@ def _bifurcation(b: Bifurcation) -> list[Block]:
 
 @result_blocks.register
 def _point(point: BifurcationPoint) -> list[Block]:
-    where = {symbol(point.name): point.value, symbol("k3"): point.k3, symbol("nu"): point.nu}
-    places = [(name, number(value)) for name, value in where.items() if value is not None]
+    free = symbol(point.name)
+    where = ((free, point.value), (symbol("k3"), point.k3), (letter(letters_in([free]), "nu"), point.nu))
+    places = [(name, number(value)) for name, value in where if value is not None]
     return [sentence(f"{point.kind} at ", *equations(places))]
 
 
 @result_blocks.register
 def _boundary(boundary: Boundary) -> list[Block]:
-    return [*map(rung_display, ladder(boundary)[0])]
+    letters = letters_of(boundary.equilibrium.system)
+    return [rung_display(rung, letters) for rung in ladder(boundary)[0]]
 
 
 @result_blocks.register
 def _reduction(motion: Reduction) -> list[Block]:
-    return [Display(Word("I₁² k̇₃²", "⟨I1⟩^2 ⟨k3_dot⟩^2"), motion.square())]
+    return [Display(squared_rate(motion.system), motion.square())]
 
 
 _OF_TYPE: dict[type, Callable[[Any], list[Block]]] = {

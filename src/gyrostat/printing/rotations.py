@@ -4,24 +4,26 @@ from sympy import S
 from ..mechanics.directions import in_any_direction
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.permanent_rotation import OMEGA, SIGMA
-from ..notation import symbol
 from ..stability.report import Report
 from ..stability.rotation_report import RotationReport
-from .blocks import Block, Display, Word, sentence
-from .conditions import POLYNOMIAL
+from .blocks import Block, Display, sentence
+from .conditions import polynomial_of
+from .letters import letter, letters_of, word
 
-EQUATION = Word("∇U = ω² I k + ω l + σ k",
-                r"\nabla ⟨U⟩ = ⟨omega⟩^2 I ⟨vector_k⟩ + ⟨omega⟩ ⟨vector_l⟩ + ⟨sigma⟩ ⟨vector_k⟩")
-AMENDED = Word("U + (C₁ − l·k)²/(2 k·Ik)",
-               r"⟨U⟩ + (⟨C1⟩ - ⟨vector_l⟩\cdot ⟨vector_k⟩)^2/(2\, ⟨vector_k⟩\cdot I ⟨vector_k⟩)")
+_EQUATION = ("∇⟨U⟩ = ω² ⟨vector_I⟩ ⟨vector_k⟩ + ω ⟨vector_l⟩ + σ ⟨vector_k⟩",
+             r"\nabla ⟨U⟩ = ⟨omega⟩^2 ⟨vector_I⟩ ⟨vector_k⟩ + ⟨omega⟩ ⟨vector_l⟩ + ⟨sigma⟩ ⟨vector_k⟩")
+_AMENDED = ("⟨U⟩ + (⟨C1⟩ − ⟨vector_l⟩·⟨vector_k⟩)²/(2 ⟨vector_k⟩·⟨vector_I⟩⟨vector_k⟩)",
+            r"⟨U⟩ + (⟨C1⟩ - ⟨vector_l⟩\cdot ⟨vector_k⟩)^2/(2\, ⟨vector_k⟩\cdot ⟨vector_I⟩ ⟨vector_k⟩)")
 
 
 def family_blocks(eq: Equilibrium) -> list[Block]:
     """What its rate and its multiplier are, and that k is a unit vector."""
     if not {OMEGA, SIGMA} <= set[object]().union(*(value.free_symbols for _, value in eq.relations)):
         return []
-    k, unit = Word("k", "⟨vector_k⟩"), Word("|k| = 1", "|⟨vector_k⟩| = 1")
-    blocks: list[Block] = [sentence("The body turns about ", k, " at the rate ", OMEGA, ", ", EQUATION, "; ",
+    letters = letters_of(eq.system)
+    k, unit = letter(letters, "vector_k"), word(letters, "|⟨vector_k⟩| = 1", "|⟨vector_k⟩| = 1")
+    equation = word(letters, *_EQUATION)
+    blocks: list[Block] = [sentence("The body turns about ", k, " at the rate ", OMEGA, ", ", equation, "; ",
                                     SIGMA, " is the multiplier of ", unit, ".")]
     if in_any_direction(eq):
         blocks.append(Display(sum((x**2 for x in eq.point[3:]), S.Zero), S.One, label="unit"))
@@ -32,10 +34,12 @@ def definition_blocks(report: Report) -> list[Block]:
     """The names in which the conditions in any direction are written; nothing of another report."""
     if not isinstance(report, RotationReport):
         return []
-    k, trace, determinant = Word("k", "⟨vector_k⟩"), symbol("t"), symbol("s")
-    return [sentence("Here K is the second variation of the amended potential ", AMENDED, ", ", trace,
-                     " and ", determinant, " its trace and determinant on the plane across ", k, "; A is the "
-                     "inertia and ", symbol("G"), " the gyroscopic term of the motion near it, of "
-                     "characteristic polynomial ", POLYNOMIAL, " (Simo, Lewis & Marsden 1991):"),
+    letters, own = letters_of(report.equilibrium.system), report.closed.named
+    return [sentence("Here ", letter(letters, "K"), " is the second variation of the amended potential ",
+                     word(letters, *_AMENDED), ", ", own.trace, " and ", own.determinant, " its trace and "
+                     "determinant on the plane across ", letter(letters, "vector_k"), "; ",
+                     letter(letters, "A"), " is the inertia and ", own.G, " the gyroscopic term of the "
+                     "motion near it, of characteristic polynomial ", polynomial_of(letters),
+                     " (Simo, Lewis & Marsden 1991):"),
             *(Display(name, value, report.equilibrium.at, label="definition")
               for name, value in report.closed.definitions)]

@@ -2,17 +2,21 @@
 from collections.abc import Iterable
 from typing import Any
 
-from sympy import Basic, MatrixBase, Symbol
+from sympy import Add, Basic, Expr, MatrixBase, Pow, Symbol
 from sympy.core.function import AppliedUndef
 
 from ..mechanics.body import Gyrostat
 from ..mechanics.potential import Potential
 from ..mechanics.system import System
-from ..notation import NOTATION, jet, order, symbol
+from ..notation import NOTATION, dimension_of, jet, order, symbol
 from .blocks import Display, Rows, Sentence, Word, listed
+from .letters import letter, letters_of
 from .names import placed
 
 Row = tuple[tuple[Any, ...], tuple[Any, ...]]
+NONE, ENERGY = (0, 0, 0), (1, 2, 0)                    # powers of [M L²], 1/[T] and [L]
+_IN_COUPLED = {"m0", "omega0", "p0", "mass1", "mass2", "mass3"}
+K3 = symbol("k3")
 
 
 def occurring(parts: Iterable[Any]) -> set[str]:
@@ -26,7 +30,7 @@ def occurring(parts: Iterable[Any]) -> set[str]:
         elif isinstance(part, Word):
             found |= placed(part.latex)
         elif isinstance(part, Basic | MatrixBase):
-            found |= {s.name for s in part.free_symbols if isinstance(s, Symbol)}
+            found |= {s.name.removesuffix("_dot") for s in part.free_symbols if isinstance(s, Symbol)}
             found |= {"U"} if part.atoms(AppliedUndef) else set()
     return found | ({"U"} if any(map(jet, found)) else set())
 
@@ -47,7 +51,7 @@ def symbol_rows(scene: System, names: Iterable[str]) -> Rows:
     rows += [((symbol(name),), (NOTATION[name].meaning.split(":")[0],))
              for name in ("omega1_0", "omega2_0", "omega3_0", "omega") if name in here]
     if potential:
-        rows.append(_potential(potential))
+        rows.append(_potential(potential, letter(letters_of(scene), "U")))
     given = {row[0][0].name for row in rows if isinstance(row[0][0], Symbol)}
     return Rows((*rows, *_parameters(scene, here - given)))
 
@@ -72,8 +76,7 @@ def _axes(axes: list[int]) -> str:
     return f"axes {', '.join(others)} and {last}" if others else f"axis {last}"
 
 
-def _potential(potential: Potential) -> Row:
-    U = Word("U", "⟨U⟩")
+def _potential(potential: Potential, U: Word) -> Row:
     if potential.given:
         return (U,), ("potential, ", U, " = ", potential.expression)
     derivatives = Word("∂₁U, ∂₂U", r"\partial_1 ⟨U⟩, \partial_2 ⟨U⟩")
@@ -84,17 +87,44 @@ def _potential(potential: Potential) -> Row:
 
 
 def _parameters(scene: System, names: set[str]) -> list[Row]:
-    """Those of U: of the table each with its meaning, the user's together."""
-    own = scene.potential.parameters if scene.potential else ()
-    shown = sorted((s for s in own if s.name in names), key=lambda s: order(s.name))
-    rows: list[Row] = []
-    for s in shown:
-        if s.name in NOTATION:
-            rows.append(((s, " > 0") if s.is_positive else (s,), _meaning(s.name)))
-    others = [s for s in shown if s.name not in NOTATION]
+    """Those of U: of a named field each with its meaning, the user's together."""
+    potential = scene.potential
+    shown = sorted((s for s in (potential.parameters if potential else ()) if s.name in names),
+                   key=lambda s: order(s.name))
+    known = [s for s in shown if potential and _as_in_the_table(potential, s)]
+    rows: list[Row] = [((s, " > 0") if s.is_positive else (s,), _meaning(s.name)) for s in known]
+    others = [s for s in shown if s not in known]
     if others:
-        rows.append((listed(others), ("real parameters" if others[1:] else "a real parameter",)))
+        what = "real parameter" if not all(s.is_positive for s in others) else "positive number"
+        rows.append((listed(others), (f"{what}s" if others[1:] else f"a {what}",)))
     return rows
+
+
+def _as_in_the_table(potential: Potential, s: Symbol) -> bool:
+    """Whether a name of the table means in U what it means there: each term with it is an energy."""
+    if s.name not in NOTATION or potential.coupled:
+        return s.name in _IN_COUPLED
+    terms = [term for term in Add.make_args(potential.expression) if s in term.free_symbols]
+    gradient = (0, 2, 0)                               # m1 k3² beside moments that are numbers
+    return all((found := _dimension(term)) == ENERGY or found == gradient and term.has(K3**2)
+               for term in terms)
+
+
+def _dimension(e: Expr) -> tuple[Any, ...] | None:
+    """Powers of [M L²], 1/[T] and [L] in the table; None of what has names that are not in it."""
+    if isinstance(e, Symbol):
+        return dimension_of(e.name)
+    parts = [_dimension(x) for x in e.args]
+    if e.is_number or parts and set(parts) == {NONE}:
+        return NONE
+    if e.is_Add and len(set(parts)) == 1:
+        return parts[0]
+    if isinstance(e, Pow) and e.exp.is_number and parts[0] is not None:
+        return tuple(x * e.exp for x in parts[0])
+    known = [part for part in parts if part is not None]
+    if e.is_Mul and len(known) == len(parts):
+        return tuple(map(sum, zip(*known)))
+    return None
 
 
 def _meaning(name: str) -> tuple[Any, ...]:

@@ -5,20 +5,21 @@ from typing import Any
 from ..stability.report import Report
 from .article import NARROW, block_latex, inline, preamble, sentence_latex
 from .blocks import Block, Display, Word, joined, sentence
-from .boundary import ladder, rung_display, undecided
+from .boundary import ladder, rung_display, squared_rate, undecided
 from .conditions import existence
 from .latex import display, formula, tex
+from .letters import letters_of, word
 from .names import PLAIN, Names, Paper
 from .rotations import definition_blocks, family_blocks
 from .symbols import Row, occurring, symbol_rows
 
 _COLUMNS = 0.13, 0.2, 0.56                             # of a line: equilibrium, what, formula
-_BETWEEN = Word("", r"""\par\smallskip\noindent
-Between the two, $⟨I1⟩^2 ⟨k3_dot⟩^2 = ⟨c⟩_3 ⟨x⟩^3 + ⟨c⟩_4 ⟨x⟩^4 + \dots$, where $⟨x⟩ \geq 0$ is the distance
+_BETWEEN = r"""\par\smallskip\noindent
+Between the two, $%s = ⟨c_⟩_3 ⟨x⟩^3 + ⟨c_⟩_4 ⟨x⟩^4 + \dots$, where $⟨x⟩ \geq 0$ is the distance
 of $⟨k3⟩$ from $\pm 1$, at E3 its deviation, and $\propto$ means up to a positive factor.
 The first coefficient that is not 0 decides.
-At E1 and E2, and of an even power at E3: $-⟨c⟩_n > 0$ is stable, $-⟨c⟩_n < 0$ unstable;
-of an odd power at E3 both are unstable.\par""")
+At E1 and E2, and of an even power at E3: $-⟨c_⟩_n > 0$ is stable, $-⟨c_⟩_n < 0$ unstable;
+of an odd power at E3 both are unstable.\par"""
 
 
 def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Sequence[Block] = ()) -> str:
@@ -36,13 +37,17 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
         ] + [r"\hline"]
     columns = "".join(rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" for width in _COLUMNS)
     between = any("between the two" in row for row in rows)
-    shown = [part for report in given for part in _parts(report)] + own + ([_BETWEEN] if between else [])
-    symbols = symbol_rows(given[0].equilibrium.system, occurring(shown))
+    scene, note = given[0].equilibrium.system, list[Word]()
+    if between:
+        rate = tex(squared_rate(scene), names)
+        note = [word(letters_of(scene), "", _BETWEEN.replace("%s", rate))]
+    shown = [part for report in given for part in _parts(report)] + own + note
+    symbols = symbol_rows(scene, occurring(shown))
     table = "\n".join((
         r"\begin{table}[htbp]\footnotesize",               # so that a page holds it
         rf"\caption{{Conditions for stability}}{paper.labelled('conditions')}\smallskip",
         rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\end{tabular}", r"\end{table}",
-        *([tex(_BETWEEN, names)] if between else ()),
+        *(tex(part, names) for part in note),
         *([rf"\par\smallskip\noindent In Table~\ref{{{paper.label}:conditions}}, "
            + _said(symbols.rows, names)] if symbols.rows else ()), ""))
     table += "".join(block_latex(block, names, NARROW) + "\n" for block in (*own, *after))
@@ -70,7 +75,8 @@ def _rungs(report: Report) -> list[Display]:
     """The ladder between the two conditions."""
     if not undecided(report) or report.boundary is None:
         return []
-    return [rung_display(rung) for rung in ladder(report.boundary)[0]]
+    letters = letters_of(report.equilibrium.system)
+    return [rung_display(rung, letters) for rung in ladder(report.boundary)[0]]
 
 
 def _parts(report: Report) -> list[Any]:

@@ -15,16 +15,18 @@ from ..mechanics.equilibria import Equilibrium
 from ..mechanics.liepoisson import LiePoisson
 from ..mechanics.potential import Potential
 from ..mechanics.system import System
-from ..notation import SUBSCRIPTS
 from ..stability.conditions import Condition, Criterion
 from ..stability.decision import Decision
 from ..stability.energy_casimir import SecondVariation
 from ..stability.linearization import Linearization
 from ..stability.report import Report
+from ..typesetting import SUBSCRIPTS
 from .blocks import Block, Display, Heading, Rows, Sentence, Word
 from .conditions import comparison, trivial
 from .decision import OF, named_margins
-from .document import point_blocks, report_blocks, scene_blocks
+from .document import point_blocks, report_blocks
+from .letters import letter, letters_in
+from .scene import scene_blocks
 from .unicode import matrix_lines, unicode
 
 # columns of a sentence that is read, and of a formula in it that stays on one line
@@ -101,7 +103,7 @@ def _body(body: Gyrostat) -> str:
 
 @plain.register
 def _potential(potential: Potential) -> str:
-    return f"U = {unicode(potential.expression)}"
+    return f"{letter(letters_in([potential.expression]), 'U').text} = {unicode(potential.expression)}"
 
 
 @plain.register

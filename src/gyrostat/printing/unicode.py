@@ -6,7 +6,8 @@ from typing import Any
 from sympy import Add, Expr, Mul, Pow, Symbol
 from sympy.printing.str import StrPrinter
 
-from ..notation import SUPERSCRIPTS, jet_name, typeset
+from ..notation import jet_name
+from ..typesetting import SUPERSCRIPTS, typeset
 from .order import ordered_factors, ordered_terms, over, signed
 
 

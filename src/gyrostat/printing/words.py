@@ -3,7 +3,7 @@ import re
 from types import MappingProxyType
 from unicodedata import name, normalize
 
-from ..notation import GREEK, SUBSCRIPTS, SUPERSCRIPTS
+from ..typesetting import GREEK, SUBSCRIPTS, SUPERSCRIPTS
 from .latex import RELATIONS
 
 _LOW = {chr(low): chr(digit) for digit, low in SUBSCRIPTS.items()}

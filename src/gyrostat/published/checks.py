@@ -1,5 +1,5 @@
 """Each statement of a source against what the library derives."""
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -83,13 +83,17 @@ def check(sources: Iterable[str | Path] = SOURCES,
     >>> wrong
     ['Omega-1', 'Omega-2', 'Omega-3', '2K-dot', 'ellipsoid']
     """
-    found = []
+    return list(findings(sources, progress))
+
+
+def findings(sources: Iterable[str | Path], progress: Callable[[str, int, int], None] | None = None
+             ) -> Iterator[Finding]:
+    """Each statement of the sources in turn, as check: what comes before one that cannot be read is there."""
     for source in map(load, sources):
         for n, statement in enumerate(source.statements, 1):
-            found.append(_finding(source, statement))
+            yield _finding(source, statement)
             if progress:
                 progress(source.name, n, len(source.statements))
-    return found
 
 
 def _finding(source: Source, statement: Statement) -> Finding:

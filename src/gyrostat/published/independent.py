@@ -54,13 +54,13 @@ class Model:
         if not potential.axial:
             linear = sum((self.values.get(symbol(f"dU_{i}"), Integer(0)) * K[i - 1] for i in (1, 2, 3)),
                          Integer(0))
-            return linear - linear.subs(self.values) + self.values.get(symbol("U"), 0)
+            return linear - linear.subs(self.values) + self.values.get(symbol(scene.derived("U")), 0)
         slope = self.values.get(symbol("dU"))
         if self.label == "E3":                             # what balances the torques at the point
             omega, l = self.values[symbol("omega")], self.rotor[2]
             slope = omega * (l + self.inertia[2] * omega * self.k3) - omega**2 * self.inertia[0] * self.k3
         jets = [slope, *(self.values.get(symbol(f"d{n}U"), Integer(0)) for n in (2, 3))]
-        rise, constant = K[2] - self.k3, self.values.get(symbol("U"), Integer(0))
+        rise, constant = K[2] - self.k3, self.values.get(symbol(scene.derived("U")), Integer(0))
         return sum((d * rise**n / (1, 2, 6)[n - 1] for n, d in enumerate(jets, 1) if d is not None), constant)
 
     def _point(self) -> list[Expr]:

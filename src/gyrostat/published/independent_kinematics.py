@@ -46,8 +46,9 @@ def turning(scene: Scene, values: Values) -> dict[str, Any]:
         else Matrix([W[2, 1], W[0, 2], W[1, 0]])
     )
     pi = Matrix([moment * rate for moment, rate in zip(inertia, omega)])
-    A = Matrix([given.get(f"A{i}", zero) + given.get(f"A{i}_dot", zero) * t for i in (1, 2, 3)])
-    J = Matrix(3, 3, lambda i, j: given.get(f"J{min(i, j) + 1}{max(i, j) + 1}", zero))
+    A, slope, m, r = ([given.get(scene.derived(name.format(i)), zero) for i in (1, 2, 3)]
+                      for name in ("A{}", "A{}_dot", "m{}", "r{}"))
+    J = Matrix(3, 3, lambda i, j: given.get(scene.derived(f"J{min(i, j) + 1}{max(i, j) + 1}"), zero))
 
     def torque(momentum: Matrix) -> Matrix:
         """The rate in space of a momentum that is given in the body, now, in body components."""
@@ -55,12 +56,12 @@ def turning(scene: Scene, values: Values) -> dict[str, Any]:
         return now.T * (turning_now * here + now * rate)
 
     named: dict[str, Any] = {**given, "R": R, "vector_k": k, "vector_omega": omega, "vector_pi": pi,
-                             "vector_A": A, "tensor": J,
+                             "vector_A": Matrix(A) + Matrix(slope) * t, "tensor": J,
                              "vector_z": unit[2], "axis_1": unit[0], "axis_2": unit[1], "axis_3": unit[2],
                              "axis_vertical": k,
                              "axis_nodes": line, "torque": Later(lambda: torque(pi)),
                              "tensor_torque": Later(lambda: torque(J * omega)), "T": pi.dot(omega) / 2}
-    named |= {f"vector_{x}": Matrix([given.get(f"{x}{i}", zero) for i in (1, 2, 3)]) for x in "mr"}
+    named |= {"vector_m": Matrix(m), "vector_r": Matrix(r)}
     named |= {f"tau{i}": Later(lambda i=i: torque(pi)[i - 1]) for i in (1, 2, 3)}    # type: ignore[misc]
     for name, v in (("k", k), ("omega", omega), ("pi", pi)):
         named |= {f"{name}{i}": v[i - 1] for i in (1, 2, 3)}

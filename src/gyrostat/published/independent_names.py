@@ -15,7 +15,7 @@ from .independent_kinematics import turning
 from .independent_rotations import amended_names, cone_names
 from .independent_windows import normal_form_names
 from .kinematics import Later
-from .names import FUNCTIONS, Names
+from .names import FUNCTIONS, Names, with_letters
 from .scenes import Scene
 
 
@@ -24,8 +24,9 @@ def names(scene: Scene, values: Values) -> Names:
 
     Functions of the motion differentiate along the field of Newton and Euler.
     """
-    return Names(_functions() | (turning(scene, values) if "angles" in scene.table
-                                 else _moving(scene, values)), {})
+    derived = turning(scene, values) if "angles" in scene.table else _moving(scene, values)
+    own = {s.name: value for s, value in values.items() if s.name in scene.letters}
+    return Names(with_letters(_functions() | derived, own), {})
 
 
 def _functions() -> dict[str, Callable[..., Any]]:
@@ -93,8 +94,8 @@ def _moving(scene: Scene, values: Values) -> dict[str, Any]:
               "variation": along(delta),
               "bracket": bracket, "gradient_pi": lambda f: Matrix([f.diff(s) for s in PI]),
               "gradient_k": lambda f: Matrix([f.diff(s) for s in K])}
-    named |= {f: sum((model.values.get(symbol(f"{f}{i}"), Integer(0)) * s for i, s in enumerate(x, 1)),
-                     Integer(0)) for f in "FG"}
+    named |= {f: sum((model.values.get(symbol(scene.derived(f"{f}{i}")), Integer(0)) * s
+                      for i, s in enumerate(x, 1)), Integer(0)) for f in "FG"}
     return named
 
 

@@ -23,8 +23,8 @@ def turning(scene: Scene) -> dict[str, Any]:
     convention = scene.table["angles"]
     body, potential, free = scene.body, scene.potential, scene.table.get("vertical")
     second = tuple(map(symbol, ("phi_ddot", "theta_ddot", "psi_ddot")))
-    A, A_dot = (_vector("A", suffix) for suffix in ("", "_dot"))
-    tensor = ImmutableMatrix(3, 3, lambda i, j: symbol(f"J{min(i, j) + 1}{max(i, j) + 1}"))
+    A, A_dot, m, r = (_vector(scene, name) for name in ("A{}", "A{}_dot", "m{}", "r{}"))
+    tensor = ImmutableMatrix(3, 3, lambda i, j: symbol(scene.derived(f"J{min(i, j) + 1}{max(i, j) + 1}")))
     R, k, omega, rates = (
         rotation(convention),
         direction(convention),
@@ -47,10 +47,11 @@ def turning(scene: Scene) -> dict[str, Any]:
     unit = [ImmutableMatrix([int(i == j) for j in range(3)]) for i in range(3)]
     found: dict[str, Any] = {
         "R": R, "vector_k": k, "vector_omega": omega, "vector_pi": pi, "vector_A": A,
-        "vector_m": _vector("m"), "vector_r": _vector("r"),
+        "vector_m": m, "vector_r": r,
         "tensor": tensor, "vector_z": unit[2], "axis_1": unit[0], "axis_2": unit[1], "axis_3": unit[2],
         "axis_vertical": k,
-        "axis_nodes": nodes(convention).col(1), "dt": dt, "delta": symbol("delta"), "torque": Later(torque),
+        "axis_nodes": nodes(convention).col(1), "dt": dt, "delta": symbol(scene.derived("delta")),
+        "torque": Later(torque),
         "tensor_torque": Later(lambda: R.T * dt(R * tensor * omega)),
         "T": Later(lambda: sum(moment * rate**2 for moment, rate in zip(body.moments, omega)) / 2),
         "lagrangian": Later(lambda: lagrangian(body, potential, convention))}
@@ -61,5 +62,5 @@ def turning(scene: Scene) -> dict[str, Any]:
     return found | ({free: symbol(free)} if free else {})
 
 
-def _vector(name: str, suffix: str = "") -> ImmutableMatrix:
-    return ImmutableMatrix([symbol(f"{name}{i}{suffix}") for i in (1, 2, 3)])
+def _vector(scene: Scene, name: str) -> ImmutableMatrix:
+    return ImmutableMatrix([symbol(scene.derived(name.format(i))) for i in (1, 2, 3)])

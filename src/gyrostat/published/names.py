@@ -7,7 +7,7 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Symbol, eye
 
 from ..algebra.polynomials import Ring
-from ..errors import ExpressionError, PublishedError
+from ..errors import ExpressionError
 from ..mechanics.attitude import reduced
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.freebody import polhode_period
@@ -18,7 +18,7 @@ from .frames import frame_names, frame_names_at
 from .jacobi import cn, dn, sn
 from .kinematics import Later, turning
 from .rotations import amended_names, cone_names
-from .scenes import Scene
+from .scenes import DERIVED, Scene
 from .windows import normal_form_names
 
 
@@ -40,6 +40,9 @@ class Names(Mapping[str, Any]):
             )
         return self._known[name]
 
+    def __contains__(self, name: object) -> bool:      # nothing is derived for that
+        return name in self._meanings
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._meanings)
 
@@ -49,16 +52,18 @@ class Names(Mapping[str, Any]):
 
 def names(scene: Scene, at: Mapping[Symbol, Expr]) -> Names:
     """What each name of a scene stands for, with the values of `at` inserted."""
-    own = _symbols(scene)
     derived = turning(scene) if "angles" in scene.table else _phase_space(scene, at)
-    hidden = {name: Later(lambda name=name: _refused(name)) for name, value in own.items()  # type: ignore[misc]
-              if name in derived and derived[name] != value}
-    return Names({**FUNCTIONS, **own, **derived, **hidden}, at)
+    return Names(with_letters({**FUNCTIONS, **derived}, {name: symbol(name) for name in scene.letters}), at)
 
 
-def _refused(name: str) -> None:
-    raise PublishedError(f"the scene has a parameter {name}, which is also the name of what is derived of "
-                         "it: give the parameter another name")
+def with_letters(derived: Mapping[str, Any], own: Mapping[str, Any]) -> dict[str, Any]:
+    """What is derived, and the letters of the paper before it.
+
+    What has one of these letters is derived_C where C is a moment of the paper.
+    """
+    hidden = {DERIVED + name: derived[name] for name, value in own.items()
+              if name in derived and not (isinstance(value, Symbol) and derived[name] == value)}
+    return {**derived, **own, **hidden}
 
 
 def is_zero(expression: Expr) -> bool:
@@ -81,16 +86,10 @@ FUNCTIONS: Mapping[str, Any] = {
     "polhode_period": lambda *x: polhode_period(x[:3], x[3:], 30)}
 
 
-def _symbols(scene: Scene) -> dict[str, Any]:
-    """Parameters: those of body and field, and those the file declares."""
-    known = {s.name for s in scene.parameters} | set(scene.table.get("parameters", ())) | {"t"}
-    return {name: symbol(name) for name in known}
-
-
 def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:
     """Names on so(3)*, e(3)* or in two directions, all at the equilibrium where there is one."""
     system, body, potential = scene.system, scene.body, scene.potential
-    coordinates, U = system.space.coordinates, symbol("U")
+    coordinates, U = system.space.coordinates, symbol(scene.derived("U"))
     slopes = (0, 0, 0, *(system.potential.gradient() if system.potential else ()))
 
     def gradient(f: Expr) -> ImmutableMatrix:
@@ -118,7 +117,8 @@ def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:
               "state": ImmutableMatrix(coordinates)}
     found |= dict(zip(("C1", "C2", "C3") if potential else ("C",), system.space.casimirs))
     # any functions, to first order
-    found |= {f: sum(symbol(f"{f}{i}") * x for i, x in enumerate(coordinates, 1)) for f in "FG"}
+    found |= {f: sum(symbol(scene.derived(f"{f}{i}")) * x for i, x in enumerate(coordinates, 1))
+              for f in "FG"}
     if system.coupled:
         found = {**{name: x for name, x in found.items() if name not in ("T", "B", "F", "G")},
                  **frame_names(system)}

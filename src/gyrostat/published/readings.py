@@ -14,6 +14,7 @@ from .criteria import Claim
 from .language import part_of, read
 from .names import names
 from .sampling import points
+from .scenes import DERIVED
 from .statements import Statement
 
 
@@ -39,12 +40,25 @@ class Reading:
         moving = () if self.scene.equilibrium else self.scene.system.space.coordinates
         fixed = {name: value for name, value in self.at.items() if name not in moving}
         self.names = names(self.scene, fixed) if fixed else bare
+        self._check_letters()
         self.own = _with_let(self.names, statement.let)
         given = [text for text in (self.scene.table.get("given", ""), statement.given) if text]
         conditions = [condition for text in given for condition in comparisons(text, self.names)]
         if not all(strict for _, strict in conditions):
             raise PublishedError(f"given = {'; '.join(given)}: equality is a case of its own, write > or <")
         self.given = tuple(margin for margin, _ in conditions)
+
+    def _check_letters(self) -> None:
+        """Refuse a quantity in a letter that the paper has for something else than what is derived by it."""
+        if self.statement.kind not in ("identity", "family", "number"):
+            return
+        taken = [name for name in sorted(names_in(str(self.statement.quantity)))
+                 if DERIVED + name in self.names and name not in self.statement.let]
+        if taken:
+            name = taken[0]
+            raise PublishedError(f"quantity has {name}, a letter of the scene and a name of what is derived: "
+                                 f"say which by let, let = {{ {name} = \"{name}\" }} for the letter of the "
+                                 f"scene, let = {{ {name} = \"{DERIVED}{name}\" }} for what is derived")
 
     def finish(self, expression: Any) -> Any:
         """On the family, with the values of at."""

@@ -41,6 +41,9 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
     equilibrium exists.
     """
     names, positive, eq = unknowns(scene, expressions), list(given), scene.equilibrium
+    # l of omega = m0/l, though the family expresses l by omega: the two have to agree, and evidence asks that
+    asked = set[Symbol]().union(*(value.free_symbols for value in at.values())) - at.keys()
+    names = sorted({*names, *asked}, key=str)
     positive += eq.existence() if eq and inside else []
     directions: list[tuple[Expr, ...]] = [v for v in _DIRECTIONS if v[2] == at.get(K[2], v[2])]
     if K[2] in at and not directions:

@@ -25,6 +25,7 @@ from ..notation import jet, symbol
 
 BODY = ("inertia", "gyrostatic_momentum", "rotors", "lumped")
 VEHICLE = ("mass", "coupling", "weight")
+DERIVED = "derived_"                                   # before a name that a paper has for something else
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,15 @@ class Scene(SceneTable):
         """The names of the body and the field."""
         potential = self.system.potential if "orbit" in self.table else self.potential
         return self.body.symbols | self.hull.symbols | set(potential.parameters if potential else ())
+
+    @cached_property
+    def letters(self) -> set[str]:
+        """The names of the paper: those of body and field, those the file declares, and the time."""
+        return {s.name for s in self.parameters} | set(self.table.get("parameters", ())) | {"t"}
+
+    def derived(self, name: str) -> str:
+        """The name of what is derived: where the paper has that letter for something else, with a word."""
+        return DERIVED + name if name in self.letters else name
 
     @cached_property
     def body(self) -> Gyrostat:
@@ -114,8 +124,9 @@ class Scene(SceneTable):
     def finish(self, expression: Any) -> Any:
         """On the family: the relations of the equilibrium, a given U and its derivatives inserted."""
         if self.potential and self.potential.given:
-            expression = expression.xreplace({symbol("U"): self.potential.expression.xreplace(dict(zip(
-                self.system.space.coordinates, self.point)))})
+            place = dict(zip(self.system.space.coordinates, self.point))
+            U = self.potential.expression.xreplace(place)
+            expression = expression.xreplace({symbol(self.derived("U")): U})
         if self.equilibrium is None:
             if self.potential and self.potential.given:
                 jets = [s for s in expression.free_symbols if jet(s.name)]

@@ -16,7 +16,7 @@ from ..mechanics.reduction import reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import Stored
 from ..shown import Shown
-from .asked import C1, exact_point
+from .asked import C1, exact_point, refuse_as_level
 from .heavy_rotation import HeavyRotation
 from .heavy_rotations import heavy_rotations
 
@@ -81,6 +81,7 @@ class AmendedPotential(Shown, Stored):
     @cached_property
     def expression(self) -> Expr:
         """In k1, k2, k3 and C1 [M L²/T²]."""
+        refuse_as_level(self.scene, C1.name)
         U, body, k = self.scene.potential, self.scene.body, Matrix(DIRECTIONS)
         assert U is not None
         twist = C1 - k.dot(Matrix(body.gyrostatic_momentum))
@@ -117,6 +118,7 @@ class AmendedPotential(Shown, Stored):
         >>> [point.kind for point in points]
         ['minimum', 'maximum', 'maximum', 'saddle', 'saddle', 'minimum']
         """
+        refuse_as_level(self.scene, C1.name)
         known = {s.name for s in names_of_scene(self.scene)}
         numbers = exact_point(self.scene, values, known | {C1.name})
         if C1 not in numbers:

@@ -9,9 +9,10 @@ from ..algebra.numbers import exact_number
 from ..algebra.quantities import not_mixed
 from ..errors import ScopeError, ValuesError, brief
 from ..mechanics.recognition import Recognition, recognise
-from ..mechanics.reduction import ENERGY, K3, OMEGA, P, V, reducible
+from ..mechanics.reduction import K3, reducible
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
+from ..registry import free_letters, what_they_are
 from .values import check_names, unknown
 
 PI3, C1, LENGTH = symbol("pi3_0"), symbol("C1"), symbol("M")
@@ -34,9 +35,6 @@ def names_of(scene: System, instead: str = OTHERS) -> set[str]:
     assert scene.potential is not None
     needed = {s for e in (*scene.body.moments, scene.body.gyrostatic_momentum[2], scene.potential.expression)
               for s in e.free_symbols}
-    if taken := sorted(s.name for s in (needed - {K3}) & {K3, OMEGA, PI3, C1, P, V, ENERGY}):
-        raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion or of its levels: "
-                         "rename it")
     return {s.name for s in needed - {K3}}
 
 
@@ -49,6 +47,20 @@ def require_revolution(scene: System, instead: str) -> None:
     field = "no field" if scene.potential is None else f"U = {brief(scene.potential.expression)}"
     raise ScopeError(f"{shown}, {field}: this is no body of revolution about axis 3 in a field U(k3); "
                      + instead)
+
+
+def refuse_as_level(scene: System, name: str) -> None:
+    """Refuse a scene that has a parameter of the name by which a level is asked for.
+
+    Raises
+    ------
+    ScopeError
+        M or C1 is a parameter of the scene
+    """
+    own = {s.name for s in names_of_scene(scene)}
+    if name in own:
+        raise ScopeError(f"the scene has a parameter {name}, and here {what_they_are([name])}, is asked for: "
+                         f"write another letter for the parameter, such as {free_letters([name], own)[name]}")
 
 
 def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:
@@ -72,13 +84,17 @@ def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Po
 
 def asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...], Point]:
     """By which names relative equilibria are asked for, and all numbers, exact."""
-    needed, extra = names_of(scene), {name for names in ASKED for name in names}
+    needed = names_of(scene)
+    ways = [names for names in ASKED if needed.isdisjoint(names)]
+    extra = {name for names in ways for name in names}
     numbers = exact_point(scene, values, needed | extra)
-    asked = next((names for names in ASKED if set(names) == values.keys() & extra), None)
+    asked = next((names for names in ways if set(names) == values.keys() & extra), None)
     if asked is None:
+        if "pi3_0" in values:
+            refuse_as_level(scene, C1.name)
         raise ValuesError(
             f"given were {', '.join(sorted(values.keys() & extra)) or 'no names of the motion'}: give "
-            + ", or ".join(" and ".join(names) for names in ASKED)
+            + ", or ".join(" and ".join(names) for names in ways)
         )
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
@@ -108,9 +124,11 @@ def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, 
     check_names([s.name for s in numbers], names, "the scene")
     axis = found.name[-1]
     own = {f"k{axis}": "k3", f"pi{axis}_0": "pi3_0", "omega": "omega", "C1": "C1"}
+    own = {name: standard for name, standard in own.items() if name not in names}
     if foreign := sorted(values.keys() - own.keys() - set(names)):
         raise ValuesError(unknown(foreign[0], sorted({*names, *own}), "the scene"))
-    ways = {"omega"}, {f"pi{axis}_0", "C1"}, {f"k{axis}"}, {f"k{axis}", f"pi{axis}_0"}
+    ways = [way for way in ({"omega"}, {f"pi{axis}_0", "C1"}, {f"k{axis}"}, {f"k{axis}", f"pi{axis}_0"})
+            if way <= own.keys()]
     if values.keys() - set(names) not in ways:
         raise ValuesError("give the rate about the vertical, the level or the tilt, each in the axes of "
                           "the scene: "
@@ -123,8 +141,7 @@ def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | N
     is free.
     """
     needed = {s.name for s in names_of_scene(scene)}
-    if LENGTH.name in needed:
-        raise ScopeError("the body depends on M, which is the length of the momentum here: rename it")
+    refuse_as_level(scene, LENGTH.name)
     needed |= {LENGTH.name}
     if free is not None and free not in needed:
         raise ValuesError(unknown(free, sorted(needed), "the scene"))
@@ -133,7 +150,7 @@ def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | N
         raise ValuesError(f"{free} is free, and has the value {values[free]} too: leave out one of the two")
     if missing := sorted(needed - values.keys() - {free}):
         raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each; M is "
-                          "the length of π + l")
+                          "the length of the angular momentum Iω + l")
     if LENGTH in numbers and proved_sign(numbers[LENGTH]) not in ((0, 1) if free is None else (1,)):
         raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a number that "
                           f"is {'not negative' if free is None else 'positive'}")

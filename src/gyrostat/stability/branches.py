@@ -25,7 +25,7 @@ from .decision import Verdict
 from .report import Report
 
 DU = symbol("dU")
-_BODY = frozenset(map(symbol, ("I1", "I2", "I3", "l", "l1", "l2", "l3")))
+_MOMENTS = frozenset(map(symbol, ("I1", "I2", "I3")))
 
 
 def branches_at(scene: System, values: Mapping[str, Any]) -> list[Branch]:
@@ -98,7 +98,7 @@ class SceneAtNumbers:
         potential = scene.potential
         powers = {s for power in potential.expression.atoms(Pow) for s in power.exp.free_symbols}
         own = {s: x for s, x in parameters.items()
-               if s in powers or s in _BODY and (s == symbol("l") or body.get(s) != x)}
+               if s in powers or s in _MOMENTS and body.get(s) != x}
         self.potential = (
             replace(potential, expression=potential.expression.xreplace(own)) if own else potential
         )

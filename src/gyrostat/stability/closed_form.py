@@ -9,13 +9,13 @@ from sympy import Expr, Matrix, Rational, S
 from ..algebra.exact import Point, compiled, evaluate
 from ..algebra.matrices import cross
 from ..algebra.polynomials import Ring, lowest_terms
-from ..errors import ScopeError
 from ..kept import cached_property
 from ..mechanics.derivation import rows_at_point
 from ..mechanics.equilibria import Equilibrium, Relation
 from ..mechanics.once import once
-from ..mechanics.system import names_of_scene
+from ..mechanics.system import System, names_of_scene
 from ..notation import symbol
+from ..registry import Letters
 from .amended_form import (
     AmendedForm,
     dot,
@@ -28,12 +28,25 @@ from .amended_form import (
 from .conditions import Condition, Criterion
 from .values import names_in
 
-J, G, T, DETERMINANT, P, Q = map(symbol, ("J", "G", "t", "s", "p", "q"))
-DISCRIMINANT = P**2 - 4 * Q
-V = tuple(symbol(f"v{n}") for n in (1, 2, 3))
-K, A = ([[symbol(f"{name}{min(i, j)}{max(i, j)}") for j in (1, 2, 3)] for i in (1, 2, 3)] for name in "KA")
 UPPER = [(i, j) for i in range(3) for j in range(i, 3)]
-DEFINED = {J, G, T, DETERMINANT, P, Q, *V, *(x for form in (K, A) for row in form for x in row)}
+
+
+class Named:
+    """The names in which the conditions are written, where the scene has one of them another.
+
+    Parameters
+    ----------
+    scene : System
+    """
+
+    def __init__(self, scene: System):
+        letters = Letters(s.name for s in names_of_scene(scene))
+        self.J, self.G, self.trace, self.determinant, self.p, self.q = (
+            symbol(letters.of(name)) for name in ("J", "G", "t", "s", "p", "q"))
+        self.discriminant = self.p**2 - 4 * self.q
+        self.v = tuple(symbol(letters.of(f"v{n}")) for n in (1, 2, 3))
+        self.K, self.A = ([[symbol(letters.of(f"{name}{min(i, j)}{max(i, j)}")) for j in (1, 2, 3)]
+                           for i in (1, 2, 3)] for name in "KA")
 
 
 @dataclass(frozen=True)
@@ -48,10 +61,10 @@ class ClosedForm:
 
     equilibrium: Equilibrium
 
-    def __post_init__(self) -> None:
-        if clash := sorted(map(str, names_of_scene(self.equilibrium.system) & DEFINED)):
-            raise ScopeError(f"the scene has a parameter {clash[0]}, a name in which the conditions in any "
-                             "direction are written: rename it")
+    @cached_property
+    def named(self) -> Named:
+        """The names in which the conditions are written."""
+        return Named(self.equilibrium.system)
 
     @cached_property
     def definitions(self) -> tuple[Relation, ...]:
@@ -59,20 +72,23 @@ class ClosedForm:
         inertia, rotor, hessian, k, omega, mu = self._data
         along = [dot(row, k) for row in inertia]
         v = [2 * omega * a + l for a, l in zip(along, rotor)]
-        second = second_variation(inertia, mu, hessian, V, J, omega)
-        reduced = reduced_inertia(inertia, along, J)
+        own = self.named
+        second = second_variation(inertia, mu, hessian, own.v, own.J, omega)
+        reduced = reduced_inertia(inertia, along, own.J)
         tensor = Matrix(inertia)
-        form = of_forms(K, A, G, k, J / tensor.det())
-        return ((J, dot(k, along)), *zip(V, v), *((K[i][j], second[i][j]) for i, j in UPPER),
-                *((A[i][j], reduced[i][j]) for i, j in UPPER),
-                (G, dot(V, along) / J - omega * trace(inertia)), (T, form.trace.expand()),
-                (DETERMINANT, form.determinant.expand()), (P, form.p), (Q, J * DETERMINANT / tensor.det()))
+        form = of_forms(own.K, own.A, own.G, k, own.J / tensor.det())
+        return ((own.J, dot(k, along)), *zip(own.v, v), *((own.K[i][j], second[i][j]) for i, j in UPPER),
+                *((own.A[i][j], reduced[i][j]) for i, j in UPPER),
+                (own.G, dot(own.v, along) / own.J - omega * trace(inertia)), (own.trace, form.trace.expand()),
+                (own.determinant, form.determinant.expand()), (own.p, form.p),
+                (own.q, own.J * own.determinant / tensor.det()))
 
     def criterion(self, notion: str) -> Criterion:
         """Spectral, formal or secular."""
-        wanted: tuple[tuple[Expr, str], ...] = (T, "t"), (DETERMINANT, "s")
+        own = self.named
+        wanted: tuple[tuple[Expr, str], ...] = (own.trace, "t"), (own.determinant, "s")
         if notion == "spectral":
-            wanted = (P, "p"), (Q, "q"), (DISCRIMINANT, "p² − 4q")
+            wanted = (own.p, "p"), (own.q, "q"), (own.discriminant, "p² − 4q")
         at = self.equilibrium.at
         return Criterion(notion, (tuple(Condition(margin, notion != "spectral", name, (), at)
                                         for margin, name in wanted),))

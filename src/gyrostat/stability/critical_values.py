@@ -16,6 +16,7 @@ from ..errors import ScopeError
 from ..mechanics.reduction import K3, OMEGA, P, Reduction, V, reduce
 from ..mechanics.system import System
 from ..notation import symbol
+from .asked import refuse_as_level
 from .branch import Branch
 from .decision import Verdict
 from .precessions import Precessions
@@ -80,6 +81,7 @@ def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
     ScopeError
         U is not rational in k3, of too high a degree, or constant with p_psi = 0
     """
+    refuse_as_level(scene, "C1")
     assert scene.potential is not None
     field = replace(scene.potential, expression=by_factors(scene.potential.expression.xreplace(numbers)))
     motion = reduce(replace(scene, potential=field))

@@ -141,7 +141,7 @@ class Drift(Shown, Stored):
         if constant is None or constant and moving is None:
             return undecided(f"whether {turning} depends on U near k3; {linear}")
         if constant:
-            return settled(True, "I1 = I3, l = 0 and U is constant: ω and π are fixed in space, and nothing "
+            return settled(True, "I1 = I3, l = 0 and U is constant: ω and M are fixed in space, and nothing "
                            "drifts", Rung.NO_TORQUE)
         return settled(False, f"{turning}, at a rate σ of higher order; {linear}", Rung.DRIFT)
 

@@ -13,7 +13,7 @@ from ..algebra.roots import real_roots
 from ..errors import ScopeError, ValuesError
 from ..mechanics.system import System, at_numbers, names_of_scene
 from ..notation import symbol
-from .asked import C1, exact_point
+from .asked import C1, exact_point, refuse_as_level
 from .heavy_data import data_at
 from .heavy_levels import rates_on_level
 from .heavy_polynomials import DIRECTION, degree_in_k, directions_at_rate, rates_by_elimination
@@ -24,9 +24,8 @@ OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 
 def heavy_rotations(scene: System, values: Mapping[str, Any]) -> list[HeavyRotation]:
     """Every one at a rate omega, on a level C1, or in a direction k1, k2, k3; as relative_equilibria says."""
-    needed, asked = {s.name for s in names_of_scene(scene)}, {"omega", "C1", *map(str, DIRECTION)}
-    if taken := sorted(needed & asked):
-        raise ScopeError(f"the scene depends on {', '.join(taken)}, a name of the motion: rename it")
+    needed = {s.name for s in names_of_scene(scene)}
+    asked = {"omega", "C1", *map(str, DIRECTION)} - needed
     numbers = exact_point(scene, values, needed | asked)
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
@@ -38,6 +37,8 @@ def heavy_rotations(scene: System, values: Mapping[str, Any]) -> list[HeavyRotat
         return sorted(_on_level(here, numbers[C1]), key=_place)
     if given == set(map(str, DIRECTION)):
         return _in_direction(here, tuple(numbers[x] for x in DIRECTION))
+    if not given:
+        refuse_as_level(scene, C1.name)
     raise ValuesError(f"given were {', '.join(sorted(given)) or 'no names of the motion'}: give omega, the "
                       "rate about the vertical, or C1, the value of M·k, or k1, k2, k3, a direction")
 

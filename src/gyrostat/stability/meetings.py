@@ -107,11 +107,13 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     in_one_direction(scene.potential, "bifurcation_points")
     if scene.potential is None:
         return _of_rotations(scene, name, values)
-    known = names_of(scene, MARKED) | {"omega", "pi3_0", "C1"}
+    own = names_of(scene, MARKED)
+    asked = {"omega", "pi3_0", "C1"} - own
+    known = own | asked
     if name not in known:
         raise ValuesError(unknown(name, sorted(known), "the scene"))
     free, numbers = symbol(name), exact_point(scene, values, known)
-    given = {OMEGA, symbol("pi3_0"), symbol("C1")} & {free, *numbers}
+    given = set(map(symbol, asked)) & {free, *numbers}
     kinds = {frozenset({OMEGA}): AT_RATE, frozenset({symbol("pi3_0")}): "precessions leave",
              frozenset({symbol("pi3_0"), symbol("C1")}): ON_LEVEL}.get(frozenset(given))
     if kinds is None or free in numbers:

@@ -8,7 +8,7 @@ from ..algebra.exact import Point, evaluate, sign_of_constant
 from ..errors import ScopeError
 from ..kept import cached_property
 from ..mechanics.standard import placed
-from .closed_form import DETERMINANT, DISCRIMINANT, ClosedForm, P, Q, T, closed_form
+from .closed_form import ClosedForm, closed_form
 from .conditions import Criterion
 from .decision import Decision, Rung, settled
 from .energy_casimir import SecondVariation
@@ -87,11 +87,11 @@ class RotationReport(Report):
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
         """As Report.decide."""
-        form = self.closed.at(numbers)
-        margins |= {T: form.trace, DETERMINANT: form.determinant}
+        form, own = self.closed.at(numbers), self.closed.named
+        margins |= {own.trace: form.trace, own.determinant: form.determinant}
         if _signs([form.trace, form.determinant]) == [1, 1]:
             return settled(True, DEFINITE, Rung.SECOND_VARIATION)
-        necessary = {P: form.p, Q: form.q, DISCRIMINANT: form.p**2 - 4 * form.q}
+        necessary = {own.p: form.p, own.q: form.q, own.discriminant: form.p**2 - 4 * form.q}
         margins |= necessary
         if -1 in _signs(necessary.values()):
             return settled(False, GROWS, Rung.SPECTRUM, "spectral")
@@ -122,7 +122,7 @@ class DampedRotation(Secular):
         """As Secular.decide: by t and s, where the damping reaches every motion; else at numbers."""
         closed = closed_form(self.equilibrium)
         form = closed.at(numbers)
-        margins |= {T: form.trace, DETERMINANT: form.determinant}
+        margins |= {closed.named.trace: form.trace, closed.named.determinant: form.determinant}
         trace, determinant = _signs([form.trace, form.determinant])
         if trace == determinant == 1:
             return KEEPS

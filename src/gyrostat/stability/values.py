@@ -12,7 +12,8 @@ from ..algebra.quantities import not_mixed
 from ..errors import ScopeError, ValuesError
 from ..mechanics.directions import in_any_direction
 from ..mechanics.equilibria import Equilibrium
-from ..notation import NOTATION, jet, symbol
+from ..notation import NOTATION, Use, jet, symbol
+from ..registry import use_of
 from .conditions import Criterion
 
 K3 = symbol("k3")
@@ -56,8 +57,9 @@ def is_positive(name: str, number: Expr) -> bool:
     """
     sign = sign_of_constant(number)
     if sign in (0, -1):
+        own = ", or write another letter for a number of your own" if use_of(name) is Use.FIELD else ""
         raise ValuesError(f"{name} = {shown(number) if sign else 0}, but {_described(name)} must be "
-                          "positive: give a positive number")
+                          f"positive: give a positive number{own}")
     return sign == 1
 
 

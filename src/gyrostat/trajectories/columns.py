@@ -11,7 +11,8 @@ from ..errors import ValuesError, optional
 from ..mechanics.body import Gyrostat
 from ..mechanics.circular_orbit import in_orbit, orbital_rate
 from ..mechanics.system import System
-from ..notation import NOTATION, Entry, typeset, units
+from ..notation import NOTATION, Entry, units
+from ..typesetting import typeset
 from .librations import roll_pitch_yaw
 
 RATE = units(0, 1, 0)
