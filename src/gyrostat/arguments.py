@@ -3,13 +3,14 @@
 A kind is what the annotation says: the reference, the type checker and the check read the same words.
 """
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from decimal import Decimal
 from fractions import Fraction
 from functools import wraps
 from numbers import Integral, Rational, Real
 from types import NoneType, UnionType
 from typing import Any, ParamSpec, TypeVar, Union, get_args, get_origin
 
-from .errors import ArgumentError, article
+from .errors import ArgumentError, article, brief
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -19,7 +20,7 @@ _NAMES = {"eq": "the equilibrium", "scene": "the scene", "body": "the body", "re
 _WORDS: dict[Any, str] = {
     NoneType: "None", str: "a text", int: "a whole number", float: "a number", bool: "True or False",
     Callable: "a function", Mapping: 'a mapping of names, {"I1": 1}', Sequence: "several entries, (1, 2)"}
-_WIDER = {int: Integral, float: Real, Fraction: Rational}
+_WIDER: dict[type, Any] = {int: Integral, float: (Real, Decimal), Fraction: Rational}
 _NOT_SEVERAL = (str, bytes, bytearray, memoryview, Mapping, type)
 
 
@@ -35,9 +36,9 @@ def checked(verb: Callable[P, R]) -> Callable[P, R]:
     ...     return number / 2
     >>> half(3)
     1.5
-    >>> half("3")
+    >>> half("3")                                      # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    gyrostat.errors.ArgumentError: number is a str, not a number: check the order and kind of the arguments
+    gyrostat.errors.ArgumentError: number = '3' is a str, not a number: check the order and kind of ...
     """
     inner: Any = verb
     while hasattr(inner, "__wrapped__"):
@@ -50,8 +51,9 @@ def checked(verb: Callable[P, R]) -> Callable[P, R]:
     def asked(*args: P.args, **kwargs: P.kwargs) -> R:
         for name, value in (*zip(places, args), *kwargs.items()):
             if name in checks and (missed := checks[name](value)):
-                raise ArgumentError(f"{_NAMES.get(name, name)} is {article(type(value))}, not {missed}: "
-                                    "check the order and kind of the arguments")
+                given = _NAMES.get(name) or f"{name} = {brief(value)}"
+                raise ArgumentError(f"{given} is {article(type(value))}, not {missed}: check the order and "
+                                    "kind of the arguments")
         return verb(*args, **kwargs)
 
     return asked
@@ -102,7 +104,7 @@ def _check_of(kind: Any) -> Check | None:
         return _entries_of(inside[0] if inside else Any)
     if origin is Callable or getattr(origin, "__name__", "") == "Callable":
         return lambda value: "" if callable(value) else _WORDS[Callable]
-    if isinstance(origin, type):
+    if isinstance(origin, type) and origin is not Any and not getattr(origin, "_is_protocol", False):
         return lambda value: "" if _is(value, origin) else _WORDS.get(origin, article(origin))
     return None
 

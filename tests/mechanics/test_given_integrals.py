@@ -47,8 +47,8 @@ REFUSED = [(("M1^2",), StructureError, "its bracket with the Hamiltonian is -l*p
            ((KOWALEVSKI, KOWALEVSKI), StructureError, "and the integrals that are known"),
            (("1e400*M1",), StructureError, "000... is not an integral: its bracket"),
            (("(M1 + M2 + M3 + k1 + k2 + k3)^30",), GyrostatError, "the limits are 1000 terms"),
-           ("M1^2", ArgumentError, "the integrals are a str, 'M1^2', not several: write integrals=(F,)"),
-           (M0, ArgumentError, "the integrals are a Symbol, m0, not several"),
+           ("M1^2", ArgumentError, "integrals = 'M1^2' is a str, not several entries"),
+           (M0, ArgumentError, "integrals = m0 is a Symbol, not several entries"),
            (("__import__('os')",), GyrostatError, ""), (("M1^",), GyrostatError, "")]
 
 

@@ -33,7 +33,7 @@ def test_callables_and_expressions_agree():
     (m0**2, "does not depend"), (m0 * k1, "k1"), (gs.symbol("omega") * k3, "omega"),
     (gs.symbol("pi3_0") * k3, "pi3_0"),
     (gs.symbol("dU") * k3, "dU"), ("m0*k3*k1", "k1"), ("m0*k3(2)", "cannot read"),
-    (True, "not an expression"),
+    (True, "expression = True is a bool, not an Expr"),
     (Function("V")(k3), "unspecified"),
     (sympy.I * 2, "finite real"), (sympy.oo, "finite real"),
     (sympy.Abs(k3), "smooth"), (sympy.Piecewise((k3, k3 > 0), (0, True)), "smooth")])

@@ -122,7 +122,7 @@ def test_driven_rotors_are_in_the_tensor():
     """They leave the field as it is; what is no rotor is refused."""
     driven = gs.Rotor((0, 1, 0), axial=1, rate=5)
     assert gs.circular_orbit(1, rotors=[driven]) == gs.circular_orbit(1)
-    with pytest.raises(gs.errors.ArgumentError, match="a rotor"):
+    with pytest.raises(gs.errors.ArgumentError, match="each entry is a Rotor"):
         gs.circular_orbit(1, rotors=[3])
 
 

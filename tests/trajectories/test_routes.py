@@ -68,7 +68,7 @@ def test_what_is_integrated():
     (ValuesError, "pi1", (TOP, (float("nan"), *STATE[1:]), NUMBERS), {}),
     (ValuesError, "precision = 0: give", (TOP, STATE, NUMBERS), {"precision": 0}),
     (ValuesError, "precision = -3", (TOP, STATE, NUMBERS), {"precision": -3}),
-    (ValuesError, "precision = 2.5", (TOP, STATE, NUMBERS), {"precision": 2.5}),
+    (ArgumentError, "precision = 2.5", (TOP, STATE, NUMBERS), {"precision": 2.5}),
     (ArgumentError, "scene", (gs.symmetric_gyrostat(), STATE, NUMBERS), {})])
 def test_what_is_refused(kind, message, arguments, options):
     """A message names what is wrong."""

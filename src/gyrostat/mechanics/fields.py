@@ -4,11 +4,12 @@ from typing import SupportsIndex
 
 from sympy import Rational, legendre
 
-from ..arguments import checked
-from ..errors import PotentialError
+from ..errors import PotentialError, brief
 from ..notation import symbol
 from .potential import Potential
 from .potentials import axial_potential
+
+HIGHEST = 100                                              # order: higher ones take seconds to write down
 
 
 def uniform_field() -> Potential:
@@ -31,7 +32,6 @@ def uniform_field() -> Potential:
     return newtonian_field(1)
 
 
-@checked
 def newtonian_field(order: int) -> Potential:
     """Attraction by a distant centre below, to any order in 1/r: 1 is uniform, 2 adds the gravity gradient.
 
@@ -48,7 +48,7 @@ def newtonian_field(order: int) -> Potential:
     Parameters
     ----------
     order : int
-        N, at least 1
+        N, from 1 to 100
 
     Returns
     -------
@@ -57,7 +57,7 @@ def newtonian_field(order: int) -> Potential:
     Raises
     ------
     PotentialError
-        the order is not a positive integer
+        the order is not an integer from 1 to 100
 
     References
     ----------
@@ -71,10 +71,10 @@ def newtonian_field(order: int) -> Potential:
     >>> gs.newtonian_field(3).expression - gs.newtonian_field(2).expression
     J3*m1*(5*k3**3 - 3*k3)/(6*r)
     """
-    if isinstance(order, bool) or not isinstance(order, SupportsIndex) or index(order) < 1:
-        raise PotentialError(f"the Newtonian field has no order {order!r}: it counts the terms kept in "
+    if isinstance(order, bool) or not isinstance(order, SupportsIndex) or not 1 <= index(order) <= HIGHEST:
+        raise PotentialError(f"the Newtonian field has no order {brief(order)}: it counts the terms kept in "
                              "1/r, of which the first is the "
-                             "uniform field; give 1, 2, 3, …")
+                             f"uniform field; give 1, 2, 3, …, {HIGHEST}")
     k3, m0, m1, r, I1, I3 = map(symbol, ("k3", "m0", "m1", "r", "I1", "I3"))
     if index(order) == 1:
         return axial_potential(m0 * k3)

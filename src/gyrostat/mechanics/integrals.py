@@ -1,5 +1,5 @@
 """Integrals of a scene: those linear in π are found; any other is given, read and proved."""
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -9,7 +9,7 @@ from ..algebra.grammar import parse
 from ..algebra.matrices import null_space, row_reduce
 from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring, lowest_terms
-from ..errors import ArgumentError, StructureError, article, brief
+from ..errors import StructureError
 from ..notation import symbol
 from .liepoisson import LiePoisson
 
@@ -18,9 +18,6 @@ LONG = 200                                                 # characters of an ex
 
 def texts_or_expressions(integrals: Any) -> tuple[Expr, ...]:
     """The integrals as they are given, texts read by the grammar."""
-    if isinstance(integrals, (str, Expr)) or not isinstance(integrals, Iterable):
-        raise ArgumentError(f"the integrals are {article(type(integrals))}, {brief(integrals)}, not several: "
-                            "write integrals=(F,)")
     return tuple(parse(F) if isinstance(F, str) else exact_expression(F, "an integral") for F in integrals)
 
 

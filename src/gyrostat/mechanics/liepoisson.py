@@ -22,8 +22,6 @@ from ..notation import NOTATION, Stored, Use, symbol
 from ..registry import check_names
 from ..shown import Shown
 
-_ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))
-
 
 def hat(v: Sequence[Expr]) -> ImmutableMatrix:
     """R³ → so(3): hat(v) w = v × w."""
@@ -136,8 +134,7 @@ class LiePoisson(Shown, Stored):
         (-l3 - pi3, k2)
         """
         f, g = exact_expression(f, "f"), exact_expression(g, "g")
-        rows = zip(self.gradient(f).flat(), self.tensor.tolist())
-        slopes = self.gradient(g).flat()
+        rows, slopes = zip(self.gradient(f).flat(), self.tensor.tolist()), self.gradient(g).flat()
         return expand(Add(*(a * entry * b for a, row in rows if a
                             for entry, b in zip(row, slopes) if entry and b)))
 
@@ -229,7 +226,7 @@ def lie_poisson(directions: Sequence[str] = ("k",),
             not name.isidentifier() or any(f"{name}{i}" in NOTATION for i in (1, 2, 3)))]:
         raise ScopeError(f"directions = {names}: the components of {taken[0]} have another meaning: give a "
                          "name such as k, e, n or r")
-    given = _ROTOR if gyrostatic_momentum is None else tuple(gyrostatic_momentum)
+    given = ("l1", "l2", "l3") if gyrostatic_momentum is None else tuple(gyrostatic_momentum)
     if len(given) != 3:
         raise BodyError(f"gyrostatic_momentum has {len(given)} entries: give three, one for each axis")
     rotor = tuple(map(exact_expression, given))
@@ -243,12 +240,11 @@ def _space(directions: tuple[str, ...], rotor: tuple[Expr, ...]) -> LiePoisson:
     M = [p + rotor_i for p, rotor_i in zip(pi, rotor)]
     if not vectors:
         return LiePoisson(tuple(pi), hat(M), (sum(m**2 for m in M),))
-    blocks = [hat(M), *map(hat, vectors)]
-    empty = zeros(3, 3 * len(vectors))
+    blocks, empty = [hat(M), *map(hat, vectors)], zeros(3, 3 * len(vectors))
     tensor = ImmutableMatrix.vstack(ImmutableMatrix.hstack(*blocks),
                                     *(ImmutableMatrix.hstack(block, empty) for block in blocks[1:]))
     pairs = [(M, vectors[0]), (vectors[0], vectors[0])]
     if len(vectors) == 2:
-        pairs = [(a, b) for a, b in combinations_with_replacement(vectors, 2)]
+        pairs = list(combinations_with_replacement(vectors, 2))
     return LiePoisson(tuple(x for v in (pi, *vectors) for x in v), tensor,
                       tuple(Add(*(x * y for x, y in zip(a, b))) for a, b in pairs))

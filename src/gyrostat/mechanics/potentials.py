@@ -18,7 +18,7 @@ _NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.P
 
 
 @checked
-def axial_potential(expression: Expr | str | Callable[[Symbol], Expr] | None = None) -> Potential:
+def axial_potential(expression: Expr | float | str | Callable[[Symbol], Expr] | None = None) -> Potential:
     """Axially symmetric potential U(k3).
 
     Parameters
@@ -53,7 +53,7 @@ def axial_potential(expression: Expr | str | Callable[[Symbol], Expr] | None = N
 
 
 @checked
-def general_potential(expression: Expr | str | Callable[..., Expr] | None = None) -> Potential:
+def general_potential(expression: Expr | float | str | Callable[..., Expr] | None = None) -> Potential:
     """Potential U(k1, k2, k3).
 
     Parameters

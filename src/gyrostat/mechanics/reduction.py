@@ -49,7 +49,7 @@ class Reduction(Shown, Stored):
     twist: Expr
 
     @checked
-    def square(self, U: Expr | str | None = None) -> Expr:
+    def square(self, U: Expr | float | str | None = None) -> Expr:
         """I1² k̇3² = g, a function of k3 and the levels.
 
         Parameters
@@ -137,11 +137,11 @@ class Reduction(Shown, Stored):
         level = self.system.body.moments[0] * OMEGA * self.across + V - self.twist
         return lowest_terms(expression.xreplace({V: level}))
 
-    def _field(self, U: Expr | str | None) -> Expr:
+    def _field(self, U: Expr | float | str | None) -> Expr:
         potential = self.system.potential
         if U is None:
             return S.Zero if potential is None else potential.expression
-        return exact_expression(U, "U") if isinstance(U, str) else U
+        return U if isinstance(U, Expr) else exact_expression(U, "U")
 
 
 @checked

@@ -11,7 +11,7 @@ from ..notation import symbol
 from ..registry import Letters
 from ..stability.boundary import HIGHEST, Boundary, Rung
 from ..stability.report import Report
-from ..typesetting import SUPERSCRIPTS
+from ..typesetting import SUBSCRIPTS, SUPERSCRIPTS
 from .blocks import Block, Display, Word, modulo_flow, sentence
 from .letters import letters_of, word
 
@@ -96,9 +96,9 @@ def ladder(boundary: Boundary) -> tuple[list[Rung], bool]:
 
 def rung_display(rung: Rung, letters: Letters) -> Display:
     """−c ∝ what has its sign: the margin, with its even factors."""
-    condition = rung.condition
+    condition, sub = rung.condition, str(rung.power).translate(SUBSCRIPTS)
     value = Mul(condition.margin, *(factor**2 for factor in condition.degenerate))
-    name = word(letters, f"−⟨c{rung.power}⟩", f"-⟨c_⟩_{{{rung.power}}}")
+    name = word(letters, f"−⟨c_⟩{sub}", f"-⟨c_⟩_{{{rung.power}}}")
     return Display(name, readable(value), condition.at, "∝", f"c{rung.power}")
 
 

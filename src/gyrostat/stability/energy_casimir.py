@@ -238,17 +238,13 @@ def secular_variation(eq: Equilibrium) -> SecondVariation:
 def restricted(eq: Equilibrium, slice_: tuple[ImmutableMatrix, tuple[Expr, ...]],
                functions: tuple[Expr, ...]) -> SecondVariation:
     """Of the Casimirs and integrals given, on a slice and modulo its symmetries."""
-    basis, symmetries = slice_
-    nu = multipliers(eq, functions)
+    (basis, symmetries), nu = slice_, multipliers(eq, functions)
     form, vectors = _augmented(eq, zip(functions, nu)), basis.tolist()
     ring = signs_over(eq, [entry for row in (*form, *vectors) for entry in row]).ring
     rows, bottom = ring.matrix(form)
     columns, _ = ring.matrix(vectors)
-    restricted = (
-        multiply(ring, [list(column) for column in zip(*columns)], multiply(ring, rows, columns))
-        if basis.cols
-        else []
-    )
+    across = [list(column) for column in zip(*columns)]
+    restricted = multiply(ring, across, multiply(ring, rows, columns)) if basis.cols else []
     matrix = ImmutableMatrix(basis.cols, basis.cols, lambda i, j: ring.quotient(restricted[i][j], bottom))
     free = tuple(value for j, value in enumerate(nu, 1) if value == symbol(f"nu{j}"))
     return SecondVariation(eq, basis, matrix, tuple(zip(functions, nu)), free, symmetries)

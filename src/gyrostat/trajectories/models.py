@@ -79,7 +79,7 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
                           "coordinates: give "
                           f"{', '.join(map(str, scene.space.coordinates))}")
     point = tuple(exact_number(x, s.name) for x, s in zip(state, scene.space.coordinates))
-    if precision is not None and (not isinstance(precision, int) or precision < 1):
+    if precision is not None and precision < 1:
         raise ValuesError(f"precision = {precision}: give a number of decimal digits")
     route = _route(scene, point, 53 if precision is None else bits_of(precision), tolerance)
     if precision is not None and not route.enclosed:

@@ -22,7 +22,7 @@ from .summary import attributes, summary
 class Motion:
     """The state of a scene at any time: call it with times.
 
-    motion(t) has the shape (..., n) for t [T] of any shape, in the order of scene.space.coordinates; in
+    motion(t), t [T] of any shape, has the shape (..., n), in the order of scene.space.coordinates; in
     doubles, or, with precision, of mpmath.mpf at exact numbers t. It is made by trajectories.motion.
 
     Parameters
@@ -39,8 +39,7 @@ class Motion:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> rigid = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
-    >>> turning = gs.trajectories.motion(rigid, (0, 0, 3))
+    >>> turning = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), (0, 0, 3))
     >>> turning.route, turning(10.0)
     ('equilibrium', array([0., 0., 3.]))
     """
@@ -245,8 +244,7 @@ class Motion:
             the times are not a row
         """
         optional("xarray", "charts")
-        times = finite_times(t)
-        if times.ndim != 1:
+        if (times := finite_times(t)).ndim != 1:
             raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
         states, turns = np.asarray(self(t), dtype=float), turns_of(self.attitude, times)
         return dataset(columns(self.scene, times, states, turns, pointing), times, self.attributes)
