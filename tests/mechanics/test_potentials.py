@@ -33,7 +33,7 @@ def test_callables_and_expressions_agree():
     (m0**2, "does not depend"), (m0 * k1, "k1"), (gs.symbol("omega") * k3, "omega"),
     (gs.symbol("pi3_0") * k3, "pi3_0"),
     (gs.symbol("dU") * k3, "dU"), ("m0*k3*k1", "k1"), ("m0*k3(2)", "cannot read"),
-    (True, "expression = True is a bool, not an Expr"),
+    (lambda k3: True, "not an expression"),
     (Function("V")(k3), "unspecified"),
     (sympy.I * 2, "finite real"), (sympy.oo, "finite real"),
     (sympy.Abs(k3), "smooth"), (sympy.Piecewise((k3, k3 > 0), (0, True)), "smooth")])
@@ -41,6 +41,12 @@ def test_what_is_no_potential_is_refused(given, why):
     """Parameters without k3, names of the motion, text, other functions, numbers that are not real."""
     with pytest.raises(ValueError, match=why):
         gs.axial_potential(given)
+
+
+def test_a_truth_value_is_no_potential():
+    """Though Python counts with it."""
+    with pytest.raises(TypeError, match="expression = True is a bool, not an Expr"):
+        gs.axial_potential(True)
 
 
 def test_texts_are_read_by_the_grammar():

@@ -73,17 +73,19 @@ def test_what_is_said_to_be_proved_is(case):
 
 def truth(criterion, case):
     """Of a disjunction of conjunctions, with exact numbers inserted by SymPy."""
-    definitions = dict(getattr(getattr(case.report, "closed", None), "definitions", ()))
-
-    def value(e):
-        for _ in definitions:
-            e = e.subs(definitions)
-        return case.equilibrium.insert(e).subs(case.numbers).subs(case.numbers)
+    definitions = {}
+    for name, e in getattr(getattr(case.report, "closed", None), "definitions", ()):
+        definitions[name] = value_of(case, e, definitions)
 
     def holds(c):
-        squares = [value(e) for e in c.degenerate]
+        margin, *squares = (value_of(case, e, definitions) for e in (c.margin, *c.degenerate))
         if c.strict:
-            return value(c.margin) > 0 and all(x != 0 for x in squares)
-        return value(c.margin) >= 0 or any(x == 0 for x in squares)
+            return margin > 0 and all(x != 0 for x in squares)
+        return margin >= 0 or any(x == 0 for x in squares)
 
     return any(all(map(holds, alternative)) for alternative in criterion.alternatives)
+
+
+def value_of(case, e, definitions):
+    """By SymPy's subs; what is defined depends on what is defined before it."""
+    return case.equilibrium.insert(e.subs(definitions)).subs(case.numbers).subs(case.numbers)

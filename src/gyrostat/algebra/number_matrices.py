@@ -1,5 +1,6 @@
 """Rank, kernel and negative squares of matrices of exact numbers, each zero proved."""
-from sympy import Expr, Matrix
+from flint import fmpq, fmpq_mat
+from sympy import Expr, Matrix, Rational
 
 from .exact import evaluate, sign_of_constant
 from .matrices import characteristic
@@ -23,7 +24,9 @@ def rank(matrix: Matrix) -> int:
     >>> rank(Matrix([[sqrt(2), 2], [1, sqrt(2)]]))
     1
     """
-    return int(matrix.rank(simplify=exact, iszerofunc=_is_zero)) if matrix.rows and matrix.cols else 0
+    if all(isinstance(x, Rational) for x in matrix):
+        return fmpq_mat(matrix.rows, matrix.cols, [fmpq(x.p, x.q) for x in matrix]).rank()
+    return int(matrix.rank(simplify=exact, iszerofunc=_is_zero))
 
 
 def kernel(matrix: Matrix) -> Matrix:

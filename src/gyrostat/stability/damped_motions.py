@@ -1,5 +1,4 @@
 """Which linear motions internal damping reaches, and how many of them grow: exactly, at numbers."""
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from sympy import Expr, ImmutableMatrix, Matrix, S
@@ -9,6 +8,7 @@ from ..algebra.number_matrices import NotProvedError, exact, form_on, kernel, ne
 from ..mechanics.circular_orbit import in_orbit
 from ..mechanics.derivation import rows_at_point
 from ..mechanics.equilibria import Equilibrium
+from ..mechanics.once import once
 from ..mechanics.orbit import orbit_tangent
 from ..mechanics.standard import placed
 from .energy_casimir import restricted
@@ -51,19 +51,27 @@ def growing_at(eq: Equilibrium, numbers: Point) -> Growing:
     Motion (1961): the part that is reached is a system by itself.
     """
     try:
-        return _counted(placed(eq, numbers), numbers)
+        tangent, Q, J, rate = (m.applyfunc(lambda x: evaluate(x, numbers)) for m in _matrices(eq))
+        if any(x.is_finite is not True for m in (tangent, Q, J, rate) for x in m) or rank(tangent) < Q.rows:
+            # the basis, chosen for the family, is none here
+            tangent, Q, J, rate = (m.applyfunc(lambda x: evaluate(x, numbers))
+                                   for m in _matrices(placed(eq, numbers)))
+        return _counted(Q, J, rate * tangent)
     except NotProvedError:
         return Growing(None, None)
 
 
-def _counted(eq: Equilibrium, numbers: Point) -> Growing:
-    def at_numbers(rows: Sequence[Sequence[Expr]]) -> Matrix:
-        return Matrix(ImmutableMatrix(rows).applyfunc(lambda x: evaluate(eq.insert(x), numbers)))
-
+@once
+def _matrices(eq: Equilibrium) -> tuple[Matrix, ...]:
+    """A basis of the tangent space of the orbit, Q and J in it, and δω by the coordinates."""
     tangent = orbit_tangent(eq)
-    Q = at_numbers(restricted(eq, (tangent, ()), eq.system.space.casimirs).matrix.tolist())
-    J = at_numbers(linearize(eq).matrix.tolist())
-    rate = at_numbers(_rate(eq)) * at_numbers(tangent.tolist())
+    found = (tangent, restricted(eq, (tangent, ()), eq.system.space.casimirs).matrix, linearize(eq).matrix,
+             ImmutableMatrix(_rate(eq)))
+    return tuple(Matrix(m).applyfunc(eq.insert) for m in found)
+
+
+def _counted(Q: Matrix, J: Matrix, rate: Matrix) -> Growing:
+    """The same, of the matrices in a basis of the tangent space."""
     rows = [rate * J]
     while len(rows) < J.rows:
         rows.append((rows[-1] * J).applyfunc(exact))

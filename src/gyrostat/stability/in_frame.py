@@ -4,12 +4,11 @@ from dataclasses import replace
 
 from sympy import Expr, ImmutableMatrix, Symbol
 
-from ..algebra.exact import Point, evaluate, proved_sign
+from ..algebra.exact import evaluate, proved_sign
 from ..mechanics.circular_orbit import by_gradient_alone, orbital_rate
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.orbital_precession import moving_axis
 from ..mechanics.parallel import parallel
-from ..mechanics.standard import placed
 from .decision import Decision, Rung, settled, undecided
 
 HELD = ("gyroscopic forces hold it, the second variation has both signs: no theorem decides with three "
@@ -48,13 +47,13 @@ def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate:
         return replace(found, reason=f"{AXIS}{found.reason}", margins=(),
                        level=found.level and eq.system.linear_integrals)
     if degenerate:
-        curve = on_curve(placed(eq, Point(numbers)))
+        curve = on_curve(eq, numbers)
         return undecided(DEGENERATE) if curve is None else curve
     return undecided(HELD if len(eq.point) == 9 else COUPLED)
 
 
-def on_curve(eq: Equilibrium) -> Decision | None:
-    """The decision on a satellite at numbers on a closed curve of attitudes that is stable, else None.
+def on_curve(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Decision | None:
+    """The decision on a satellite on a closed curve of attitudes that is stable, else None.
 
     With the rotor ω0 L along axis j, a = I_i − I_j, b = I_k − I_j and L² = 4ab the curve is I'_tt = 4 I'_rr,
     I' = I − I_j, and I'_tn² = 4 (I'_nn I'_rr − I'_nr²) on it. So K has the invariants e3 = 0,
@@ -68,15 +67,17 @@ def on_curve(eq: Equilibrium) -> Decision | None:
     """
     if not may_lie_on_curve(eq):
         return None
-    scene = eq.system
-    body, rotor = scene.body, scene.body.gyrostatic_momentum
-    axis = next(i for i in range(3) if rotor[i] != 0)
-    least = body.moments[axis]
-    a, b = (body.moments[axis - i] - least for i in (1, 2))
-    n, r = (ImmutableMatrix(eq.point[i:i + 3]) for i in (3, 6))
-    above = ImmutableMatrix.diag(*(moment - least for moment in body.moments))
+    rate, moments, rotor, point = (
+        [evaluate(eq.insert(x), numbers) for x in given]
+        for given in ((orbital_rate(eq.system),), eq.system.body.moments, eq.system.body.gyrostatic_momentum,
+                      eq.point))
+    axis = next((i for i in range(3) if rotor[i] != 0), 0)
+    a, b = (moments[axis - i] - moments[axis] for i in (1, 2))
+    n, r = (ImmutableMatrix(point[i:i + 3]) for i in (3, 6))
+    above = ImmutableMatrix.diag(*(moment - moments[axis] for moment in moments))
     t = n.cross(r)
-    signs = [proved_sign(evaluate(x, {})) for x in (
-        a, b, (rotor[axis] / orbital_rate(scene))**2 - 4 * a * b, t.dot(above * t) - 4 * r.dot(above * r),
-        a - 4 * b, b - 4 * a)]
-    return ON_CURVE if signs[:4] == [1, 1, 0, 0] and 0 not in signs[4:] else None
+    for wanted, x in ((1, a), (1, b), (0, (rotor[axis] / rate[0])**2 - 4 * a * b),
+                      (0, t.dot(above * t) - 4 * r.dot(above * r))):
+        if proved_sign(evaluate(x, {})) != wanted:
+            return None
+    return ON_CURVE if proved_sign(a - 4 * b) and proved_sign(b - 4 * a) else None

@@ -98,7 +98,7 @@ class OrbitalEquilibrium(Shown, Stored):
             return Report(self.equilibrium).verdict({})
         trace_, second, whole, *spectrum = self.signs
         if self.locus:                                     # K is degenerate along the curve
-            found = LEAVES if -1 in spectrum else on_curve(self.equilibrium)
+            found = LEAVES if -1 in spectrum else on_curve(self.equilibrium, {})
             return undecided(self.locus) if found is None else found
         if whole == -1:
             return ODD

@@ -4,14 +4,12 @@ from dataclasses import replace
 
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
-from ..algebra.exact import Point
 from ..algebra.matrices import characteristic
 from ..algebra.polynomials import lowest_terms
 from ..kept import cached_property
 from ..mechanics.circular_orbit import in_orbit, orbital_rate
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.liepoisson import hat
-from ..mechanics.standard import placed
 from .criteria import stiffness
 from .decision import Decision, undecided
 from .in_frame import on_curve
@@ -56,7 +54,7 @@ class SecularInFrame(Secular):
         return S.One
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
-        found = on_curve(placed(self.equilibrium, Point(numbers)))
+        found = on_curve(self.equilibrium, numbers)
         return undecided(DEGENERATE) if found is None else replace(found, notion="secular", growing=0)
 
 
