@@ -7,7 +7,9 @@ from flint import arb
 from sympy import Rational, exp, pi, sin, sqrt
 
 from gyrostat.algebra.balls import ball, dyadic, fraction_of, interval
+from gyrostat.algebra.exact import ALGEBRAIC_LIMIT
 from gyrostat.algebra.precision import own_precision
+from gyrostat.errors import GyrostatError
 from gyrostat.notation import symbol
 
 x = symbol("x")
@@ -34,3 +36,12 @@ def test_fractions_of_balls():
         assert interval(low).contains(interval(low).mid())
         small = Fraction(1, 1000)
         assert abs(dyadic(interval(high), small) - high) < small and dyadic(between, small) is None
+
+
+def test_bits_that_a_sign_may_take():
+    """As many as the sign of an algebraic number asks for, and eight times more; not any number."""
+    with own_precision(8 * ALGEBRAIC_LIMIT):
+        assert arb(1) / 3 < 1
+    for bits in (1, 2**24 + 1, 53.0, True, "53"):
+        with pytest.raises(GyrostatError, match="give 53, say"), own_precision(bits):
+            pass

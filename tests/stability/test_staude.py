@@ -139,6 +139,15 @@ def test_boundaries_between_minimum_and_saddle_are_extrema_of_c1():
                 assert (abs(value) < 1e-20) == (len(kinds) == 2), (inertia, after.low, kinds)
 
 
+def test_the_verdict_does_not_change_where_d4_changes_its_sign():
+    """Between resonances, and where D4 is 0: other pieces, the same verdict."""
+    arc = cone_of((1, 2, 3), (1, 1, 1)).arcs({})[2]
+    first, *held = arc.pieces
+    assert first.decision.unstable and len(held) == 4 and all(piece.decision.stable for piece in held)
+    assert len({piece.decision.rung for piece in held}) == 2
+    assert arc.boundaries == (first.high,)
+
+
 def test_ends():
     """Axes at infinite rate, c at rest."""
     arcs = cone_of((1, 2, 3), (0, 3, 4)).arcs({})

@@ -7,7 +7,7 @@ from flint import ctx
 
 from ..errors import ValuesError, brief
 
-MOST = 10**6                                           # bits
+MOST = 2**24                                           # bits
 ONE_AT_A_TIME = threading.RLock()                      # held by every computation of ours with enclosures
 
 
@@ -32,7 +32,7 @@ def own_precision(bits: int) -> Iterator[None]:
     Parameters
     ----------
     bits : int
-        from 2 up to a million
+        from 2 to 2²⁴
 
     Returns
     -------
@@ -52,6 +52,6 @@ def own_precision(bits: int) -> Iterator[None]:
     100
     """
     if type(bits) is not int or not 2 <= bits <= MOST:
-        raise ValuesError(f"bits = {brief(bits)} is no whole number from 2 to {MOST}: give 53, say")
+        raise ValuesError(f"bits = {brief(bits)} is no whole number from 2 to 2²⁴: give 53, say")
     with ONE_AT_A_TIME, ctx.workprec(bits):
         yield

@@ -125,7 +125,8 @@ class StaudeArc(Shown, Stored):
     @cached_property
     def boundaries(self) -> tuple[Expr, ...]:
         """Where the verdict changes, exact: the amended potential or the spectrum does."""
-        return tuple(two.low for one, two in pairwise(self.pieces) if one.decision != two.decision)
+        return tuple(two.low for one, two in pairwise(self.pieces)
+                     if one.decision.reason != two.decision.reason)
 
     @property
     def _within(self) -> tuple[Expr | None, ...]:
