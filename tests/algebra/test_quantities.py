@@ -118,3 +118,20 @@ def test_units_are_those_of_a_library(name, library):
     assert float(size) == pytest.approx(float(theirs.magnitude), rel=1e-14)
     powers = theirs.dimensionality
     assert dimension == tuple(int(powers.get(f"[{d}]", 0)) for d in ("mass", "length", "time"))
+
+
+@pytest.mark.parametrize("asked", [
+    lambda x: gs.permanent_rotation(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential()),
+                                    (x, 0, 0)),
+    lambda x: gs.circular_orbit(mu=x, radius=1), lambda x: gs.circular_orbit(mu=1, radius=x),
+    lambda x: gs.mechanics.free_precession((1, 2), x, 1), lambda x: gs.plotting.draw_smelt_plane(x),
+    lambda x: gs.plotting.draw_smelt_plane(0, {"station": (x, x, x)}),
+    lambda x: gs.underwater_vehicle(mass=(x, 1, 1)),
+    lambda x: gs.equilibrium(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), (x, 0, 0)),
+    lambda x: gs.steady_motion(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.circular_orbit(1)),
+                               (x, 0, 0), (0, 1, 0))],
+    ids=["direction", "mu", "radius", "rate", "Smelt", "its bodies", "mass", "point", "normal"])
+def test_every_argument_has_its_dimension(asked):
+    """Newtons are those of none of them; a pure number has no unit."""
+    with pytest.raises(ValuesError, match="3 N is a number of kg m s.-2, but .* is one of"):
+        asked("3 N")

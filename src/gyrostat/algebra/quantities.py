@@ -34,13 +34,17 @@ class Dimension(NamedTuple):
 
 NONE = Dimension(0, 0, 0)
 _INERTIA, _MOMENTUM, _TORQUE = Dimension(1, 2, 0), Dimension(1, 2, -1), Dimension(1, 2, -2)
+_RATE = Dimension(0, 0, -1)
 # of what is not in the table of notation
 _BESIDE = MappingProxyType({
     "inertia": _INERTIA, "gyrostatic_momentum": _MOMENTUM, "axial": _INERTIA, "transverse": _INERTIA,
-    "rate": Dimension(0, 0, -1), "momentum": _MOMENTUM, "M": _MOMENTUM, "C1": _MOMENTUM,
-    "energy": _TORQUE, "axis": NONE, "orbit rate": Dimension(0, 0, -1), "orbit mu": Dimension(0, 3, -2),
+    "rate": _RATE, "momentum": _MOMENTUM, "M": _MOMENTUM, "C1": _MOMENTUM,
+    "energy": _TORQUE, "axis": NONE, "orbit rate": _RATE, "orbit mu": Dimension(0, 3, -2),
     "orbit radius": Dimension(0, 1, 0), "angle of roll": NONE, "angle of pitch": NONE, "angle of yaw": NONE,
-    "--momentum": _MOMENTUM, "--until": Dimension(0, 0, 1), "--step": Dimension(0, 0, 1)})
+    "direction": NONE, "resolution": NONE, "sizes": NONE, "l/(I_pitch ω0)": NONE, "t": Dimension(0, 0, 1),
+    "transverse rate": _RATE, "axial rate": _RATE, "--transverse": _RATE, "--axial": _RATE,
+    "mass": Dimension(1, 0, 0), "coupling": Dimension(1, 1, 0), "--energy": _TORQUE, "--momentum": _MOMENTUM,
+    "--until": Dimension(0, 0, 1), "--step": Dimension(0, 0, 1)})
 _MASS, _LENGTH, _TIME, _FORCE = (Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1),
                                  Dimension(1, 1, -2))
 _FOOT, _POUND, _GRAVITY = Rational("0.3048"), Rational("0.45359237"), Rational("9.80665")
@@ -66,7 +70,7 @@ def dimension_of(name: str) -> Dimension | None:
     """What a name is a number of; None of a parameter of the user, which may be anything."""
     entry = NOTATION.get(name)
     if entry is None:
-        return _BESIDE.get(name)
+        return _BESIDE.get(name, _BESIDE.get(name.partition(" of ")[0]))       # inertia of a named body
     energy, rate = entry.dimension
     return Dimension(energy, 2 * energy + entry.length, -rate)
 

@@ -113,8 +113,8 @@ def _beside(potential: Any) -> Expr:
 
 def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
     """ω0, positive."""
-    given = {name: exact_expression(x, name) for name, x in (("rate", rate), ("mu", mu), ("radius", radius))
-             if x is not None}
+    given = {name: exact_expression(x, f"orbit {name}")
+             for name, x in (("rate", rate), ("mu", mu), ("radius", radius)) if x is not None}
     for name, value in given.items():
         directions = sorted(map(str, value.free_symbols & {*_components(NORMAL), *_components(VERTICAL)}))
         check_names([value], f"{name} = {shown(value)}", PotentialError)

@@ -1,5 +1,6 @@
 """An equilibrium that is claimed: a point of your own, with the relations that hold on it."""
 from collections.abc import Sequence
+from itertools import chain, repeat
 from typing import Any
 
 from sympy import Expr
@@ -45,7 +46,8 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
     gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, ...
     """
     given = scene.potential is not None and scene.potential.given
-    pairs = tuple((symbol(str(name)), exact_expression(value)) for name, value in relations)
-    return Equilibrium(label, scene, tuple(map(exact_expression, point)), pairs,
+    pairs = tuple((symbol(str(name)), exact_expression(value, str(name))) for name, value in relations)
+    coordinates = chain(map(str, scene.space.coordinates), repeat("the point"))
+    return Equilibrium(label, scene, tuple(map(exact_expression, point, coordinates)), pairs,
                        tuple(map(exact_expression, domain)),
                        tuple(name.name for name, _ in pairs if not (given and jet(name.name))))

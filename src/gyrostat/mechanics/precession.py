@@ -88,7 +88,7 @@ def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> Free
                         "(I1, I3)")
     I1, I3 = (exact_expression(i, "inertia") for i in inertia)
     Gyrostat((I1, I1, I3), (0, 0, 0))                      # positive, or refused
-    across, along = exact_expression(transverse, "transverse"), exact_expression(axial, "axial")
+    across, along = exact_expression(transverse, "transverse rate"), exact_expression(axial, "axial rate")
     if across == along == 0:
         raise ScopeError("transverse = axial = 0: the body is at rest and has no precession; give a rate "
                          "that is not 0")

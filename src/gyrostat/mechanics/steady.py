@@ -1,5 +1,6 @@
 """Steady motions of a body in two directions, or with a coupling: at given directions, at a given rate."""
 from collections.abc import Sequence
+from itertools import chain
 from typing import Any
 
 from sympy import Expr, ImmutableMatrix
@@ -8,6 +9,7 @@ from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import lowest_terms
 from ..arguments import checked
 from ..errors import EquilibriumError, ScopeError
+from ..notation import NOTATION
 from .coupled import CoupledPotential
 from .equilibria import Equilibrium
 from .system import System
@@ -62,7 +64,8 @@ def steady_motion(scene: System, *directions: Sequence[Any], omega: Sequence[Any
     if len(directions) != len(potential.directions) or any(len(x) != 3 for x in (*directions, omega)):
         raise EquilibriumError(f"the scene has {len(potential.directions)} directions, "
                                f"{', '.join(potential.directions)}: give three components of each")
-    places = [exact_expression(x, name) for name, a in zip(potential.directions, directions) for x in a]
+    names = [str(x) if str(x) in NOTATION else "direction" for x in potential.variables]
+    places = list(map(exact_expression, chain(*directions), names))
     at = dict(zip(potential.variables, places))
     rate = ImmutableMatrix([exact_expression(w, "omega") - b.xreplace(at)
                             for w, b in zip(omega, potential.drift)])

@@ -8,6 +8,7 @@ from sympy import Expr
 
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_number, shown
+from ..algebra.quantities import not_mixed
 from ..arguments import checked
 from ..charts.chart import stability_chart
 from ..errors import ValuesError
@@ -71,7 +72,7 @@ def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None 
     >>> [text.get_text() for text in ax.get_legend().get_texts()][-1]
     'pole'
     """
-    ratio = exact_number(rotor, "rotor")
+    ratio = exact_number(rotor, "l/(I_pitch ω0)")
     marks = {name: ratios(moments, name) for name, moments in (bodies or {}).items()}
     values = (2 * np.arange(POINTS) + 1) / POINTS - 1          # the middles of cells between −1 and 1
     chart = stability_chart(_report(ratio), x=(ROLL.name, values), y=(YAW.name, values), damped=True,
@@ -110,7 +111,9 @@ def ratios(moments: Sequence[Any], name: str = "the body") -> tuple[Expr, Expr]:
     """
     if len(moments) != 3:
         raise ValuesError(f"{name} has {len(moments)} moments: give those about roll, pitch and yaw")
-    about_roll, about_pitch, about_yaw = found = [exact_number(x, name) for x in moments]
+    own = f"inertia of {name}"
+    not_mixed([(own, x) for x in moments])
+    about_roll, about_pitch, about_yaw = found = [exact_number(x, own) for x in moments]
     sides = [*found, *(sum(found) - 2 * x for x in found)]
     if any(sign_of_constant(x) != 1 for x in sides):
         raise ValuesError(f"{name} has the moments {', '.join(map(shown, found))} about roll, pitch and yaw, "
