@@ -61,7 +61,8 @@ def toml_of(path: Path | Traversable) -> dict[str, Any]:
             data = file.read(FILE + 1)
         text = data.decode("utf-8-sig")
     except (OSError, ValueError) as error:
-        raise PublishedError(f"{path}: cannot be read ({error}): give a text file in UTF-8") from None
+        why = getattr(error, "strerror", None) or getattr(error, "reason", None) or str(error)
+        raise PublishedError(f"{path}: cannot be read ({why}): give a text file in UTF-8") from None
     if len(data) > FILE:
         raise PublishedError(f"{path}: is longer than {FILE} bytes: split it into several files")
     bare, depth = _TEXTS.sub('""', text), 0

@@ -10,6 +10,7 @@ from ..version import __version__
 from .carried import carried_out
 from .completion import SHELLS, PrintCompletion
 from .help import KINDS, PROGRAM, VERBS, Formatter, examples
+from .meant import Parser
 from .output import standard_streams, told
 from .scene_options import a_scene, an_equilibrium, claimed_point, integral, numbers, pointing, scene_file
 from .watch import signals
@@ -20,8 +21,7 @@ LIMIT = 60.0                                           # seconds of a verb, or o
 @cache
 def parser() -> argparse.ArgumentParser:
     """The command line's grammar."""
-    top = argparse.ArgumentParser(prog="gyrostat", description=PROGRAM, epilog=examples("gyrostat"),
-                                  formatter_class=Formatter)
+    top = Parser(prog="gyrostat", description=PROGRAM, epilog=examples("gyrostat"), formatter_class=Formatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     top.add_argument("--print-completion", choices=SHELLS, action=PrintCompletion,
                      help="a script with which the shell completes verbs, options and names of files; "
@@ -121,7 +121,7 @@ def _motion(verb: argparse.ArgumentParser) -> None:
                       help="the error that is accepted of a motion that is integrated; left out: 1e-3")
 
 
-def _kinds(plot: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
+def _kinds(plot: Parser) -> list[Parser]:
     """The pictures and what each needs."""
     kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
     sphere, nutation, well, branches, rotors, staude, plane, amended, diagram, eigenvalues, cones = (

@@ -1,0 +1,30 @@
+"""The command line's grammar, which says of an option or a verb that it does not know which one was meant."""
+import argparse
+import re
+from collections.abc import Iterator
+from difflib import get_close_matches
+from typing import NoReturn
+
+_UNKNOWN = re.compile(r"unrecognized arguments: ([^\s=]+)|invalid choice: '([^']*)'")
+
+
+class Parser(argparse.ArgumentParser):
+    """As argparse's; with "did you mean" where something like it is there."""
+
+    def error(self, message: str) -> NoReturn:
+        """End with status 2, the usage and the message on standard error."""
+        unknown = _UNKNOWN.search(message)
+        word = (unknown[1] or unknown[2]) if unknown else ""
+        alike = [known for known in _words(self) if known.startswith("-") == word.startswith("-")]
+        near = "".join(f"; did you mean {known}?" for known in get_close_matches(word, alike, 1))
+        super().error(message + near)
+
+
+def _words(parser: argparse.ArgumentParser) -> Iterator[str]:
+    """The options of a parser and of its verbs, and the verbs."""
+    for action in parser._actions:
+        yield from action.option_strings
+        if isinstance(action.choices, dict):
+            for verb, its in action.choices.items():
+                yield verb
+                yield from _words(its)

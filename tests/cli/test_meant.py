@@ -1,0 +1,26 @@
+"""What the command line does not know, and what was meant."""
+import pytest
+
+from gyrostat.cli.parser import main
+
+
+@pytest.mark.parametrize(("typed", "near"), [
+    ("decide --formt json", "--format"), ("report --potental=k3", "--potential"),
+    ("decide -inertia 1,2,3", "--inertia"),
+    ("reprt", "report"), ("plot staude-con", "staude-cone"), ("plot smelt", ""), ("report xyzzy", ""),
+    ("report --format jsn", "")])
+def test_what_is_near_is_named(capsys, typed, near):
+    """An option for what begins as one, a verb or a picture for a word; nothing where nothing is near."""
+    with pytest.raises(SystemExit) as stop:
+        main(typed.split())
+    assert stop.value.code == 2
+    said = capsys.readouterr().err
+    assert said.endswith(f"; did you mean {near}?\n") if near else "did you mean" not in said
+
+
+def test_a_file_that_cannot_be_read(capsys, tmp_path):
+    """In words, without the number of the system's error."""
+    for name, why in ((tmp_path / "none.toml", "No such file"), (tmp_path, "Is a directory")):
+        assert main(["decide", "--scene", str(name)]) == 2
+        said = capsys.readouterr().err
+        assert f"{name}: cannot be read ({why}" in said and "Errno" not in said
