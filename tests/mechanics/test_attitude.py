@@ -50,3 +50,11 @@ def test_errors():
     """An unknown convention is refused."""
     with pytest.raises(ScopeError, match="xyz"):
         rotation("xyz")
+
+
+def test_texts_are_read_and_not_executed(tmp_path):
+    """As in every place for an expression: by the grammar."""
+    assert gs.mechanics.angle_rates(("omega1", 0, 0)) == gs.mechanics.angle_rates((gs.symbol("omega1"), 0, 0))
+    with pytest.raises(gs.errors.GyrostatError, match="is not part of the grammar"):
+        gs.mechanics.angle_rates((f"__import__('pathlib').Path({str(tmp_path / 'made')!r}).touch()", 0, 0))
+    assert not list(tmp_path.iterdir())

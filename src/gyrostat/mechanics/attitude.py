@@ -8,9 +8,10 @@ from functools import cache
 
 from sympy import Expr, ImmutableMatrix, cos, sin
 
+from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring
-from ..arguments import checked
-from ..errors import BodyError, ScopeError
+from ..arguments import checked, several
+from ..errors import ScopeError
 from ..notation import symbol
 
 ANGLES = tuple(map(symbol, ("phi", "theta", "psi")))
@@ -127,7 +128,7 @@ def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz"
 
     Raises
     ------
-    BodyError
+    ArgumentError
         there are not three components
     ScopeError
         another convention
@@ -143,10 +144,9 @@ def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz"
     >>> rates[1]
     omega1*cos(psi) - omega2*sin(psi)
     """
-    axes, given = nodes(convention), ImmutableMatrix(omega)
-    if given.shape != (3, 1):
-        raise BodyError(f"the angular velocity has the shape {given.shape}: give three components, along "
-                        "the axes of the body")
+    components = several(omega, "the angular velocity", 3)
+    given = ImmutableMatrix([exact_expression(x, f"omega{i}") for i, x in enumerate(components, 1)])
+    axes = nodes(convention)
     return tuple(map(reduced, axes.adjugate() * given / reduced(axes.det())))
 
 
