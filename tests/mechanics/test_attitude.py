@@ -2,6 +2,7 @@
 import pytest
 from sympy import Matrix, cos, eye, sin
 
+import gyrostat as gs
 from gyrostat.errors import ScopeError
 from gyrostat.mechanics.attitude import (
     ANGLES,
