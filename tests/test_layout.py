@@ -12,8 +12,8 @@ import pytest
 import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
-FLOORS = ("version later kept shown errors notation typesetting registry algebra mechanics stability "
-          "printing charts trajectories plotting published cli __main__").split()
+FLOORS = ("version later kept shown errors notation typesetting registry arguments algebra mechanics "
+          "stability printing charts trajectories plotting published cli __main__").split()
 OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka",
             "contourpy", "plotly"}
 

@@ -38,16 +38,16 @@ def test_what_an_integral_proves(capsys, tmp_path):
 @pytest.mark.slow
 def test_conditions_with_it(capsys):
     """α is eliminated; what the conditions are then is said, and the values of one name are found."""
-    m = "(5/13*w^2 - 5/12*w*l)"
-    F = (f"(M1^2 - M2^2 - 4*{m}*k1)^2 + (2*M1*M2 - 4*{m}*k2)^2 + 8*l*(M3 - 2*l)*(M1^2 + M2^2)"
-         f" - 32*l*{m}*M1*k3")
-    scene = ["--inertia", "2,2,1", "--gyrostatic-momentum", "0,0,l", "--potential", f"{m}*k1", "--point",
+    m = "(5/13*w^2 - 5/12*w*s)"
+    F = (f"(M1^2 - M2^2 - 4*{m}*k1)^2 + (2*M1*M2 - 4*{m}*k2)^2 + 8*s*(M3 - 2*s)*(M1^2 + M2^2)"
+         f" - 32*s*{m}*M1*k3")
+    scene = ["--inertia", "2,2,1", "--gyrostatic-momentum", "0,0,s", "--potential", f"{m}*k1", "--point",
              "10/13*w,0,12/13*w,5/13,0,12/13", "--integral", F]
     status, out, err = run(capsys, *scene, verb="conditions")
     assert (status, err) == (0, "")
-    assert "and 13 l + 12 w ≠ 0" in out and "α is eliminated" in out
-    _, out, _ = run(capsys, *scene, "--set", "w=1", "--solve-for", "l", verb="conditions")
-    assert "−12/13 < l < −25/156 or −25/156 < l < 47/78 or l ≥ 12/13" in out
+    assert "and 13 s + 12 w ≠ 0" in out and "α is eliminated" in out
+    _, out, _ = run(capsys, *scene, "--set", "w=1", "--solve-for", "s", verb="conditions")
+    assert "−12/13 < s < −25/156 or −25/156 < s < 47/78 or s ≥ 12/13" in out
 
 
 @pytest.mark.slow
@@ -56,7 +56,7 @@ def test_printed_with_the_scene(capsys):
     _, out, _ = run(capsys, *SCENE, *POINT, "--integral", F)
     assert "Integral given, {F, h} = 0:\n    F₁ = (π₁² − π₂² − 4 m₀ k₁)² + (2 π₁ π₂ − 4 m₀ k₂)²\n" in out
     _, out, _ = run(capsys, *SCENE, *POINT, "--integral", F, "--format", "latex")
-    assert r"F_1 = \left(\pi_1^{2} - \pi_2^{2} - 4 m_0 k_1\right)^{2}" in out
+    assert r"F_{1} = \left(\pi_1^{2} - \pi_2^{2} - 4 m_0 k_1\right)^{2}" in out
     _, out, _ = run(capsys, *SCENE, *POINT, "--integral", F, "--format", "json")
     (shown,) = json.loads(out)["integrals"]
     assert shown == "(-4*k2*m0 + 2*pi1*pi2)**2 + (-4*k1*m0 + pi1**2 - pi2**2)**2"

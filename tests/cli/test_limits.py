@@ -66,7 +66,7 @@ def test_the_others_are_given_where_one_does_not_exist(capsys, verb, potential, 
     for form in ("text", "latex", "json"):
         assert main([verb, "--potential", potential, "--format", form]) == 0
         out = capsys.readouterr().out
-        assert all(f"{label} is out of reach: U or one of its derivatives is" in " ".join(out.split())
+        assert all(f"{label} is out of reach: U " in " ".join(out.split())
                    for label in missing)
     labels = {e["label"]: "error" in e for e in json.loads(out)["equilibria"]}
     assert {label: label in missing for label in ("E1", "E2", "E3")}.items() <= labels.items()

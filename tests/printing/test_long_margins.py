@@ -4,10 +4,10 @@ import json
 import pytest
 from commands import decide, run
 
-BODY = ["--inertia", "I1,I2,I3", "--gyrostatic-momentum", "l1,l2,l3", "--potential",
-        "(4*I1*w^2+6*l1*w+4*s0)*k1/6+(2*I2*w^2+6*l2*w+2*s0)*k2/6+(4*I3*w^2+6*l3*w+4*s0)*k3/6",
+BODY = ["--inertia", "I1,I2,I3", "--gyrostatic-momentum", "a1,a2,a3", "--potential",
+        "(4*I1*w^2+6*a1*w+4*s0)*k1/6+(2*I2*w^2+6*a2*w+2*s0)*k2/6+(4*I3*w^2+6*a3*w+4*s0)*k3/6",
         "--point", "2*I1*w/3,I2*w/3,2*I3*w/3,2/3,1/3,2/3",
-        "--set", "w=-1", "I1=3", "I2=5", "I3=4", "l1=1", "l2=0", "l3=2"]
+        "--set", "w=-1", "I1=3", "I2=5", "I3=4", "a1=1", "a2=0", "a3=2"]
 
 
 @pytest.mark.slow

@@ -12,14 +12,14 @@ from sympy import Rational, S
 import gyrostat as gs
 from gyrostat.charts.codes import CODE_OF
 
-l, m, t, w, k1, k2, k3 = map(gs.symbol, ("l", "m", "t", "w", "k1", "k2", "k3"))
+l, m, q, w, k1, k2, k3 = map(gs.symbol, ("l", "m", "q", "w", "k1", "k2", "k3"))
 I1, I2, I3, e = map(gs.symbol, ("I1", "I2", "I3", "e"))
 
 
 @cache
 def kowalevski():
     """Kowalevski's top with a rotor (Yehia) about any k in the plane of its centre of mass and its axis."""
-    u, v = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
+    u, v = (1 - q**2) / (1 + q**2), 2 * q / (1 + q**2)
     F = "(M1^2 - M2^2 - 4*m*k1)^2 + (2*M1*M2 - 4*m*k2)^2 + 8*l*(M3 - 2*l)*(M1^2 + M2^2) - 32*l*m*M1*k3"
     scene = gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, l)), gs.general_potential(m * k1), integrals=(F,))
     given = ((m, w**2 * u - w * l * u / v),)
@@ -49,11 +49,11 @@ def forms(report, values):
 
 
 def drawn(draw, names):
-    """Three different moments, t > 0 and not 1."""
+    """Three different moments, q > 0 and not 1."""
     moments = draw.sample(range(4, 25), 3)
     numbers = {name: Rational(draw.randint(-9, 9), draw.randint(1, 4)) for name in ("e", "l", "w")}
     numbers |= {f"I{n}": Rational(x, 8) for n, x in enumerate(moments, 1)}
-    numbers["t"] = Rational(2 * draw.randint(0, 8) + 1, 4)
+    numbers["q"] = Rational(2 * draw.randint(0, 8) + 1, 4)
     return {name: numbers[name] for name in names}
 
 
@@ -105,7 +105,7 @@ def agree(report, values):
 @pytest.mark.slow
 def test_arrays_agree_with_verdicts():
     """At every point, on the curves too."""
-    assert agree(kowalevski(), {"t": np.array([0.5, 0.75])[:, None], "w": 1.0,
+    assert agree(kowalevski(), {"q": np.array([0.5, 0.75])[:, None], "w": 1.0,
                                 "l": np.array([-1.5, 0.0, 0.5, 0.96])}) == 3
     assert agree(clebsch(), {"I1": 3.0, "I2": 2.0, "I3": 1.0, "e": np.array([-2.0, 0.0, 1.0, 4.0])[:, None],
                              "w": np.array([-1.0, 0.0, 1.0, 2.0])}) > 3
@@ -115,7 +115,7 @@ def test_arrays_agree_with_verdicts():
 def test_a_box_in_the_window_is_stable():
     """As a whole, by F alone; and not where it contains unstable points."""
     report = kowalevski()
-    inside = {"w": 1, "t": ("3/4", "19/25"), "l": (0, "1/100")}
+    inside = {"w": 1, "q": ("3/4", "19/25"), "l": (0, "1/100")}
     assert gs.charts.certify_box(report, inside).verdict.name == "STABLE"
     assert gs.charts.certify_box(report, inside | {"l": ("1/2", 1)}).verdict.name != "STABLE"
 
@@ -123,7 +123,7 @@ def test_a_box_in_the_window_is_stable():
 @pytest.mark.slow
 def test_the_stabilizing_set_has_the_window():
     """Of l, where the Casimirs alone prove l > 24/25 only."""
-    found = gs.stabilizing_set(kowalevski(), "l", {"t": "3/4", "w": 1})
+    found = gs.stabilizing_set(kowalevski(), "l", {"q": "3/4", "w": 1})
     assert str(found).splitlines()[0] == ("Stable: −13824/1225 < l < −24/25 or −24/25 < l < −49/600 or "
                                           "−49/600 < l < 239/300 or l ≥ 24/25.")
 

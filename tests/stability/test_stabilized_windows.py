@@ -87,14 +87,23 @@ def test_where_D4_is_0(seed):
 
 
 @pytest.mark.slow
-def test_irrational_numbers_leave_the_window_open():
-    """√2 for a moment: D4 is no rational function with rational coefficients, points are decided."""
+def test_windows_at_irrational_numbers():
+    """√2 for a moment: what decides has coefficients in ℚ(√2); the window is as at rational ones nearby."""
     report = gs.analyze(FAMILIES["E1"]())
     values = {"I1": "3*sqrt(2)", "I2": 4, "I3": 3, "m0": 1}
     solution = gs.stabilizing_set(report, "pi3_0", values)
-    assert [part.meaning for part in solution.parts] == ["stable", "undecided"]
-    assert solution.contains({**values, "pi3_0": 20}) is None
-    assert report.verdict({**values, "pi3_0": 20}).verdict is gs.Verdict.STABLE
+    assert [part.meaning for part in solution.parts] == ["stable"]
+    near = gs.stabilizing_set(report, "pi3_0", {**values, "I1": "4.2426406871"})
+    assert shape(solution) == shape(near)
+    for pi3_0 in (3, 4, 5, 8, 20):
+        stable = report.verdict({**values, "pi3_0": pi3_0}).stable
+        assert solution.contains({**values, "pi3_0": pi3_0}) is stable
+
+
+def shape(solution):
+    """Ends of intervals in floats, and whether they belong to them."""
+    return [(round(float(i.low), 8), round(float(i.high), 8), i.low_if, i.high_if)
+            for part in solution.parts for case in part.cases for i in case.intervals]
 
 
 ARCS = [((3, 5, 4), (0, 2, 2)), ((1, 2, 3), (1, Rational(1, 2), 0)), ((1, 2, 3), (1, 1, 1)),

@@ -140,7 +140,7 @@ def _refuse_strange(report: Report, given: Mapping[str, Any], grid: Grid, damped
 
 def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True, damped: bool = False) -> Grid:
     """The grid of the names given, all that a verdict needs and no other."""
-    required = (report.secular if damped else report).required
+    required = (report.secular if damped else report).compared
     check_family(report.equilibrium, given, required, report.parameters,
                  "give a number or an array for each")
     return grid_of(given, finite=finite)

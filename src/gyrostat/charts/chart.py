@@ -122,8 +122,8 @@ def _check_names(report: Report, varied: Sequence[str], fixed: Sequence[str], da
                               "once")
         if name in OWN or name.startswith("margin_"):
             raise ValuesError(f"{name} is a name of the dataset itself: call the parameter otherwise")
-    further = report.secular.required if damped else ()
-    check_family(report.equilibrium, given, tuple(dict.fromkeys((*report.required, *further))),
+    further = report.secular.compared if damped else ()
+    check_family(report.equilibrium, given, tuple(dict.fromkeys((*report.compared, *further))),
                  report.parameters, "fix each at a number, or make it an axis")
 
 

@@ -47,7 +47,7 @@ def region_of(report: Report, given: Mapping[str, Any]) -> Region:
                          "parameters: eliminate a name "
                          "that enters this relation affinely")
     names = [str(name) for name in given]
-    check_family(eq, names, report.required, report.parameters,
+    check_family(eq, names, report.compared, report.parameters,
                  "give a number or a pair (low, high) for each")
     ends = {str(name): _ends(value, str(name)) for name, value in given.items()}
     fixed = Point({symbol(name): low for name, (low, high) in ends.items() if low == high})

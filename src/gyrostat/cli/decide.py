@@ -1,8 +1,9 @@
 """gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
 import argparse
 
-from sympy import Expr, Rational
+from sympy import CRootOf, Expr
 
+from ..algebra.balls import Enclosed
 from ..notation import symbol
 from ..printing.blocks import Block, Display, Heading, Word, sentence
 from ..printing.data import double, json_text
@@ -86,6 +87,5 @@ def _value(number: Expr | None) -> Word:
 
 
 def _is_long(number: Expr) -> bool:
-    """Whether its text is; of roots of polynomials with long coefficients that is known without the text."""
-    bits = sum(int(x.p).bit_length() + int(x.q).bit_length() for x in number.atoms(Rational))
-    return 0.3 * bits > LONG or len(str(number)) > LONG
+    """Whether its text is, or is that of the root of a polynomial, which nobody reads."""
+    return number.has(CRootOf, Enclosed) or len(str(number)) > LONG

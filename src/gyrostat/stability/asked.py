@@ -45,6 +45,8 @@ def require_revolution(scene: System, instead: str) -> None:
     inertia = scene.body.inertia
     shown = "a full inertia tensor" if isinstance(inertia, ImmutableMatrix) else f"inertia = {brief(inertia)}"
     field = "no field" if scene.potential is None else f"U = {brief(scene.potential.expression)}"
+    if isinstance(inertia, ImmutableMatrix):
+        instead = f"principal_axes(body) turns the body into its axes; {instead}"
     raise ScopeError(f"{shown}, {field}: this is no body of revolution about axis 3 in a field U(k3); "
                      + instead)
 

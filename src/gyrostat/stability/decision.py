@@ -199,7 +199,21 @@ class Decision(Judged, Shown, Stored):
         return f"it is proved where the {conditions} not decide"
 
     def with_margins(self, margins: Mapping[Expr, Expr], note: str, names: tuple[str, ...]) -> "Decision":
-        """The same with the margins that were used, a note, and what each margin is of."""
+        """The same with what is known where a verdict is given.
+
+        Parameters
+        ----------
+        margins : mapping of Expr to Expr
+            that were used, with their values
+        note : str
+            what is unusual about the scene
+        names : tuple of str
+            what each margin is of
+
+        Returns
+        -------
+        Decision
+        """
         decision = object.__new__(Decision)
         decision.__dict__.update(self.__dict__, margins=tuple(margins.items()), note=note, names=names)
         return decision

@@ -30,7 +30,18 @@ class Ladder(Derived):
     """
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        """The decision at exact numbers; the margins that were used are entered."""
+        """The decision at exact numbers that are checked; verdict checks them.
+
+        Parameters
+        ----------
+        numbers : Point
+        margins : dict of Expr to Expr
+            those that are used are entered, with their values
+
+        Returns
+        -------
+        Decision
+        """
         modulo = self.sufficient.modulo
         sufficient = holds(self.sufficient, numbers, margins)
         if sufficient:
@@ -53,7 +64,18 @@ class Ladder(Derived):
         return replace(found, modulo=modulo) if modulo and not found.modulo else found
 
     def decide_point(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        """The decision on the point itself, not modulo the flow of an integral."""
+        """The decision on the point itself, not modulo the flow of an integral.
+
+        Parameters
+        ----------
+        numbers : Point
+        margins : dict of Expr to Expr
+            as in decide
+
+        Returns
+        -------
+        Decision
+        """
         found = self.decide(numbers, margins)
         if not found.modulo or not found.stable:
             return replace(found, modulo=())
