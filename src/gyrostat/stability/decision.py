@@ -198,25 +198,12 @@ class Decision(Judged, Shown, Stored):
         conditions = "condition does" if self.notion == "secular" else "two conditions do"
         return f"it is proved where the {conditions} not decide"
 
-    def with_margins(self, margins: Mapping[Expr, Expr], note: str, names: tuple[str, ...]) -> "Decision":
-        """The same with what is known where a verdict is given.
 
-        Parameters
-        ----------
-        margins : mapping of Expr to Expr
-            that were used, with their values
-        note : str
-            what is unusual about the scene
-        names : tuple of str
-            what each margin is of
-
-        Returns
-        -------
-        Decision
-        """
-        decision = object.__new__(Decision)
-        decision.__dict__.update(self.__dict__, margins=tuple(margins.items()), note=note, names=names)
-        return decision
+def with_margins(found: Decision, margins: Mapping[Expr, Expr], note: str, names: tuple[str, ...]) -> Decision:
+    """The same with the margins that were used, what each is of, and a note on the scene."""
+    decision = object.__new__(Decision)
+    decision.__dict__.update(found.__dict__, margins=tuple(margins.items()), note=note, names=names)
+    return decision
 
 
 def settled(stable: bool | None, why: str, rung: Rung, notion: str = "Lyapunov", **more: Any) -> Decision:

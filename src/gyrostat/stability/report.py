@@ -7,7 +7,7 @@ from sympy import Expr
 
 from ..arguments import checked
 from .conditions import sources
-from .decision import Decision, undecided
+from .decision import Decision, undecided, with_margins
 from .ladder import Ladder
 from .normal_form import NormalForm, normal_form
 from .notes import scene_note
@@ -71,8 +71,8 @@ class Report(Ladder):
             found = undecided(numbers.doubt)
         else:
             found = (secular or self).decide(numbers, margins)
-        return found.with_margins(margins, scene_note(self.equilibrium.system, numbers),
-                                  sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
+        return with_margins(found, margins, scene_note(self.equilibrium.system, numbers),
+                            sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
 
     @checked
     def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
@@ -187,5 +187,5 @@ class Report(Ladder):
             return self.verdict(values)
         margins: dict[Expr, Expr] = {}
         found = self.decide_point(numbers, margins)
-        return found.with_margins(margins, scene_note(self.equilibrium.system, numbers),
-                                  sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
+        return with_margins(found, margins, scene_note(self.equilibrium.system, numbers),
+                            sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
