@@ -199,7 +199,8 @@ class Decision(Judged, Shown, Stored):
         return f"it is proved where the {conditions} not decide"
 
 
-def with_margins(found: Decision, margins: Mapping[Expr, Expr], note: str, names: tuple[str, ...]) -> Decision:
+def with_margins(found: Decision, margins: Mapping[Expr, Expr], note: str,
+                 names: tuple[str, ...]) -> Decision:
     """The same with the margins that were used, what each is of, and a note on the scene."""
     decision = object.__new__(Decision)
     decision.__dict__.update(found.__dict__, margins=tuple(margins.items()), note=note, names=names)
