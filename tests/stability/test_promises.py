@@ -1,6 +1,9 @@
 """Every kind of scene by every way to ask: the same equilibrium is answered the same."""
+from collections import Counter
+
 import pytest
 from promises import CASES
+from sympy import Rational
 
 import gyrostat as gs
 
@@ -53,6 +56,22 @@ def test_the_list_says_the_same(case):
         assert said(found.damped) == both(here, {})[1]
     own = here.itself({}) if found.decision.modulo else None
     assert (found.itself is None) == (own is None) and (own is None or said(found.itself) == said(own))
+
+
+@pytest.mark.slow
+def test_a_continuation_says_the_same(case):
+    """As lists do, of all that there are at numbers beside this one, within a range of it."""
+    (name,) = {"omega", "M"} & {*(case.level or {})} or {None}
+    if name is None:
+        return
+    given = dict(case.asks_for_all)
+    at = Rational(given.pop(name))
+    ends = at - Rational(1, 50), at + Rational(1, 50)
+    found = gs.continuation(case.equilibrium.system, name, ends, given)
+    for beside in (at - Rational(1, 70), at + Rational(1, 70)):
+        listed = gs.relative_equilibria(case.equilibrium.system, {**given, name: beside})
+        followed = [p for p in found.pieces if p.parameter[0] < float(beside) < p.parameter[-1]]
+        assert Counter(p.verdict.name for p in followed) == Counter(e.decision.verdict.name for e in listed)
 
 
 def test_what_is_said_to_be_proved_is(case):

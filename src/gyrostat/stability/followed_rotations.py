@@ -108,7 +108,7 @@ def _between(curve: PlaneCurve, body: Gyrostat, radius: Expr, a: Expr, b: Expr) 
         apart = [abs(root - ball(rotation.nu, PRECISION)) for root in here]
         groups.setdefault(min(range(len(here)), key=lambda n: float(apart[n].mid())), []).append(rotation)
     for n, rotations in groups.items():
-        at_pole = 2 if rotations[0].circle else len(rotations) - 1
+        at_pole = 3 if rotations[0].sphere else 2 if rotations[0].circle else len(rotations) - 1
         nu, momenta = np.array([sample.nu[n] for sample in samples]), _momenta(samples, n, at_pole)
         for rotation, M in zip(rotations, momenta):
             yield RotationPiece(parameter, nu, M, rotation.decision.verdict)
@@ -132,8 +132,7 @@ def _sample(curve: PlaneCurve, body: Gyrostat, radius: Expr, t: Fraction, count:
 
 
 def _momenta(samples: Sequence[_Sample], n: int, at_pole: int) -> list[Array]:
-    """M along the n-th ν; where that is a pole, once or twice, M on either side of the plane across its axes.
-    """
+    """M along the n-th ν; where that is a pole, up to three times, M on either side of what is across it."""
     found, along = [], np.zeros(3)
     for sample in samples:
         turned = np.eye(3) - sample.nu[n] * sample.inertia
