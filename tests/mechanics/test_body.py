@@ -90,5 +90,5 @@ def test_three_numbers_are_three():
     for wrong in ((), (1, 2), (1, 2, 3, 4)):
         with pytest.raises(BodyError, match="three"):
             gs.lie_poisson(("k",), wrong)
-        with pytest.raises(BodyError, match="three"):
+        with pytest.raises(ArgumentError, match="give 3 in brackets"):
             angle_rates(wrong)
