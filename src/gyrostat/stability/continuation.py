@@ -27,7 +27,7 @@ from .followed_rotations import RotationContinuation, followed_rotations
 from .pieces import Mark, Piece, Span
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Continuation:
     """Branches over a range of one parameter, and what happens on them.
 

@@ -25,7 +25,7 @@ from .sextic import factors_in_squares, items_of_factors
 from .values import check_names, names_in, refuse_any_direction
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Collision:
     """Where eigenvalues come together and the kind of the spectrum changes.
 
@@ -47,7 +47,7 @@ class Collision:
     eigenvalues: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Spectrum:
     """Eigenvalues along a parameter.
 
