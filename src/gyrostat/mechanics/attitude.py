@@ -8,6 +8,7 @@ from functools import cache
 
 from sympy import Expr, ImmutableMatrix, cos, sin
 
+from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring
 from ..arguments import checked
 from ..errors import BodyError, ScopeError
@@ -143,10 +144,10 @@ def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz"
     >>> rates[1]
     omega1*cos(psi) - omega2*sin(psi)
     """
-    axes, given = nodes(convention), ImmutableMatrix(omega)
-    if given.shape != (3, 1):
-        raise BodyError(f"the angular velocity has the shape {given.shape}: give three components, along "
-                        "the axes of the body")
+    if (shape := getattr(omega, "shape", (len(omega),))) not in ((3,), (3, 1)):
+        raise BodyError(f"the angular velocity has the shape {shape}: give three components, along the axes "
+                        "of the body")
+    axes, given = nodes(convention), ImmutableMatrix([exact_expression(x, "omega") for x in omega])
     return tuple(map(reduced, axes.adjugate() * given / reduced(axes.det())))
 
 
