@@ -21,6 +21,7 @@ _WORDS: dict[Any, str] = {
     NoneType: "None", str: "a text", int: "a whole number", float: "a number", bool: "True or False",
     Callable: "a function", Mapping: 'a mapping of names, {"I1": 1}', Sequence: "several entries, (1, 2)"}
 _WIDER: dict[type, Any] = {int: Integral, float: (Real, Decimal), Fraction: Rational}
+MOST = 10**7                                               # entries
 _NOT_SEVERAL = (str, bytes, bytearray, memoryview, Mapping, type)
 
 
@@ -86,7 +87,7 @@ def several(given: Any, what: str, count: int | None = None) -> tuple[Any, ...]:
     wanted = f"{count} in brackets, (1, 2, 3)" if count else "them in brackets, (1, 2)"
     if not _is_sequence(given):
         raise ArgumentError(f"{what} is {article(type(given))}, not several entries: give {wanted}")
-    if count is not None and len(given) != count:
+    if len(given) > MOST or count is not None and len(given) != count:
         raise ArgumentError(f"{what} has {len(given)} entries: give {wanted}")
     return tuple(given)
 
@@ -97,14 +98,18 @@ def _check_of(kind: Any) -> Check | None:
     if origin in (Union, UnionType):
         checks = [_check_of(part) for part in inside]
         return None if None in checks else _one_of([check for check in checks if check])
-    if origin is tuple and inside and Ellipsis not in inside:
+    if _is_pair(kind):
         return lambda value: "" if _is_sequence(value) and len(value) == len(inside) else (
             f"{len(inside)} entries")
     if origin in (Sequence, Iterable, tuple):
         return _entries_of(inside[0] if inside else Any)
+    if origin is Mapping and inside and inside[0] is str:
+        return lambda value: "" if isinstance(value, Mapping) and all(
+            isinstance(name, str) for name in value) else _WORDS[Mapping]
     if origin is Callable or getattr(origin, "__name__", "") == "Callable":
         return lambda value: "" if callable(value) else _WORDS[Callable]
-    if isinstance(origin, type) and origin is not Any and not getattr(origin, "_is_protocol", False):
+    protocol = getattr(origin, "_is_protocol", False) and not getattr(origin, "_is_runtime_protocol", False)
+    if isinstance(origin, type) and origin is not Any and not protocol:
         return lambda value: "" if _is(value, origin) else _WORDS.get(origin, article(origin))
     return None
 
@@ -119,11 +124,14 @@ def _one_of(checks: list[Check]) -> Check:
 
 def _entries_of(kind: Any) -> Check:
     """Of a sequence; its entries are asked for, too, if they are no numbers."""
-    inner = _check_of(kind) if isinstance(kind, type) and not _of_mathematics(kind) else None
+    asked = _is_pair(kind) or isinstance(kind, type) and not _of_mathematics(kind)
+    inner = _check_of(kind) if asked else None
 
     def check(value: Any) -> str:
         if not _is_sequence(value):
             return _WORDS[Sequence]
+        if len(value) > MOST:
+            return f"at most {MOST} entries"
         missed = next(filter(None, map(inner, value)), "") if inner else ""
         return f"a sequence in which each entry is {missed}" if missed else ""
 
@@ -143,6 +151,11 @@ def _is_sequence(value: Any) -> bool:
     """Whether it has entries in an order: arrays and matrices have, a number of NumPy has not."""
     return not isinstance(value, _NOT_SEVERAL) and hasattr(value, "__len__") and hasattr(
         value, "__getitem__") and getattr(value, "shape", None) != ()
+
+
+def _is_pair(kind: Any) -> bool:
+    """Whether it is a tuple of a number of entries, such as tuple[Any, Any]."""
+    return get_origin(kind) is tuple and Ellipsis not in get_args(kind)
 
 
 def _of_mathematics(kind: type) -> bool:

@@ -1,4 +1,5 @@
 """Every exception that gyrostat raises on purpose; each is also a builtin."""
+import re
 from collections.abc import Mapping
 from importlib import import_module
 from importlib.util import find_spec
@@ -7,13 +8,14 @@ from unicodedata import category
 
 # controls, marks of direction, halves of pairs, separators of lines
 _STEERING = ("Cc", "Cf", "Cs", "Zl", "Zp")
+_LONG = re.compile(r"(\d{12})\d{49,}")                    # no message quotes such an integer whole
 
 
 class GyrostatError(Exception):
     """Base of all of them: ``except GyrostatError`` catches what the library refuses, and nothing else."""
 
     def __str__(self) -> str:
-        return printable(super().__str__())
+        return _LONG.sub(r"\1…", printable(super().__str__()))
 
 
 def printable(text: str) -> str:

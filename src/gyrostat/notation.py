@@ -9,6 +9,8 @@ from typing import Any
 
 from sympy import Expr, Symbol
 
+from .errors import ArgumentError, article, brief
+
 
 class Use(Enum):
     """What a name is for; that decides in which expressions of a scene it may stand."""
@@ -185,6 +187,8 @@ def symbol(name: str) -> Symbol:
     >>> gs.symbol("I1").is_positive, gs.symbol("a").is_positive, gs.symbol("a").is_real
     (True, None, True)
     """
+    if not isinstance(name, str):
+        raise ArgumentError(f"name = {brief(name)} is {article(type(name))}, not a text: give I1, say")
     return (
         Symbol(name, positive=True)
         if name in NOTATION and NOTATION[name].positive

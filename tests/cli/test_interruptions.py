@@ -159,9 +159,16 @@ def test_from_an_archive(tmp_path):
     source = Path(gyrostat.__file__).parent
     with zipfile.ZipFile(tmp_path / "gyrostat.zip", "w") as archive:
         for path in source.rglob("*"):
-            if path.suffix in (".py", ".toml", ".txt"):
+            if path.suffix in (".py", ".toml", ".txt", ".mplstyle"):
                 archive.write(path, path.relative_to(source.parent))
-    run = subprocess.run([*COMMAND, "verify", "AR"], capture_output=True, text=True, cwd=tmp_path,
-                         env={**os.environ, "PYTHONPATH": str(tmp_path / "gyrostat.zip"),
-                              "PYTHONSAFEPATH": "1"})
-    assert run.returncode == 0 and run.stdout.endswith("46 statements, all as expected\n"), run.stderr
+
+    def run(*command):
+        return subprocess.run([*COMMAND, *command], capture_output=True, text=True, cwd=tmp_path,
+                              env={**os.environ, "PYTHONPATH": str(tmp_path / "gyrostat.zip"),
+                                   "PYTHONSAFEPATH": "1"})
+
+    found = run("verify", "AR")
+    assert found.returncode == 0 and found.stdout.endswith("46 statements, all as expected\n"), found.stderr
+    drawn = run("plot", "staude-cone", "--potential", "k1+k2+k3", "--inertia", "1,2,3",
+                "--gyrostatic-momentum", "0,0,0", "--output", "cone.png")
+    assert drawn.returncode == 0 and (tmp_path / "cone.png").read_bytes().startswith(b"\x89PNG"), drawn.stderr

@@ -6,6 +6,7 @@ from functools import lru_cache
 
 from flint import arb, fmpz_poly
 from sympy import Add, CRootOf, Expr, Integer, Mul, Pow, Rational, cos, cot, csc, pi, sec, sin, tan, totient
+from sympy.polys import Poly
 
 from .precision import own_precision
 
@@ -95,7 +96,7 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
     if isinstance(node, Rational):
         return math.log2(abs(int(node.p)) or 1), 0.0, int(node.q)
     if isinstance(node, CRootOf):
-        coefficients = [abs(int(c)) for c in _polynomial(node).coeffs()]
+        coefficients = [abs(int(c)) for c in _polynomial(node.poly).coeffs()]
         return math.log2(coefficients[-1] + max(coefficients)), 0.0, coefficients[-1]
     if isinstance(node, TURNS) and turn(node) is None:
         return None
@@ -134,7 +135,7 @@ def real_root(root: CRootOf, precision: int) -> arb:
     By Newton's method from one of half as many bits.
     """
     near = real_root(root, precision // 2) if precision > 128 else _isolated(root, precision)
-    polynomial, slope = _polynomial(root), _polynomial(root).derivative()
+    polynomial, slope = _polynomial(root.poly), _polynomial(root.poly).derivative()
     with own_precision(precision + 32):
         while near.rad():
             middle = arb(near.mid())
@@ -148,10 +149,17 @@ def real_root(root: CRootOf, precision: int) -> arb:
 
 
 def _isolated(root: CRootOf, precision: int) -> arb:
-    with own_precision(precision):
-        real = sorted((x.real for x, _ in _polynomial(root).complex_roots() if x.imag == 0), key=arb.mid)
+    real = _real_roots(root.poly, precision)
     # the real ones come first, in order
     return real[root.index] if root.index < len(real) else arb("nan")
+
+
+@lru_cache(maxsize=64)
+def _real_roots(polynomial: Poly, precision: int) -> list[arb]:
+    """All of a polynomial, as to isolate one is to isolate them."""
+    with own_precision(precision):
+        found = _polynomial(polynomial).complex_roots()
+    return sorted((x.real for x, _ in found if x.imag == 0), key=arb.mid)
 
 
 def _at(polynomial: fmpz_poly, x: arb) -> arb:
@@ -163,5 +171,5 @@ def _at(polynomial: fmpz_poly, x: arb) -> arb:
 
 
 @lru_cache(maxsize=256)
-def _polynomial(root: CRootOf) -> fmpz_poly:
-    return fmpz_poly([int(c) for c in reversed(root.poly.clear_denoms(convert=True)[1].all_coeffs())])
+def _polynomial(polynomial: Poly) -> fmpz_poly:
+    return fmpz_poly([int(c) for c in reversed(polynomial.clear_denoms(convert=True)[1].all_coeffs())])

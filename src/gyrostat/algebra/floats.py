@@ -4,12 +4,37 @@ from functools import partial, reduce
 from math import e, pi
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 from sympy import CRootOf, Expr, Pow, Rational, S, Symbol
 
+from ..errors import ValuesError, brief
 from .arithmetic import Arithmetic, in_arithmetic
 
 Array = NDArray[Any]
+
+
+def doubles(given: Any, what: str) -> Array:
+    """Finite doubles, of what is given as an array of any shape.
+
+    Raises
+    ------
+    ValuesError
+        a number is none, or is above 1.8e308
+
+    Examples
+    --------
+    >>> doubles([1, "0.5"], "the times").tolist()
+    [1.0, 0.5]
+    """
+    try:
+        found = np.asarray(given, dtype=float)
+    except (TypeError, ValueError, OverflowError, MemoryError) as error:
+        raise ValuesError(f"{what} = {brief(given)} cannot be read as doubles ({brief(str(error))[1:-1]}): "
+                          "give finite numbers below 1.8e308") from None
+    if not np.isfinite(found).all():
+        raise ValuesError(f"{what}: a number is not finite: give finite ones")
+    return found
 
 
 def in_floats(expression: Expr, xp: Any, arrays: Mapping[Symbol, Any]) -> Any:

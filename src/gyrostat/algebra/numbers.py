@@ -13,7 +13,7 @@ from .occurring import occurring
 from .parts import enclosure
 from .quantities import in_si, text_of
 
-LONGEST = 2**17                                        # bits of a number that is no text
+LONGEST = 14_000                                       # bits: Python prints integers of up to 4300 digits
 _UNDEFINED = (S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity)
 _NO_NUMBERS = frozenset({"nan", "inf", "infinity", "oo", "zoo"})
 
@@ -71,6 +71,8 @@ def exact_expression(value: Any, name: str = "value") -> Expr:
         if taken := [root for root in roots if root.poly.gen == symbol(root.poly.gen.name)]:
             raise ExpressionError(f"{name} contains {taken[0]}, the root of a polynomial in a name of its "
                                   "own: write it in another symbol")
+        for number in value.atoms(Rational):
+            _bounded(number, name)
         return own(value.xreplace({f: _dyadic(f, name) for f in value.atoms(Float)}))
     return exact_number(value, name)
 
@@ -109,7 +111,8 @@ def exact_number(value: Any, name: str = "value") -> Expr:
             raise ValuesError(f"{name} = {value} is not an exact finite real number: give an integer, "
                               "fraction or closed form")
         return _bounded(value, name)
-    if isinstance(value, bool) or not (isinstance(value, numbers.Real) or hasattr(value, "as_integer_ratio")):
+    if isinstance(value, bool | type) or not (isinstance(value, numbers.Real)
+                                              or hasattr(value, "as_integer_ratio")):
         raise ValuesError(f"{name} = {brief(value)} is a {type(value).__name__}, not a real number: give "
                           "an int, Fraction, "
                           "float, SymPy number or a string like '1/2'")

@@ -226,6 +226,7 @@ def not_mixed(entries: Iterable[tuple[str, Any]]) -> None:
              for name, value in given]
     named = next((f"{name} = {brief(value)}" for name, value, _, unit in known if unit), None)
     bare = next((f"{name} = {brief(value)}" for name, value, number, unit in known
-                 if not unit and number != 0 and not getattr(number, "free_symbols", None)), None)
+                 if not unit and not getattr(number, "shape", ()) and number != 0
+                 and not getattr(number, "free_symbols", None)), None)
     if named and bare:
         raise ValuesError(f"{named} has a unit and {bare} has none: give every number its unit, or none")

@@ -9,6 +9,7 @@ from ..kept import cached_property
 from .balls import ball
 from .number_fields import at_root, divided
 from .precision import own_precision
+from .root_numbers import refuse_close
 from .roots import in_order, roots_of_factor
 
 BITS = 192                                             # of most enclosures that are asked for
@@ -40,6 +41,7 @@ class Conjugates:
     def roots(self, precision: int = BITS) -> list[arb]:
         """Enclosures of the real roots, in increasing order, isolated."""
         if precision not in self._roots:
+            refuse_close(self.polynomial.numer())
             with own_precision(precision):
                 found = (x.real for x, _ in self.polynomial.numer().complex_roots() if x.imag == 0)
                 self._roots[precision] = sorted(found, key=arb.mid)

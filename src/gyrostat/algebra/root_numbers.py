@@ -12,10 +12,12 @@ from sympy.polys import rootoftools
 from sympy.polys.domains import QQ, ZZ
 from sympy.polys.rootisolation import RealInterval
 
+from ..errors import ScopeError
 from .balls import ends
 from .precision import own_precision
 
 BITS = 256                                             # of a root that SymPy is lent
+APART = 600                                            # bits, for each root
 MODERATE = 9                                           # powers of ten of roots that are left as they are
 
 
@@ -29,6 +31,11 @@ def roots_of(coefficients: Sequence[Rational]) -> list[Expr]:
     coefficients : sequence of Rational
         from the constant term
 
+    Raises
+    ------
+    ScopeError
+        roots are so close to each other that to tell them apart takes minutes
+
     Examples
     --------
     >>> roots_of([Rational(-1), Rational(-1), Rational(0), Rational(1)])
@@ -37,6 +44,7 @@ def roots_of(coefficients: Sequence[Rational]) -> list[Expr]:
     unit = Rational(10) ** _order(coefficients[0] / coefficients[-1], len(coefficients) - 1)
     near = Poly([a * unit**n for n, a in enumerate(coefficients)][::-1], Symbol("x"))
     whole = fmpz_poly([int(c) for c in reversed(near.clear_denoms(convert=True)[1].all_coeffs())])
+    refuse_close(whole)
     count = sum(root.imag == 0 for root, _ in whole.complex_roots())
     found = [CRootOf(near, n) for n in range(count)]
     for root in {root for number in found for root in number.atoms(CRootOf)}:
@@ -49,6 +57,30 @@ def _order(product: Rational, degree: int) -> int:
     bits = int(abs(product.p)).bit_length() - int(product.q).bit_length()
     order = round(bits * math.log10(2) / degree)
     return order if abs(order) > MODERATE else 0
+
+
+def refuse_close(polynomial: fmpz_poly) -> None:
+    """Refuse a polynomial with roots of such sizes that it takes minutes to isolate them.
+
+    Its coefficients are compared with those of roots of one modulus, and, by the discriminant, the product of
+    the distances of its roots with that of distances as large as the roots.
+
+    Raises
+    ------
+    ScopeError
+        roots lie too close to each other, or too far apart
+    """
+    while not polynomial[0]:
+        polynomial = polynomial.right_shift(1)
+    bits, degree = [int(c).bit_length() for c in polynomial.coeffs()], polynomial.degree()
+    above = max(degree * b - (degree - n) * bits[0] - n * bits[-1] for n, b in enumerate(bits))
+    resultant = polynomial.resultant(polynomial.derivative())
+    discriminant = int(resultant // polynomial.leading_coefficient()).bit_length()
+    near = resultant and (degree - 1) * (bits[0] + bits[-1]) - discriminant > degree * APART
+    if above > degree * APART or near:
+        raise ScopeError("these numbers are of so different sizes that equilibria, or what decides of them, "
+                         "are no longer told apart: leave out what is far too small to matter, or make "
+                         "smaller what is far too large")
 
 
 def _lend(poly: PurePoly) -> None:

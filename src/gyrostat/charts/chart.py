@@ -1,7 +1,7 @@
 """Stability charts: the exact verdict at every point of a grid of parameters, labelled, with the exact
 boundary between the verdicts.
 """
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Sized
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,7 @@ from sympy import Expr
 from ..algebra.exact import sign_of_constant
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number, shown
-from ..arguments import checked
+from ..arguments import MOST, checked
 from ..errors import ArgumentError, ValuesError, optional
 from ..notation import symbol
 from ..stability.report import Report
@@ -138,12 +138,14 @@ def _number(name: str, value: Any) -> tuple[str, Expr, str]:
 def _axis(name: str, values: Iterable[Any]) -> Array:
     """The values of an axis, checked."""
     check_plain({name: values})
+    if isinstance(values, Sized) and len(values) > MOST:
+        raise ValuesError(f"{name} has {len(values)} values: give at most {MOST}")
     try:
         array = np.asarray(values)
         if array.dtype.kind not in "iufO":
             raise TypeError(f"they are of type {array.dtype}")
         array = array.astype(np.float64)
-    except (TypeError, ValueError) as error:
+    except (OverflowError, TypeError, ValueError) as error:
         raise ValuesError(f"the values of {name} are not real numbers ({error}): give floats, such as "
                           "np.linspace(0, 1, 200)") from None
     if array.ndim != 1 or not array.size:

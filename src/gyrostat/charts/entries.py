@@ -11,6 +11,7 @@ from ..algebra.balls import ball
 from ..algebra.exact import LIMIT
 from ..algebra.floats import Array
 from ..algebra.numbers import exact_number
+from ..arguments import MOST
 from ..errors import ValuesError
 
 
@@ -22,8 +23,12 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
         and not isinstance(value, bool)
     ):
         value = np.array(exact_number(value, name), dtype=object)
+    if isinstance(value, range) and len(value) > MOST:
+        raise ValuesError(f"{name} has {len(value)} values: give at most {MOST}, or an array of NumPy")
     try:
         array = np.asarray(value)
+    except MemoryError:
+        raise ValuesError(f"{name} has more values than there is memory for: give fewer") from None
     except ValueError:
         raise ValuesError(f"{name} is a sequence of sequences that differ in length: give rows of one "
                           "length") from None

@@ -50,7 +50,7 @@ def filled(path: Path, request: Request, arrays: Sequence[Array], threads: int,
     optional("zarr", "charts"), optional("dask", "charts")
     if path.suffix != ".zarr":
         raise ValuesError(f"the store is {path}, blocks are written as Zarr: call it "
-                          f"{path.with_suffix('.zarr')}, or leave out store")
+                          f"{path.stem or 'chart'}.zarr, or leave out store")
     if not (path := path.resolve()).parent.is_dir():
         raise StoreError(f"there is no folder {path.parent} for the store: make it, or give another path")
     try:

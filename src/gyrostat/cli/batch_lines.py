@@ -87,7 +87,8 @@ def question(line: bytes, given: argparse.Namespace,
     own = json_object(line)
     point = None if "equilibrium" in own else given.point
     potential, label = own.pop("potential", given.potential), own.pop("equilibrium", given.equilibrium)
-    family = called(label, families := known_families()) if isinstance(label, str) else None
+    families = known_families()
+    family = called(label, families) if isinstance(label, str) else None
     if not isinstance(potential, str | None) or label is not None and family is None:
         raise ValuesError(f"potential = {brief(potential)}, equilibrium = {brief(label)}: a potential is a "
                           f"text in the grammar of --potential, an equilibrium {in_words(families)}")

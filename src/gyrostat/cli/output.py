@@ -5,6 +5,7 @@ import shutil
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
+from importlib.resources import as_file, files
 from io import TextIOWrapper
 from pathlib import Path
 from types import MappingProxyType
@@ -142,7 +143,8 @@ def file_of(out: Output, what: str, kinds: Sequence[str], names: str,
 def printed_look() -> Iterator[None]:
     """Pictures with the letters, sizes and lines of a paper."""
     from matplotlib import style
-    with style.context("gyrostat.plotting.paper"):
+    # in an archive, too, where Matplotlib does not find it by its name
+    with as_file(files("gyrostat.plotting") / "paper.mplstyle") as path, style.context(path):
         yield
 
 

@@ -8,7 +8,7 @@ from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, diag, radsimp
 from ..algebra.exact import is_identically_zero, plain, sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..algebra.quantities import not_mixed
-from ..arguments import checked
+from ..arguments import checked, several
 from ..errors import ArgumentError, BodyError, ScopeError, article, brief
 from ..kept import cached_property
 from ..notation import Stored, Use, symbol
@@ -151,6 +151,7 @@ class Gyrostat(Shown, Stored):
         Expr
             [M L²/T²]
         """
+        momentum = [exact_expression(p, "momentum") for p in several(momentum, "momentum", 3)]
         if isinstance(self.inertia, ImmutableMatrix):
             return Add(*(x * p * q / 2 for row, p in zip(self.inverse.tolist(), momentum)
                          for x, q in zip(row, momentum)))
@@ -213,6 +214,8 @@ def _exact(given: Sequence[Any], field: str) -> tuple[Expr, ...]:
 def _entries(given: Any, field: str) -> tuple[Any, ...]:
     """Three entries, of a sequence or an array; of a diagonal matrix those on the diagonal, of another all.
     """
+    if hasattr(given, "__len__") and len(given) > 9:
+        raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")
     rows = given.tolist() if hasattr(given, "tolist") else given
     if isinstance(rows, str | bytes) or not isinstance(rows, Sequence):
         raise ArgumentError(f"{field} = {brief(given)} is {article(type(given))}, not a sequence: give "

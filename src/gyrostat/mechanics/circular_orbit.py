@@ -1,6 +1,7 @@
 """A satellite in a circular orbit: the field of the gravity gradient in the frame that turns with it."""
 from collections.abc import Sequence
 from dataclasses import dataclass
+from numbers import Integral
 from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, sqrt
@@ -8,7 +9,7 @@ from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, sqrt
 from ..algebra.exact import is_identically_zero, sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..arguments import checked
-from ..errors import EquilibriumError, PotentialError, ScopeError
+from ..errors import EquilibriumError, PotentialError, ScopeError, brief
 from ..notation import symbol
 from ..registry import check_names
 from .coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
@@ -205,9 +206,10 @@ def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: Immut
 
 def axes_of(roll: int, pitch: int, yaw: int) -> list[list[int]]:
     """t, n and r in body axes, of the body axes along them: t = n × r, whatever way roll points."""
-    if sorted(map(abs, (roll, pitch, yaw))) != [1, 2, 3]:
-        raise EquilibriumError(f"roll = {roll}, pitch = {pitch}, yaw = {yaw}: give the body axes 1, 2, 3 in "
-                               "some order, negative for one that points the other way")
+    given = roll, pitch, yaw
+    if not all(isinstance(axis, Integral) for axis in given) or sorted(map(abs, given)) != [1, 2, 3]:
+        raise EquilibriumError(f"roll, pitch, yaw = {brief(given)}: give the body axes 1, 2, 3 in some "
+                               " order, negative for one that points the other way")
     n, r = ([abs(axis) // axis if i == abs(axis) else 0 for i in (1, 2, 3)] for axis in (pitch, yaw))
     return [[int(x) for x in along_velocity(n, r)], n, r]
 

@@ -7,12 +7,12 @@ from typing import Any
 from sympy import Add, Expr, S, Symbol
 
 from ..algebra.numbers import exact_expression
-from ..arguments import checked
+from ..arguments import checked, several
 from ..errors import PotentialError, ScopeError
 from ..notation import Use, symbol
 from ..registry import check_names
 from .liepoisson import lie_poisson
-from .potential import Potential
+from .potential import Potential, expression_of
 
 Held = tuple[tuple[Expr, Expr], ...]
 
@@ -152,10 +152,8 @@ def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
     variables = lie_poisson(directions).coordinates[3:]
     if not variables:
         raise PotentialError("a coupled potential needs one or two directions: give directions=('k', 'e')")
-    if callable(expression) and not isinstance(expression, Expr):
-        expression = expression(*variables)
-    U = exact_expression(expression, "U")
-    first, second, third = (exact_expression(b, "drift") for b in drift)
+    U = exact_expression(expression_of(expression, variables), "U")
+    first, second, third = (exact_expression(b, "drift") for b in several(drift, "drift", 3))
     for entry in (first, second, third):
         left = entry - Add(*(x * _slope(entry, x) for x in variables))
         if left.expand() != 0 or any(_slope(entry, x).free_symbols & {*variables} for x in variables):

@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 from sympy import Expr, S, Symbol
 
 from ..algebra.exact import is_identically_zero, plain, sign
-from ..errors import EquilibriumError, require
+from ..errors import EquilibriumError, brief, require
 from ..kept import cached_property
 from ..notation import Stored, Use, jet
 from ..registry import INTERNAL, use_of, why_refused
@@ -60,6 +60,9 @@ class Equilibrium(Shown, Stored):
 
     def __post_init__(self) -> None:
         require(self.system, System, "the scene")
+        if len(self.point) != (n := len(self.system.space.coordinates)):
+            raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give "
+                                   "one for each coordinate")
         moments = [*self.system.body.positive, *(value for name, value in self.relations if name.is_positive)]
         if impossible := [m for m in moments if not m.free_symbols and sign(m, {}) != 1]:
             raise EquilibriumError(f"{self.label} has a relation that makes a moment or the like "
@@ -70,16 +73,13 @@ class Equilibrium(Shown, Stored):
         names = {s.name for x in (*self.point, *dict(self.relations).values()) for s in x.free_symbols}
         if clash := sorted(name for name in names if name in INTERNAL or use_of(name) is Use.TIME):
             raise EquilibriumError(f"{self.label} depends on {why_refused(clash, names)}")
-        if len(self.point) != (n := len(self.system.space.coordinates)):
-            raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give "
-                                   "one for each coordinate")
         object.__setattr__(self, "point", tuple(map(plain, self.point)))   # 0 and ±1, however they are spelt
         left = []
         for coordinate, rate in zip(self.system.space.coordinates, self.at_point(self.system.jet_field)):
             if residual := residual_of(rate, self.insert):
-                left.append((f"d{coordinate}/dt = {residual}", is_identically_zero(residual)))
+                left.append((f"d{coordinate}/dt = {brief(residual)}", is_identically_zero(residual)))
         if wrong := [rate for rate, zero in left if zero is False]:
-            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong)}. Check the "
+            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong[:2])}. Check the "
                                    "point, or in Python pass the relation that makes these vanish "
                                    "as relations=((symbol, value),).")
         if left:

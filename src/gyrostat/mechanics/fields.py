@@ -1,6 +1,5 @@
 """Named fields: uniform, Newtonian of any order, ideal fluid."""
-from operator import index
-from typing import SupportsIndex
+from numbers import Integral
 
 from sympy import Rational, legendre
 
@@ -71,15 +70,15 @@ def newtonian_field(order: int) -> Potential:
     >>> gs.newtonian_field(3).expression - gs.newtonian_field(2).expression
     J3*m1*(5*k3**3 - 3*k3)/(6*r)
     """
-    if isinstance(order, bool) or not isinstance(order, SupportsIndex) or not 1 <= index(order) <= HIGHEST:
+    if isinstance(order, bool) or not isinstance(order, Integral) or not 1 <= order <= HIGHEST:
         raise PotentialError(f"the Newtonian field has no order {brief(order)}: it counts the terms kept in "
                              "1/r, of which the first is the "
                              f"uniform field; give 1, 2, 3, …, {HIGHEST}")
     k3, m0, m1, r, I1, I3 = map(symbol, ("k3", "m0", "m1", "r", "I1", "I3"))
-    if index(order) == 1:
+    if order == 1:
         return axial_potential(m0 * k3)
     U = m0 * k3 + m1 / 2 * (I3 - I1) * k3**2
-    for n in range(3, index(order) + 1):
+    for n in range(3, int(order) + 1):
         content, polynomial = (legendre(n, k3) - legendre(n, 0)).primitive()
         U += (-1) ** (n + 1) * content / 3 * m1 * symbol(f"J{n}") / r ** (n - 2) * polynomial
     return Potential((k3,), U, revolution=True)

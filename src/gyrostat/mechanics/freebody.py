@@ -11,9 +11,11 @@ from ..algebra.numbers import exact_expression, exact_number
 from ..algebra.precision import ONE_AT_A_TIME
 from ..algebra.roots import in_order
 from ..arguments import checked
-from ..errors import BodyError, ScopeError, ValuesError
+from ..errors import BodyError, ScopeError, ValuesError, brief
 from ..notation import symbol
 from .body import Gyrostat
+
+MOST_DIGITS = 10_000
 
 
 @checked
@@ -138,10 +140,11 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
     >>> gs.mechanics.polhode_period((1, 2, 3), ("0.3", "0.2", "0.9"))
     22.8986475506197
     """
-    if len(inertia) != 3 or len(momentum) != 3 or not isinstance(digits, int) or digits < 1:
-        raise ValuesError(f"inertia = {inertia}, momentum = {momentum}, digits = {digits}: give three "
-                          "moments, three components of M and "
-                          "a positive number of digits")
+    if len(inertia) != 3 or len(momentum) != 3 or not isinstance(digits, int) or not (
+            1 <= digits <= MOST_DIGITS):
+        raise ValuesError(f"inertia = {brief(inertia)}, momentum = {brief(momentum)}, "
+                          f"digits = {brief(digits)}: give three moments, three components of M and a "
+                          f"number of digits from 1 to {MOST_DIGITS}")
     moments = [exact_number(i, "inertia") for i in inertia]
     M = [exact_number(m, "momentum") for m in momentum]
     Gyrostat(moments, (0, 0, 0))                           # positive, or refused

@@ -16,7 +16,7 @@ from sympy import Add, Expr, ImmutableMatrix, Symbol, expand, zeros
 from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring, derivatives, lowest_terms
 from ..arguments import checked
-from ..errors import BodyError, ScopeError, StructureError
+from ..errors import BodyError, ScopeError, StructureError, brief
 from ..kept import cached_property
 from ..notation import NOTATION, Stored, Use, symbol
 from ..registry import check_names
@@ -220,13 +220,13 @@ def lie_poisson(directions: Sequence[str] = ("k",),
     """
     names = tuple(map(str, directions))
     if len(names) > 2 or len(set(names)) < len(names):
-        raise ScopeError(f"directions = {names}: a gyrostat needs none without a field, ('k',) with one, or "
-                         "two that differ; a third is a combination of two and of their cross product")
+        raise ScopeError(f"directions = {brief(names)}: a gyrostat needs none without a field, ('k',) with "
+                         "one, or two that differ; a third is made of two and of their cross product")
     if taken := [name for name in names if name != "k" and (
             not name.isidentifier() or any(f"{name}{i}" in NOTATION for i in (1, 2, 3)))]:
-        raise ScopeError(f"directions = {names}: the components of {taken[0]} have another meaning: give a "
-                         "name such as k, e, n or r")
-    given = ("l1", "l2", "l3") if gyrostatic_momentum is None else tuple(gyrostatic_momentum)
+        raise ScopeError(f"directions = {brief(names)}: the components of {brief(taken[0])} have "
+                         "another meaning: give a name such as k, e, n or r")
+    given = ("l1", "l2", "l3") if gyrostatic_momentum is None else gyrostatic_momentum
     if len(given) != 3:
         raise BodyError(f"gyrostatic_momentum has {len(given)} entries: give three, one for each axis")
     rotor = tuple(map(exact_expression, given))

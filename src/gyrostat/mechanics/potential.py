@@ -1,7 +1,8 @@
 """A potential U(k3) or U(k1, k2, k3), unspecified or given; its jet."""
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Any
 
 from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, log
 from sympy.core.function import AppliedUndef
@@ -11,7 +12,7 @@ from ..algebra.occurring import occurring
 from ..algebra.parts import BITS, enclosure, immoderate
 from ..algebra.polynomials import Ring
 from ..arguments import checked
-from ..errors import PotentialError, ValuesError
+from ..errors import PotentialError, ValuesError, brief
 from ..kept import cached_property
 from ..notation import Stored, jet, jet_name, symbol
 from ..shown import Shown
@@ -20,6 +21,29 @@ from .hints import why_not, without_k
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
 U = Function("U", real=True)
 U.__module__ = __name__                                # pickle finds it by this name
+
+
+def expression_of(given: Any, variables: Sequence[Symbol]) -> Any:
+    """What is given as U; of a function its value at the components.
+
+    Raises
+    ------
+    PotentialError
+        the function cannot be asked there, or it is no expression
+    """
+    names = ", ".join(map(str, variables))
+    if callable(given) and not isinstance(given, Expr):
+        try:
+            given = given(*variables)
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+            raise PotentialError(f"U = {brief(given)} cannot be asked at the symbols {names} "
+                                 f"({brief(str(error))}): "
+                                 "give an expression, or a function that makes one, with sympy.cos for "
+                                 "numpy.cos") from error
+    if isinstance(given, bool):
+        raise PotentialError(f"U = {brief(given)} is not an expression: build it from symbol('k3'), or "
+                             f"give a function of {names}")
+    return given
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,8 @@ from sympy.core.function import AppliedUndef
 from ..algebra.numbers import exact_expression
 from ..algebra.occurring import occurring
 from ..arguments import checked
-from ..errors import PotentialError, brief
-from .potential import DIRECTIONS, Potential, U
+from ..errors import PotentialError
+from .potential import DIRECTIONS, Potential, U, expression_of
 
 _NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.Piecewise, sympy.Max,
                sympy.Min, sympy.floor,
@@ -85,20 +85,7 @@ def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
         given = None
     if given is None:
         return Potential(variables, U(*variables))
-    if callable(given) and not isinstance(given, Expr):
-        try:
-            given = given(*variables)
-        except (AttributeError, TypeError, ValueError) as error:
-            names = ", ".join(map(str, variables))
-            raise PotentialError(f"U = {brief(given)} cannot be asked at the symbols {names} "
-                                 f"({brief(str(error))}): "
-                                 "give an expression, or a function that makes one, with sympy.cos for "
-                                 "numpy.cos") from error
-    if isinstance(given, bool):
-        raise PotentialError(f"U = {brief(given)} is not an expression: build it from symbol('k3'), or "
-                             "give a function of "
-                             f"{', '.join(map(str, variables))}")
-    expression = exact_expression(given, "U")
+    expression = exact_expression(expression_of(given, variables), "U")
     if rough := occurring(expression, *_NOT_SMOOTH):
         raise PotentialError(f"U = {expression} is not smooth, it contains {', '.join(map(str, rough))}: "
                              "stability needs two derivatives")

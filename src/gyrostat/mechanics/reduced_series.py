@@ -3,11 +3,12 @@ from sympy import Add, Expr, Integer, Rational, S, Symbol, factorial
 
 from ..algebra.polynomials import Ring, by_degree
 from ..arguments import checked
-from ..errors import ScopeError
+from ..errors import ScopeError, brief
 from ..notation import jet_name, symbol
 from .equilibria import Equilibrium
 from .reduction import ENERGY, K3, P, V, reduce
 
+MOST_TERMS = 100
 DEVIATION = Symbol("deviation")                        # a symbol that is none of a user's, which are real
 
 
@@ -53,6 +54,8 @@ def powers_of_distance(eq: Equilibrium, order: int) -> dict[Rational, Expr]:
     At a pole where U(k3) has roots the powers are fractions (near_pole), and U is its series; else they are
     whole, and U is expanded in its derivatives dU, d2U, ….
     """
+    if not 0 <= order <= MOST_TERMS:
+        raise ScopeError(f"order = {brief(order)}: give one from 0 to {MOST_TERMS}")
     motion, scene, near = reduce(eq.system), eq.system, eq.near_pole
     pi3, k3, root = scene.space.coordinates[2], eq.at, 1 if near is None else near.order
     inward = -k3 if k3**2 == 1 else S.One

@@ -5,7 +5,7 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, cos, sin
 
 from ..algebra.numbers import exact_expression
-from ..arguments import checked
+from ..arguments import checked, several
 from ..errors import ScopeError, ValuesError
 from .circular_orbit import axes_of, in_orbit, resting_at
 from .system import System
@@ -59,5 +59,6 @@ def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 
     about_roll = ImmutableMatrix([[1, 0, 0], [0, cos(roll), -sin(roll)], [0, sin(roll), cos(roll)]])
     about_pitch = ImmutableMatrix([[cos(pitch), 0, sin(pitch)], [0, 1, 0], [-sin(pitch), 0, cos(pitch)]])
     about_yaw = ImmutableMatrix([[cos(yaw), -sin(yaw), 0], [sin(yaw), cos(yaw), 0], [0, 0, 1]])
-    turned = about_yaw * about_pitch * about_roll * ImmutableMatrix(axes_of(*pointing))
+    axes = axes_of(*several(pointing, "pointing", 3))
+    turned = about_yaw * about_pitch * about_roll * ImmutableMatrix(axes)
     return resting_at(scene, turned.row(1).T, turned.row(2).T)

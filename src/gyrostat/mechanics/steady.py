@@ -7,7 +7,7 @@ from sympy import Expr, ImmutableMatrix
 
 from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import lowest_terms
-from ..arguments import checked
+from ..arguments import checked, several
 from ..errors import EquilibriumError, ScopeError
 from ..notation import NOTATION
 from .coupled import CoupledPotential
@@ -61,13 +61,14 @@ def steady_motion(scene: System, *directions: Sequence[Any], omega: Sequence[Any
     if not isinstance(potential, CoupledPotential):
         raise ScopeError("steady_motion is of a body in two directions, or with a coupling β: use "
                          "permanent_rotation(scene, …), principal_rotation or equilibrium")
-    if len(directions) != len(potential.directions) or any(len(x) != 3 for x in (*directions, omega)):
+    if len(directions) != len(potential.directions):
         raise EquilibriumError(f"the scene has {len(potential.directions)} directions, "
                                f"{', '.join(potential.directions)}: give three components of each")
     names = [str(x) if str(x) in NOTATION else "direction" for x in potential.variables]
-    places = list(map(exact_expression, chain(*directions), names))
+    given = chain(*(several(a, name, 3) for name, a in zip(potential.directions, directions)))
+    places = list(map(exact_expression, given, names))
     at = dict(zip(potential.variables, places))
     rate = ImmutableMatrix([exact_expression(w, "omega") - b.xreplace(at)
-                            for w, b in zip(omega, potential.drift)])
+                            for w, b in zip(several(omega, "omega", 3), potential.drift)])
     momentum: list[Expr] = [lowest_terms(x) if x else x for x in scene.body.tensor * rate]
     return Equilibrium(label, scene, (*momentum, *places))

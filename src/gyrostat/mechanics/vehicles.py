@@ -7,7 +7,7 @@ from sympy import Expr, ImmutableMatrix, S, Symbol
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_expression, shown
 from ..algebra.polynomials import lowest_terms
-from ..arguments import checked
+from ..arguments import checked, several
 from ..errors import BodyError
 from ..notation import symbol
 from ..registry import check_names
@@ -97,10 +97,10 @@ def _check_names(entries: Sequence[Expr]) -> None:
                         "such as a1")
 
 
-def _exact(given: Sequence[Any], name: str) -> list[Expr]:
-    if len(given) != 3:
-        raise BodyError(f"{name} has {len(given)} entries: give three, one for each axis")
-    return [exact_expression(x, name) for x in given]
+def _exact(given: Any, name: str) -> list[Expr]:
+    if len(entries := several(given, name)) != 3:
+        raise BodyError(f"{name} has {len(entries)} entries: give three, one for each axis")
+    return [exact_expression(x, name) for x in entries]
 
 
 def _matrix(given: Any, name: str) -> ImmutableMatrix:

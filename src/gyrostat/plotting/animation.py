@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
+from ..algebra.floats import Array, doubles
 from ..arguments import checked
-from ..errors import MissingExtraError, ValuesError, optional
+from ..errors import MissingExtraError, ValuesError, brief, optional, require
 from ..printing.files import written
 from ..trajectories import Motion
 from .globe import FADED, parted, polygons, stage
@@ -106,7 +106,10 @@ def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int, int]:
     """The rotations from the body to space, shape (n, 3, 3), the path of the axis that is followed, its
     points to a step, and which axis it is.
     """
-    turns = motion.attitude(np.asarray(times, dtype=float))
+    times = doubles(times, "the times")
+    if times.ndim != 1 or not times.size:
+        raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
+    turns = motion.attitude(times)
     top = motion.scene.potential is not None and motion.scene.body.is_of_revolution()
     steps, axis, fine = np.arange(len(turns)), 2 if top else int(np.abs(turns[0, 2]).argmax()), FINE
     while True:
@@ -158,6 +161,9 @@ def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> 
     if kind == ".mp4" and not FFMpegWriter.isAvailable():
         raise MissingExtraError(f"{path} needs the program ffmpeg, which is not on the search path: "
                                 "install it, or write a .gif")
+    require(animation, optional("matplotlib.animation", "plot").Animation, "the animation")
+    if not 0 < fps <= 1000:
+        raise ValuesError(f"fps = {brief(fps)}: give 1 to 1000 frames a second")
     with written(path) as new:
         try:
             animation.save(new, writer=PillowWriter(fps=fps) if kind == ".gif" else FFMpegWriter(fps=fps))

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..algebra.floats import Array
 from ..arguments import checked
-from ..errors import ValuesError
+from ..errors import ValuesError, optional, require
 from ..notation import dimension_of, order
 from .chart_curves import curves
 from .headings import field, heading, lines, number
@@ -123,6 +123,7 @@ def caption(ds: Any) -> str:
 
 def _said(ds: Any) -> tuple[list[str], list[str]]:
     """The equilibrium and U; what is fixed, and what the others determine."""
+    require(ds, optional("xarray", "charts").Dataset, "the chart")
     latex = ds.attrs.get("potential_latex", "")
     names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=order)
     fixed = [f"${ds[name].attrs.get('latex', name)} = {number(ds[name].item(), _exact(ds[name]))}$"

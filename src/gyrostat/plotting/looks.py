@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ..algebra.floats import Array
-from ..errors import ArgumentError, optional
+from ..errors import ArgumentError, optional, require
 from ..notation import dimension_of
 from ..printing.linebreaks import width
 from ..stability.decision import Decision, Verdict
@@ -59,6 +59,7 @@ def axes_of(ax: Any, three: bool = False) -> Any:
     if ax is None:
         import matplotlib.pyplot as plt
         _, ax = plt.subplots(subplot_kw={"projection": "3d", "elev": 22, "azim": 40} if three else {})
+    require(ax, optional("matplotlib.axes", "plot").Axes, "ax")
     if three and ax.name != "3d":
         raise ArgumentError(f"the axes are {ax.name}, the picture is a view of space: make them with "
                             "projection=\"3d\"")

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ..arguments import checked
-from ..errors import optional
+from ..errors import optional, require
 
 
 @contextmanager
@@ -115,6 +115,7 @@ def save_netcdf(dataset: Any, path: str | os.PathLike[str], **kwargs: Any) -> No
     ['turning.nc']
     """
     optional("netCDF4", "charts")
+    require(dataset, optional("xarray", "charts").Dataset, "the dataset")
     with written(path) as new:
         try:
             dataset.to_netcdf(new, engine="netcdf4", **kwargs)

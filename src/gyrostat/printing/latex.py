@@ -8,10 +8,10 @@ from importlib import import_module
 from typing import Any
 
 from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Symbol
-from sympy.printing.latex import LatexPrinter
 
 from ..algebra.numbers import double
 from ..algebra.readable import entries, readable
+from ..errors import ArgumentError
 from ..mechanics.body import Gyrostat
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.liepoisson import LiePoisson
@@ -23,6 +23,7 @@ from ..stability.decision import Decision
 from ..stability.energy_casimir import SecondVariation
 from ..stability.linearization import Linearization
 from ..stability.report import Report
+from .any_length import AnyLength
 from .blocks import Block, Display, Sentence, Word, rate_of
 from .conditions import comparison, trivial
 from .decision import levels_of
@@ -37,7 +38,7 @@ RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto", 
 _RELATION = re.compile(r" ([<>=≥≤≠]) ")
 
 
-class Printer(LatexPrinter):
+class Printer(AnyLength):
     """Terms and factors in the order of the notation.
 
     Derivatives of U take their argument from at.
@@ -109,7 +110,7 @@ def formula(obj: Any, names: Names | None = None) -> str:
 def _formula(obj: Any, names: Names) -> str:
     results = import_module(".results", __package__)       # what a report does without
     if not isinstance(obj, results.RESULTS):
-        raise TypeError("to_latex takes expressions, matrices and the library's own objects, not "
+        raise ArgumentError("to_latex takes expressions, matrices and the library's own objects, not "
                         f"{type(obj).__name__}")
     lines = [_line(block, names) for block in results.result_blocks(obj)]
     return r"\begin{aligned} & " + r" \\ & ".join(lines) + r" \end{aligned}"

@@ -153,7 +153,8 @@ def checked(name: str, symbol: str) -> None:
         another command than letters, accents and scripts need, an expression, or more than 60 characters
     """
     if not isinstance(symbol, str) or len(symbol) > LONGEST or not _SYMBOL.fullmatch(symbol):
-        raise ExpressionError(f"{brief(symbol)} for {name} is not one symbol: write a letter, plain, "
+        raise ExpressionError(f"{brief(symbol)} for {brief(str(name))[1:-1]} is not one symbol: "
+                              "write a letter, plain, "
                               r"Greek or in \mathrm{}, \mathcal{}, \mathbf{}, with an accent such as \bar{}, "
                               r"primes and scripts: A, \sigma, I_{xx}, \bar{m}_1")
 

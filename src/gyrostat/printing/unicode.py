@@ -3,6 +3,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
+from flint import fmpq
 from sympy import Add, Expr, Mul, Pow, Symbol
 from sympy.printing.str import StrPrinter
 
@@ -53,11 +54,11 @@ class _Unicode(StrPrinter):
     def _print_Pi(self, expr: Expr) -> str:
         return "π"
 
-    def _print_Integer(self, expr: Expr) -> str:
-        return str(expr).replace("-", "−")
-
     def _print_Rational(self, expr: Expr) -> str:
-        return str(expr).replace("-", "−")
+        """Of any length: Python refuses to print more than 4300 digits."""
+        return str(fmpq(int(expr.p), int(expr.q))).replace("-", "−")
+
+    _print_Integer = _print_Rational
 
     def _print_Derivative(self, expr: Any) -> str:
         variables = "".join(str(v)[-1] * n for v, n in expr.variable_count)

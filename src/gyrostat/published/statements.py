@@ -55,16 +55,16 @@ class Statement:
     source: str
     key: str
     where: str
-    quantity: Any
-    printed: Any
+    quantity: Any = field(hash=False)        # a list has no hash
+    printed: Any = field(hash=False)
     kind: str
     note: str = ""
-    scene: Scene = field(default_factory=Scene)
-    let: Mapping[str, str] = field(default_factory=dict)
-    at: Mapping[str, str] = field(default_factory=dict)
+    scene: Scene = field(default_factory=Scene, hash=False)
+    let: Mapping[str, str] = field(default_factory=dict, hash=False)
+    at: Mapping[str, str] = field(default_factory=dict, hash=False)
     given: str = ""
     constants: tuple[str, ...] = ()
-    corrected: Any = None
+    corrected: Any = field(default=None, hash=False)
     file: str = ""
 
 
@@ -91,8 +91,8 @@ class Counterexample:
     """
 
     values: tuple[tuple[str, Expr], ...]
-    printed: Any
-    derived: Any
+    printed: Any = field(hash=False)
+    derived: Any = field(hash=False)
     confirmation: str
 
 
@@ -122,12 +122,12 @@ class Outcome:
     """
 
     agrees: bool | None
-    printed: Any = None
-    derived: Any = None
-    difference: Any = None
+    printed: Any = field(default=None, hash=False)
+    derived: Any = field(default=None, hash=False)
+    difference: Any = field(default=None, hash=False)
     counterexample: Counterexample | None = None
     not_sharp: Counterexample | None = None
-    corrected: Any = None
+    corrected: Any = field(default=None, hash=False)
     remark: str = ""
 
 
@@ -149,9 +149,9 @@ class Doubt:
     """
 
     points: Iterable[Mapping[Symbol, Expr]]
-    printed: Any = None
-    derived: Any = None
-    difference: Any = None
+    printed: Any = field(default=None, hash=False)
+    derived: Any = field(default=None, hash=False)
+    difference: Any = field(default=None, hash=False)
     sides: tuple[Any, ...] = ()
     place: Any = None
     moving: Mapping[Symbol, Expr] = field(default_factory=dict)

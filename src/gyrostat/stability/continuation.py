@@ -5,12 +5,13 @@ Pieces of one verdict, and marks where something happens.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
+from math import isfinite
 from typing import Any
 
 from sympy import Expr
 
 from ..algebra.exact import sign_of_constant
-from ..algebra.numbers import exact_number
+from ..algebra.numbers import exact_number, shown
 from ..algebra.plane_curves import PlaneCurve
 from ..algebra.stations import between, stations
 from ..arguments import checked
@@ -27,7 +28,7 @@ from .followed_rotations import RotationContinuation, followed_rotations
 from .pieces import Mark, Piece, Span
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Continuation:
     """Branches over a range of one parameter, and what happens on them.
 
@@ -100,6 +101,9 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     """
     in_one_direction(scene.potential, "continuation")
     low, high = (exact_number(end, name) for end in ends)
+    if not all(isfinite(float(end)) for end in (low, high)):
+        raise ValuesError(f"the range of {name} is {shown(low)} to {shown(high)}: branches are drawn in "
+                          "doubles, below 1.8e308; give the numbers in other units")
     if sign_of_constant(high - low) != 1:
         raise ValuesError(f"the range of {name} is {low} to {high}: give two numbers, the lower one "
                           "first")

@@ -22,7 +22,7 @@ from .decision import Verdict
 from .precessions import Precessions
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CriticalCurve:
     """Values of (C1, h) on regular precessions of one verdict.
 

@@ -2,7 +2,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any, NoReturn, Protocol
+from typing import Any, NoReturn, Protocol, runtime_checkable
 
 from sympy import Expr, Symbol
 
@@ -233,6 +233,7 @@ class Decider(Protocol):
         """
 
 
+@runtime_checkable
 class Ends(Protocol):
     """What says which ends of a set of values belong to it: Boundary, MomentumSphere."""
 

@@ -39,7 +39,7 @@ SAME = 1e-9                                                # of sigma
 PRECISION = 128                                            # bits
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class HeavyPiece:
     """Permanent rotations in a field over part of a range, of one verdict.
 
@@ -57,7 +57,7 @@ class HeavyPiece:
     verdict: Verdict
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class HeavyContinuation:
     """Permanent rotations in a field at a rate, over a range of one name, and where they meet.
 

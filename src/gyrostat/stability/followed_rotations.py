@@ -31,7 +31,7 @@ NODES, NEAR = 48, 2**30
 PRECISION = 128                                            # bits
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RotationPiece:
     """Permanent rotations over part of a range, of one verdict.
 
@@ -51,7 +51,7 @@ class RotationPiece:
     verdict: Verdict
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RotationContinuation:
     """Permanent rotations over a range of one name, and where they meet.
 

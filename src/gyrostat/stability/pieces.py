@@ -13,7 +13,7 @@ from .decision import Verdict
 INFINITE = "U is infinite"
 
 
-@dataclass
+@dataclass(eq=False)
 class Piece:
     """Part of a branch of one verdict.
 

@@ -6,6 +6,7 @@ from typing import Any
 from sympy import Expr
 
 from ..arguments import checked
+from ..errors import require
 from .conditions import sources
 from .decision import Decision, undecided, with_margins
 from .ladder import Ladder
@@ -64,6 +65,8 @@ class Report(Ladder):
         >>> spin.verdict({"omega3_0": 1}).verdict.name, spin.verdict({"omega3_0": 1}, damped=True).growing
         ('STABLE', 2)
         """
+        if damped is not False and damped is not True:
+            require(damped, bool, "damped")
         secular = self.secular if damped else None
         numbers = exact_values(self.equilibrium, values, (secular or self).compared, self.parameters)
         margins: dict[Expr, Expr] = {}

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from sympy import Expr, S, Symbol, oo, sqrt
 
+from ..algebra.numbers import exact_expression
 from ..algebra.polynomials import Ring, by_degree
 from ..arguments import checked
 from ..errors import ScopeError
@@ -59,7 +60,7 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
     ((m0, '='),) [(-oo, (), -pi3_0, ()), (-pi3_0, (), oo, ())]
     ((m0, '>'),) [(-oo, (), -2*sqrt(I1)*sqrt(m0) - pi3_0, (1,)), (2*sqrt(I1)*sqrt(m0) - pi3_0, (1,), oo, ())]
     """
-    x = symbol(name)
+    x, domain = symbol(name), [exact_expression(e, "domain") for e in domain]
     if condition.degenerate:
         raise ScopeError(f"{condition.margin} > 0 fails too where "
                          f"{', '.join(map(str, condition.degenerate))} = 0: give numbers")

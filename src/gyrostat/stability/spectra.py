@@ -8,13 +8,13 @@ import numpy as np
 from sympy import Expr, Rational, Symbol
 
 from ..algebra.exact import evaluate, sign_of_constant
-from ..algebra.floats import Array, in_floats
+from ..algebra.floats import Array, doubles, in_floats
 from ..algebra.numbers import exact_number
 from ..algebra.polynomials import Ring
 from ..algebra.roots import in_order
 from ..algebra.zeros import changes_of_sign, inner, zeros_inside, zeros_of
 from ..arguments import checked
-from ..errors import ScopeError, ValuesError
+from ..errors import ScopeError, ValuesError, brief
 from ..mechanics.derivation import signs_over
 from ..mechanics.equilibria import Equilibrium
 from ..notation import symbol
@@ -25,7 +25,7 @@ from .sextic import factors_in_squares, items_of_factors
 from .values import check_names, names_in, refuse_any_direction
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Collision:
     """Where eigenvalues come together and the kind of the spectrum changes.
 
@@ -47,7 +47,7 @@ class Collision:
     eigenvalues: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Spectrum:
     """Eigenvalues along a parameter.
 
@@ -118,9 +118,9 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     parts = _parts(linear)
     check_names([*values, name], names_in([*(c for part, _ in parts for c in part), symbol(name)]),
                 f"the spectrum of {eq.label}")
-    at, free = np.asarray(samples, dtype=float), symbol(name)
+    at, free = doubles(samples, "the samples"), symbol(name)
     if at.ndim != 1 or len(at) < 2 or not (np.diff(at) * (at[-1] - at[0]) > 0).all():
-        raise ValuesError(f"samples are {samples}: give two values of {name} or more, increasing or "
+        raise ValuesError(f"samples are {brief(samples)}: give two values of {name} or more, increasing or "
                           "decreasing")
     numbers = {symbol(name): exact_number(value, name) for name, value in values.items()}
     low, high = (exact_number(float(x), name) for x in (at.min(), at.max()))

@@ -9,7 +9,7 @@ from ..algebra.balls import ball
 from ..algebra.exact import Point, compiled, evaluate, sign_of_constant
 from ..algebra.numbers import exact_number, shown
 from ..algebra.quantities import not_mixed
-from ..errors import ScopeError, ValuesError
+from ..errors import ScopeError, ValuesError, brief, require
 from ..mechanics.directions import in_any_direction
 from ..mechanics.equilibria import Equilibrium
 from ..notation import NOTATION, Use, jet, symbol
@@ -29,6 +29,7 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
         a name is missing or unknown, a number is not exact and finite, or the point is proved not to be on
         the family; where that is not proved, the doubt of the point says so
     """
+    require(values, Mapping, "what is given for the names")
     given = {str(name): value for name, value in values.items()}
     free_jet = eq.system.potential is not None and not eq.system.potential.given
     for name in given:
@@ -112,7 +113,7 @@ def unknown(name: str, known: Sequence[str], where: str) -> str:
         if "omega3_0" in (name, *close) and "omega3_0" not in known
         else ""
     )
-    return f"{where} has no parameter {name}: {hint} parameters are {', '.join(known)}{spin}"
+    return f"{where} has no parameter {brief(name)[1:-1]}: {hint} parameters are {', '.join(known)}{spin}"
 
 
 def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:

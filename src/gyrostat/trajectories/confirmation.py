@@ -8,9 +8,10 @@ import numpy as np
 from sympy import Expr, ImmutableMatrix, Rational
 
 from ..algebra.exact import Point, evaluate, sign_of_constant
+from ..algebra.floats import doubles
 from ..algebra.numbers import exact_number
 from ..arguments import checked
-from ..errors import AccuracyError, ValuesError
+from ..errors import AccuracyError, ValuesError, brief
 from ..mechanics.coupled import in_one_direction
 from ..mechanics.equilibria import Equilibrium
 from ..mechanics.standard import seen_at
@@ -155,8 +156,8 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     if numbers.doubt:
         raise ValuesError(f"there is nothing to confirm: {numbers.doubt}")
     steps = [exact_number(size, "sizes") for size in sizes]
-    if len(steps) < 3 or not all(a > b > 0 for a, b in zip(steps, steps[1:])):
-        raise ValuesError(f"sizes = {', '.join(map(str, sizes))}: give at least three, positive and falling")
+    if len(steps) < 3 or not all(1 >= a > b > 0 for a, b in zip(steps, steps[1:])):
+        raise ValuesError(f"sizes = {brief(sizes)}: give at least three, positive and falling from 1 or less")
     point = [evaluate(eq.insert(x), numbers) for x in eq.point]
     scene = with_numbers(eq.system, _scene_numbers(eq, numbers))
     rate, growth = _rates(report, numbers)
@@ -218,13 +219,12 @@ def _scene_numbers(eq: Equilibrium, numbers: Point) -> dict[str, Expr]:
 def _rates(report: Report, numbers: Point) -> tuple[float, float]:
     """The largest modulus and the largest real part of an eigenvalue of the linearised field.
 
-    From the polynomial of the squares, λᵈ + c2 λᵈ⁻² + …, whose exact zeros are left out: those of the matrix
-    in doubles, several in one Jordan block, would be the rounding error to the power of a third.
+    From the polynomial of the squares, λᵈ + c2 λᵈ⁻² + …, without its exact zeros, large in doubles.
     """
     found = [evaluate(report.equilibrium.insert(c), numbers) for c in report.linearization.coefficients]
     while found and sign_of_constant(found[-1]) == 0:
         found.pop()
-    roots = np.sqrt(np.roots([1.0, *map(float, found)]).astype(complex))
+    roots = np.sqrt(np.roots(doubles([1, *found], "the linearised field")).astype(complex))
     return float(np.abs(roots).max(initial=0)), float(roots.real.max(initial=0))
 
 

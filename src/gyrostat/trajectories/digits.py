@@ -8,10 +8,10 @@ from flint import arb
 from sympy import Expr
 
 from ..algebra.balls import ball
-from ..algebra.floats import Array
+from ..algebra.floats import Array, doubles
 from ..algebra.numbers import exact_number, shown
 from ..algebra.precision import own_precision
-from ..errors import AccuracyError, ValuesError
+from ..errors import AccuracyError
 from .route import Route
 
 
@@ -28,10 +28,7 @@ def in_digits(x: arb, digits: int) -> mpmath.mpf:
 
 def finite_times(t: Any) -> Array:
     """Times of any shape in doubles."""
-    times = np.asarray(t, dtype=float)
-    if not np.isfinite(times).all():
-        raise ValuesError("a time is not a finite number: give finite ones")
-    return times
+    return doubles(t, "the times")
 
 
 def states_in_doubles(route: Route, start: Array, t: Any) -> Array:

@@ -3,8 +3,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..algebra.floats import Array
-from ..arguments import checked
+from ..algebra.floats import Array, doubles
+from ..arguments import checked, several
+from ..errors import ValuesError
 from ..mechanics.circular_orbit import axes_of
 
 
@@ -45,7 +46,9 @@ def roll_pitch_yaw(turns: Array, pointing: Sequence[int] = (1, 2, 3)) -> Array:
     array([[ 0.0873,  0.    ,  0.    ],
            [ 0.0062, -0.0018, -0.0209]])
     """
-    turned = np.asarray(turns, dtype=float)[..., [1, 2, 0], :] @ np.array(axes_of(*pointing), dtype=float).T
+    if (found := doubles(turns, "the rotations")).shape[-2:] != (3, 3):
+        raise ValuesError(f"the rotations have the shape {found.shape}: give (..., 3, 3)")
+    turned = found[..., [1, 2, 0], :] @ np.array(axes_of(*several(pointing, "pointing", 3)), dtype=float).T
     across = np.hypot(turned[..., 2, 1], turned[..., 2, 2])
     roll = np.where(across == 0, 0.0, np.arctan2(turned[..., 2, 1], turned[..., 2, 2]))
     yaw = np.where(across == 0, np.arctan2(-turned[..., 0, 1], turned[..., 1, 1]),

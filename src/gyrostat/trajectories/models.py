@@ -9,7 +9,7 @@ from sympy import Expr, ImmutableMatrix, Symbol
 from ..algebra.numbers import exact_number
 from ..algebra.quantities import not_mixed
 from ..arguments import checked
-from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError
+from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError, brief
 from ..mechanics.reduction import reducible
 from ..mechanics.system import System, at_numbers
 from ..stability.values import check_names
@@ -21,6 +21,8 @@ from .route import Route
 from .top.level import Level
 from .top.motion import AxialMotion
 from .turned import of_revolution, turned_free, turned_top
+
+MOST_DIGITS = 10_000
 
 
 @checked
@@ -79,8 +81,9 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
                           "coordinates: give "
                           f"{', '.join(map(str, scene.space.coordinates))}")
     point = tuple(exact_number(x, s.name) for x, s in zip(state, scene.space.coordinates))
-    if precision is not None and precision < 1:
-        raise ValuesError(f"precision = {precision}: give a number of decimal digits")
+    if precision is not None and not 1 <= precision <= MOST_DIGITS:
+        raise ValuesError(f"precision = {brief(precision)}: give a number of decimal digits up to "
+                          f"{MOST_DIGITS}")
     route = _route(scene, point, 53 if precision is None else bits_of(precision), tolerance)
     if precision is not None and not route.enclosed:
         raise ScopeError(f"this scene is integrated, in doubles: {precision} digits are had for a free "

@@ -36,7 +36,11 @@ def double(x: arb) -> float:
         raise AccuracyError("a constant of the motion is not enclosed at this precision: ask for fewer "
                             "digits, or give other numbers")
     mantissa, exponent = map(int, x.mid().man_exp())
-    return mantissa / (1 << -exponent) if exponent < 0 else float(mantissa << exponent)
+    try:
+        return mantissa / (1 << -exponent) if exponent < 0 else float(mantissa << exponent)
+    except OverflowError:
+        raise AccuracyError("a constant of the motion is above 1.8e308, beyond doubles: give the numbers in "
+                            "other units") from None
 
 
 def reduced(t: Array, period: Twofold) -> tuple[Array, Array]:

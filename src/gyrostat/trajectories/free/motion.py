@@ -72,6 +72,7 @@ class FreeMotion:
 
     def __init__(self, scene: System, start: Sequence[Any]):
         require(scene, System, "the scene")
+        self._given = scene, tuple(start)
         body = scene.body
         if scene.potential is not None:
             raise ScopeError(f"U = {scene.potential.expression}: a free gyrostat is in no field; leave the "
@@ -94,6 +95,9 @@ class FreeMotion:
             self.rotation = self.path
         self.period = self.rotation.period                  # of M; None where it rests, and on a separatrix
         self.name = "equilibrium" if resting else "free gyrostat" if any(self.rotor) else "free body"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FreeMotion, self._given                     # python-flint's balls are not pickled
 
     def state(self, t: Array) -> Array:
         """π at an array of times, along a last axis."""

@@ -16,13 +16,13 @@ from ...algebra.exact import proved_sign
 from ...errors import ValuesError
 from ...kept import cached_property
 from ...mechanics.system import System
-from ...notation import symbol
+from ...notation import Stored, symbol
 
 K3 = symbol("k3")
 
 
 @dataclass(frozen=True)
-class Level:
+class Level(Stored):
     """The level of the integrals on which a state moves, in exact numbers.
 
     g(z) = (abs(p)² + 2 I1 (U(k3) − U(z))) (abs(k)² − z²) − (v − P z)².

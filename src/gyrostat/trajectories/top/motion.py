@@ -33,6 +33,10 @@ class AxialMotion:
 
     def __init__(self, level: Level, bits: int = 53):
         self.exact = precession(level, bits)
+        self._given = level, bits
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return AxialMotion, self._given                    # python-flint's balls are not pickled
 
     @cached_property
     def _doubles(self) -> Doubles:

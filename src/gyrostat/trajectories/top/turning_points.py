@@ -6,6 +6,7 @@ from typing import Any
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_poly
 from sympy import sqrt
 
+from ...algebra.root_numbers import refuse_close
 from ...errors import AccuracyError, ScopeError
 from .level import Level, enclosed
 from .profiles import Profile
@@ -86,6 +87,7 @@ def _ends(level: Level, found: Sequence[tuple[acb, int]]) -> list[tuple[arb, int
 def _of_polynomial(level: Level, g: Sequence[Any]) -> list[tuple[acb, int]]:
     """All roots with their multiplicities."""
     if isinstance(g[0], fmpq):
+        refuse_close(fmpq_poly(g).numer())
         return [(acb(x), m) for x, m in fmpq_poly(g).complex_roots()]
     left, poles = [enclosed(c) for c in g], []
     for side, m in zip((-1, 1), level.contact):
@@ -105,10 +107,7 @@ def _divided(coefficients: list[arb], root: arb) -> list[arb]:
 
 
 def _simple(polynomial: arb_poly) -> list[acb]:
-    """The roots of a polynomial without multiple ones, by Newton's method in balls.
-
-    Of the real ones the imaginary part is 0.
-    """
+    """The simple roots of a polynomial, by Newton's method in balls; the imaginary part of real ones is 0."""
     try:
         isolated = polynomial.complex_roots(tol=arb(2) ** (-ctx.prec // 2), maxprec=8 * ctx.prec)
     except ValueError as error:
