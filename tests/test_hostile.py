@@ -125,7 +125,7 @@ def test_hostile_values_everywhere(part, tmp_path, monkeypatch):
 def test_every_public_verb_is_called():
     """What takes an argument is in public_calls, by the list of the surface."""
     named = {inspect.unwrap(getattr(function, "__func__", function)) for _, function, _ in calls()}
-    inside = {"gs.Report.decide", "gs.Report.decide_point", "gs.Decision.with_margins"}
+    inside = {"gs.Report.decide", "gs.Report.decide_point"}
     for name, what in public():
         if inspect.isfunction(what):
             assert inspect.unwrap(what) in named, name

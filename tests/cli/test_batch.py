@@ -148,3 +148,12 @@ def test_a_batch_flushes_to_its_file(tmp_path):
         assert not path.exists()
         running.stdin.close()
         assert running.wait() == 2 and [p.name for p in tmp_path.iterdir()] == ["verdicts.jsonl"]
+
+
+def test_an_equilibrium_or_a_potential_of_another_kind_is_refused(capsys, monkeypatch):
+    """Lists, numbers and truth values are no names; a text that names none is quoted."""
+    lines = [b'{"equilibrium": ["E1"]}', b'{"equilibrium": true}', b'{"equilibrium": {"E1": 1}}',
+             b'{"equilibrium": 5}', b'{"equilibrium": ""}', b'{"potential": {}}', b'{"potential": [1]}']
+    status, results, err = batch(capsys, monkeypatch, lines)
+    assert status == 2 and "internal error" not in err
+    assert len(results) == len(lines) and all("a potential is a text" in r["error"] for r in results)

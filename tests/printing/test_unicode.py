@@ -1,11 +1,22 @@
 """One line of Unicode, aligned matrices."""
 import pytest
-from sympy import exp, sin, sqrt
+from sympy import Integer, exp, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.printing.unicode import matrix_lines, unicode
 
 I1, I3, l, pi3, dU, k3, omega = map(gs.symbol, ("I1", "I3", "l", "pi3_0", "dU", "k3", "omega"))
+
+
+def test_numbers_of_any_length_are_printed():
+    """Products of numbers of a thousand digits too, of which Python refuses to print more than 4300."""
+    long = Integer(10)**5000 + 7
+    assert unicode(long * I1 - I3 / long) == f"1{'0' * 4999}7 I₁ − I₃/1{'0' * 4999}7"
+    assert f"1{'0' * 4999}7" in gs.to_latex(long * I1) and gs.to_latex(I1 / long).count("0") == 4999
+    body = gs.Gyrostat((10**1000, 10**1000, 10**1000), (0, 0, 0))
+    assert repr(gs.analyze(gs.upright(gs.assemble(body, gs.uniform_field()))))
+    with pytest.raises(gs.errors.ValuesError, match="inertia = 1.0*e.5000 is too long"):
+        gs.Gyrostat((10**5000, 1, 1), (0, 0, 0))
 
 
 @pytest.mark.parametrize(("expression", "shown"), [

@@ -13,7 +13,8 @@ from .occurring import occurring
 from .parts import enclosure
 from .quantities import in_si, text_of
 
-LONGEST = 14_000                                       # bits: Python prints integers of up to 4300 digits
+LONGEST = 2**17                                        # bits of a number that is no text
+PRINTED = 14_000                                       # of one in a scene: Python prints up to 4300 digits
 _UNDEFINED = (S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity)
 _NO_NUMBERS = frozenset({"nan", "inf", "infinity", "oo", "zoo"})
 
@@ -72,9 +73,9 @@ def exact_expression(value: Any, name: str = "value") -> Expr:
             raise ExpressionError(f"{name} contains {taken[0]}, the root of a polynomial in a name of its "
                                   "own: write it in another symbol")
         for number in value.atoms(Rational):
-            _bounded(number, name)
+            _bounded(number, name, PRINTED)
         return own(value.xreplace({f: _dyadic(f, name) for f in value.atoms(Float)}))
-    return exact_number(value, name)
+    return _bounded(exact_number(value, name), name, PRINTED)
 
 
 def exact_number(value: Any, name: str = "value") -> Expr:
@@ -145,8 +146,7 @@ def _dyadic(value: Any, name: str) -> Rational:
     return Rational(*map(int, mpmath.libmp.to_rational(value._mpf_)))
 
 
-def _bounded(value: Expr, name: str) -> Expr:
-    if isinstance(value, Rational) and (int(value.p).bit_length() > LONGEST
-                                        or int(value.q).bit_length() > LONGEST):
-        raise ValuesError(f"{name} = {shown(value)} is too long: numbers have up to {LONGEST} bits")
+def _bounded(value: Expr, name: str, most: int = LONGEST) -> Expr:
+    if isinstance(value, Rational) and max(int(value.p).bit_length(), int(value.q).bit_length()) > most:
+        raise ValuesError(f"{name} = {shown(value)} is too long: numbers here have up to {most} bits")
     return value

@@ -20,7 +20,7 @@ from .writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 
 
 @checked
-def verdicts(report: Report, values: Mapping[str, Any] | None = None, /, *, damped: bool = False,
+def verdicts(report: Report, values: Mapping[Any, Any] | None = None, /, *, damped: bool = False,
              invalid: str = "raise", backend: str = "numpy",
              threads: int = 1, out: Array | None = None, progress: Told | bool | None = None,
              **arrays: Any) -> Array:

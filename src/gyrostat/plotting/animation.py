@@ -9,7 +9,7 @@ import numpy as np
 
 from ..algebra.floats import Array, doubles
 from ..arguments import checked
-from ..errors import MissingExtraError, ValuesError, brief, optional, require
+from ..errors import ArgumentError, MissingExtraError, ValuesError, article, brief, optional
 from ..printing.files import written
 from ..trajectories import Motion
 from .globe import FADED, parted, polygons, stage
@@ -161,7 +161,8 @@ def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> 
     if kind == ".mp4" and not FFMpegWriter.isAvailable():
         raise MissingExtraError(f"{path} needs the program ffmpeg, which is not on the search path: "
                                 "install it, or write a .gif")
-    require(animation, optional("matplotlib.animation", "plot").Animation, "the animation")
+    if not callable(getattr(animation, "save", None)):
+        raise ArgumentError(f"the animation is {article(type(animation))}: give that of animate_top")
     if not 0 < fps <= 1000:
         raise ValuesError(f"fps = {brief(fps)}: give 1 to 1000 frames a second")
     with written(path) as new:
