@@ -37,6 +37,20 @@ def doubles(given: Any, what: str) -> Array:
     return found
 
 
+def row(given: Any, what: str) -> Array:
+    """The same, shape (n,), n > 0.
+
+    Raises
+    ------
+    ValuesError
+        there are none, or they are no row; or as doubles
+    """
+    found = doubles(given, what)
+    if found.ndim != 1 or not found.size:
+        raise ValuesError(f"{what} have the shape {found.shape}: give a row of them")
+    return found
+
+
 def in_floats(expression: Expr, xp: Any, arrays: Mapping[Symbol, Any]) -> Any:
     """An expression in the floats of a namespace, its functions those of the namespace, and no better.
 

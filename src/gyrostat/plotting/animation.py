@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array, doubles
+from ..algebra.floats import Array, row
 from ..arguments import checked
 from ..errors import ArgumentError, MissingExtraError, ValuesError, article, brief, optional
 from ..printing.files import written
@@ -106,9 +106,7 @@ def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int, int]:
     """The rotations from the body to space, shape (n, 3, 3), the path of the axis that is followed, its
     points to a step, and which axis it is.
     """
-    times = doubles(times, "the times")
-    if times.ndim != 1 or not times.size:
-        raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
+    times = row(times, "the times")
     turns = motion.attitude(times)
     top = motion.scene.potential is not None and motion.scene.body.is_of_revolution()
     steps, axis, fine = np.arange(len(turns)), 2 if top else int(np.abs(turns[0, 2]).argmax()), FINE

@@ -59,6 +59,7 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     >>> gs.plotting.draw_chart(chart, Figure().subplots()).get_xlabel()
     '$\\pi_3^0$ $[\\mathrm{M\\,L^{2}\\,T^{-1}}]$'
     """
+    require(ds, optional("xarray", "charts").Dataset, "the chart")
     if ds.verdict.ndim != 2:
         raise ValuesError(f"the verdict has the axes {', '.join(ds.verdict.dims) or '(none)'}, two are "
                           "drawn: choose values of the others "

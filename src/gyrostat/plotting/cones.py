@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
+from ..algebra.floats import Array, row
 from ..arguments import checked
 from ..errors import ScopeError
 from ..mechanics.precession import free_precession
@@ -69,7 +69,7 @@ def cones(inertia: Sequence[Any], transverse: Any, axial: Any) -> tuple[Cone, Co
         raise ScopeError(f"inertia = {tuple(inertia)}, transverse = {transverse}, axial = {axial}: ω lies "
                          "along M, there is no space cone; "
                          "give two different moments, and two rates that are not 0")
-    tilt, space, body = (float(angle) for angle in (motion.tilt, motion.space_cone, motion.body_cone))
+    tilt, space, body = row([motion.tilt, motion.space_cone, motion.body_cone], "the angles").tolist()
     side = 1 if space + body < tilt + 1e-9 else -1         # ω between M and e3, or beyond M
     vectors = {"M": np.array([0.0, 0.0, 1.0]), "omega": _tilted(side * space), "e3": _tilted(tilt)}
     return Cone(vectors["M"], space), Cone(vectors["e3"], body), vectors

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array, in_floats
+from ..algebra.floats import Array, in_floats, row
 from ..arguments import checked
 from ..errors import optional
 from ..mechanics.reduction import K3, V
@@ -112,7 +112,7 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     """
     found = energy_momentum(scene, values)
     ax = axes_of(ax)
-    left, right, low, high = _window(found) if window is None else window
+    left, right, low, high = _window(found) if window is None else row(window, "window").tolist()
     momentum, energy = np.linspace(left, right, CELLS), np.linspace(low, high, CELLS)
     count = bands(found, momentum, energy)
     ax.contourf(momentum, energy, count, levels=[0.5, 1.5, 2.5, 99], colors=BANDS[1:], zorder=0)

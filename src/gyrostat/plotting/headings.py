@@ -2,6 +2,8 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sympy import Float
+
 from ..algebra.numbers import exact_number
 from ..errors import optional
 from ..mechanics.circular_orbit import by_gradient_alone, orbital_rate
@@ -32,7 +34,11 @@ def number(value: Any, exact: str = "") -> str:
     exact = exact or str(value)
     if len(exact) <= 8 and set(exact) <= set("0123456789./-"):
         return exact
-    mantissa, _, power = f"{float(value):.4g}".partition("e")
+    try:
+        near = f"{float(value):.4g}"
+    except OverflowError:                                  # beyond doubles
+        near = str(Float(value, 4))
+    mantissa, _, power = near.partition("e")
     if not power:
         return mantissa
     shown = f"10^{{{int(power)}}}"

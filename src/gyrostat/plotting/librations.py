@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
+from ..algebra.floats import Array, row
 from ..arguments import checked
 from ..errors import ScopeError
 from ..mechanics.circular_orbit import in_orbit, orbital_rate
@@ -64,7 +64,7 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
     """
     if not in_orbit(motion.scene):
         raise ScopeError("librations are those of a satellite in orbit: assemble(body, circular_orbit())")
-    times = np.asarray(times, dtype=float)
+    times = row(times, "the times")
     ax = axes_of(ax)
     orbits = float(orbital_rate(motion.scene)) * times / (2 * np.pi)
     for values, style in zip(np.degrees(roll_pitch_yaw(motion.attitude(times), pointing)).T, STYLES.values()):

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ..algebra.exact import sign_of_constant
-from ..algebra.floats import Array
+from ..algebra.floats import Array, row
 from ..algebra.numbers import exact_number
 from ..arguments import checked
 from ..errors import ScopeError, ValuesError
@@ -88,15 +88,16 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
                          "give different moments, or a rotor")
     least, most = (f(float(p.energy) for p in points) for f in (min, max))
     slack = 1e-12 * most                                   # an energy of a rest point may be rounded
-    if off := [energy for energy in energies or () if not least - slack <= float(energy) <= most + slack]:
+    given = None if energies is None or not len(energies) else row(energies, "energies").tolist()
+    if off := [energy for energy in given or () if not least - slack <= energy <= most + slack]:
         raise ValuesError(f"energies = {off[0]}: there is no curve of it on |M| = {momentum}; give "
                           f"energies between {least:.6g} "
                           f"and {most:.6g}")
     ax = axes_of(ax, three=True)
     eye = stage(ax, size, [label(f"M{i}") for i in (1, 2, 3)])
     style = {"color": BLUE, "linewidth": 0.9, **kwargs}
-    chosen = energies_between(body, points, BAND) if energies is None else energies
-    curve_on(ax, _joined([level_curve(body, points, size, float(energy)) for energy in chosen]), eye, **style)
+    chosen = energies_between(body, points, BAND) if energies is None else given or []
+    curve_on(ax, _joined([level_curve(body, points, size, energy) for energy in chosen]), eye, **style)
     handles = [named(style, "polhode")]
     saddles = {float(p.energy) for p in points if p.decision.verdict is Verdict.UNSTABLE and p.circle is None}
     if saddles:

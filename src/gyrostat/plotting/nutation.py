@@ -3,7 +3,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
+from ..algebra.floats import Array, row
 from ..arguments import checked
 from ..errors import ValuesError
 from ..trajectories import Motion
@@ -86,7 +86,7 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
 
 def axis_path(motion: Motion, times: Any) -> Array:
     """The axis of the body in space, e3 where it has no other, shape (n, 3)."""
-    return close_enough(motion.attitude(np.asarray(times, dtype=float)) @ motion.axis)
+    return close_enough(motion.attitude(row(times, "the times")) @ motion.axis)
 
 
 def close_enough(path: Array) -> Array:

@@ -6,7 +6,7 @@ import numpy as np
 from sympy import Expr
 
 from ..algebra.exact import proved_sign
-from ..algebra.floats import Array, in_floats
+from ..algebra.floats import Array, in_floats, row
 from ..arguments import checked
 from ..errors import ScopeError, ValuesError
 from ..mechanics.body import Gyrostat
@@ -75,7 +75,9 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     arcs = [_arc(body, radius, held, a, b) for a, b in fold_intervals(body, radius, held)]
     ax = axes_of(ax)
     ellipse = _pitchforks(body, radius, held)
-    width, height = (1.12 * max(float(np.nanmax(curve[n])) for curve in [*arcs, *ellipse]) for n in (0, 1))
+    row([radius], "M")                                     # a double
+    width, height = (1.12 * max((float(np.nanmax(curve[n])) for curve in [*arcs, *ellipse]),
+                                default=float(radius)) for n in (0, 1))
     x, y = (np.linspace(-size, size, CELLS) for size in (width, height))
     counts = _counts(body, radius, free, x, y)
     ax.contourf(x, y, counts, levels=[1, 3, 5, 7], colors=list(SHADES.values()))

@@ -9,7 +9,7 @@ from sympy import Expr
 from ..algebra.exact import sign_of_constant
 from ..algebra.numbers import exact_number, shown
 from ..algebra.quantities import not_mixed
-from ..arguments import checked
+from ..arguments import checked, several
 from ..charts.chart import stability_chart
 from ..errors import ValuesError
 from ..mechanics.body import Gyrostat
@@ -109,6 +109,7 @@ def ratios(moments: Sequence[Any], name: str = "the body") -> tuple[Expr, Expr]:
     >>> ratios((60, 32, 35))
     (-1/20, -4/5)
     """
+    moments = several(moments, f"the moments of {name}")
     if len(moments) != 3:
         raise ValuesError(f"{name} has {len(moments)} moments: give those about roll, pitch and yaw")
     own = f"inertia of {name}"

@@ -6,9 +6,9 @@ import numpy as np
 from sympy import Expr, oo
 
 from ..algebra.exact import proved_sign
-from ..algebra.floats import Array
+from ..algebra.floats import Array, row
 from ..algebra.numbers import exact_number
-from ..arguments import checked
+from ..arguments import checked, several
 from ..errors import ValuesError
 from ..mechanics.system import System
 from ..stability.decision import Verdict
@@ -82,7 +82,7 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     folds = [place for arc in arcs for place in plane.folds(arc)]
     changes = [place for arc in arcs for x in arc.boundaries for place in plane.at(arc, x)]
     rest = [np.array([0.0, side * np.linalg.norm(plane.c)]) for side in (1, -1)]
-    low, high = _range(omega) if omega else plane.rates([*folds, *changes])
+    low, high = plane.rates([*folds, *changes]) if omega is None else _range(omega)
     bottom, top = plane.heights(max(-low, high))
     window = np.array([max(-low, high), max(-bottom, top)])
     ax, handles = axes_of(ax), []
@@ -173,7 +173,7 @@ def _at_both_rates(arc: Arc, places: Array) -> list[Array]:
 
 
 def _range(omega: Sequence[Any]) -> tuple[float, float]:
-    low, high = (exact_number(x, "omega") for x in omega)
+    low, high = (exact_number(x, "omega") for x in several(omega, "omega", 2))
     if proved_sign(high - low) != 1:
         raise ValuesError(f"omega goes from {low} to {high}: give the lower one first")
-    return float(low), float(high)
+    return tuple(row([low, high], "omega").tolist())

@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from ..algebra.floats import Array
+from ..algebra.floats import Array, row
 from ..arguments import checked
-from ..errors import ValuesError, optional
+from ..errors import optional
 from ..kept import cached_property
 from ..mechanics.system import System
 from ..stability.notes import state_note
@@ -244,7 +244,6 @@ class Motion:
             the times are not a row
         """
         optional("xarray", "charts")
-        if (times := finite_times(t)).ndim != 1:
-            raise ValuesError(f"the times have the shape {times.shape}: give a row of them")
+        times = row(t, "the times")
         states, turns = np.asarray(self(t), dtype=float), turns_of(self.attitude, times)
         return dataset(columns(self.scene, times, states, turns, pointing), times, self.attributes)
