@@ -21,6 +21,7 @@ VALUES = (None, True, 3.5, math.nan, math.inf, CALL, b"", [], {}, object(), 10**
           np.array([object()] * 3), np.array([1.0, 0, 1]), [math.nan] * 3, [CALL] * 3, {CALL: CALL}, eye(3),
           range(10**9), "9^9^9^9")
 TOLD = ("path", "store")                               # a file that is not there is said by Python
+OWN = ("progress", "change")                           # functions of the user, whose errors are theirs
 
 
 def slots(given):
@@ -68,7 +69,8 @@ def asked(name, function, given, slot, values):
             if slot[0] not in TOLD:
                 yield f"{name} {slot} {bad!r:.30}: {error!r:.150}"
         except Exception as error:
-            yield f"{name} {slot} {bad!r:.30}: {error!r:.150}"
+            if slot[0] not in OWN:
+                yield f"{name} {slot} {bad!r:.30}: {error!r:.150}"
         finally:
             EVENTS.remove(ran)
         if ran:
@@ -112,6 +114,7 @@ def test_hostile_values_at_some_doors(function, given):
 
 
 @pytest.mark.slow
+@pytest.mark.filterwarnings("ignore")                  # a warning is no error, and objects are left half made
 @pytest.mark.parametrize("part", range(4))
 def test_hostile_values_everywhere(part, tmp_path, monkeypatch):
     """In every place of every call, six of the values, each value in every sixth place."""

@@ -107,9 +107,9 @@ class CompiledMargin:
             check_plain(arrays)
             return self._everywhere(self._namespace, arrays)
         used = {name: arrays[name] for name in self.names}
-        single = bool(used) and all(getattr(a, "dtype", None) == np.float32
-                                    for a in used.values() if np.ndim(a))
-        kind = np.float32 if single and any(np.ndim(a) for a in used.values()) else np.float64
+        several = [a for a in used.values() if getattr(a, "ndim", 0) or isinstance(a, list | tuple)]
+        single = bool(several) and all(getattr(a, "dtype", None) == np.float32 for a in several)
+        kind = np.float32 if single else np.float64
         with np.errstate(all="ignore"):
             grid = grid_of(used, kind)
         result = prepared(out, grid.shape, kind if isinstance(self._what, Expr) else np.bool_)
