@@ -73,6 +73,8 @@ def constant(k):
 CASES = {
     "a ball precesses": lambda: precession("conical", 1, "3/4"),
     "a ball precesses in the other plane": lambda: precession("hyperbolic", 1, "1/2"),
+    "a ball precesses, its axis nearer to n": lambda: precession("conical", 1, "1/3"),
+    "a ball precesses far in the other plane": lambda: precession("hyperbolic", 1, "3/4"),
     "conical, the axis in a well": lambda: precession("conical", "1/2", "3/4"),
     "conical, in a window": lambda: precession("conical", "9/5", "3/4"),
     "a ball along an axis": lambda: satellite((1, 1, 1), (0, 0, 0), (0, 0, 1), (1, 0, 0)),
@@ -97,7 +99,9 @@ CASES = {
         2 * k * E1), (0, 2, 0, 0, 1, 0)),
     "at the critical spin": lambda: field((2, 2, 1), (0, 0, 0), lambda k1, k2, k3: k3, lambda k: 0 * k + E3, (
         0, 0, sqrt(8), 0, 0, 1)),
+    "free, a ball with a wheel": lambda: free((2, 2, 2), (0, 0, 1), (0, 0, 1)),
     "rising": lambda: vehicle(5, 0),
+    "rising with less spin": lambda: vehicle(5, R(1, 2)),
     "rising with spin": lambda: vehicle(5, 1),
     "rising, unstable": lambda: vehicle(1, 1),
 }
