@@ -4,21 +4,22 @@
 const PLAIN = /^ *[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|\d{1,15} *\/ *\d{1,15}) *$/;
 const said = new Map();
 
-// The double nearest to a text; of another text than 1.25 or 1/2 what the library has said. NaN of what is none.
-export function number(text = "") {
-  if (!PLAIN.test(text)) return said.get(text) ?? NaN;
+// The double nearest to a text; of another text than 1.25 or 1/2 what the library has said of it under this name: 3 rpm
+// is a rate, and no moment of inertia. NaN of what is none.
+export function number(name, text = "") {
+  if (!PLAIN.test(text)) return said.get(`${name} = ${text}`) ?? NaN;
   const [above, below = "1"] = text.split("/");
   return Number(above) / Number(below);
 }
 
 // What the library says of texts.
 export function heard(values, doubles) {
-  for (const [name, value] of Object.entries(doubles)) said.set(values[name], value);
+  for (const [name, value] of Object.entries(doubles)) said.set(`${name} = ${values[name]}`, value);
 }
 
 // Names that the library takes as positive; a number of theirs that is not is none.
 export const positive = new Set();
 export const possible = (name, text) => {
-  const value = number(text);
+  const value = number(name, text);
   return positive.has(name) && value <= 0 ? NaN : value;
 };

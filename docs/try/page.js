@@ -79,7 +79,7 @@ export function sliders(place, names, values, changed) {
   place.replaceChildren(...names.map(({ name, tex, meaning, positive: above }) => {
     if (above) positive.add(name);
     values[name] ??= START.get(name) ?? "1";
-    const [min, max] = ends(name, number(values[name]));
+    const [min, max] = ends(name, number(name, values[name]));
     const text = element("input", { id: `value-${name}`, value: values[name], size: 8, maxLength: 500,
       spellcheck: false, autocomplete: "off", autocapitalize: "none" });
     const slider = element("input", { type: "range", min, max, step: 0.01, ariaLabel: `${name}, slider` });
@@ -94,7 +94,8 @@ export function sliders(place, names, values, changed) {
 // Sliders where their texts are.
 export function placed(place) {
   for (const row of place.querySelectorAll(".value")) {
-    const value = number(row.querySelector("[id]").value);
+    const text = row.querySelector("[id]");
+    const value = number(text.id.slice(6), text.value);
     if (Number.isFinite(value)) row.querySelector("[type=range]").value = value;
   }
 }

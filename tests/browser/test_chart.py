@@ -47,6 +47,16 @@ def report_of(number):
     return session.chosen(json.dumps(table)).report
 
 
+def test_a_number_with_a_unit_is_one_of_its_name(page):
+    """What the library said of a rate in rpm is nothing for a moment of inertia."""
+    assert page.evaluate("""async () => {
+        const { heard, number } = await import("./numbers.js");
+        heard({ omega: "3.5 rpm" }, { omega: 0.25 });
+        return [["omega", "3.5 rpm"], ["I1", "3.5 rpm"], ["I1", "1/4"], ["I1", "0x10"]].map(
+            ([name, text]) => String(number(name, text)));
+    }""") == ["0.25", "NaN", "0.25", "NaN"]
+
+
 @pytest.mark.parametrize("number, axes", [
     (0, ("m0", "omega3_0")), (0, ("omega3_0", "I1")), (2, ("k3", "d2U")), (3, ("k3", "omega")),
     (6, ("I2", "l")), (7, ("I2", "omega3_0"))])

@@ -88,11 +88,14 @@ def test_three_squares_and_one_mode():
 
 
 def test_a_negative_square_falls_though_damping_does_not_reach_all():
-    """An attitude whose I_nn = I_rr, I_tn = 0 and det K < 0, and one whose momentum vanishes."""
+    """An attitude whose I_nn = I_rr, I_tn = 0 and det K < 0, and one whose momentum vanishes.
+
+    There the motions that are not reached have an isotropic part, and it is not said how many grow.
+    """
     for I, l, growing in (((F("23/10"), F("23/10"), F("3/5")), (0, -2, 0), 1), ((1, 2, 2), (0, -3, 0), 1),
                           ((F("8/5"), F("1/2"), F("8/5")), (0, 0, F("-8/5")), None)):
         n, r = ((0, 0, 1), (1, 0, 0)) if l[2] else ((0, 1, 0), (0, 0, 1))
         scene = gs.assemble(gs.Gyrostat(exact(I), exact(l)), gs.circular_orbit(1))
         decision = gs.analyze(gs.steady_motion(scene, n, r)).verdict({}, damped=True)
         found = sum(x.real > 1e-8 for x in spectrum(np.diag(floats(I)), floats(l), floats(n), floats(r)))
-        assert decision.unstable and found and decision.growing in (growing, found)
+        assert decision.unstable and found and decision.growing == growing

@@ -14,6 +14,7 @@ from sympy import Matrix, Rational, sqrt
 import gyrostat as gs
 from gyrostat.errors import ValuesError
 from gyrostat.stability.amended_form import amended_form
+from gyrostat.stability.heavy_rotation import HeavyRotation
 
 
 def check(rng, quadratic):
@@ -177,3 +178,10 @@ def test_what_is_refused():
         gs.relative_equilibria(linear, {"k1": 1, "k2": 1, "k3": 0})
     with pytest.raises(ValuesError, match="give omega, the rate"):
         gs.relative_equilibria(linear, {"k1": 1})
+
+
+def test_two_frequencies_that_are_equal():
+    """The sleeping top at its critical spin, (I3 omega)² = 4 I1 m0: p² = 4q exactly, no ball tells."""
+    scene = gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, 0)), gs.general_potential(k3))
+    assert HeavyRotation(scene, (0, 0, 1), sqrt(8)).signs == (-1, 1, 1, 0)
+    assert HeavyRotation(scene, (0, 0, 1), sqrt(8) + Rational(1, 10**50)).signs == (-1, 1, 1, 1)
