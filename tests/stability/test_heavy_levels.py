@@ -83,15 +83,17 @@ def test_in_a_plane_of_symmetry_and_off_it():
     assert sum(-1 if "saddle" in why else 1 for why in kinds) == 2
 
 
-def test_what_is_found_rests_on_the_level():
-    """M × ω + k × ∇U = 0, and M·k = C1, M = I ω + l: a rotor off the axes, two levels."""
-    inertia, rotor, slope = np.diag([1.0, 2, 3]), np.array([0.5, 0, 1]), np.array([1.0, 2, 0])
-    scene = gs.assemble(gs.Gyrostat((1, 2, 3), ("1/2", 0, 1)), gs.general_potential(k1 + 2 * k2))
-    for level in (-2, 5):
-        found = gs.relative_equilibria(scene, {"C1": level})
-        assert len(found) >= 2
-        for rotation in found:
-            k, omega = np.array([float(x) for x in rotation.k]), float(rotation.omega)
-            M = omega * inertia @ k + rotor
-            np.testing.assert_allclose(np.cross(M, omega * k) + np.cross(k, slope), 0, atol=1e-11)
-            assert M @ k == pytest.approx(level, abs=1e-11) and k @ k == pytest.approx(1, abs=1e-13)
+@pytest.mark.parametrize(("U", "slope", "least"), [
+    ("k1 + 2*k2", lambda k: np.array([1.0, 2, 0]), 2),
+    ("k1^3 + k3", lambda k: np.array([3 * k[0]**2, 0, 1]), 6)], ids=["linear", "cubic"])
+def test_what_is_found_rests_on_the_level(U, slope, least):
+    """M × ω + k × ∇U = 0, and M·k = C1, M = I ω + l: a rotor off the axes, fields of degree 1 and 3."""
+    inertia, rotor = np.diag([1.0, 2, 3]), np.array([0.5, 0, 1])
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), ("1/2", 0, 1)), gs.general_potential(U))
+    found = gs.relative_equilibria(scene, {"C1": 3})
+    assert len(found) >= least
+    for rotation in found:
+        k, omega = np.array([float(x) for x in rotation.k]), float(rotation.omega)
+        M = omega * inertia @ k + rotor
+        np.testing.assert_allclose(np.cross(M, omega * k) + np.cross(k, slope(k)), 0, atol=1e-10)
+        assert M @ k == pytest.approx(3, abs=1e-10) and k @ k == pytest.approx(1, abs=1e-12)
