@@ -86,6 +86,30 @@ def satellites(u):
                 report.verdict({}), report.verdict({}, damped=True)])
 
 
+def precessions(u):
+    """Of a satellite of revolution: in a well, unstable, a ball; itself, and under damping."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.circular_orbit())
+    reports = [gs.analyze(gs.orbital_precession(scene, kind)) for kind in ("conical", "hyperbolic")]
+    at = [u.values(I1=1, I3=x, omega0=1) | {"n3": F(3, 4)} for x in (F(1, 2), F(9, 5), 1)]
+    return [said([r.verdict(v), r.verdict(v, damped=True), r.itself(v)]) for r in reports for v in at]
+
+
+def two_directions(u):
+    """A vehicle that rises, in three weights; a body at rest in two constant fields."""
+    def rising(weight):
+        D = [[0, -u(F(3, 10), (1, 1, 0)), 0], [u(F(3, 10), (1, 1, 0)), 0, 0], [0, 0, 0]]
+        scene = gs.underwater_vehicle([u(1, "I")] * 3, [u(x, "mass") for x in (2, 2, 1)], D,
+                                      weight=(0, 0, u(weight, "m0")))
+        return gs.analyze(gs.steady_motion(scene, (0, 0, u(2, "impulse")), (0, 0, 1),
+                                           omega=(0, 0, u(1, "omega"))))
+
+    a, b = u(2, "m0"), u(1, "m0")
+    fields = gs.coupled_potential(f"-({a})*k1 - ({b})*e2", ("k", "e"))
+    rests = [gs.analyze(gs.steady_motion(gs.assemble(body(u, (1, 2, F(5, 2))), fields), k, (0, 1, 0)))
+             for k in ((1, 0, 0), (-1, 0, 0))]
+    return [said([r.verdict({}), r.verdict({}, damped=True)]) for r in (*map(rising, (5, 1)), *rests)]
+
+
 def motions(u):
     """The route and the period, in units of time."""
     state, top = [u(F(x), "pi") for x in ("0.3", "-0.2", "1.5")], gs.assemble(
@@ -108,7 +132,7 @@ def test_arcs_are_the_same_in_other_units_of_time_and_torque(powers):
 
 @pytest.mark.parametrize("powers", OTHERS, ids=str)
 @pytest.mark.parametrize("question", [upright, lists_of_a_top, heavy_bodies, windows, free_bodies, satellites,
-                                      motions])
+                                      precessions, two_directions, motions])
 def test_units_change_nothing(question, powers):
     """The Moon in SI, a molecule in SI, and what is far beyond both: the answers are those near 1."""
     np.testing.assert_equal(question(Units(*powers)), question(Units()))

@@ -174,4 +174,5 @@ METHODS: dict[str, type[Taylor] | type[RungeKutta]] = {"heyoka": Taylor, "DOP853
 def beyond(time: float) -> AccuracyError:
     """What to raise where there is no motion."""
     return AccuracyError(f"the motion cannot be followed beyond t = {time}: U or its gradient is singular "
-                         "there; ask for times before")
+                         "there, or the numbers are too far from 1: ask for times before, or give them in "
+                         "other units")
