@@ -20,6 +20,7 @@ CALL = "__import__('os').system('true')"
 VALUES = (None, True, 3.5, math.nan, math.inf, CALL, b"", [], {}, object(), 10**400, int, -1, "k3", "", I,
           np.array([object()] * 3), np.array([1.0, 0, 1]), [math.nan] * 3, [CALL] * 3, {CALL: CALL}, eye(3),
           range(10**9), "9^9^9^9")
+SMALL = tuple(value for value in VALUES if not isinstance(value, range))       # what fits in any memory
 TOLD = ("path", "store")                               # a file that is not there is said by Python
 OWN = ("progress", "change")                           # functions of the user, whose errors are theirs
 
@@ -120,7 +121,7 @@ def test_hostile_values_everywhere(part, tmp_path, monkeypatch):
     """In every place of every call, six of the values, each value in every sixth place."""
     monkeypatch.chdir(tmp_path)
     wrong = [line for n, question in enumerate(questions()) if n % 4 == part
-             for line in asked(*question, VALUES[n // 4 % 4::4])]
+             for line in asked(*question, SMALL[n // 4 % 4::4])]
     assert not wrong, "\n".join(wrong)
 
 

@@ -12,6 +12,7 @@ from ..errors import ValuesError, brief
 from .arithmetic import Arithmetic, in_arithmetic
 
 Array = NDArray[Any]
+MOST = 10**7                                               # entries of a sequence that is no array
 
 
 def doubles(given: Any, what: str) -> Array:
@@ -27,6 +28,8 @@ def doubles(given: Any, what: str) -> Array:
     >>> doubles([1, "0.5"], "the times").tolist()
     [1.0, 0.5]
     """
+    if not hasattr(given, "dtype") and hasattr(given, "__len__") and len(given) > MOST:
+        raise ValuesError(f"{what} = {brief(given)} has {len(given)} entries: give up to {MOST}, or an array")
     try:
         found = np.asarray(given, dtype=float)
     except (TypeError, ValueError, OverflowError, MemoryError) as error:
