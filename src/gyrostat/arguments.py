@@ -21,7 +21,7 @@ _WORDS: dict[Any, str] = {
     NoneType: "None", str: "a text", int: "a whole number", float: "a number", bool: "True or False",
     Callable: "a function", Mapping: 'a mapping of names, {"I1": 1}', Sequence: "several entries, (1, 2)"}
 _WIDER: dict[type, Any] = {int: Integral, float: (Real, Decimal), Fraction: Rational}
-MOST = 10**7                                               # entries
+MOST = 10**7                                               # entries of a sequence
 _NOT_SEVERAL = (str, bytes, bytearray, memoryview, Mapping, type)
 
 

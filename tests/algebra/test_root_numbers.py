@@ -5,6 +5,7 @@ import pytest
 from sympy import Rational
 
 from gyrostat.algebra.root_numbers import roots_of
+from gyrostat.errors import ScopeError
 
 
 def value(coefficients, x):
@@ -36,3 +37,11 @@ def test_products_with_roots_of_any_size(order):
     (root,) = roots_of([-unit**5, Rational(0), Rational(0), unit**2, Rational(0), Rational(1)])
     y = Fraction(str((2 * root).evalf(60))) / 2 / Fraction(10)**order
     assert abs(y**5 + y**3 - 1) < Fraction(1, 10**50)
+
+
+@pytest.mark.parametrize("middle", [10**4000, Rational(1, 10**4000)])
+def test_roots_of_too_different_sizes_are_refused(middle):
+    """x³ + m x + 1, and m x³ + x² + 1: one root is 10⁴⁰⁰⁰ times another, said at once."""
+    coefficients = [1, middle, 0, 1] if middle > 1 else [1, 0, 1, middle]
+    with pytest.raises(ScopeError, match="of so different sizes .*: leave out what is far too small"):
+        roots_of(list(map(Rational, coefficients)))

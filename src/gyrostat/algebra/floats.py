@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 from sympy import CRootOf, Expr, Pow, Rational, S, Symbol
 
+from ..arguments import MOST
 from ..errors import ValuesError, brief
 from .arithmetic import Arithmetic, in_arithmetic
 
 Array = NDArray[Any]
-MOST = 10**7                                               # entries of a sequence that is no array
 
 
 def doubles(given: Any, what: str) -> Array:

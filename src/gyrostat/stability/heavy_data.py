@@ -38,7 +38,7 @@ def data_at(scene: System, k: Sequence[Expr]) -> Data:
 
 
 def unreached(inertia: Sequence[Sequence[Any]], rotor: Sequence[Any], gradient: Sequence[Any],
-               curved: Sequence[Sequence[Any]], k: Sequence[Any], omega: Any) -> list[Any]:
+              curved: Sequence[Sequence[Any]], k: Sequence[Any], omega: Any) -> list[Any]:
     """M × k, and D²U − k·∇U between vectors across k."""
     M, along = [omega * dot(row, k) + l for row, l in zip(inertia, rotor)], dot(gradient, k)
     rows = [[x - along * (n == m) for m, x in enumerate(row)] for n, row in enumerate(curved)]
