@@ -181,6 +181,11 @@ def symbol(name: str) -> Symbol:
     -------
     Symbol
 
+    Raises
+    ------
+    ArgumentError
+        the name is no text
+
     Examples
     --------
     >>> import gyrostat as gs

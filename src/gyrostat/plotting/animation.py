@@ -133,8 +133,10 @@ def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> 
 
     Raises
     ------
+    ArgumentError
+        it is no animation
     ValuesError
-        another kind of file
+        another kind of file, or no number of pictures a second
     MissingExtraError
         ffmpeg is not there
     OSError

@@ -32,6 +32,8 @@ def roll_pitch_yaw(turns: Array, pointing: Sequence[int] = (1, 2, 3)) -> Array:
     ------
     EquilibriumError
         the axes are not three
+    ValuesError
+        they are no rotations by their shape
 
     References
     ----------
