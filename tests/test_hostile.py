@@ -123,7 +123,7 @@ def test_hostile_values_everywhere(part, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     wrong = [line for n, question in enumerate(questions()) if n % 4 == part
              for line in asked(*question, SMALL[n // 4 % 4::4])]
-    gc.collect()                                       # animations never shown say so when they are thrown away
+    gc.collect()                                       # of an animation never shown, which warns
     assert not wrong, "\n".join(wrong)
 
 
