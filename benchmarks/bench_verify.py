@@ -15,11 +15,11 @@ import time
 import sympy
 from sympy import MatrixBase
 
-from gyrostat.algebra.exact import sign_of_constant
+from gyrostat.algebra.reals.exact import sign_of_constant
 from gyrostat.published import SOURCES, check, load
+from gyrostat.published.checks.readings import Reading
 from gyrostat.published.language import read
-from gyrostat.published.names import is_zero
-from gyrostat.published.readings import Reading
+from gyrostat.published.names.names import is_zero
 
 LIMIT = 10
 

@@ -31,8 +31,8 @@ import xarray
 import zarr.codecs
 
 import gyrostat as gs
-from gyrostat.charts import stores
 from gyrostat.charts.chart import stability_chart
+from gyrostat.charts.stores import stores
 from gyrostat.errors import StoreError
 
 TOP = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))

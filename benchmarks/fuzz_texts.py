@@ -178,16 +178,16 @@ def drawn(index, seed):
 
 def routes(folder):
     """The ways a text comes into the library, by name."""
-    from gyrostat.algebra.grammar import parse
-    from gyrostat.algebra.inputs import json_object
-    from gyrostat.algebra.numbers import exact_number
-    from gyrostat.cli.options import axis_of, numbers_of
-    from gyrostat.mechanics.potentials import axial_potential
+    from gyrostat.algebra.text.grammar import parse
+    from gyrostat.algebra.text.inputs import json_object
+    from gyrostat.algebra.text.numbers import exact_number
+    from gyrostat.cli.options.options import axis_of, numbers_of
+    from gyrostat.mechanics.scenes.entered_potential import axial_potential
     from gyrostat.notation import symbol
     from gyrostat.published import load
-    from gyrostat.published.comparisons import comparisons
+    from gyrostat.published.checks.comparisons import comparisons
+    from gyrostat.published.checks.readings import _with_let
     from gyrostat.published.language import read
-    from gyrostat.published.readings import _with_let
 
     names = {n: symbol(n) for n in ("I1", "I2", "l", "m0", "k3", "x", "omega")}
     file = folder / f"{os.getpid()}.toml"
@@ -401,7 +401,7 @@ def gate(count, seed, processes):
 
 def verbs(count, seed):
     """Accepted texts through the verbs; the number of lines that are bad."""
-    from gyrostat.algebra.grammar import parse
+    from gyrostat.algebra.text.grammar import parse
     from gyrostat.errors import GyrostatError
 
     accepted, index = [], 0

@@ -32,9 +32,9 @@ import verdict_routes as routes
 from hard_cases import EXPONENTS, FAMILIES, KINDS, Batch, cases, on_boundary, ordinary
 from scene_matrices import euler_poisson, matrices, restricted
 
-from gyrostat.charts.arrays import verdicts
-from gyrostat.charts.numeric import compile_margin
-from gyrostat.stability.linearization import linearize
+from gyrostat.charts.signs.arrays import verdicts
+from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.stability.criteria.linearization import linearize
 
 FIXED = {"E1": {"I1": 1.25, "dU": 1.5}, "E3": {"I1": 1.25, "I3": 0.75, "l": 0.5, "d2U": -2.0}}
 # a certified verdict may need them on the boundary

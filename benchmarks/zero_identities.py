@@ -41,8 +41,8 @@ from sympy import (
 )
 
 import gyrostat
-from gyrostat.algebra.balls import ball
-from gyrostat.algebra.exact import sign_of_constant
+from gyrostat.algebra.enclosures.balls import ball
+from gyrostat.algebra.reals.exact import sign_of_constant
 
 TINY, LIMIT = Rational(1, 10**30), 20                  # s for one sign
 X, A, B = symbols("X A B")

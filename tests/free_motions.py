@@ -4,7 +4,7 @@ from fractions import Fraction
 import numpy as np
 
 import gyrostat as gs
-from gyrostat.trajectories.free.motion import FreeMotion
+from gyrostat.trajectories.free.free_motion import FreeMotion
 
 REST = (0, 0, 0)
 # (1, 2, 3) rests at the same |M| and energy

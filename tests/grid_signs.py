@@ -5,9 +5,9 @@ import numpy as np
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign
+from gyrostat.algebra.reals.exact import sign
 from gyrostat.charts.grids import grid_of
-from gyrostat.charts.signs import UNKNOWN, ArraySigns
+from gyrostat.charts.signs.grid_signs import UNKNOWN, ArraySigns
 
 
 def signs_of(expression, values, backend="numpy", points=100, finite=True):

@@ -5,8 +5,8 @@ from fractions import Fraction
 import numpy as np
 from sympy import Rational
 
-from gyrostat.algebra.exact import sign_of_constant
-from gyrostat.charts.intervals import Enclosure
+from gyrostat.algebra.reals.exact import sign_of_constant
+from gyrostat.charts.boxes.intervals import Enclosure
 
 
 def arrays(*pairs):

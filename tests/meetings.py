@@ -2,7 +2,7 @@
 from fractions import Fraction
 
 import gyrostat as gs
-from gyrostat.stability.relative_equilibria import relative_equilibria
+from gyrostat.equilibria.search import relative_equilibria
 
 k3, omega = gs.symbol("k3"), gs.symbol("omega")
 TERMS = [gs.symbol(f"a{n}") for n in range(1, 6)]

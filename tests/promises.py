@@ -5,13 +5,13 @@ from functools import cached_property
 from typing import Any
 
 import gyrostat as gs
-from gyrostat.algebra.exact import Point
-from gyrostat.algebra.grammar import parse
-from gyrostat.algebra.numbers import exact_number
-from gyrostat.mechanics.directions import direction_in
-from gyrostat.mechanics.scene_tables import SceneTable
-from gyrostat.mechanics.standard import placed
-from gyrostat.mechanics.system import names_of_scene
+from gyrostat.algebra.reals.exact import Point
+from gyrostat.algebra.text.grammar import parse
+from gyrostat.algebra.text.numbers import exact_number
+from gyrostat.mechanics.equilibrium.standard_axes import placed
+from gyrostat.mechanics.equilibrium.unit_vectors import direction_in
+from gyrostat.mechanics.families.scene_tables import SceneTable
+from gyrostat.mechanics.scenes.system import names_of_scene
 from gyrostat.notation import jet
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 import gyrostat as gs
-from gyrostat.charts.rounding import SMALLEST, error_bound, rounded
+from gyrostat.charts.signs.rounding import SMALLEST, error_bound, rounded
 
 FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
                             negative=operator.neg)

@@ -38,7 +38,7 @@ def function_of(member):
 def methods(cls):
     """(name, member) of what a class defines in public, or a base of it, its fields left out."""
     ours = [base for base in reversed(cls.__mro__) if base.__module__.startswith("gyrostat.")
-            and base.__module__ != "gyrostat.shown"]
+            and base.__module__ != "gyrostat._display"]
     for name, member in (pair for base in ours for pair in vars(base).items()):
         if not name.startswith("_") and inspect.isfunction(function_of(member)):
             yield name, member

@@ -7,9 +7,9 @@ from flint import ctx
 from sympy import Rational, exp, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.numbers import exact_number
-from gyrostat.charts.arrays import verdicts
-from gyrostat.kept import cached_property
+from gyrostat._cached import cached_property
+from gyrostat.algebra.text.numbers import exact_number
+from gyrostat.charts.signs.arrays import verdicts
 from gyrostat.trajectories import motion
 
 HALF = Rational(1, 2)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import gyrostat as gs
-from gyrostat.algebra.grammar import parse
-from gyrostat.mechanics.scene_tables import SceneTable
+from gyrostat.algebra.text.grammar import parse
+from gyrostat.mechanics.families.scene_tables import SceneTable
 
 DATA = tomllib.loads((Path(__file__).parent / "published" / "textbook.toml").read_text(encoding="utf-8"))
 FUNCTIONS = {name: getattr(math, name) for name in ("cos", "sin", "sqrt", "exp")}

@@ -7,15 +7,15 @@ from typing import Any
 from sympy import ImmutableMatrix, S
 from sympy.printing.str import StrPrinter
 
-from gyrostat.algebra.grammar import parse
-from gyrostat.mechanics.circular_orbit import orbital_rate
-from gyrostat.mechanics.directions import STEREOGRAPHIC
-from gyrostat.mechanics.family import Family
-from gyrostat.mechanics.scene_tables import NONE
-from gyrostat.mechanics.system import System
-from gyrostat.printing.article import article
+from gyrostat.algebra.text.grammar import parse
+from gyrostat.mechanics.equilibrium.unit_vectors import STEREOGRAPHIC
+from gyrostat.mechanics.families.circular_orbit import orbital_rate
+from gyrostat.mechanics.families.family import Family
+from gyrostat.mechanics.families.scene_tables import NONE
+from gyrostat.mechanics.scenes.system import System
 from gyrostat.printing.blocks import Block
-from gyrostat.printing.names import Paper
+from gyrostat.printing.formats.article import article
+from gyrostat.printing.formats.names import Paper
 from gyrostat.printing.symbols import occurring, symbol_rows
 
 _PRINTER = StrPrinter({"sympy_integers": True})        # 1/3 is S(1)/3

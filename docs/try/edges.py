@@ -5,11 +5,11 @@ from flint import fmpq, fmpq_poly
 from programs import Data, demands, expressions
 from sympy import Expr, Symbol
 
-from gyrostat.algebra.exact import compiled
-from gyrostat.algebra.numbers import exact_number
+from gyrostat.algebra.reals.exact import compiled
+from gyrostat.algebra.text.numbers import exact_number
 from gyrostat.notation import symbol
-from gyrostat.stability.report import Report
-from gyrostat.stability.truth import Relation, truth
+from gyrostat.stability.criteria.truth import Relation, truth
+from gyrostat.stability.report.report import Report
 
 LINES = 64                                             # each way
 

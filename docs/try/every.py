@@ -3,14 +3,14 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import gyrostat as gs
-from gyrostat.cli.between import between, between_blocks
+from gyrostat.cli.answers.between_criteria import between, between_blocks
 from gyrostat.errors import GyrostatError
-from gyrostat.mechanics.system import System
+from gyrostat.mechanics.scenes.system import System
 from gyrostat.printing.blocks import Block, prose
-from gyrostat.printing.decision import damped_block, reason_block
-from gyrostat.printing.normal_form import form_blocks
-from gyrostat.printing.results import result_blocks
-from gyrostat.stability.report import Report
+from gyrostat.printing.results.beyond_reports import result_blocks
+from gyrostat.printing.results.decision import damped_block, reason_block
+from gyrostat.printing.results.normal_form import form_blocks
+from gyrostat.stability.report.report import Report
 
 
 def listed(scene: System, values: Mapping[str, Any]) -> list[tuple[str, list[Block]]]:

@@ -9,13 +9,13 @@ from typing import Any
 
 from sympy import Expr, NumberSymbol, Pow, Rational, Symbol, exp, log
 
-from gyrostat.algebra.numbers import exact_number, shown
-from gyrostat.charts.straightline import Axes, program_of
+from gyrostat.algebra.text.numbers import exact_number, shown
+from gyrostat.charts.signs.straightline import Axes, program_of
 from gyrostat.errors import GyrostatError, ScopeError
-from gyrostat.mechanics.directions import in_any_direction
+from gyrostat.mechanics.equilibrium.unit_vectors import in_any_direction
 from gyrostat.notation import symbol
-from gyrostat.stability.conditions import Criterion
-from gyrostat.stability.report import Report
+from gyrostat.stability.criteria.conditions import Criterion
+from gyrostat.stability.report.report import Report
 
 Data = dict[str, Any]
 

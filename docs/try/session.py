@@ -12,22 +12,29 @@ from programs import charted, doubles, moving
 from typeset import named, typeset
 
 import gyrostat as gs
-from gyrostat.algebra.grammar import parse
+from gyrostat.algebra.text.grammar import parse
 from gyrostat.errors import GyrostatError
-from gyrostat.mechanics.circular_orbit import in_orbit
-from gyrostat.mechanics.directions import direction_in
-from gyrostat.mechanics.equilibria import Equilibrium
-from gyrostat.mechanics.families import E3, EARTH_POINTING, PERMANENT, POLES, PRECESSIONS, PRINCIPAL
-from gyrostat.mechanics.family import Family
-from gyrostat.mechanics.reduction import reducible
-from gyrostat.mechanics.scene_tables import SceneTable
-from gyrostat.mechanics.system import System, names_of_scene
+from gyrostat.mechanics.equilibrium.equilibrium import Equilibrium
+from gyrostat.mechanics.equilibrium.reduction import reducible
+from gyrostat.mechanics.equilibrium.unit_vectors import direction_in
+from gyrostat.mechanics.families.circular_orbit import in_orbit
+from gyrostat.mechanics.families.family import Family
+from gyrostat.mechanics.families.named_families import (
+    E3,
+    EARTH_POINTING,
+    PERMANENT,
+    POLES,
+    PRECESSIONS,
+    PRINCIPAL,
+)
+from gyrostat.mechanics.families.scene_tables import SceneTable
+from gyrostat.mechanics.scenes.system import System, names_of_scene
 from gyrostat.notation import jet
-from gyrostat.printing.boundary import undecided
-from gyrostat.printing.decision import damped_block, decision_blocks, reason_block
-from gyrostat.printing.document import conditions_blocks, point_blocks, report_blocks, whole_blocks
-from gyrostat.printing.names import Names
-from gyrostat.stability.report import Report
+from gyrostat.printing.formats.names import Names
+from gyrostat.printing.results.boundary import undecided
+from gyrostat.printing.results.decision import damped_block, decision_blocks, reason_block
+from gyrostat.printing.results.document import conditions_blocks, point_blocks, report_blocks, whole_blocks
+from gyrostat.stability.report.report import Report
 
 Data = dict[str, Any]
 

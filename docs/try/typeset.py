@@ -4,13 +4,13 @@ from typing import Any
 
 from sympy import MatrixBase
 
-from gyrostat.mechanics.system import System
+from gyrostat.mechanics.scenes.system import System
 from gyrostat.notation import NOTATION, symbol
-from gyrostat.printing.article import NARROW, inline
 from gyrostat.printing.blocks import Block, Display, Heading, Rows
-from gyrostat.printing.latex import display, tex
-from gyrostat.printing.linebreaks import broken, width
-from gyrostat.printing.names import Names
+from gyrostat.printing.formats.article import NARROW, inline
+from gyrostat.printing.formats.latex import display, tex
+from gyrostat.printing.formats.linebreaks import broken, width
+from gyrostat.printing.formats.names import Names
 from gyrostat.printing.symbols import symbol_rows
 
 OWN = {"M": "length of the total angular momentum", "sigma": "multiplier of |k| = 1"}

@@ -11,78 +11,78 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from . import errors
+from ._display import Shown as _Shown
+from ._lazy import later as _later
 from .cli import start as _start  # noqa: F401 (what Ctrl-C does while the rest is loaded)
-from .later import later as _later
-from .shown import Shown as _Shown
 from .version import __version__
 
 if TYPE_CHECKING:
     from . import charts, mechanics, plotting, published, trajectories
-    from .algebra.precision import own_precision
-    from .mechanics.body import Gyrostat, symmetric_gyrostat
-    from .mechanics.circular_orbit import circular_orbit, earth_pointing
-    from .mechanics.claimed import equilibrium
-    from .mechanics.coupled import CoupledPotential, coupled_potential
-    from .mechanics.directions import stereographic
-    from .mechanics.equilibria import Equilibrium
-    from .mechanics.fields import ideal_fluid, newtonian_field, uniform_field
-    from .mechanics.held_pointing import earth_pointing_gyrostat
-    from .mechanics.liepoisson import LiePoisson, lie_poisson
-    from .mechanics.orbit import orbit_tangent, symplectic_slice
-    from .mechanics.orbital_precession import orbital_precession
-    from .mechanics.parallel import parallel_directions
-    from .mechanics.permanent_rotation import permanent_rotation
-    from .mechanics.potential import Potential
-    from .mechanics.potentials import axial_potential, general_potential
-    from .mechanics.principal import principal_rotation
-    from .mechanics.reduction import reduce
-    from .mechanics.release import release
-    from .mechanics.rotors import Rotor, gyrostat_with_rotors
-    from .mechanics.steady import steady_motion
-    from .mechanics.system import System, assemble
-    from .mechanics.tilted import inclined, static_tilt
-    from .mechanics.vehicles import underwater_vehicle
-    from .mechanics.vertical import hanging, upright
+    from .algebra.enclosures.precision import own_precision
+    from .equilibria.continuation.continuation import Continuation, continuation
+    from .equilibria.continuation.free_branches import RotationContinuation
+    from .equilibria.continuation.heavy_branches import HeavyContinuation
+    from .equilibria.continuation.meeting_equations import Bifurcation, bifurcations
+    from .equilibria.continuation.meeting_values import BifurcationPoint, bifurcation_points
+    from .equilibria.curves.amended_potential import AmendedPotential, CriticalPoint, amended_potential
+    from .equilibria.curves.gyrostat_arcs import GyrostatArc
+    from .equilibria.curves.staude import StaudeCone, staude_cone
+    from .equilibria.curves.staude_arcs import StaudeArc
+    from .equilibria.finders.free_rotation import PermanentRotation
+    from .equilibria.finders.heavy_rotation import HeavyRotation
+    from .equilibria.finders.orbital_equilibrium import OrbitalEquilibrium
+    from .equilibria.finders.precession_branch import Branch
+    from .equilibria.search import relative_equilibria
+    from .mechanics.equilibrium.claimed_point import equilibrium
+    from .mechanics.equilibrium.coadjoint_orbit import orbit_tangent, symplectic_slice
+    from .mechanics.equilibrium.equilibrium import Equilibrium
+    from .mechanics.equilibrium.parallel_directions import parallel_directions
+    from .mechanics.equilibrium.reduction import reduce
+    from .mechanics.equilibrium.unit_vectors import stereographic
+    from .mechanics.families.circular_orbit import circular_orbit, earth_pointing
+    from .mechanics.families.holding_rotor import earth_pointing_gyrostat
+    from .mechanics.families.orbital_precession import orbital_precession
+    from .mechanics.families.permanent_rotation import permanent_rotation
+    from .mechanics.families.principal import principal_rotation
+    from .mechanics.families.release import release
+    from .mechanics.families.steady import steady_motion
+    from .mechanics.families.tilted import inclined, static_tilt
+    from .mechanics.families.vertical import hanging, upright
+    from .mechanics.scenes.body import Gyrostat, symmetric_gyrostat
+    from .mechanics.scenes.coupled import CoupledPotential, coupled_potential
+    from .mechanics.scenes.entered_potential import axial_potential, general_potential
+    from .mechanics.scenes.fields import ideal_fluid, newtonian_field, uniform_field
+    from .mechanics.scenes.lie_poisson import LiePoisson, lie_poisson
+    from .mechanics.scenes.potential import Potential
+    from .mechanics.scenes.rotors import Rotor, gyrostat_with_rotors
+    from .mechanics.scenes.system import System, assemble
+    from .mechanics.scenes.vehicles import underwater_vehicle
     from .notation import NOTATION, symbol
-    from .printing.article import to_latex
-    from .stability.amended_potential import AmendedPotential, CriticalPoint, amended_potential
-    from .stability.analysis import analyze
-    from .stability.bifurcations import Bifurcation, bifurcations
-    from .stability.branch import Branch
-    from .stability.conditions import Condition, Criterion, independent
-    from .stability.continuation import Continuation, continuation
-    from .stability.criteria import formal_criterion, secular_criterion, spectral_criterion
-    from .stability.decision import Decision, Rung, Verdict
-    from .stability.energy_casimir import (
+    from .parameters.sets import Case, Interval, Solution, SolvedCondition
+    from .parameters.solve import solve_condition
+    from .parameters.spectra import Spectrum, spectrum
+    from .parameters.stabilizing import stabilizing_set
+    from .printing.formats.article import to_latex
+    from .stability.criteria.conditions import Condition, Criterion, independent
+    from .stability.criteria.energy_casimir import (
         SecondVariation,
         augmented_hessian,
         multipliers,
         second_variation,
         secular_variation,
     )
-    from .stability.energy_sink import energy_sink_criterion
-    from .stability.followed_heavy import HeavyContinuation
-    from .stability.followed_rotations import RotationContinuation
-    from .stability.free_rotation import PermanentRotation
-    from .stability.gyrostat_arcs import GyrostatArc
-    from .stability.heavy_rotation import HeavyRotation
-    from .stability.linearization import Linearization, linearize
-    from .stability.meetings import BifurcationPoint, bifurcation_points
-    from .stability.normal_form import NormalForm
-    from .stability.orbital_equilibrium import OrbitalEquilibrium
-    from .stability.relative_equilibria import relative_equilibria
-    from .stability.report import Report
-    from .stability.sets import Case, Interval, Solution, SolvedCondition
-    from .stability.solve import solve_condition
-    from .stability.spectra import Spectrum, spectrum
-    from .stability.stabilizing import stabilizing_set
-    from .stability.staude import StaudeCone, staude_cone
-    from .stability.staude_arcs import StaudeArc
-    from .stability.window_families import Window
+    from .stability.criteria.linearization import Linearization, linearize
+    from .stability.criteria.three_criteria import formal_criterion, secular_criterion, spectral_criterion
+    from .stability.damping.energy_sink import energy_sink_criterion
+    from .stability.decision import Decision, Rung, Verdict
+    from .stability.normal_forms.d4_along_family import Window
+    from .stability.normal_forms.normal_form import NormalForm
+    from .stability.report.analysis import analyze
+    from .stability.report.report import Report
 
 # loaded when something is shown
-_Shown.formula = lambda shown: import_module("gyrostat.printing.latex").formula(shown)
-_Shown.plain = lambda shown: import_module("gyrostat.printing.text").plain(shown)
+_Shown.formula = lambda shown: import_module("gyrostat.printing.formats.latex").formula(shown)
+_Shown.plain = lambda shown: import_module("gyrostat.printing.formats.text").plain(shown)
 
 __all__ = [
     "__version__", "amended_potential", "AmendedPotential", "analyze", "assemble", "augmented_hessian",
@@ -105,46 +105,60 @@ __all__ = [
 
 __getattr__, __dir__ = _later(__name__, {
     "charts": "", "mechanics": "", "plotting": "", "published": "", "trajectories": "",
-    "algebra.precision": "own_precision", "mechanics.body": "Gyrostat symmetric_gyrostat",
-    "mechanics.circular_orbit": "circular_orbit earth_pointing",
-    "mechanics.release": "release",
-    "mechanics.claimed": "equilibrium", "mechanics.coupled": "CoupledPotential coupled_potential",
-    "mechanics.directions": "stereographic",
-    "mechanics.equilibria": "Equilibrium",
-    "mechanics.fields": "ideal_fluid newtonian_field uniform_field",
-    "mechanics.held_pointing": "earth_pointing_gyrostat",
-    "mechanics.liepoisson": "LiePoisson lie_poisson", "mechanics.orbit": "orbit_tangent symplectic_slice",
-    "mechanics.orbital_precession": "orbital_precession",
-    "mechanics.parallel": "parallel_directions",
-    "mechanics.permanent_rotation": "permanent_rotation", "mechanics.potential": "Potential",
-    "mechanics.potentials": "axial_potential general_potential",
-    "mechanics.principal": "principal_rotation", "mechanics.reduction": "reduce",
-    "mechanics.rotors": "Rotor gyrostat_with_rotors", "mechanics.steady": "steady_motion",
-    "mechanics.system": "System assemble",
-    "mechanics.tilted": "inclined static_tilt", "mechanics.vehicles": "underwater_vehicle",
-    "mechanics.vertical": "hanging upright",
-    "notation": "NOTATION symbol", "printing.article": "to_latex",
-    "stability.amended_potential": "amended_potential AmendedPotential CriticalPoint",
-    "stability.analysis": "analyze", "stability.bifurcations": "Bifurcation bifurcations",
-    "stability.branch": "Branch",
-    "stability.conditions": "Condition Criterion independent",
-    "stability.criteria": "formal_criterion secular_criterion spectral_criterion",
-    "stability.continuation": "Continuation continuation",
-    "stability.followed_heavy": "HeavyContinuation",
-    "stability.followed_rotations": "RotationContinuation",
-    "stability.gyrostat_arcs": "GyrostatArc",
-    "stability.heavy_rotation": "HeavyRotation",
-    "stability.energy_casimir": "SecondVariation augmented_hessian multipliers "
-                                "second_variation secular_variation",
-    "stability.energy_sink": "energy_sink_criterion",
-    "stability.linearization": "Linearization linearize",
-    "stability.meetings": "BifurcationPoint bifurcation_points",
-    "stability.orbital_equilibrium": "OrbitalEquilibrium",
-    "stability.normal_form": "NormalForm", "stability.free_rotation": "PermanentRotation",
+    "algebra.enclosures.precision": "own_precision",
+    "mechanics.scenes.body": "Gyrostat symmetric_gyrostat",
+    "mechanics.scenes.coupled": "CoupledPotential coupled_potential",
+    "mechanics.scenes.entered_potential": "axial_potential general_potential",
+    "mechanics.scenes.fields": "ideal_fluid newtonian_field uniform_field",
+    "mechanics.scenes.lie_poisson": "LiePoisson lie_poisson",
+    "mechanics.scenes.potential": "Potential",
+    "mechanics.scenes.rotors": "Rotor gyrostat_with_rotors",
+    "mechanics.scenes.system": "System assemble",
+    "mechanics.scenes.vehicles": "underwater_vehicle",
+    "mechanics.equilibrium.claimed_point": "equilibrium",
+    "mechanics.equilibrium.coadjoint_orbit": "orbit_tangent symplectic_slice",
+    "mechanics.equilibrium.equilibrium": "Equilibrium",
+    "mechanics.equilibrium.parallel_directions": "parallel_directions",
+    "mechanics.equilibrium.reduction": "reduce",
+    "mechanics.equilibrium.unit_vectors": "stereographic",
+    "mechanics.families.circular_orbit": "circular_orbit earth_pointing",
+    "mechanics.families.holding_rotor": "earth_pointing_gyrostat",
+    "mechanics.families.orbital_precession": "orbital_precession",
+    "mechanics.families.permanent_rotation": "permanent_rotation",
+    "mechanics.families.principal": "principal_rotation",
+    "mechanics.families.release": "release",
+    "mechanics.families.steady": "steady_motion",
+    "mechanics.families.tilted": "inclined static_tilt",
+    "mechanics.families.vertical": "hanging upright",
+    "stability.criteria.conditions": "Condition Criterion independent",
+    "stability.criteria.energy_casimir":
+        "SecondVariation augmented_hessian multipliers second_variation secular_variation",
+    "stability.criteria.linearization": "Linearization linearize",
+    "stability.criteria.three_criteria": "formal_criterion secular_criterion spectral_criterion",
     "stability.decision": "Decision Rung Verdict",
-    "stability.relative_equilibria": "relative_equilibria", "stability.report": "Report",
-    "stability.sets": "Case Interval Solution SolvedCondition", "stability.solve": "solve_condition",
-    "stability.spectra": "Spectrum spectrum", "stability.stabilizing": "stabilizing_set",
-    "stability.staude": "staude_cone StaudeCone", "stability.staude_arcs": "StaudeArc",
-    "stability.window_families": "Window",
+    "stability.normal_forms.d4_along_family": "Window",
+    "stability.normal_forms.normal_form": "NormalForm",
+    "stability.damping.energy_sink": "energy_sink_criterion",
+    "stability.report.analysis": "analyze",
+    "stability.report.report": "Report",
+    "equilibria.search": "relative_equilibria",
+    "equilibria.finders.free_rotation": "PermanentRotation",
+    "equilibria.finders.heavy_rotation": "HeavyRotation",
+    "equilibria.finders.orbital_equilibrium": "OrbitalEquilibrium",
+    "equilibria.finders.precession_branch": "Branch",
+    "equilibria.continuation.continuation": "Continuation continuation",
+    "equilibria.continuation.free_branches": "RotationContinuation",
+    "equilibria.continuation.heavy_branches": "HeavyContinuation",
+    "equilibria.continuation.meeting_equations": "Bifurcation bifurcations",
+    "equilibria.continuation.meeting_values": "BifurcationPoint bifurcation_points",
+    "equilibria.curves.amended_potential": "amended_potential AmendedPotential CriticalPoint",
+    "equilibria.curves.gyrostat_arcs": "GyrostatArc",
+    "equilibria.curves.staude": "staude_cone StaudeCone",
+    "equilibria.curves.staude_arcs": "StaudeArc",
+    "parameters.sets": "Case Interval Solution SolvedCondition",
+    "parameters.solve": "solve_condition",
+    "parameters.spectra": "Spectrum spectrum",
+    "parameters.stabilizing": "stabilizing_set",
+    "printing.formats.article": "to_latex",
+    "notation": "NOTATION symbol",
 })

@@ -8,9 +8,9 @@ import pytest
 from sympy import CRootOf, E, Rational, besselj, exp, pi, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.arithmetic import Arithmetic, in_arithmetic
-from gyrostat.algebra.floats import in_floats
-from gyrostat.algebra.parts import enclosure
+from gyrostat.algebra.enclosures.arithmetic import Arithmetic, in_arithmetic
+from gyrostat.algebra.enclosures.floats import in_floats
+from gyrostat.algebra.text.parts import enclosure
 
 x, y = map(gs.symbol, ("x", "y"))
 

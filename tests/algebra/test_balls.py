@@ -6,9 +6,9 @@ import sympy
 from flint import arb
 from sympy import Rational, exp, pi, sin, sqrt
 
-from gyrostat.algebra.balls import ball, dyadic, fraction_of, interval
-from gyrostat.algebra.exact import ALGEBRAIC_LIMIT
-from gyrostat.algebra.precision import own_precision
+from gyrostat.algebra.enclosures.balls import ball, dyadic, fraction_of, interval
+from gyrostat.algebra.enclosures.precision import own_precision
+from gyrostat.algebra.reals.exact import ALGEBRAIC_LIMIT
 from gyrostat.errors import GyrostatError
 from gyrostat.notation import symbol
 

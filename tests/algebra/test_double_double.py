@@ -5,7 +5,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gyrostat.algebra.double_double import Twofold, TwofoldArithmetic, scaled, two_product, two_sum
+from gyrostat.algebra.enclosures.double_double import Twofold, TwofoldArithmetic, scaled, two_product, two_sum
 
 doubles = st.floats(min_value=-1e6, max_value=1e6).filter(lambda x: x == 0 or abs(x) > 1e-6)
 twofolds = st.tuples(doubles, st.floats(min_value=-0.5, max_value=0.5)).map(

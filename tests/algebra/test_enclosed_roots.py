@@ -7,10 +7,10 @@ import pytest
 from sympy import E, Rational, S, cos, exp, log, pi, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.balls import ball
-from gyrostat.algebra.enclosed_roots import RealRoot, roots_by_enclosures
-from gyrostat.algebra.exact import evaluate, sign_of_constant
-from gyrostat.algebra.roots import real_roots
+from gyrostat.algebra.enclosures.balls import ball
+from gyrostat.algebra.reals.exact import evaluate, sign_of_constant
+from gyrostat.algebra.rings.enclosed_roots import RealRoot, roots_by_enclosures
+from gyrostat.algebra.solving.roots import real_roots
 from gyrostat.errors import ScopeError
 
 x = gs.symbol("x")

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Integer, Rational, atan, exp, log, pi, sqrt
 
-from gyrostat.algebra.exact import evaluate, sign, sign_of_constant
+from gyrostat.algebra.reals.exact import evaluate, sign, sign_of_constant
 from gyrostat.notation import symbol
 
 x, y = symbol("x"), symbol("y")

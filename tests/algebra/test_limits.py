@@ -2,7 +2,7 @@
 import mpmath
 import pytest
 
-from gyrostat.algebra.grammar import parse
+from gyrostat.algebra.text.grammar import parse
 from gyrostat.errors import ExpressionError
 
 TOWERS = [

@@ -3,8 +3,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Rational, exp, sqrt
 
-from gyrostat.algebra.margins import Signs
-from gyrostat.algebra.polynomials import Ring
+from gyrostat.algebra.rings.polynomials import Ring
+from gyrostat.algebra.solving.margins import Signs
 from gyrostat.notation import symbol
 
 I1, I3, k3, x, omega = map(symbol, ("I1", "I3", "k3", "x", "omega"))

@@ -4,8 +4,8 @@ from fractions import Fraction
 import pytest
 from sympy import Integer, Rational, sqrt
 
-from gyrostat.algebra.plane_curves import PlaneCurve
-from gyrostat.algebra.stations import critical_points, stations
+from gyrostat.algebra.solving.plane_curves import PlaneCurve
+from gyrostat.algebra.solving.stations import critical_points, stations
 from gyrostat.notation import symbol
 
 x, t = symbol("x"), symbol("t")

@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Matrix, Rational, S, cos, cosh, exp, log, sin, sinh, sqrt, tanh
 
-from gyrostat.algebra.matrices import characteristic_coefficients, determinant, null_space, row_reduce
-from gyrostat.algebra.polynomials import Ring, derivatives
+from gyrostat.algebra.rings.matrices import characteristic_coefficients, determinant, null_space, row_reduce
+from gyrostat.algebra.rings.polynomials import Ring, derivatives
 from gyrostat.notation import symbol
 
 x, y, k3, I1 = map(symbol, ("x", "y", "k3", "I1"))

@@ -6,8 +6,8 @@ from commands import run
 from sympy import Rational, pi
 
 import gyrostat as gs
-from gyrostat.algebra.numbers import exact_number
-from gyrostat.algebra.quantities import _UNITS, Dimension, quantity, unit
+from gyrostat.algebra.text.numbers import exact_number
+from gyrostat.algebra.text.quantities import _UNITS, Dimension, quantity, unit
 from gyrostat.errors import ExpressionError, ValuesError
 
 SI = [("120 kg m^2", 120, (1, 2, 0)), ("3000 rpm", 100 * pi, (0, 0, -1)), ("5 deg", pi / 36, (0, 0, 0)),

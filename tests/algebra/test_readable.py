@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from sympy import Rational, cancel, expand, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.readable import readable, split
+from gyrostat.algebra.rings.readable import readable, split
 from gyrostat.printing.order import inequality, over
 
 I1, I3, l, pi3, dU, d2U, k3, omega, m0, m1 = map(gs.symbol,

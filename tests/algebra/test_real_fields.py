@@ -4,8 +4,8 @@ import pickle
 from flint import fmpq_poly
 from sympy import S, sqrt
 
-from gyrostat.algebra.balls import ball
-from gyrostat.algebra.real_fields import Conjugates, FieldNumbers
+from gyrostat.algebra.enclosures.balls import ball
+from gyrostat.algebra.solving.real_fields import Conjugates, FieldNumbers
 
 
 def test_enclosures_are_those_of_the_expressions():

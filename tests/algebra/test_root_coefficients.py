@@ -6,9 +6,9 @@ from sympy import CRootOf, I, Poly, Rational, S, Symbol, cbrt, cos, exp, expand,
 from zeros import agree, k3, real_zeros, x
 
 import gyrostat as gs
-from gyrostat.algebra.balls import ball
-from gyrostat.algebra.exact import sign_of_constant
-from gyrostat.algebra.roots import real_roots
+from gyrostat.algebra.enclosures.balls import ball
+from gyrostat.algebra.reals.exact import sign_of_constant
+from gyrostat.algebra.solving.roots import real_roots
 from gyrostat.errors import ScopeError
 
 THIRD, FIFTH = cbrt(2), CRootOf(x**5 - x - 1, 0)

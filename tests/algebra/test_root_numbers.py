@@ -4,7 +4,7 @@ from fractions import Fraction
 import pytest
 from sympy import Rational
 
-from gyrostat.algebra.root_numbers import roots_of
+from gyrostat.algebra.solving.root_numbers import roots_of
 from gyrostat.errors import ScopeError
 
 

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from sympy import CRootOf, Integer, Poly, Rational, S, atan, expand, oo, pi, sqrt
 from zeros import agree, digits, real_zeros, x
 
-from gyrostat.algebra.balls import ball
-from gyrostat.algebra.exact import sign_of_constant
-from gyrostat.algebra.roots import between, in_order, real_roots
+from gyrostat.algebra.enclosures.balls import ball
+from gyrostat.algebra.reals.exact import sign_of_constant
+from gyrostat.algebra.solving.roots import between, in_order, real_roots
 from gyrostat.errors import ScopeError
 
 polynomials = st.lists(numbers, min_size=2, max_size=8).filter(lambda c: any(c[1:]))

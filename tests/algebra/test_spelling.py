@@ -2,17 +2,17 @@
 import pytest
 from sympy import Rational, pi, sqrt
 
-from gyrostat.algebra.grammar import parse
-from gyrostat.algebra.inputs import is_name, name_of
-from gyrostat.algebra.numbers import exact_number
-from gyrostat.algebra.spelling import RELATIONS, SIGNS, spelled
+from gyrostat.algebra.text.grammar import parse
+from gyrostat.algebra.text.inputs import is_name, name_of
+from gyrostat.algebra.text.numbers import exact_number
+from gyrostat.algebra.text.spelling import RELATIONS, SIGNS, spelled
 from gyrostat.errors import ExpressionError
 from gyrostat.notation import NOTATION, jet_name, symbol
-from gyrostat.printing.names import Names
-from gyrostat.printing.unicode import unicode
-from gyrostat.published.comparisons import comparisons
+from gyrostat.printing.formats.names import Names
+from gyrostat.printing.formats.unicode import unicode
+from gyrostat.published.checks.comparisons import comparisons
 from gyrostat.published.language import read
-from gyrostat.published.typesetting import formula_of
+from gyrostat.published.printed_latex import formula_of
 from gyrostat.typesetting import GREEK, typeset
 
 m0, k3, I1, l, spin = map(symbol, ("m0", "k3", "I1", "l", "pi3_0"))

@@ -5,8 +5,8 @@ from itertools import pairwise
 import pytest
 from sympy import Rational, pi, sqrt
 
-from gyrostat.algebra.exact import sign_of_constant
-from gyrostat.algebra.stations import beside, between, distance
+from gyrostat.algebra.reals.exact import sign_of_constant
+from gyrostat.algebra.solving.stations import beside, between, distance
 
 NUMBERS = [Rational(1, 3), Rational(-7, 8), sqrt(2), -pi, 10**6 + sqrt(3), Rational(0)]
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from sympy import Rational, Symbol, oo
 
-from gyrostat.algebra.strands import strands
+from gyrostat.algebra.solving.plane_branches import strands
 from gyrostat.errors import ScopeError
 
 x, t = Symbol("x"), Symbol("t")

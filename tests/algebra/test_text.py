@@ -13,9 +13,9 @@ import sympy
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.algebra.grammar import parse
-from gyrostat.algebra.inputs import json_object
-from gyrostat.algebra.numbers import exact_number, shown
+from gyrostat.algebra.text.grammar import parse
+from gyrostat.algebra.text.inputs import json_object
+from gyrostat.algebra.text.numbers import exact_number, shown
 from gyrostat.cli.parser import main
 from gyrostat.errors import (
     EquilibriumError,
@@ -126,7 +126,7 @@ def test_numbers_that_blow_up_a_potential_are_refused():
     """U = tan(exp(a k3)) is one thing, a = 10⁸ another: for a verdict, a motion and all equilibria."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(parse("tan(exp(m0*k3))")))
     numbers = {"I1": 1, "I3": 1, "l": 0, "m0": 10**8}
-    from gyrostat.stability.relative_equilibria import relative_equilibria
+    from gyrostat.equilibria.search import relative_equilibria
     from gyrostat.trajectories.models import motion
 
     for ask in (
@@ -224,8 +224,9 @@ def test_trivial_conditions_are_not_shown():
     """Of conditions that always hold, |0| < 1 and 1 > 0, nothing is printed."""
     scene = gs.assemble(gs.Gyrostat((1, 1, 1), (0, 0, symbol("l"))), gs.axial_potential(lambda k3: k3**2 / 2))
     assert "|0| < 1" not in str(gs.analyze(gs.static_tilt(scene)))
-    condition = gs.stability.conditions.Condition(sympy.S.One, True, "p", (symbol("l"),), symbol("k3"))
-    assert str(condition) == "l ≠ 0" and gs.printing.latex.formula(condition) == r"l \neq 0"
+    condition = gs.stability.criteria.conditions.Condition(sympy.S.One, True, "p", (symbol("l"),),
+                                                           symbol("k3"))
+    assert str(condition) == "l ≠ 0" and gs.printing.formats.latex.formula(condition) == r"l \neq 0"
 
 
 def test_the_command_line_ends_with_a_sentence(capsys):

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from sympy import Rational, atan, cos, exp, log, pi, sin, sqrt, tanh
 
 import gyrostat as gs
-from gyrostat.algebra.exact import is_identically_zero, plain, sign_of_constant
-from gyrostat.charts.arrays import verdicts
+from gyrostat.algebra.reals.exact import is_identically_zero, plain, sign_of_constant
+from gyrostat.charts.signs.arrays import verdicts
 from gyrostat.errors import BodyError, EquilibriumError, ScopeError, ValuesError
-from gyrostat.mechanics.freebody import polhode_period
+from gyrostat.mechanics.classical.free_body import polhode_period
 from gyrostat.stability.decision import Verdict
 
 BENCHMARKS = str(Path(__file__).parents[2] / "benchmarks")

@@ -12,8 +12,8 @@ import session
 from driving import AGREE, picked, pixels
 
 from gyrostat import trajectories
-from gyrostat.algebra.numbers import exact_number
-from gyrostat.mechanics.system import names_of_scene
+from gyrostat.algebra.text.numbers import exact_number
+from gyrostat.mechanics.scenes.system import names_of_scene
 
 CHANGES = int(os.environ.get("GYROSTAT_CHANGES", "200"))
 VISITOR = Path(__file__).with_name("visitor.js").read_text(encoding="utf-8")

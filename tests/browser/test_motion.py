@@ -11,7 +11,7 @@ from driving import picked, typed
 from programs import steps_to
 
 import gyrostat as gs
-from gyrostat.mechanics.system import names_of_scene
+from gyrostat.mechanics.scenes.system import names_of_scene
 
 EXAMPLES = json.loads((Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))
 FIELDS = ["m0*k3", "k3^4 - k3^2/2", "m0*k3 + m1*k3^2", "exp(k3)*m0", "c1*k1 + c3*k3", "m0*k3 + m1*k1*k2",

@@ -9,8 +9,9 @@ from stored_charts import GRID
 from sympy import chebyshevt, cos, exp, log, pi, sqrt
 
 import gyrostat as gs
-from gyrostat.charts import arrays, numeric, stores
 from gyrostat.charts.chart import stability_chart
+from gyrostat.charts.signs import arrays, numeric
+from gyrostat.charts.stores import stores
 
 k3, m0, a, b, c = map(gs.symbol, ("k3", "m0", "a", "b", "c"))
 

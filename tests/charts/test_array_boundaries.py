@@ -9,8 +9,8 @@ from checked_arrays import check
 from sympy import Rational, cos, exp, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.charts import signs as arraysigns
 from gyrostat.charts.codes import STABLE, UNDECIDED, UNSTABLE
+from gyrostat.charts.signs import grid_signs as arraysigns
 
 BACKENDS = ["numpy", "numba"]
 
@@ -107,7 +107,7 @@ def test_exact_numbers(reports, number):
     """Fractions, roots, functions of numbers, long integers and texts are what they say, next to the boundary
     too.
     """
-    exact = gs.algebra.numbers.exact_number(number)
+    exact = gs.algebra.text.numbers.exact_number(number)
     square = exact**2 / 4
     near = [square, square * (1 + Rational(1, 2**60)), square * (1 - Rational(1, 2**60))]
     dU = np.empty(3, dtype=object)

@@ -15,10 +15,11 @@ from hypothesis import strategies as st
 from sympy import exp, sqrt
 
 import gyrostat as gs
-from gyrostat.charts import deciding, verdicts
-from gyrostat.charts import signs as arraysigns
+from gyrostat.charts import verdicts
 from gyrostat.charts.codes import INVALID, STABLE, UNDECIDED, UNSTABLE
-from gyrostat.stability.conditions import Condition, Criterion
+from gyrostat.charts.signs import deciding
+from gyrostat.charts.signs import grid_signs as arraysigns
+from gyrostat.stability.criteria.conditions import Condition, Criterion
 
 BACKENDS = ["numpy", "numba"]
 k3, a, b, c = map(gs.symbol, ("k3", "a", "b", "c"))

@@ -7,9 +7,9 @@ import pytest
 from sympy import Poly, exp, log, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.charts import contours
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.contours import boundary, thinned
+from gyrostat.charts.curves import contours
+from gyrostat.charts.curves.contours import boundary, thinned
 from gyrostat.notation import symbol
 
 
@@ -49,7 +49,7 @@ def drawn(case):
     report, x, y, fixed = case
     chart = stability_chart(report, x=x, y=y, fixed=fixed)
     points = np.array([chart.boundary_x.values, chart.boundary_y.values])
-    numbers = {symbol(name): gs.algebra.numbers.exact_number(value) for name, value in fixed.items()}
+    numbers = {symbol(name): gs.algebra.text.numbers.exact_number(value) for name, value in fixed.items()}
     criteria = [c.margin for k in (report.necessary, report.sufficient) for a in k.alternatives for c in a]
     existing = [e.together().as_numer_denom() for e in report.equilibrium.existence()]
     margins = [m.xreplace(numbers) for m in dict.fromkeys([*criteria,
@@ -231,7 +231,7 @@ def test_the_curve_of_a_large_chart(e1, monkeypatch):
     """Where the grid is finer than what curves are followed on, the points are as exact, on lines of the
     grid.
     """
-    monkeypatch.setattr("gyrostat.charts.contours.FINEST", 9)
+    monkeypatch.setattr("gyrostat.charts.curves.contours.FINEST", 9)
     xs = np.linspace(-4, 4, 129)
     chart = stability_chart(e1, x=("pi3_0", xs), y=("l", xs / 2), fixed={"I1": 1, "dU": "1/4"})
     points = np.array([chart.boundary_x.values, chart.boundary_y.values])

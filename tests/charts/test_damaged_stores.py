@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 from stored_charts import GRID, contents, python
 
-from gyrostat.charts import marks, stores
 from gyrostat.charts.chart import stability_chart
+from gyrostat.charts.stores import power_cuts, stores
 from gyrostat.errors import StoreError
 
 
@@ -67,7 +67,7 @@ def test_a_mark_that_does_not_fit_its_chunks_is_none(e1, store, written):
 
 def test_a_chunk_of_another_variable_is_none(tmp_path):
     """Zarr writes no chunk of nothing but the fill value: that there is none is part of the mark."""
-    block = marks.Marks(tmp_path, ("verdict", "margin_0"), (2, 1), b"key")
+    block = power_cuts.Marks(tmp_path, ("verdict", "margin_0"), (2, 1), b"key")
     first, second = block.chunks(1)
     for chunk in (first, second):
         chunk.parent.mkdir(parents=True)
@@ -85,7 +85,7 @@ def test_descriptions_and_coordinates_are_made_again(e1, store, written, memory)
     Axes, fixed numbers, curves: as they were, and no block is computed.
     """
     before = contents(store)
-    assert marks.unharmed(store)
+    assert power_cuts.unharmed(store)
     written.clear()
     for harm in ({"zarr.json": "missing", "l/c/0": "flipped", "boundary_x/c/0": "cut off"},
                  {"complete/zarr.json": "cut off"},
@@ -93,7 +93,7 @@ def test_descriptions_and_coordinates_are_made_again(e1, store, written, memory)
                   "pi3_0/c/0": "missing"}):
         for name, how in harm.items():
             damage(store / name, how)
-        assert not marks.unharmed(store)
+        assert not power_cuts.unharmed(store)
         xr.testing.assert_identical(stability_chart(e1, **GRID, store=store).compute(), memory)
         assert contents(store) == before and written == []
 
@@ -147,7 +147,7 @@ def test_chunks_are_on_the_disk_before_their_mark(e1, ten_blocks, tmp_path, monk
 
 def test_a_full_disk(e1, ten_blocks, written, memory, tmp_path, monkeypatch):
     """One sentence; what was written is kept, and the call goes on from there."""
-    write = marks.Marks.write
+    write = power_cuts.Marks.write
 
     def full(self, number):
         if number == 4:
@@ -156,7 +156,7 @@ def test_a_full_disk(e1, ten_blocks, written, memory, tmp_path, monkeypatch):
 
     monkeypatch.setattr(stores, "WAVE", 1)
     with monkeypatch.context() as patched:
-        patched.setattr(marks.Marks, "write", full)
+        patched.setattr(power_cuts.Marks, "write", full)
         with pytest.raises(StoreError,
                            match="cannot be written: No space left on device; the blocks that are done are "
                                  "kept: make room"):
@@ -219,7 +219,7 @@ def test_a_killed_run_is_continued(e1, ten_blocks, written, memory, tmp_path):
     """
     path = tmp_path / "chart.zarr"
     run = python(f"""
-from gyrostat.charts.marks import Marks
+from gyrostat.charts.stores.power_cuts import Marks
 stores.POINTS, write = 7 * 90, Marks.write
 done = []
 def killing(self, number):

@@ -11,7 +11,7 @@ import gyrostat as gs
 from gyrostat.charts import stability_chart, verdicts
 from gyrostat.charts.codes import CODE_OF, INVALID, STABLE, UNDECIDED, UNSTABLE
 from gyrostat.errors import GyrostatError, ValuesError
-from gyrostat.stability.secular import secular_of
+from gyrostat.stability.damping.secular import secular_of
 
 a, l, w, m0, I1, I3, k3 = map(gs.symbol, ("a", "l", "w", "m0", "I1", "I3", "k3"))
 TOP, ROTOR = gs.symmetric_gyrostat(), gs.Gyrostat(gyrostatic_momentum=(0, 0, l))

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign
-from gyrostat.charts.dyadic import LONGEST, WORD, dyadic_signs, dyadics
-from gyrostat.charts.straightline import program_of
+from gyrostat.algebra.reals.exact import sign
+from gyrostat.charts.signs.dyadic import LONGEST, WORD, dyadic_signs, dyadics
+from gyrostat.charts.signs.straightline import program_of
 
 x, y, z = map(gs.symbol, "xyz")
 doubles = st.builds(math.ldexp, st.integers(-2**53, 2**53),

@@ -31,9 +31,9 @@ from sympy import (
 )
 
 import gyrostat as gs
-from gyrostat.algebra.exact import evaluate
-from gyrostat.charts.enclosures import derivative, enclosure, sharpened
-from gyrostat.charts.intervals import Enclosure
+from gyrostat.algebra.reals.exact import evaluate
+from gyrostat.charts.boxes.box_enclosures import derivative, enclosure, sharpened
+from gyrostat.charts.boxes.intervals import Enclosure
 
 x, y = gs.symbol("x"), gs.symbol("y")
 shares = st.fractions(min_value=0, max_value=1, max_denominator=8)

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from sympy import Rational, cos, exp, log, pi, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.charts import signs as arraysigns
-from gyrostat.charts.signs import PRECISION, UNKNOWN, ExactSign
+from gyrostat.charts.signs import grid_signs as arraysigns
+from gyrostat.charts.signs.grid_signs import PRECISION, UNKNOWN, ExactSign
 
 x, y, z, b = map(gs.symbol, ("x", "y", "z", "b"))
 BACKENDS = ["numpy", "numba"]

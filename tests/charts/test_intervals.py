@@ -14,7 +14,7 @@ from sympy import (
     sqrt,
 )
 
-from gyrostat.charts.intervals import Enclosure, Outward, rounded
+from gyrostat.charts.boxes.intervals import Enclosure, Outward, rounded
 
 floats = st.floats(allow_nan=False, allow_infinity=False)      # subnormal ones and the largest included
 intervals = st.tuples(floats, floats).map(sorted)

@@ -13,10 +13,11 @@ import xarray as xr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gyrostat.charts import arrays, numeric, verdicts
-from gyrostat.charts.boxes import certify_box
+from gyrostat.charts import verdicts
+from gyrostat.charts.boxes.boxes import certify_box
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.numeric import compile_margin
+from gyrostat.charts.signs import arrays, numeric
+from gyrostat.charts.signs.numeric import compile_margin
 from gyrostat.errors import ArgumentError, ValuesError
 
 FIXED = {"I1": 1, "dU": 1}

@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 from stored_charts import GRID, python
 
-from gyrostat.charts import stores
 from gyrostat.charts.chart import stability_chart
+from gyrostat.charts.stores import stores
 
 
 @pytest.mark.slow

@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 from sympy import Rational, cos, exp, log, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.charts import numeric
-from gyrostat.charts.numeric import compile_margin
-from gyrostat.charts.rounding import error_bound
-from gyrostat.charts.straightline import program_of
-from gyrostat.stability.conditions import Condition, Criterion
+from gyrostat.charts.signs import numeric
+from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs.rounding import error_bound
+from gyrostat.charts.signs.straightline import program_of
+from gyrostat.stability.criteria.conditions import Condition, Criterion
 
 x, y, z, b = map(gs.symbol, ("x", "y", "z", "b"))
 BACKENDS = ["numpy", "numba"]

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from rounded_programs import LEAVES, NOWHERE, floats, holds, in_floats, ordinary, small, subnormal, w, x, y, z
 from sympy import Add, Integer, Mul, Rational
 
-from gyrostat.charts.rounding import SLACK, UNIT, error_bound, rounded
-from gyrostat.charts.straightline import Program, Step, program_of
+from gyrostat.charts.signs.rounding import SLACK, UNIT, error_bound, rounded
+from gyrostat.charts.signs.straightline import Program, Step, program_of
 
 positive = st.integers(1, 2**60)
 

@@ -6,10 +6,11 @@ import pytest
 from sympy import exp
 
 import gyrostat as gs
-from gyrostat.charts import screens, verdicts
+from gyrostat.charts import verdicts
 from gyrostat.charts.codes import INVALID
-from gyrostat.charts.deciding import Decided, demands_of
 from gyrostat.charts.grids import grid_of
+from gyrostat.charts.signs import float_screening
+from gyrostat.charts.signs.deciding import Decided, demands_of
 from gyrostat.errors import ValuesError
 
 k3, a, c = map(gs.symbol, ("k3", "a", "c"))
@@ -43,7 +44,7 @@ def columns(report, source):
 @pytest.mark.parametrize("name", ["E1", "E2", "E3", "E1 degree 4", "E1 pole", "E3 pole", "E1 exp"])
 def test_a_list_is_decided_as_each_of_its_points(reports, monkeypatch, name, threads):
     """Whatever floats leave open, and whatever is no equilibrium; a number for all points as well."""
-    monkeypatch.setattr(screens, "NUMBA_BLOCK", 37)
+    monkeypatch.setattr(float_screening, "NUMBA_BLOCK", 37)
     report, source = reports[name], np.random.default_rng(5)
     for alike in (False, True):
         given = columns(report, source)
@@ -63,7 +64,7 @@ def test_a_list_is_decided_as_each_of_its_points(reports, monkeypatch, name, thr
 def test_few_points_are_left_over(reports, monkeypatch, name):
     """Of ordinary columns none, with a period or sorted; with a huge number in one place that point alone."""
     left = []
-    monkeypatch.setattr(screens, "Decided", lambda report, points, backend: left.append(points.merged[1])
+    monkeypatch.setattr(float_screening, "Decided", lambda report, points, backend: left.append(points.merged[1])
                         or Decided(report, points, backend))
     source, n = np.random.default_rng(7), 2**14
     names = [x for x in reports[name].parameters if x != "dU" or name == "E1"]
@@ -97,7 +98,7 @@ def test_what_is_screened(reports):
 
     def seen(values, name="E1"):
         grid = grid_of(values)
-        return screens.screened(grid, demands_of(reports[name], grid, False))
+        return float_screening.screened(grid, demands_of(reports[name], grid, False))
 
     assert seen(given) and seen({n: v if n == "dU" else v.reshape(2, 3) for n, v in given.items()})
     assert not seen(given | {"l": np.zeros((2, 1))}) and not seen(dict.fromkeys(given, 1.0))
@@ -109,7 +110,7 @@ def test_what_is_screened(reports):
 def test_high_degrees_leave_few_points_over(monkeypatch):
     """Their bound would be too wide with room for larger numbers."""
     left = []
-    monkeypatch.setattr(screens, "Decided", lambda report, points, backend: left.append(points.merged[1])
+    monkeypatch.setattr(float_screening, "Decided", lambda report, points, backend: left.append(points.merged[1])
                         or Decided(report, points, backend))
     report, source, n = gs.analyze(gs.inclined(axial(a * k3 + c * k3**40))), np.random.default_rng(7), 2**12
     given = {"k3": source.uniform(-0.9, 0.9, n), **{x: source.uniform(0.5, 2, n) for x in report.required
@@ -130,6 +131,6 @@ def test_a_constant_beyond_doubles():
 def test_a_bound_that_never_suffices_changes_nothing(reports, monkeypatch):
     """With e = ∞ all points are left over."""
     given = columns(reports["E3"], np.random.default_rng(9))
-    monkeypatch.setattr(screens, "error_bound", lambda *given: np.float64(np.inf))
+    monkeypatch.setattr(float_screening, "error_bound", lambda *given: np.float64(np.inf))
     found = verdicts(reports["E3"], given, invalid="mark", backend="numba")
     assert (found == verdicts(reports["E3"], given, invalid="mark")).all()

@@ -14,8 +14,8 @@ from stored_charts import GRID, contents
 from sympy import exp
 
 import gyrostat as gs
-from gyrostat.charts import frame, stores
 from gyrostat.charts.chart import stability_chart
+from gyrostat.charts.stores import frame, stores
 from gyrostat.errors import MissingExtraError, StoreError
 
 

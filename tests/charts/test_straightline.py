@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from sympy import Integer, Rational, chebyshevt, exp, sqrt
 
 import gyrostat as gs
-from gyrostat.charts.straightline import program_of
+from gyrostat.charts.signs.straightline import program_of
 
 k3, x, y, z = map(gs.symbol, ("k3", "x", "y", "z"))
 FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,

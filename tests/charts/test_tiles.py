@@ -14,8 +14,8 @@ from hypothesis.extra import numpy as arrays
 
 import gyrostat as gs
 from gyrostat.charts.grids import cut, grid_of
-from gyrostat.charts.straightline import program_of
-from gyrostat.charts.tiles import Tiles
+from gyrostat.charts.signs.straightline import program_of
+from gyrostat.charts.signs.tiles import Tiles
 
 NAMES = ("I1", "I3", "k3", "l", "omega")
 SYMBOLS = dict(zip(NAMES, map(gs.symbol, NAMES)))

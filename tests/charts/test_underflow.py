@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from rounded_programs import LEAVES, NOWHERE, floats, holds, in_floats, w, x, y, z
 from sympy import Integer
 
-from gyrostat.charts.rounding import LARGEST, SMALLEST, error_bound
-from gyrostat.charts.straightline import Program, Step, program_of
+from gyrostat.charts.signs.rounding import LARGEST, SMALLEST, error_bound
+from gyrostat.charts.signs.straightline import Program, Step, program_of
 
 
 @pytest.mark.parametrize("computed", [False, True])

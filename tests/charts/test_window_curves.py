@@ -8,7 +8,7 @@ from slow import slow
 import gyrostat as gs
 from gyrostat.charts import stability_chart
 from gyrostat.charts.codes import CODE_OF, CURVES, RUNGS
-from gyrostat.charts.window_curves import WITHIN
+from gyrostat.charts.curves.window_curves import WITHIN
 from gyrostat.errors import ScopeError
 from gyrostat.stability.decision import Rung
 

@@ -6,7 +6,7 @@ from commands import decide
 from sympy import Matrix, Rational, diag, simplify, zeros
 
 import gyrostat as gs
-from gyrostat.algebra.grammar import parse
+from gyrostat.algebra.text.grammar import parse
 
 AXIS = ["--potential", "k3", "--set", "I1=1", "I2=2", "I3=3", "l=1/2"]
 

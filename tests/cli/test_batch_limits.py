@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from gyrostat.cli import batch_worker
+from gyrostat.cli.batch import batch_worker
 from gyrostat.cli.parser import main
 
 TOPS = ["--equilibrium", "E1", "--potential", "m0*k3", "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0",
@@ -86,7 +86,7 @@ def test_an_interrupted_batch_goes_on(capsys, monkeypatch, tmp_path):
     out, command = tmp_path / "out.jsonl", ["decide", *TOPS, "--batch", str(given), "--output"]
     assert main([*command, str(tmp_path / "whole.jsonl")]) == 0
     out.write_text("old\n")
-    from gyrostat.cli.batch_lines import Kept
+    from gyrostat.cli.batch.batch_lines import Kept
     keep, kept = Kept.__call__, []
 
     def interrupting(self, n, text):

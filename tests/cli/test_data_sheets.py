@@ -9,7 +9,7 @@ from commands import run
 from sympy import Rational, pi
 
 from gyrostat.errors import GyrostatError
-from gyrostat.mechanics.scene_tables import SceneTable
+from gyrostat.mechanics.families.scene_tables import SceneTable
 
 PAGE = Path(__file__).parents[2] / "docs" / "how-to" / "data-sheet.md"
 TEXT = PAGE.read_text(encoding="utf-8") if PAGE.exists() else ""

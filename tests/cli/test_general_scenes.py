@@ -6,7 +6,7 @@ import pytest
 from commands import run
 
 import gyrostat as gs
-from gyrostat.printing.data import report_data
+from gyrostat.printing.formats.json_data import report_data
 
 FIELD = ["--potential", "a*k1*k2 + k3"]
 SETS = {"I1": "1", "I2": "2", "I3": "3", "l": "1/2", "a": "1", "w": "5/2"}

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import gyrostat
-from gyrostat.cli import watch
+from gyrostat.cli import time_limit as watch
 
 TOPS = ["--equilibrium", "E1", "--potential", "m0*k3", "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0",
         "--set", "m0=1"]

@@ -5,8 +5,8 @@ import json
 import pytest
 
 import gyrostat
-from gyrostat.cli import report
 from gyrostat.cli.parser import main
+from gyrostat.cli.verbs import report
 
 TOPS = ["--equilibrium", "E1", "--potential", "m0*k3", "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0",
         "--set", "m0=1"]

@@ -9,7 +9,7 @@ import pytest
 from two_motions import FREE, TOP, the_box, the_top
 
 import gyrostat as gs
-from gyrostat.cli.asked import Asked, scene_of
+from gyrostat.cli.options.scene_texts import Asked, scene_of
 from gyrostat.cli.parser import main
 from gyrostat.trajectories import motion
 
@@ -99,7 +99,7 @@ def test_a_general_body_is_integrated(capsys, tmp_path, monkeypatch):
     """
     import xarray as xr
     # heyoka compiles longer than this takes
-    monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
+    monkeypatch.setattr("gyrostat.trajectories.integrated.integrated_motion.find_spec", lambda name: None)
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)

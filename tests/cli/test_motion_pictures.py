@@ -19,7 +19,7 @@ def run(capsys, *arguments):
 def drawn(monkeypatch):
     """Figures that are not written."""
     figures = []
-    monkeypatch.setattr("gyrostat.cli.motion.save_picture", lambda figure, path: figures.append(figure))
+    monkeypatch.setattr("gyrostat.cli.verbs.motion.save_picture", lambda figure, path: figures.append(figure))
     return figures
 
 

@@ -4,11 +4,11 @@ import json
 import pytest
 from commands import decide, run
 
-from gyrostat.cli.options import axis_of, numbers_of
+from gyrostat.cli.options.options import axis_of, numbers_of
+from gyrostat.cli.options.scene_files import with_scene
 from gyrostat.cli.parser import main, parser
-from gyrostat.cli.scene_files import with_scene
 from gyrostat.errors import GyrostatError, ValuesError
-from gyrostat.mechanics.families import FAMILIES, called, in_words, known_where, named
+from gyrostat.mechanics.families.named_families import FAMILIES, called, in_words, known_where, named
 
 HEAVY = ["--potential", "m0*k3", "--equilibrium", "E1"]
 SPUN = ["I1=1", "I3=1.6", "l=0", "m0=1", "omega3_0=1.25"]

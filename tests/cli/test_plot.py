@@ -129,7 +129,7 @@ def test_pictures_of_the_library(capsys, tmp_path, monkeypatch, heavy, arguments
     figures = []
     # coarse regions, sooner
     monkeypatch.setattr("gyrostat.plotting.energy_momentum.CELLS", 40)
-    monkeypatch.setattr("gyrostat.cli.plot.save_picture", lambda figure, path: figures.append(figure))
+    monkeypatch.setattr("gyrostat.cli.verbs.plot.save_picture", lambda figure, path: figures.append(figure))
     assert main(["plot", *arguments, "--output", str(tmp_path / "picture.png")]) == 0
     assert capsys.readouterr() == ("", "")
     assert contents(figures[0]) == contents(ours(heavy).figure)
@@ -218,7 +218,7 @@ def test_matplotlib_is_named_where_it_is_missing(capsys, tmp_path, monkeypatch):
 
 def test_help(capsys):
     """Of the verb with examples and all kinds, and of each kind with what it needs."""
-    from gyrostat.cli.plot import DRAWN
+    from gyrostat.cli.verbs.plot import DRAWN
     helped = {}
     for kind in ("", *DRAWN):
         with pytest.raises(SystemExit) as stop:

@@ -10,7 +10,7 @@ from promises import CASES
 import gyrostat as gs
 from gyrostat.charts.codes import CODE_OF
 from gyrostat.errors import GyrostatError
-from gyrostat.printing.data import damped_data, decision_data
+from gyrostat.printing.formats.json_data import damped_data, decision_data
 
 FILED = [name for name, case in CASES.items() if case.table is not None]
 

@@ -83,7 +83,7 @@ PRINTED = [
 def test_a_file_is_the_same_as_options(capsys, file, verb, scene, more, monkeypatch):
     """Byte by byte, numbers of TOML as they are written."""
     # heyoka compiles longer than this takes
-    monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
+    monkeypatch.setattr("gyrostat.trajectories.integrated.integrated_motion.find_spec", lambda name: None)
     found = run(capsys, "--scene", f"{file}#{scene}", *more, verb=verb)
     assert found == run(capsys, *by_options(scene), *more, verb=verb)
     assert found[0] == 0 and len(found[1]) > 50
@@ -166,7 +166,7 @@ def test_spin_and_eliminated_name(capsys, file):
 
 def test_a_motion_leaves_the_numbers_of_an_equilibrium_aside(capsys, file, monkeypatch):
     """w is of the point alone, the spin of E1; a verb that takes neither does without them."""
-    monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
+    monkeypatch.setattr("gyrostat.trajectories.integrated.integrated_motion.find_spec", lambda name: None)
     status, out, _ = run(capsys, "--scene", f"{file}#general", "--until", "1/10", "--count", "2",
                          verb="motion")
     assert status == 0 and "# gyrostatic_momentum = (0, 0, 1/2)\n" in out

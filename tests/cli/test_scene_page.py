@@ -26,7 +26,7 @@ def test_a_command_of_the_page(capsys, tmp_path, monkeypatch, command):
 
 def test_every_key_has_its_line():
     """The keys of a table that are for the command line, and no others."""
-    from gyrostat.mechanics.scene_tables import KEYS
+    from gyrostat.mechanics.families.scene_tables import KEYS
     named = {key for row in re.findall(r"^\|(.*)\|$", TEXT, re.MULTILINE)
              for key in re.findall(r"`(\w+)`", row.split("|")[1])}
     assert named == KEYS - {"angles", "vertical", "given", "parameters"}

@@ -37,7 +37,7 @@ findings = cache(lambda source: check([source]))
 @pytest.fixture
 def checked_once(monkeypatch):
     """The sources are checked by the first test that asks for them."""
-    monkeypatch.setattr("gyrostat.cli.verify.each",
+    monkeypatch.setattr("gyrostat.cli.verbs.verify.each",
                         lambda sources, progress=None: [f for source in sources for f in findings(source)])
 
 

@@ -4,7 +4,7 @@ from sympy import Matrix, cos, eye, sin
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError
-from gyrostat.mechanics.attitude import (
+from gyrostat.mechanics.classical.attitude import (
     ANGLES,
     CONVENTIONS,
     RATES,

@@ -6,7 +6,7 @@ from sympy import Matrix, Rational, diag, eye, pi, sqrt
 from turns import of_quaternion
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign_of_constant
+from gyrostat.algebra.reals.exact import sign_of_constant
 from gyrostat.errors import ArgumentError, ValuesError
 from gyrostat.mechanics import principal_axes
 

@@ -8,7 +8,7 @@ from sympy import Rational, Symbol, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, BodyError, ValuesError
-from gyrostat.mechanics.attitude import angle_rates
+from gyrostat.mechanics.classical.attitude import angle_rates
 
 
 def test_numbers_and_symbols_are_accepted():

@@ -2,8 +2,8 @@
 from sympy import exp, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.polynomials import Ring
-from gyrostat.mechanics.derivation import rows_at_point, signs_over
+from gyrostat.algebra.rings.polynomials import Ring
+from gyrostat.mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 
 TOP = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
 

@@ -4,7 +4,7 @@ from sympy import Rational, S, Symbol, exp, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import EquilibriumError
-from gyrostat.mechanics.equilibria import Equilibrium
+from gyrostat.mechanics.equilibrium.equilibrium import Equilibrium
 
 m0, l, omega, k3, I1, I3 = map(gs.symbol, ("m0", "l", "omega", "k3", "I1", "I3"))
 

@@ -14,7 +14,7 @@ from sympy import Integer, Rational, Symbol, cancel, diff, expand, symbols
 
 import gyrostat as gs
 from gyrostat.notation import NOTATION
-from gyrostat.printing.article import to_latex
+from gyrostat.printing.formats.article import to_latex
 
 k3, m0, m1, I1, I3, l, pi3, r, p0 = map(gs.symbol, ("k3", "m0", "m1", "I1", "I3", "l", "pi3_0", "r", "p0"))
 J3, J4, mass1, mass3 = map(gs.symbol, ("J3", "J4", "mass1", "mass3"))

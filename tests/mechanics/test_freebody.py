@@ -10,7 +10,7 @@ from sympy import Rational, cos, oo, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import BodyError, ScopeError, ValuesError
-from gyrostat.mechanics.freebody import momentum_limits, polhode_period, torque_equations
+from gyrostat.mechanics.classical.free_body import momentum_limits, polhode_period, torque_equations
 from gyrostat.notation import symbol
 
 

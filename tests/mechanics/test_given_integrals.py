@@ -4,7 +4,7 @@ from sympy import S, exp, sin
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, GyrostatError, StructureError
-from gyrostat.mechanics.system import at_numbers
+from gyrostat.mechanics.scenes.system import at_numbers
 
 K1, K2, K3, M0 = map(gs.symbol, ("k1", "k2", "k3", "m0"))
 BODY = gs.Gyrostat((2, 2, 1), (0, 0, gs.symbol("l")))

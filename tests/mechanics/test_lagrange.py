@@ -9,8 +9,15 @@ from sympy import Derivative, Function, Rational, cos, simplify, sin, symbols, t
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError
-from gyrostat.mechanics.attitude import ANGLES, CONVENTIONS, RATES, angular_velocity, direction, reduced
-from gyrostat.mechanics.lagrange import effective_potential, lagrangian, momenta
+from gyrostat.mechanics.classical.attitude import (
+    ANGLES,
+    CONVENTIONS,
+    RATES,
+    angular_velocity,
+    direction,
+    reduced,
+)
+from gyrostat.mechanics.classical.lagrangian import effective_potential, lagrangian, momenta
 from gyrostat.notation import symbol
 
 PHI, THETA, PSI = ANGLES

@@ -6,7 +6,7 @@ from sympy import ImmutableMatrix, Matrix, cos, exp, expand, simplify, sin
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, StructureError
-from gyrostat.mechanics.liepoisson import LiePoisson
+from gyrostat.mechanics.scenes.lie_poisson import LiePoisson
 
 E3 = gs.lie_poisson(("k",))
 SO3 = gs.lie_poisson(())
@@ -34,7 +34,7 @@ def defined(f, g):
 def test_bracket_is_its_definition(f, g):
     """∇F · B ∇G is the printed formula."""
     f, g = f + 0 * PI[0], g + 0 * PI[0]
-    assert E3.bracket(f, g) == defined(*map(gs.algebra.numbers.exact_expression, (f, g)))
+    assert E3.bracket(f, g) == defined(*map(gs.algebra.text.numbers.exact_expression, (f, g)))
 
 
 def test_bracket_of_smooth_functions():

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from sympy import Rational, acos, sqrt
 
 from gyrostat.errors import BodyError, ScopeError
-from gyrostat.mechanics.precession import free_precession
+from gyrostat.mechanics.classical.free_precession import free_precession
 
 
 @given(I1=moments, I3=moments, across=moments, along=numbers)

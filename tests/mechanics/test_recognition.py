@@ -8,8 +8,8 @@ from sympy import ImmutableMatrix, Rational, S, cos, exp, log, sin, sqrt, symbol
 from turns import OBLIQUE, TURNS, K, scene
 
 import gyrostat as gs
-from gyrostat.mechanics.recognition import recognise, turned_up
-from gyrostat.mechanics.spherical import along_third
+from gyrostat.mechanics.equilibrium.recognition import recognise, turned_up
+from gyrostat.mechanics.scenes.spherical import along_third
 
 k1, k2, k3 = K
 a, b = symbols("a b", real=True)

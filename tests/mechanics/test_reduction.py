@@ -14,11 +14,11 @@ from sympy import Rational, S, cancel, cos, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError
-from gyrostat.mechanics import lagrange
-from gyrostat.mechanics.reduced_series import expansion
-from gyrostat.mechanics.reduction import reduce
+from gyrostat.mechanics.classical import lagrangian as lagrange
+from gyrostat.mechanics.equilibrium.reduced_series import expansion
+from gyrostat.mechanics.equilibrium.reduction import reduce
 from gyrostat.notation import jet_name
-from gyrostat.stability.linearization import linearize
+from gyrostat.stability.criteria.linearization import linearize
 
 ORDER = 8
 k3, energy, p_phi, p_psi, omega = map(gs.symbol, ("k3", "energy", "p_phi", "p_psi", "omega"))

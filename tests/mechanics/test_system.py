@@ -11,7 +11,7 @@ from sympy import Matrix, Rational, expand
 
 import gyrostat as gs
 from gyrostat.errors import StructureError
-from gyrostat.mechanics.system import System
+from gyrostat.mechanics.scenes.system import System
 
 SIX = st.tuples(*[numbers] * 6)
 THREE = st.tuples(*[numbers] * 3)

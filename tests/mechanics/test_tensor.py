@@ -7,7 +7,7 @@ from sympy import Matrix, Rational, diag
 from turns import of_quaternion
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign_of_constant
+from gyrostat.algebra.reals.exact import sign_of_constant
 
 
 def rotation(draw):

@@ -95,7 +95,7 @@ def test_it_is_refused_with_what_to_do(name):
 def test_it_answers(name, monkeypatch):
     """What it says is compared with principal axes elsewhere."""
     matplotlib.use("Agg")
-    monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
+    monkeypatch.setattr("gyrostat.trajectories.integrated.integrated_motion.find_spec", lambda name: None)
     assert ANSWERED[name]() is not None
     plt.close("all")
 

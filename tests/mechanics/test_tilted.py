@@ -4,7 +4,7 @@ from sympy import Rational, cos, exp, simplify
 
 import gyrostat as gs
 from gyrostat.errors import EquilibriumError, ScopeError
-from gyrostat.mechanics.tilted import solved_tilt
+from gyrostat.mechanics.families.tilted import solved_tilt
 
 m0, m1, l, omega, k3, I1, I3 = map(gs.symbol, ("m0", "m1", "l", "omega", "k3", "I1", "I3"))
 
@@ -62,7 +62,7 @@ def test_margins_agree_whichever_name_is_eliminated():
     """The same condition in other coordinates: their margins have the same sign at a common point."""
     U, point = gs.newtonian_field(2), {"I1": 2, "I3": 1, "m0": "1/3", "m1": "1/5", "omega": "3/2",
                                        "k3": "2/7"}
-    values = {gs.symbol(n): gs.algebra.numbers.exact_number(v) for n, v in point.items()}
+    values = {gs.symbol(n): gs.algebra.text.numbers.exact_number(v) for n, v in point.items()}
     point["l"] = dict(inclined(U, eliminate="l").relations)[l].subs(values)
     seen = set()
     for name in ("l", "k3", "m0", "m1"):

@@ -14,7 +14,7 @@ from fuzz_texts import drawn
 
 import gyrostat as gs
 from gyrostat.cli.parser import main
-from gyrostat.mechanics.scene_tables import SceneTable
+from gyrostat.mechanics.families.scene_tables import SceneTable
 
 TRY = Path(session.__file__).parent
 EXAMPLES = json.loads((TRY / "examples.json").read_text(encoding="utf-8"))

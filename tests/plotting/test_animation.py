@@ -173,7 +173,7 @@ def test_the_path_is_that_of_the_vertical_seen_from_the_body(U, values, state):
     slope = lambdify(z, diff(U(z), z))
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U))
     moved = motion(scene, state, values)
-    I1, I3, l = (float(gs.algebra.numbers.exact_number(values[n])) for n in ("I1", "I3", "l"))
+    I1, I3, l = (float(gs.algebra.text.numbers.exact_number(values[n])) for n in ("I1", "I3", "l"))
     I, rotor = np.array([I1, I1, I3]), np.array([0, 0, l])
 
     def rate(x):
@@ -181,7 +181,8 @@ def test_the_path_is_that_of_the_vertical_seen_from_the_body(U, values, state):
         return np.concatenate([np.cross(x[:3] + rotor, w) + np.cross(x[3:], [0, 0, slope(x[5])]),
                                np.cross(x[3:], w)])
 
-    x, h, heights = np.array([float(gs.algebra.numbers.exact_number(s)) for s in state]), TIMES[1] / 8, []
+    x = np.array([float(gs.algebra.text.numbers.exact_number(s)) for s in state])
+    h, heights = TIMES[1] / 8, []
     for _ in range(len(TIMES)):
         heights.append(x[5] / np.linalg.norm(x[3:]))
         for _ in range(8):

@@ -9,10 +9,10 @@ from matplotlib.figure import Figure
 from sympy import Rational, exp, sqrt
 
 import gyrostat as gs
+from gyrostat.equilibria.continuation.continuation import continuation
+from gyrostat.equilibria.search import relative_equilibria
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.plotting import draw_bifurcation_diagram
-from gyrostat.stability.continuation import continuation
-from gyrostat.stability.relative_equilibria import relative_equilibria
 
 TOP = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
 QUARTIC = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**4 - k3**2 / 2))

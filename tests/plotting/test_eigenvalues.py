@@ -8,8 +8,8 @@ from sympy import exp
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
+from gyrostat.parameters.spectra import spectrum
 from gyrostat.plotting import draw_eigenvalues
-from gyrostat.stability.spectra import spectrum
 
 TOP = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
 FREE = gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, gs.symbol("l")))), 3)

@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 from sympy import Rational
 
 import gyrostat as gs
+from gyrostat.equilibria.finders.free import permanent_rotations
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.plotting import draw_momentum_sphere
 from gyrostat.plotting.energy_levels import energies_between, floats, level_curve
 from gyrostat.plotting.looks import BLUE
-from gyrostat.stability.permanent_rotations import permanent_rotations
 
 CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1),
          ((2, 1, "3/2"), ("1/5", "1/10", "1/8"), 1),

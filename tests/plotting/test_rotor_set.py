@@ -8,10 +8,10 @@ from matplotlib.figure import Figure
 from sympy import Rational
 
 import gyrostat as gs
+from gyrostat.equilibria.continuation.rotor_planes import numbers_of_rotations_over
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.plotting import draw_rotor_set
 from gyrostat.plotting.looks import BLUE, DARK
-from gyrostat.stability.rotor_planes import numbers_of_rotations_over
 
 SCENE = gs.assemble(gs.Gyrostat((1, 2, 3)))
 PLANES = [("l2", "0"), ("l3", "0"), ("l1", "1/10"), ("l3", "3/10")]

@@ -6,9 +6,9 @@ from slow import slow
 from sympy import sympify
 
 import gyrostat as gs
+from gyrostat.equilibria.finders.free import permanent_rotations
 from gyrostat.plotting import draw_momentum_sphere
 from gyrostat.plotting.energy_levels import floats, level_curve
-from gyrostat.stability.permanent_rotations import permanent_rotations
 
 
 @pytest.mark.slow

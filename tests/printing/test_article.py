@@ -5,9 +5,9 @@ import pytest
 from sympy import symbols
 
 import gyrostat as gs
-from gyrostat.printing.article import LINE, NARROW, document, to_latex
-from gyrostat.printing.linebreaks import width
-from gyrostat.printing.names import Paper
+from gyrostat.printing.formats.article import LINE, NARROW, document, to_latex
+from gyrostat.printing.formats.linebreaks import width
+from gyrostat.printing.formats.names import Paper
 
 
 def displayed(tex):

@@ -5,7 +5,7 @@ import pytest
 from slow import slow
 
 from gyrostat.cli.parser import main
-from gyrostat.printing.data import json_text
+from gyrostat.printing.formats.json_data import json_text
 from gyrostat.version import DOCUMENT_FORMAT
 
 TOP = ("--potential", "m0*k3", "--equilibrium", "E1")

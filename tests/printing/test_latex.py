@@ -8,11 +8,11 @@ import pytest
 from sympy import Matrix, symbols
 
 import gyrostat as gs
-from gyrostat.algebra.grammar import parse
-from gyrostat.printing.article import to_latex
-from gyrostat.printing.document import report_blocks
-from gyrostat.printing.text import text
-from gyrostat.printing.unicode import unicode
+from gyrostat.algebra.text.grammar import parse
+from gyrostat.printing.formats.article import to_latex
+from gyrostat.printing.formats.text import text
+from gyrostat.printing.formats.unicode import unicode
+from gyrostat.printing.results.document import report_blocks
 
 
 def test_conditions_are_in_the_notation_of_the_source(e1, e2, e3):

@@ -11,11 +11,11 @@ from sympy import Basic, MatrixBase, S
 import gyrostat as gs
 from gyrostat.errors import ScopeError
 from gyrostat.printing.blocks import Display, Rows, Sentence, Word
-from gyrostat.printing.document import report_blocks, whole_blocks
-from gyrostat.printing.latex import tex
-from gyrostat.printing.names import Names
-from gyrostat.printing.results import result_blocks
-from gyrostat.printing.unicode import unicode
+from gyrostat.printing.formats.latex import tex
+from gyrostat.printing.formats.names import Names
+from gyrostat.printing.formats.unicode import unicode
+from gyrostat.printing.results.beyond_reports import result_blocks
+from gyrostat.printing.results.document import report_blocks, whole_blocks
 from gyrostat.typesetting import GREEK, typeset
 
 NEUTRAL = "Xi"                                             # a letter that nothing of ours has

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gyrostat.printing.linebreaks import broken, width
+from gyrostat.printing.formats.linebreaks import broken, width
 
 SUM = (r"\left(a + b\right) \left(\frac{c + d}{2 e} - \sqrt{f + g}\right)^{2} "
        r"+ h_{1} - 3 i + \left(j k + l\right) m - n")

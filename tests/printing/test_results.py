@@ -5,19 +5,19 @@ import pytest
 from sympy import Rational, oo
 
 import gyrostat as gs
-from gyrostat.mechanics.reduction import reduce
-from gyrostat.printing.article import to_latex
-from gyrostat.printing.decision import decision_blocks
-from gyrostat.printing.latex import display
-from gyrostat.printing.names import Names
-from gyrostat.printing.results import result_blocks
-from gyrostat.stability.bifurcations import bifurcations
+from gyrostat.equilibria.continuation.bifurcation_kinds import KINDS
+from gyrostat.equilibria.continuation.meeting_equations import bifurcations
+from gyrostat.equilibria.continuation.meeting_values import bifurcation_points
+from gyrostat.equilibria.search import relative_equilibria
+from gyrostat.mechanics.equilibrium.reduction import reduce
+from gyrostat.parameters.sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
+from gyrostat.parameters.stabilizing import stabilizing_set
+from gyrostat.printing.formats.article import to_latex
+from gyrostat.printing.formats.latex import display
+from gyrostat.printing.formats.names import Names
+from gyrostat.printing.results.beyond_reports import result_blocks
+from gyrostat.printing.results.decision import decision_blocks
 from gyrostat.stability.decision import C1
-from gyrostat.stability.kinds import KINDS
-from gyrostat.stability.meetings import bifurcation_points
-from gyrostat.stability.relative_equilibria import relative_equilibria
-from gyrostat.stability.sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
-from gyrostat.stability.stabilizing import stabilizing_set
 
 BODY = gs.symmetric_gyrostat()
 HEAVY = gs.assemble(BODY, gs.uniform_field())

@@ -2,8 +2,8 @@
 import pytest
 
 import gyrostat as gs
-from gyrostat.printing.names import Paper
-from gyrostat.printing.tables import conditions_table
+from gyrostat.printing.formats.names import Paper
+from gyrostat.printing.formats.tables import conditions_table
 
 PART = Paper(fragment=True)
 

@@ -5,9 +5,9 @@ import pytest
 from slow import slow
 
 import gyrostat as gs
-from gyrostat.printing.document import report_blocks
-from gyrostat.printing.scene import scene_blocks
-from gyrostat.printing.text import plain, text
+from gyrostat.printing.formats.text import plain, text
+from gyrostat.printing.results.document import report_blocks
+from gyrostat.printing.results.scene import scene_blocks
 
 
 def test_objects_print_as_a_person_reads_them(scene, e1, e3):

@@ -5,7 +5,7 @@ import pytest
 from sympy import Matrix, sympify
 
 import gyrostat as gs
-from gyrostat.printing.data import report_data
+from gyrostat.printing.formats.json_data import report_data
 
 BODY = gs.Gyrostat(gyrostatic_momentum=(0, gs.symbol("l"), 0))
 REPORT = gs.analyze(gs.earth_pointing(gs.assemble(BODY, gs.circular_orbit())))

@@ -3,7 +3,7 @@ import pytest
 from sympy import Integer, exp, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.printing.unicode import matrix_lines, unicode
+from gyrostat.printing.formats.unicode import matrix_lines, unicode
 
 I1, I3, l, pi3, dU, k3, omega = map(gs.symbol, ("I1", "I3", "l", "pi3_0", "dU", "k3", "omega"))
 

@@ -5,7 +5,7 @@ from written_sources import BY_KEY, status
 
 from gyrostat.errors import PublishedError
 from gyrostat.notation import symbol
-from gyrostat.published.independent import Model
+from gyrostat.published.independent.counterexample import Model
 
 DAMPED = "sufficient for stability under internal damping"
 TOP = ('inertia = ["I1", "I1", "I3"]\ngyrostatic_momentum = ["0", "0", "l"]\npotential = "m0*k3"\n'

@@ -5,11 +5,11 @@ from written_sources import written
 
 from gyrostat.errors import ExpressionError, GyrostatError, PublishedError, ValuesError
 from gyrostat.notation import symbol
-from gyrostat.printing.names import Names
+from gyrostat.printing.formats.names import Names
 from gyrostat.published import check, load
-from gyrostat.published.comparisons import comparisons
+from gyrostat.published.checks.comparisons import comparisons
 from gyrostat.published.language import decimal, read
-from gyrostat.published.typesetting import formula_of
+from gyrostat.published.printed_latex import formula_of
 
 
 def test_language():

@@ -8,9 +8,9 @@ from sympy import MatrixBase
 from written_sources import LONG, STATEMENTS
 
 import gyrostat
-from gyrostat.published import independent_names
+from gyrostat.published.checks.readings import Reading
+from gyrostat.published.independent import names_at_numbers as independent_names
 from gyrostat.published.language import read
-from gyrostat.published.readings import Reading
 
 HERE = Path(gyrostat.__file__).parent / "published"
 

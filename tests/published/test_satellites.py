@@ -6,9 +6,9 @@ from written_sources import BY_KEY, status, written
 
 import gyrostat as gs
 from gyrostat.errors import PublishedError
-from gyrostat.mechanics.scene_tables import SceneTable
+from gyrostat.mechanics.families.scene_tables import SceneTable
 from gyrostat.published import check
-from gyrostat.published.checks import outcome_of
+from gyrostat.published.checks.checks import outcome_of
 
 POINTING = 'orbit = "omega0"\nequilibrium = "earth-pointing"\n'
 COUNTED = 'inertia = ["1", "5/4", "8/5"]\ngyrostatic_momentum = ["0", "l", "0"]\norbit = "1"\n'

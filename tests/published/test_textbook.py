@@ -13,9 +13,9 @@ from commands import decide
 from textbook_scenes import DATA, GREEK_NAMES, asked, energy, expected, numbers, rows, valued
 
 import gyrostat as gs
-from gyrostat.algebra.grammar import parse
+from gyrostat.algebra.text.grammar import parse
 from gyrostat.errors import GyrostatError
-from gyrostat.mechanics.scene_tables import SceneTable
+from gyrostat.mechanics.families.scene_tables import SceneTable
 
 
 def check_meaning(scene, book, values, typed_values):

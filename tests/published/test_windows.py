@@ -11,8 +11,8 @@ from written_sources import CLAIM, written
 
 import gyrostat as gs
 from gyrostat.published import check
-from gyrostat.published.independent import Model
-from gyrostat.published.independent_windows import Oscillations, stability
+from gyrostat.published.independent.arnold import Oscillations, stability
+from gyrostat.published.independent.counterexample import Model
 from gyrostat.published.listing import to_json
 from gyrostat.published.scenes import Scene
 

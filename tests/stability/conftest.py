@@ -4,7 +4,7 @@ import meetings
 import pytest
 
 import gyrostat as gs
-from gyrostat.stability.drift import Drift
+from gyrostat.stability.theorems.drift import Drift
 
 
 @pytest.fixture(scope="session")

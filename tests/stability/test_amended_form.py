@@ -10,7 +10,7 @@ from slow import sampled
 from sympy import Matrix, Rational
 
 import gyrostat as gs
-from gyrostat.stability.amended_form import amended_form
+from gyrostat.stability.criteria.amended_form import amended_form
 
 
 def turned(rng):

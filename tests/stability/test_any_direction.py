@@ -13,7 +13,7 @@ from sympy import Matrix, Rational, S, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
-from gyrostat.printing.data import json_text, report_data
+from gyrostat.printing.formats.json_data import json_text, report_data
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +96,7 @@ def test_a_rotation_of_staude(families):
 
 
 def decision_point(*numbers):
-    from gyrostat.algebra.exact import Point
+    from gyrostat.algebra.reals.exact import Point
     return Point({gs.symbol(name): S(x) for name, x in zip(NAMES, numbers)})
 
 

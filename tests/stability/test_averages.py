@@ -10,8 +10,8 @@ from sympy import Poly, expand, rem, symbols
 from window_scenes import windows
 
 import gyrostat as gs
-from gyrostat.stability.averages import _weights, averages
-from gyrostat.stability.local_motion import fraction, local_motion
+from gyrostat.stability.normal_forms.d4_by_averages import _weights, averages
+from gyrostat.stability.normal_forms.local_motion import fraction, local_motion
 
 KINDS = {"uniform, at rest in the body": (False, True, False), "uniform, with a rotor": (False,),
          "quadratic": (True,), "quadratic, a tensor": (True, False)}

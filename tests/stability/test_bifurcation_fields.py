@@ -8,13 +8,13 @@ from slow import slow
 from sympy import CRootOf, Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign
+from gyrostat.algebra.reals.exact import sign
+from gyrostat.equilibria.continuation.bifurcation_kinds import KINDS
+from gyrostat.equilibria.continuation.meeting_equations import bifurcations
+from gyrostat.equilibria.continuation.meeting_values import bifurcation_points
+from gyrostat.equilibria.search import relative_equilibria
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.notation import jet, jet_name
-from gyrostat.stability.bifurcations import bifurcations
-from gyrostat.stability.kinds import KINDS
-from gyrostat.stability.meetings import bifurcation_points
-from gyrostat.stability.relative_equilibria import relative_equilibria
 
 
 @pytest.mark.slow

@@ -11,10 +11,10 @@ from meetings import FIELD, STEP, k3, near, numbers_of, omega, tilts
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign
+from gyrostat.algebra.reals.exact import sign
+from gyrostat.equilibria.continuation.meeting_equations import bifurcations
+from gyrostat.equilibria.continuation.meeting_values import bifurcation_points
 from gyrostat.notation import jet, jet_name
-from gyrostat.stability.bifurcations import bifurcations
-from gyrostat.stability.meetings import bifurcation_points
 
 
 def slope_at(kind, values):

@@ -6,13 +6,13 @@ import pytest
 from flint import acb, arb, fmpq
 from sympy import Expr, Rational, expand, sqrt
 
-from gyrostat.algebra.balls import ball
-from gyrostat.algebra.eigenvalues import eigenvalues_of
-from gyrostat.algebra.precision import own_precision
-from gyrostat.algebra.series import composed, variable
+from gyrostat.algebra.enclosures.balls import ball
+from gyrostat.algebra.enclosures.precision import own_precision
+from gyrostat.algebra.reals.eigenvalues import eigenvalues_of
+from gyrostat.algebra.rings.series import composed, variable
 from gyrostat.notation import symbol
-from gyrostat.stability.birkhoff import characteristic, linear_motion, modes, normalised, twist
-from gyrostat.stability.resonances import fourth_order_resonance, third_order_resonance
+from gyrostat.stability.normal_forms.birkhoff import characteristic, linear_motion, modes, normalised, twist
+from gyrostat.stability.normal_forms.resonances import fourth_order_resonance, third_order_resonance
 
 PRECISION = 256
 Q, P = (symbol(f"k{n}") for n in (1, 2))

@@ -8,7 +8,7 @@ from ladder import I1, k3, name, pole
 from sympy import S, cancel, exp, sqrt
 
 import gyrostat as gs
-from gyrostat.mechanics.reduced_series import expansion
+from gyrostat.mechanics.equilibrium.reduced_series import expansion
 from gyrostat.notation import jet_name
 from gyrostat.stability.decision import Verdict
 

@@ -8,8 +8,8 @@ from sympy import lambdify
 from turns import OBLIQUE, TURNS, K, rational, scene
 
 import gyrostat as gs
+from gyrostat.equilibria.search import relative_equilibria
 from gyrostat.errors import ValuesError
-from gyrostat.stability.relative_equilibria import relative_equilibria
 
 FIELD, ROTOR = (F(1), F(-1, 2), F(0), F(2, 3)), F(1, 2)
 

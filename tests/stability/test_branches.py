@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign_of_constant
-from gyrostat.stability.relative_equilibria import relative_equilibria
+from gyrostat.algebra.reals.exact import sign_of_constant
+from gyrostat.equilibria.search import relative_equilibria
 
 potentials = st.lists(numbers, min_size=6, max_size=6)
 ORDER = {"E1": 0, "E3": 1, "precession": 1, "E2": 2}

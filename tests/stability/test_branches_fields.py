@@ -10,9 +10,9 @@ from slow import slow
 from sympy import CRootOf, Rational, S, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign_of_constant
+from gyrostat.algebra.reals.exact import sign_of_constant
+from gyrostat.equilibria.search import relative_equilibria
 from gyrostat.errors import ValuesError
-from gyrostat.stability.relative_equilibria import relative_equilibria
 
 
 def test_a_field_that_turns_nothing():

@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from sympy import S, cos, exp, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign_of_constant
+from gyrostat.algebra.reals.exact import sign_of_constant
+from gyrostat.equilibria.search import relative_equilibria
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
-from gyrostat.stability.relative_equilibria import relative_equilibria
 
 
 @pytest.fixture(scope="module")

@@ -12,9 +12,9 @@ from sympy import ImmutableMatrix, Poly, Rational, cancel, cos, diag, exp, expan
 import gyrostat as gs
 from gyrostat.errors import ScopeError
 from gyrostat.notation import NOTATION
-from gyrostat.stability.conditions import Condition, Criterion, independent
-from gyrostat.stability.linearization import Linearization
-from gyrostat.stability.truth import holds
+from gyrostat.stability.criteria.conditions import Condition, Criterion, independent
+from gyrostat.stability.criteria.linearization import Linearization
+from gyrostat.stability.criteria.truth import holds
 
 I1, I2, I3, l, pi3, w3, dU, d2U, k3, omega, m0, m1 = map(gs.symbol, (
     "I1", "I2", "I3", "l", "pi3_0", "omega3_0", "dU", "d2U", "k3", "omega", "m0", "m1"))

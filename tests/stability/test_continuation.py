@@ -4,7 +4,7 @@ import pytest
 from sympy import Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.stability.continuation import continuation
+from gyrostat.equilibria.continuation.continuation import continuation
 
 
 def marks(U, ends, values, name="omega"):

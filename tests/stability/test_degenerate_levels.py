@@ -11,8 +11,8 @@ from slow import sampled
 from sympy import Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.balls import ball
-from gyrostat.stability.heavy_rotations import heavy_rotations
+from gyrostat.algebra.enclosures.balls import ball
+from gyrostat.equilibria.finders.heavy import heavy_rotations
 
 
 def exact(x):

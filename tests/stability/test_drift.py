@@ -12,7 +12,7 @@ from sympy import Rational, cancel
 
 import gyrostat as gs
 from gyrostat.stability.decision import Verdict
-from gyrostat.stability.drift import Drift
+from gyrostat.stability.theorems.drift import Drift
 
 SLOPE = omega * l - omega**2 * k3 * (I1 - I3)
 D = (I1 * (I1 - I3) * omega**2 + (I1 * (1 - k3**2) + I3 * k3**2) * d2U - 2 * k3 * (I1 - I3) * SLOPE

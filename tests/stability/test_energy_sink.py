@@ -9,7 +9,7 @@ from two_spheres import growing_modes
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
-from gyrostat.printing.data import criterion_data
+from gyrostat.printing.formats.json_data import criterion_data
 
 C_P, C_R, C, OMEGA = map(gs.symbol, ("c_p", "c_r", "C_r", "Omega"))
 LIGHT, WEAK = Fraction(1, 10**7), Fraction(1, 10**5)       # moment of a light sphere; c beside that times λ0

@@ -11,7 +11,7 @@ from slow import sampled
 from sympy import Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.balls import ball
+from gyrostat.algebra.enclosures.balls import ball
 from gyrostat.errors import ScopeError
 
 DIRECTION = (k1, k2, k3)

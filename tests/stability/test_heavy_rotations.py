@@ -12,9 +12,9 @@ from slow import sampled
 from sympy import Matrix, Rational, sqrt
 
 import gyrostat as gs
+from gyrostat.equilibria.finders.heavy_rotation import HeavyRotation
 from gyrostat.errors import ValuesError
-from gyrostat.stability.amended_form import amended_form
-from gyrostat.stability.heavy_rotation import HeavyRotation
+from gyrostat.stability.criteria.amended_form import amended_form
 
 
 def check(rng, quadratic):

@@ -8,8 +8,8 @@ from slow import sampled
 from sympy import Matrix, Rational
 
 import gyrostat as gs
-from gyrostat.mechanics.scene_tables import SceneTable
-from gyrostat.stability.orientation_form import orientation_form
+from gyrostat.mechanics.families.scene_tables import SceneTable
+from gyrostat.stability.criteria.orientation_form import orientation_form
 
 
 def tensor_of(rng):

@@ -2,9 +2,9 @@
 from sympy import expand
 
 import gyrostat as gs
-from gyrostat.algebra.margins import Signs
-from gyrostat.algebra.polynomials import Ring
-from gyrostat.stability.implication import Item, eliminate, merge, reduced
+from gyrostat.algebra.rings.polynomials import Ring
+from gyrostat.algebra.solving.margins import Signs
+from gyrostat.stability.criteria.implication import Item, eliminate, merge, reduced
 
 I1 = gs.symbol("I1")
 

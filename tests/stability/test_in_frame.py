@@ -6,7 +6,7 @@ import pytest
 from sympy import Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.exact import evaluate
+from gyrostat.algebra.reals.exact import evaluate
 
 
 def found(moments, rotor):

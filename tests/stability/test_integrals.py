@@ -9,7 +9,7 @@ from slow import sampled, slow
 from sympy import Rational, S, sqrt, sympify
 
 import gyrostat as gs
-from gyrostat.printing.data import decision_data
+from gyrostat.printing.formats.json_data import decision_data
 
 KOWALEVSKI = "(M1^2 - M2^2 - 4*m*k1)^2 + (2*M1*M2 - 4*m*k2)^2 + 8*l*(M3 - 2*l)*(M1^2 + M2^2) - 32*l*m*M1*k3"
 SQUARE = "M1^2 + M2^2 + M3^2"

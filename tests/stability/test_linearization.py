@@ -14,7 +14,7 @@ from sympy import ImmutableMatrix, Matrix, Poly, Rational, cancel, expand, lambd
 
 import gyrostat as gs
 from gyrostat.errors import SingularOrbitError
-from gyrostat.stability.linearization import LAMBDA
+from gyrostat.stability.criteria.linearization import LAMBDA
 
 THREE = st.tuples(*[numbers] * 3)
 

@@ -3,7 +3,7 @@ import pytest
 from sympy import Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.stability.notes import state_note
+from gyrostat.stability.criteria.number_notes import state_note
 from gyrostat.trajectories import motion
 
 STATE = (0, "1/10", 1, "3/5", 0, "4/5")

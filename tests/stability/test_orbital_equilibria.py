@@ -10,8 +10,8 @@ from slow import sampled
 from sympy import Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.balls import ball
-from gyrostat.stability.orbital_equilibrium import balls as enclosures
+from gyrostat.algebra.enclosures.balls import ball
+from gyrostat.equilibria.finders.orbital_equilibrium import balls as enclosures
 
 RIGID = (1, "5/4", "8/5")
 

@@ -8,7 +8,7 @@ from sympy import Rational
 from two_directions import Scene, second_variation, sextic
 
 import gyrostat as gs
-from gyrostat.mechanics.orbital_precession import moving_axis
+from gyrostat.mechanics.families.orbital_precession import moving_axis
 
 KINDS = ("cylindrical", "hyperbolic", "conical")
 REPORTS = {kind: gs.analyze(gs.orbital_precession(gs.assemble(gs.symmetric_gyrostat(), gs.circular_orbit()),

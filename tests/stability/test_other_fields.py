@@ -10,7 +10,7 @@ from two_directions import random_fraction as some
 
 import gyrostat as gs
 from gyrostat.errors import EquilibriumError, PotentialError, ScopeError, StructureError
-from gyrostat.stability.orientation_form import orientation_form
+from gyrostat.stability.criteria.orientation_form import orientation_form
 
 N, R, MU, F = ([gs.symbol(f"{x}{i}") for i in (1, 2, 3)] for x in ("n", "r", "mu", "F"))
 MAGNET = -sum(a * b for a, b in zip(MU, N))

@@ -8,8 +8,8 @@ from hypothesis import assume, given, settings
 from sympy import Rational, pi
 
 import gyrostat as gs
+from gyrostat.equilibria.finders.free import permanent_rotations
 from gyrostat.errors import ScopeError, ValuesError
-from gyrostat.stability.permanent_rotations import permanent_rotations
 
 CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1),
          ((2, 1, "3/2"), ("1/5", "1/10", "1/8"), 1),

@@ -112,7 +112,7 @@ def test_steady_precession_of_the_heavy_top():
         values = {"I1": 2, "I3": 1, "m0": 3, "k3": "1/2", "omega": root, "l": l}
         assert abs(float(root) - rate) < 1e-10 and report.verdict(values).verdict is Verdict.STABLE
         p = report.equilibrium.insert(report.linearization.coefficients[0]).subs(
-            {gs.symbol(n): gs.algebra.numbers.exact_number(v) for n, v in values.items() if n != "l"})
+            {gs.symbol(n): gs.algebra.text.numbers.exact_number(v) for n, v in values.items() if n != "l"})
         assert abs(float(sqrt(p)) - nutation) < 1e-9
         assert W in report.linearization.coefficients[0].free_symbols
 

@@ -8,10 +8,10 @@ from slow import sampled
 from sympy import Matrix, Rational, symbols
 
 import gyrostat as gs
-from gyrostat.algebra.exact import Point
-from gyrostat.stability.criteria import formal_criterion, secular_criterion
-from gyrostat.stability.energy_casimir import secular_variation
-from gyrostat.stability.truth import holds
+from gyrostat.algebra.reals.exact import Point
+from gyrostat.stability.criteria.energy_casimir import secular_variation
+from gyrostat.stability.criteria.three_criteria import formal_criterion, secular_criterion
+from gyrostat.stability.criteria.truth import holds
 
 TURN = Matrix([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
 w, s = symbols("w s", real=True)

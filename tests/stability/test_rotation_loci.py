@@ -8,7 +8,7 @@ from slow import sampled
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign
+from gyrostat.algebra.reals.exact import sign
 
 VALUES = {"I1": 1, "I2": 2, "I3": "5/2", "M": "3/2"}
 

@@ -10,9 +10,9 @@ from small_circle import is_extremum
 from sympy import Rational, S, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.balls import ball, fraction_of
+from gyrostat.algebra.enclosures.balls import ball, fraction_of
+from gyrostat.equilibria.finders.free import permanent_rotations
 from gyrostat.errors import ScopeError, ValuesError
-from gyrostat.stability.permanent_rotations import permanent_rotations
 
 NAMES = ("I1", "I2", "I3", "l1", "l2", "l3")
 BOX = gs.assemble(gs.Gyrostat())

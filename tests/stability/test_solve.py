@@ -12,11 +12,11 @@ from solved import BODY, FIELDS, POSITIVE, k3, reports, truth
 from sympy import CRootOf, oo
 
 import gyrostat as gs
-from gyrostat.algebra.exact import Point, evaluate, sign_of_constant
-from gyrostat.algebra.numbers import exact_number
+from gyrostat.algebra.reals.exact import Point, evaluate, sign_of_constant
+from gyrostat.algebra.text.numbers import exact_number
 from gyrostat.errors import ScopeError, ValuesError
-from gyrostat.stability.sets import EXCLUDED, INCLUDED
-from gyrostat.stability.stabilizing import stabilizing_set
+from gyrostat.parameters.sets import EXCLUDED, INCLUDED
+from gyrostat.parameters.stabilizing import stabilizing_set
 
 
 @cache

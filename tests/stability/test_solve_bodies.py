@@ -9,12 +9,12 @@ from solved import BODY, truth
 from sympy import oo
 
 import gyrostat as gs
-from gyrostat.algebra.numbers import exact_number
-from gyrostat.printing.results import result_blocks
-from gyrostat.printing.text import text
-from gyrostat.stability.sets import INCLUDED
-from gyrostat.stability.solve import solve_condition
-from gyrostat.stability.stabilizing import stabilizing_set
+from gyrostat.algebra.text.numbers import exact_number
+from gyrostat.parameters.sets import INCLUDED
+from gyrostat.parameters.solve import solve_condition
+from gyrostat.parameters.stabilizing import stabilizing_set
+from gyrostat.printing.formats.text import text
+from gyrostat.printing.results.beyond_reports import result_blocks
 
 
 @pytest.mark.slow

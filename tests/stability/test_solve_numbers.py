@@ -6,11 +6,11 @@ from solved import BODY, POSITIVE, reports, truth
 from sympy import Rational, oo, pi, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.exact import sign_of_constant
-from gyrostat.algebra.numbers import exact_number
-from gyrostat.algebra.roots import between
-from gyrostat.stability.sets import INCLUDED, Interval
-from gyrostat.stability.stabilizing import stabilizing_set
+from gyrostat.algebra.reals.exact import sign_of_constant
+from gyrostat.algebra.solving.roots import between
+from gyrostat.algebra.text.numbers import exact_number
+from gyrostat.parameters.sets import INCLUDED, Interval
+from gyrostat.parameters.stabilizing import stabilizing_set
 
 POLYNOMIAL = gs.assemble(BODY, gs.axial_potential(lambda z: z**5 - z**3 + z**2 / 7 + z / 10))
 NUMERIC = [("E1", gs.upright, "l", {"I1": 2, "pi3_0": 1}), ("E1", gs.upright, "I1", {"l": 2, "pi3_0": 1}),

@@ -9,7 +9,7 @@ from slow import sampled
 from sympy import Rational, Symbol, diag, expand, fraction, rem, symbols, together
 
 import gyrostat as gs
-from gyrostat.stability.amended_form import amended_form
+from gyrostat.stability.criteria.amended_form import amended_form
 
 I = I1, I2, I3 = symbols("I1:4")
 k1, k2, k3, l1, l3, w, m0, sigma = symbols("k1 k2 k3 l1 l3 omega m0 sigma")

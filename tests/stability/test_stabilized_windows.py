@@ -8,8 +8,8 @@ from window_families import FAMILIES
 from window_scenes import windows
 
 import gyrostat as gs
-from gyrostat.algebra.numbers import exact_number
-from gyrostat.algebra.roots import between, in_order
+from gyrostat.algebra.solving.roots import between, in_order
+from gyrostat.algebra.text.numbers import exact_number
 
 A = gs.symbol("a")
 

@@ -7,10 +7,10 @@ import pytest
 from sympy import Rational, atan, pi
 
 import gyrostat as gs
-from gyrostat.charts import answers
-from gyrostat.charts.numeric import compile_margin
-from gyrostat.stability.conditions import Condition, Criterion
-from gyrostat.stability.truth import holds, truth
+from gyrostat.charts.signs import three_valued as answers
+from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.stability.criteria.conditions import Condition, Criterion
+from gyrostat.stability.criteria.truth import holds, truth
 
 NAMES = ("x", "y", "z")
 x, y, z = map(gs.symbol, NAMES)

@@ -10,7 +10,7 @@ from two_directions import Scene, dot, second_variation, sextic, stable_spectrum
 from two_directions import random_fraction as some
 
 import gyrostat as gs
-from gyrostat.stability.orientation_form import orientation_form
+from gyrostat.stability.criteria.orientation_form import orientation_form
 
 
 @pytest.mark.few(1)

@@ -10,7 +10,7 @@ from small_circle import is_extremum
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.stability.permanent_rotations import permanent_rotations
+from gyrostat.equilibria.finders.free import permanent_rotations
 
 
 @pytest.mark.slow

@@ -20,7 +20,7 @@ from gyrostat.stability.decision import Verdict
 from gyrostat.trajectories import models
 from gyrostat.trajectories.confirmation import confirm, moved
 from gyrostat.trajectories.excursions import Distance
-from gyrostat.trajectories.integrated import motion as integration
+from gyrostat.trajectories.integrated import integrated_motion as integration
 
 TOP = {"I1": 1, "I3": 1, "l": 0, "m0": 1}
 COARSE = [Fraction(1, 10**d) for d in (3, 5, 7)]       # three sizes are enough for a slope

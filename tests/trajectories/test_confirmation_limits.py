@@ -4,8 +4,8 @@ from confirming import LARGE, one_direction
 from sympy import Rational
 
 import gyrostat as gs
+from gyrostat.stability.criteria.numbers_asked import exact_values
 from gyrostat.stability.decision import Verdict
-from gyrostat.stability.values import exact_values
 from gyrostat.trajectories.confirmation import _rates, confirm
 
 few = pytest.fixture(autouse=True)(one_direction)

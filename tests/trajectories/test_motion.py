@@ -9,7 +9,7 @@ from sympy import Rational, cos, pi, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ValuesError
-from gyrostat.mechanics.attitude import ANGLES, rotation
+from gyrostat.mechanics.classical.attitude import ANGLES, rotation
 from gyrostat.trajectories import motion
 
 

@@ -7,7 +7,7 @@ from flint import arb, ctx, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gyrostat.algebra.double_double import Twofold
+from gyrostat.algebra.enclosures.double_double import Twofold
 from gyrostat.errors import ValuesError
 from gyrostat.trajectories.periods import LONGEST, double, pair, reduced, turns
 

@@ -65,7 +65,7 @@ def test_the_table_of_a_motion():
 def test_a_field_integrates_a_tensor(monkeypatch):
     """Turned, the same motion."""
     # heyoka compiles longer than this takes
-    monkeypatch.setattr("gyrostat.trajectories.integrated.motion.find_spec", lambda name: None)
+    monkeypatch.setattr("gyrostat.trajectories.integrated.integrated_motion.find_spec", lambda name: None)
     body, other = pair((1, 2, 3), (0, 0, "1/2"))
     k = Matrix([0, 0, 1])
     state = (1, 2, 3, "3/5", 0, "4/5")

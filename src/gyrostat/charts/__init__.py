@@ -13,19 +13,19 @@ of `progress`.
 """
 from typing import TYPE_CHECKING
 
-from ..later import later
+from .._lazy import later
 from ..printing.files import save_netcdf
 
 if TYPE_CHECKING:
-    from .arrays import verdicts
-    from .boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
+    from .boxes.boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
     from .chart import stability_chart
-    from .numeric import CompiledMargin, compile_margin
+    from .signs.arrays import verdicts
+    from .signs.numeric import CompiledMargin, compile_margin
 
 __all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "compile_margin",
            "CompiledMargin", "save_netcdf", "stability_chart", "verdicts"]
 
 __getattr__, __dir__ = later(__name__, {
-    "arrays": "verdicts", "boxes": "BoxDecision CertifiedChart certified_chart certify_box",
-    "chart": "stability_chart", "numeric": "CompiledMargin compile_margin",
+    "signs.arrays": "verdicts", "boxes.boxes": "BoxDecision CertifiedChart certified_chart certify_box",
+    "chart": "stability_chart", "signs.numeric": "CompiledMargin compile_margin",
 })

@@ -8,19 +8,19 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from ..algebra.exact import sign_of_constant
-from ..algebra.floats import Array
-from ..algebra.numbers import exact_number, shown
+from ..algebra.enclosures.floats import Array
+from ..algebra.reals.exact import sign_of_constant
+from ..algebra.text.numbers import exact_number, shown
 from ..arguments import MOST, checked
 from ..errors import ArgumentError, ValuesError, optional
 from ..notation import symbol
-from ..stability.report import Report
-from ..stability.values import check_family
+from ..stability.criteria.numbers_asked import check_family
+from ..stability.report.report import Report
 from .datasets import OWN, described
 from .labels import check_plain
 from .progress import Told
 from .request import Request
-from .stores import filled
+from .stores.stores import filled
 
 Axis = tuple[str, Any]
 

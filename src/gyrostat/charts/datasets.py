@@ -4,15 +4,15 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
-from ..algebra.readable import readable
+from ..algebra.enclosures.floats import Array
+from ..algebra.rings.readable import readable
 from ..errors import optional
-from ..mechanics.circular_orbit import by_gradient_alone
-from ..mechanics.equilibria import Equilibrium
+from ..mechanics.equilibrium.equilibrium import Equilibrium
+from ..mechanics.families.circular_orbit import by_gradient_alone
 from ..notation import NOTATION, dimension_of, jet, units
-from ..printing.latex import tex
-from ..printing.names import Names
-from ..stability.conditions import sources
+from ..printing.formats.latex import tex
+from ..printing.formats.names import Names
+from ..stability.criteria.conditions import sources
 from ..typesetting import typeset
 from ..version import __version__
 from .codes import CURVES, FLAGS, RUNGS

@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 from sympy import Symbol
 
-from ..algebra.floats import Array
+from .._cached import cached_property
+from ..algebra.enclosures.floats import Array
 from ..errors import ValuesError
-from ..kept import cached_property
 from ..notation import symbol
-from .entries import all_finite, read_entry
 from .labels import check_plain
-from .straightline import Axes
+from .signs.given_columns import all_finite, read_entry
+from .signs.straightline import Axes
 
 Slices = tuple[slice, ...]                            # of a block, one for each axis
 COLUMNS, ROWS = 16384, 256                              # up to which short neighbouring axes are joined

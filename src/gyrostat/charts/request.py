@@ -5,15 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 from sympy import Expr
 
-from ..algebra.floats import Array
-from ..algebra.polynomials import Ring
+from ..algebra.enclosures.floats import Array
+from ..algebra.rings.polynomials import Ring
 from ..notation import symbol
-from ..stability.report import Report
-from .arrays import decided, verdicts
-from .contours import boundary, thinned
-from .numeric import compile_margin
+from ..stability.report.report import Report
+from .curves.contours import boundary, thinned
+from .curves.window_curves import Plane, window_curves
 from .progress import Told
-from .window_curves import Plane, window_curves
+from .signs.arrays import decided, verdicts
+from .signs.numeric import compile_margin
 
 
 @dataclass(frozen=True)

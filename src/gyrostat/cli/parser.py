@@ -7,13 +7,21 @@ from contextlib import nullcontext
 from functools import cache
 
 from ..version import __version__
-from .carried import carried_out
 from .completion import SHELLS, PrintCompletion
+from .did_you_mean import Parser
 from .help import KINDS, PROGRAM, VERBS, Formatter, examples
-from .meant import Parser
+from .options.scene_options import (
+    a_scene,
+    an_equilibrium,
+    claimed_point,
+    integral,
+    numbers,
+    pointing,
+    scene_file,
+)
 from .output import standard_streams, told
-from .scene_options import a_scene, an_equilibrium, claimed_point, integral, numbers, pointing, scene_file
-from .watch import signals
+from .run_verb import carried_out
+from .time_limit import signals
 
 LIMIT = 60.0                                           # seconds of a verb, or of a line of a batch
 

@@ -18,16 +18,16 @@ tensor is turned into principal `axes`. Euler's angles are in `attitude`, the La
 """
 from typing import TYPE_CHECKING
 
-from ..later import later
+from .._lazy import later
 
 if TYPE_CHECKING:
-    from .attitude import angle_rates, angular_velocity, rotation
-    from .axes import principal_axes
-    from .freebody import momentum_limits, polhode_period, torque_equations
-    from .lagrange import angular_momentum, effective_potential, lagrangian, momenta
-    from .precession import FreePrecession, free_precession
-    from .reduced_series import expansion
-    from .reduction import Reduction
+    from .classical.attitude import angle_rates, angular_velocity, rotation
+    from .classical.free_body import momentum_limits, polhode_period, torque_equations
+    from .classical.free_precession import FreePrecession, free_precession
+    from .classical.lagrangian import angular_momentum, effective_potential, lagrangian, momenta
+    from .equilibrium.reduced_series import expansion
+    from .equilibrium.reduction import Reduction
+    from .scenes.axes import principal_axes
 
 __all__ = ["angle_rates", "angular_momentum", "angular_velocity",
            "effective_potential", "expansion", "free_precession", "FreePrecession", "lagrangian", "momenta",
@@ -35,10 +35,10 @@ __all__ = ["angle_rates", "angular_momentum", "angular_velocity",
            "torque_equations"]
 
 __getattr__, __dir__ = later(__name__, {
-    "attitude": "angle_rates angular_velocity rotation",
-    "axes": "principal_axes",
-    "freebody": "momentum_limits polhode_period torque_equations",
-    "lagrange": "angular_momentum effective_potential lagrangian momenta",
-    "precession": "FreePrecession free_precession", "reduced_series": "expansion",
-    "reduction": "Reduction",
+    "classical.attitude": "angle_rates angular_velocity rotation",
+    "scenes.axes": "principal_axes",
+    "classical.free_body": "momentum_limits polhode_period torque_equations",
+    "classical.lagrangian": "angular_momentum effective_potential lagrangian momenta",
+    "classical.free_precession": "FreePrecession free_precession", "equilibrium.reduced_series": "expansion",
+    "equilibrium.reduction": "Reduction",
 })

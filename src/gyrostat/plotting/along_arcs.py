@@ -6,9 +6,9 @@ from typing import NamedTuple
 import numpy as np
 from sympy import Expr, oo
 
-from ..algebra.floats import Array, in_floats
-from ..stability.gyrostat_arcs import GyrostatArc
-from ..stability.staude_arcs import Piece, StaudeArc
+from ..algebra.enclosures.floats import Array, in_floats
+from ..equilibria.curves.gyrostat_arcs import GyrostatArc
+from ..equilibria.curves.staude_arcs import Piece, StaudeArc
 
 ROUNDS, FIRST = 12, 33                                 # halvings; values of the parameter at first
 Arc = StaudeArc | GyrostatArc

@@ -6,18 +6,18 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from ..algebra.balls import accurate
-from ..algebra.floats import Array, in_floats
+from ..algebra.enclosures.balls import accurate
+from ..algebra.enclosures.floats import Array, in_floats
 from ..arguments import checked
+from ..equilibria.curves.amended_potential import CriticalPoint, amended_potential
 from ..errors import optional
-from ..mechanics.potential import DIRECTIONS
-from ..mechanics.system import System
-from ..stability.amended_potential import CriticalPoint, amended_potential
+from ..mechanics.scenes.potential import DIRECTIONS
+from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .globe import across, circle, curve_on, dots_on, stage
 from .headings import heading, of_scene
 from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
-from .numbers import numbers_of
+from .scene_numbers import numbers_of
 
 CURVES, CELLS = 14, 96                                     # levels; cells along an edge of the cube
 # along a separatrix; its start, off the saddle; its longest length; for a difference; of levels, for the same

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array, row
+from ..algebra.enclosures.floats import Array, row
 from ..arguments import checked
 from ..errors import ArgumentError, MissingExtraError, ValuesError, article, brief, optional
 from ..printing.files import written

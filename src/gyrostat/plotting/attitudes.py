@@ -5,14 +5,14 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from ..algebra.precision import own_precision
+from ..algebra.enclosures.precision import own_precision
 from ..arguments import checked
+from ..equilibria.finders.orbital_equilibrium import OrbitalEquilibrium, balls
+from ..equilibria.search import relative_equilibria
 from ..errors import ScopeError
-from ..mechanics.circular_orbit import in_orbit
-from ..mechanics.system import System
+from ..mechanics.families.circular_orbit import in_orbit
+from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
-from ..stability.orbital_equilibrium import OrbitalEquilibrium, balls
-from ..stability.relative_equilibria import relative_equilibria
 from .globe import circle, curve_on, dots_on, stage
 from .headings import heading, of_scene
 from .looks import GREY, axes_of, label, legend, marker, meaning, named

@@ -7,20 +7,20 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.numbers import exact_number
+from ..algebra.text.numbers import exact_number
 from ..arguments import checked
-from ..mechanics.families import E1, E2, E3
-from ..mechanics.system import System
+from ..equilibria.continuation.bifurcation_kinds import precessions_leave, tilt_leaves
+from ..equilibria.continuation.continuation import Continuation, continuation
+from ..equilibria.continuation.free_branches import RotationContinuation
+from ..equilibria.continuation.heavy_branches import HeavyContinuation
+from ..equilibria.continuation.meeting_values import BifurcationPoint
+from ..equilibria.continuation.piece_and_mark import INFINITE, Mark, Piece
+from ..equilibria.finders.free import LENGTH
+from ..mechanics.families.named_families import E1, E2, E3
+from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
-from ..stability.continuation import Continuation, continuation
 from ..stability.decision import Verdict
-from ..stability.followed_heavy import HeavyContinuation
-from ..stability.followed_rotations import RotationContinuation
-from ..stability.kinds import precessions_leave, tilt_leaves
-from ..stability.meetings import BifurcationPoint
-from ..stability.permanent_rotations import LENGTH
-from ..stability.pieces import INFINITE, Mark, Piece
 from .headings import heading, of_scene, of_sphere
 from .looks import DARK, axes_of, axis, label, legend, line, marker, named, with_dimension
 

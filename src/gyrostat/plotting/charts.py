@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
+from ..algebra.enclosures.floats import Array
 from ..arguments import checked
 from ..errors import ValuesError, optional, require
 from ..notation import dimension_of, order

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array, row
+from ..algebra.enclosures.floats import Array, row
 from ..arguments import checked
 from ..errors import ScopeError
-from ..mechanics.precession import free_precession
+from ..mechanics.classical.free_precession import free_precession
 from .globe import across, arrow, circle, polygons, towards
 from .headings import heading, number, numbers
 from .looks import BLUE, INK, LOOKS, axes_of, label, legend

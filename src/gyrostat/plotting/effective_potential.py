@@ -6,24 +6,24 @@ from typing import Any
 import numpy as np
 from sympy import Expr, S, together
 
-from ..algebra.exact import evaluate, sign_of_constant
-from ..algebra.floats import Array, in_floats
-from ..algebra.numbers import exact_number
-from ..algebra.roots import between, in_order, real_roots
+from ..algebra.enclosures.floats import Array, in_floats
+from ..algebra.reals.exact import evaluate, sign_of_constant
+from ..algebra.solving.roots import between, in_order, real_roots
+from ..algebra.text.numbers import exact_number
 from ..arguments import checked
+from ..equilibria.finders.precession_branch import Branch
+from ..equilibria.finders.rate_level_tilt import names_of
+from ..equilibria.finders.revolution import branches_at
 from ..errors import ValuesError
-from ..mechanics.lagrange import effective_potential
-from ..mechanics.reduction import ENERGY, K3, P, V, reduce
-from ..mechanics.system import System
+from ..mechanics.classical.lagrangian import effective_potential
+from ..mechanics.equilibrium.reduction import ENERGY, K3, P, V, reduce
+from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
-from ..stability.asked import names_of
-from ..stability.branch import Branch
-from ..stability.branches import branches_at
 from ..stability.decision import Verdict
 from .headings import heading, of_scene
 from .looks import BLUE, DARK, GREY, axes_of, axis, label, legend, marker, meaning, named
-from .numbers import numbers_of
+from .scene_numbers import numbers_of
 
 THETA = symbol("theta")
 

@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
+from ..algebra.enclosures.floats import Array
 from ..arguments import checked
-from ..mechanics.equilibria import Equilibrium
+from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..notation import dimension_of
-from ..stability.spectra import spectrum
+from ..parameters.spectra import spectrum
 from ..typesetting import typeset
 from .headings import heading, of_scene
 from .looks import DARK, GREY, axes_of, axis, label, legend, named, with_dimension

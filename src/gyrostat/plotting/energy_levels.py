@@ -5,11 +5,11 @@ from itertools import pairwise
 import numpy as np
 from sympy import Expr
 
-from ..algebra.floats import Array, in_floats
-from ..mechanics.body import Gyrostat
-from ..mechanics.system import System, assemble
+from ..algebra.enclosures.floats import Array, in_floats
+from ..equilibria.finders.free_rotation import PermanentRotation
+from ..mechanics.scenes.body import Gyrostat
+from ..mechanics.scenes.system import System, assemble
 from ..stability.decision import Verdict
-from ..stability.free_rotation import PermanentRotation
 from ..trajectories import motion
 
 # of a turn at first; the longest chord; of halving, and of Newton's method

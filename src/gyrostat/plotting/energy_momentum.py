@@ -7,19 +7,19 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array, in_floats, row
+from ..algebra.enclosures.floats import Array, in_floats, row
 from ..arguments import checked
+from ..equilibria.curves.critical_values import EnergyMomentum, critical_values
+from ..equilibria.finders.precession_branch import Branch
+from ..equilibria.finders.rate_level_tilt import names_of
 from ..errors import optional
-from ..mechanics.reduction import K3, V
-from ..mechanics.system import System
+from ..mechanics.equilibrium.reduction import K3, V
+from ..mechanics.scenes.system import System
 from ..printing.letters import letters_of
-from ..stability.asked import names_of
-from ..stability.branch import Branch
-from ..stability.critical_values import EnergyMomentum, critical_values
 from ..stability.decision import Verdict
 from .headings import heading, of_scene
 from .looks import DARK, axes_of, axis, legend, line, marker, named
-from .numbers import numbers_of
+from .scene_numbers import numbers_of
 
 CELLS = 400                                                # of each axis, for the regions
 # k3 has no place, one band, two bands, three or more

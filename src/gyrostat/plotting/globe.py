@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
+from ..algebra.enclosures.floats import Array
 from ..errors import optional
 from .looks import DARK
 

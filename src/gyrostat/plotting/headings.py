@@ -4,16 +4,16 @@ from typing import Any
 
 from sympy import Float
 
-from ..algebra.numbers import exact_number
+from ..algebra.text.numbers import exact_number
 from ..errors import optional
-from ..mechanics.circular_orbit import by_gradient_alone, orbital_rate
-from ..mechanics.potential import Potential
-from ..mechanics.system import System
+from ..mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
+from ..mechanics.scenes.potential import Potential
+from ..mechanics.scenes.system import System
 from ..notation import order, symbol
-from ..printing.latex import tex
+from ..printing.formats.latex import tex
+from ..printing.formats.linebreaks import broken, width
+from ..printing.formats.names import Names
 from ..printing.letters import letters_in
-from ..printing.linebreaks import broken, width
-from ..printing.names import Names
 from ..trajectories import Motion
 from ..typesetting import typeset
 from .looks import room

@@ -3,7 +3,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
+from ..algebra.enclosures.floats import Array
 from ..arguments import checked
 from ..errors import optional
 from ..trajectories import Motion

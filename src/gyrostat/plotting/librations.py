@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array, row
+from ..algebra.enclosures.floats import Array, row
 from ..arguments import checked
 from ..errors import ScopeError
-from ..mechanics.circular_orbit import in_orbit, orbital_rate
+from ..mechanics.families.circular_orbit import in_orbit, orbital_rate
 from ..trajectories import Motion, roll_pitch_yaw
 from .headings import heading, of_motion
 from .looks import BLUE, DARK, INK, axes_of, legend, named

@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array
+from ..algebra.enclosures.floats import Array
 from ..errors import ArgumentError, optional, require
 from ..notation import dimension_of
-from ..printing.linebreaks import width
+from ..printing.formats.linebreaks import width
 from ..stability.decision import Decision, Verdict
 from ..typesetting import typeset
 

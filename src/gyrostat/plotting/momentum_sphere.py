@@ -4,19 +4,19 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.exact import sign_of_constant
-from ..algebra.floats import Array, row
-from ..algebra.numbers import exact_number
+from ..algebra.enclosures.floats import Array, row
+from ..algebra.reals.exact import sign_of_constant
+from ..algebra.text.numbers import exact_number
 from ..arguments import checked
+from ..equilibria.finders.free import permanent_rotations
 from ..errors import ScopeError, ValuesError
-from ..mechanics.system import System
+from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
-from ..stability.permanent_rotations import permanent_rotations
 from .energy_levels import energies_between, floats, level_curve
 from .globe import circle, curve_on, dots_on, stage
 from .headings import heading, of_sphere
 from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
-from .numbers import body_at, numbers_of
+from .scene_numbers import body_at, numbers_of
 
 BAND = 5                                                   # polhodes between two critical energies
 

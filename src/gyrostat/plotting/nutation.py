@@ -3,7 +3,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.floats import Array, row
+from ..algebra.enclosures.floats import Array, row
 from ..arguments import checked
 from ..errors import ValuesError
 from ..trajectories import Motion

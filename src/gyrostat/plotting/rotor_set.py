@@ -5,16 +5,16 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from ..algebra.exact import proved_sign
-from ..algebra.floats import Array, in_floats, row
+from ..algebra.enclosures.floats import Array, in_floats, row
+from ..algebra.reals.exact import proved_sign
 from ..arguments import checked
+from ..equilibria.continuation.rotor_planes import fold_intervals, fold_squares, numbers_of_rotations_over
+from ..equilibria.finders.free import NU
+from ..equilibria.finders.rate_level_tilt import LENGTH, exact_point
 from ..errors import ScopeError, ValuesError
-from ..mechanics.body import Gyrostat
-from ..mechanics.system import System, at_numbers, names_of_scene
+from ..mechanics.scenes.body import Gyrostat
+from ..mechanics.scenes.system import System, at_numbers, names_of_scene
 from ..notation import symbol
-from ..stability.asked import LENGTH, exact_point
-from ..stability.permanent_rotations import NU
-from ..stability.rotor_planes import fold_intervals, fold_squares, numbers_of_rotations_over
 from .headings import heading, of_sphere
 from .looks import BLUE, DARK, axes_of, axis, legend, named
 

@@ -6,18 +6,18 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from ..algebra.exact import sign_of_constant
-from ..algebra.numbers import exact_number, shown
-from ..algebra.quantities import not_mixed
+from ..algebra.reals.exact import sign_of_constant
+from ..algebra.text.numbers import exact_number, shown
+from ..algebra.text.quantities import not_mixed
 from ..arguments import checked, several
 from ..charts.chart import stability_chart
 from ..errors import ValuesError
-from ..mechanics.body import Gyrostat
-from ..mechanics.circular_orbit import circular_orbit, earth_pointing
-from ..mechanics.system import assemble
+from ..mechanics.families.circular_orbit import circular_orbit, earth_pointing
+from ..mechanics.scenes.body import Gyrostat
+from ..mechanics.scenes.system import assemble
 from ..notation import symbol
-from ..stability.analysis import analyze
-from ..stability.report import Report
+from ..stability.report.analysis import analyze
+from ..stability.report.report import Report
 from .charts import draw_chart
 from .headings import number
 from .looks import DARK, axes_of, legend, named

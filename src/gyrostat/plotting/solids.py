@@ -2,10 +2,10 @@
 import numpy as np
 from sympy import Add
 
-from ..algebra.exact import sign_of_constant
-from ..algebra.floats import Array
-from ..mechanics.body import Gyrostat
-from ..mechanics.system import System
+from ..algebra.enclosures.floats import Array
+from ..algebra.reals.exact import sign_of_constant
+from ..mechanics.scenes.body import Gyrostat
+from ..mechanics.scenes.system import System
 from .energy_levels import floats
 
 SIDES = 24                                                 # of the top

@@ -6,10 +6,10 @@ import numpy as np
 from sympy import S, oo
 
 from ..arguments import checked
-from ..mechanics.system import System
+from ..equilibria.curves.gyrostat_arcs import GyrostatArc
+from ..equilibria.curves.staude import staude_cone
+from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
-from ..stability.gyrostat_arcs import GyrostatArc
-from ..stability.staude import staude_cone
 from .along_arcs import along, directions, floats, moves
 from .globe import curve_on, dots_on, stage
 from .headings import heading, of_scene

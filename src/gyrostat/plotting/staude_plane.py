@@ -5,16 +5,16 @@ from typing import Any
 import numpy as np
 from sympy import Expr, oo
 
-from ..algebra.exact import proved_sign
-from ..algebra.floats import Array, row
-from ..algebra.numbers import exact_number
+from ..algebra.enclosures.floats import Array, row
+from ..algebra.reals.exact import proved_sign
+from ..algebra.text.numbers import exact_number
 from ..arguments import checked, several
+from ..equilibria.curves.gyrostat_arcs import GyrostatArc
+from ..equilibria.curves.staude import staude_cone
+from ..equilibria.curves.staude_arcs import End, Piece
 from ..errors import ValuesError
-from ..mechanics.system import System
+from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
-from ..stability.gyrostat_arcs import GyrostatArc
-from ..stability.staude import staude_cone
-from ..stability.staude_arcs import End, Piece
 from .along_arcs import Arc, along, floats, halved, placed
 from .headings import heading, number, of_scene
 from .looks import GREY, axes_of, axis, legend, line, named, with_dimension

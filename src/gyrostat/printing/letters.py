@@ -4,7 +4,7 @@ from functools import lru_cache
 
 from sympy import Expr
 
-from ..mechanics.system import System, names_of_scene
+from ..mechanics.scenes.system import System, names_of_scene
 from ..registry import Letters
 from .blocks import Word
 

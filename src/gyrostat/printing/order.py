@@ -3,8 +3,8 @@ from typing import Any
 
 from sympy import Add, Expr, Integer, Mul, Pow, S
 
-from ..algebra.readable import readable, term_order
-from ..stability.conditions import Condition
+from ..algebra.rings.readable import readable, term_order
+from ..stability.criteria.conditions import Condition
 
 
 def inequality(condition: Condition) -> tuple[Expr, Expr]:

@@ -5,13 +5,13 @@ from typing import Any
 from sympy import Add, Basic, Expr, MatrixBase, Pow, Symbol
 from sympy.core.function import AppliedUndef
 
-from ..mechanics.body import Gyrostat
-from ..mechanics.potential import Potential
-from ..mechanics.system import System
+from ..mechanics.scenes.body import Gyrostat
+from ..mechanics.scenes.potential import Potential
+from ..mechanics.scenes.system import System
 from ..notation import NOTATION, dimension_of, jet, order, symbol
 from .blocks import Display, Rows, Sentence, Word, listed
+from .formats.names import placed
 from .letters import letter, letters_of
-from .names import placed
 
 Row = tuple[tuple[Any, ...], tuple[Any, ...]]
 NONE, ENERGY = (0, 0, 0), (1, 2, 0)                    # powers of [M L²], 1/[T] and [L]

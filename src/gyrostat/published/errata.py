@@ -6,14 +6,14 @@ from typing import Any
 from sympy import Expr
 
 from ..errors import ExpressionError
-from ..printing.article import preamble
-from ..printing.latex import formula, tex
-from ..printing.names import PLAIN, Names, Paper
-from ..printing.words import words
-from ..stability.conditions import Criterion
-from .checks import Finding, source_of
+from ..printing.formats.article import preamble
+from ..printing.formats.latex import formula, tex
+from ..printing.formats.names import PLAIN, Names, Paper
+from ..printing.formats.words import words
+from ..stability.criteria.conditions import Criterion
+from .checks.checks import Finding, source_of
 from .listing import NOT_SHARP, SCENE, as_text, number, place, rows
-from .typesetting import formula_of
+from .printed_latex import formula_of
 
 
 def _latex(printed: Any, names: Names, at: Any) -> str:

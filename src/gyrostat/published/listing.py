@@ -6,12 +6,12 @@ from typing import Any
 
 from sympy import Expr, MatrixBase
 
-from ..algebra.readable import readable
-from ..mechanics.attitude import reduced
-from ..printing.text import plain
-from ..printing.unicode import unicode
-from ..stability.conditions import Criterion
-from .checks import Finding, source_of
+from ..algebra.rings.readable import readable
+from ..mechanics.classical.attitude import reduced
+from ..printing.formats.text import plain
+from ..printing.formats.unicode import unicode
+from ..stability.criteria.conditions import Criterion
+from .checks.checks import Finding, source_of
 from .statements import Counterexample
 
 NOT_SHARP = "no point was found at which it fails, but it is not the whole condition:"

@@ -8,19 +8,19 @@ from typing import Any
 
 from sympy import Expr, Symbol
 
-from ..algebra.grammar import parse
-from ..algebra.inputs import is_name
+from .._cached import cached_property
+from ..algebra.text.grammar import parse
+from ..algebra.text.inputs import is_name
 from ..errors import PublishedError, brief
-from ..kept import cached_property
-from ..mechanics.body import Gyrostat
-from ..mechanics.claimed import equilibrium
-from ..mechanics.coupled import CoupledPotential, coupled_potential
-from ..mechanics.equilibria import Equilibrium
-from ..mechanics.families import E3, PERMANENT
-from ..mechanics.potential import Potential
-from ..mechanics.scene_tables import NONE, SceneTable
-from ..mechanics.system import System
-from ..mechanics.vehicles import underwater_vehicle
+from ..mechanics.equilibrium.claimed_point import equilibrium
+from ..mechanics.equilibrium.equilibrium import Equilibrium
+from ..mechanics.families.named_families import E3, PERMANENT
+from ..mechanics.families.scene_tables import NONE, SceneTable
+from ..mechanics.scenes.body import Gyrostat
+from ..mechanics.scenes.coupled import CoupledPotential, coupled_potential
+from ..mechanics.scenes.potential import Potential
+from ..mechanics.scenes.system import System
+from ..mechanics.scenes.vehicles import underwater_vehicle
 from ..notation import jet, symbol
 
 BODY = ("inertia", "gyrostatic_momentum", "rotors", "lumped")

@@ -8,10 +8,10 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
-from ..algebra.inputs import is_name, toml_of
+from ..algebra.text.inputs import is_name, toml_of
 from ..arguments import checked
 from ..errors import GyrostatError, PublishedError, brief
-from ..mechanics.scene_tables import scene_tables
+from ..mechanics.families.scene_tables import scene_tables
 from .scenes import Scene
 from .statements import KINDS, Statement
 

@@ -6,9 +6,9 @@ from typing import Any, NoReturn, Protocol, runtime_checkable
 
 from sympy import Expr, Symbol
 
+from .._display import Shown
 from ..errors import ArgumentError
 from ..notation import Stored, symbol
-from ..shown import Shown
 
 C1 = symbol("C1")                                          # M·k, where a proof holds on its level alone
 

@@ -3,18 +3,18 @@ from dataclasses import dataclass, replace
 
 from sympy import Expr
 
-from ..algebra.exact import Point
-from ..kept import cached_property
-from ..mechanics.equilibria import Equilibrium
-from ..mechanics.once import once
-from ..mechanics.standard import placed, seen_at
+from .._cached import cached_property
+from ..algebra.reals.exact import Point
+from ..mechanics.equilibrium.derived_once import once
+from ..mechanics.equilibrium.equilibrium import Equilibrium
+from ..mechanics.equilibrium.standard_axes import placed, seen_at
 from ..notation import symbol
+from .criteria.truth import holds
 from .decision import Decider, Decision, Rung, settled, undecided
-from .derived import Derived
-from .drift import Drift, drifts_along
-from .elementary import Elementary
-from .integrals import decide_by_integrals
-from .truth import holds
+from .report.derived_parts import Derived
+from .theorems.degenerate import Elementary
+from .theorems.drift import Drift, drifts_along
+from .theorems.given_integrals import decide_by_integrals
 
 DEFINITE = "the second variation is definite on the symplectic slice"
 GROWS = "an eigenvalue has a positive real part"

@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 from sympy import ImmutableMatrix
 
-from ..algebra.floats import Array
+from ..algebra.enclosures.floats import Array
 from ..errors import ValuesError, optional
-from ..mechanics.body import Gyrostat
-from ..mechanics.circular_orbit import in_orbit, orbital_rate
-from ..mechanics.system import System
+from ..mechanics.families.circular_orbit import in_orbit, orbital_rate
+from ..mechanics.scenes.body import Gyrostat
+from ..mechanics.scenes.system import System
 from ..notation import NOTATION, Entry, units
 from ..typesetting import typeset
 from .librations import roll_pitch_yaw

@@ -7,20 +7,20 @@ from typing import Any
 import numpy as np
 from sympy import Expr, ImmutableMatrix, Rational
 
-from ..algebra.exact import Point, evaluate, sign_of_constant
-from ..algebra.floats import doubles
-from ..algebra.numbers import exact_number
+from ..algebra.enclosures.floats import doubles
+from ..algebra.reals.exact import Point, evaluate, sign_of_constant
+from ..algebra.text.numbers import exact_number
 from ..arguments import checked
 from ..errors import AccuracyError, ValuesError, brief
-from ..mechanics.coupled import in_one_direction
-from ..mechanics.equilibria import Equilibrium
-from ..mechanics.standard import seen_at
-from ..stability.analysis import analyze
-from ..stability.boundary import Boundary
+from ..mechanics.equilibrium.equilibrium import Equilibrium
+from ..mechanics.equilibrium.standard_axes import seen_at
+from ..mechanics.scenes.coupled import in_one_direction
+from ..stability.criteria.numbers_asked import exact_values
+from ..stability.criteria.truth import holds, sign_at
 from ..stability.decision import Decision, Verdict
-from ..stability.report import Report
-from ..stability.truth import holds, sign_at
-from ..stability.values import exact_values
+from ..stability.report.analysis import analyze
+from ..stability.report.report import Report
+from ..stability.theorems.boundary import Boundary
 from .excursions import SLOW, TURNED, Distance, excursion
 from .models import motion, with_numbers
 

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 import numpy as np
 from sympy import Add, Expr
 
-from ..algebra.floats import Array, in_floats
-from ..mechanics.system import System
+from ..algebra.enclosures.floats import Array, in_floats
+from ..mechanics.scenes.system import System
 
 
 def conserved(scene: System, state: Sequence[Expr]) -> dict[str, Expr]:

@@ -7,10 +7,10 @@ import numpy as np
 from flint import arb
 from sympy import Expr
 
-from ..algebra.balls import ball
-from ..algebra.floats import Array, doubles
-from ..algebra.numbers import exact_number, shown
-from ..algebra.precision import own_precision
+from ..algebra.enclosures.balls import ball
+from ..algebra.enclosures.floats import Array, doubles
+from ..algebra.enclosures.precision import own_precision
+from ..algebra.text.numbers import exact_number, shown
 from ..errors import AccuracyError
 from .route import Route
 

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import acb, arb, ctx
 
-from ..algebra.double_double import Twofold
-from ..algebra.floats import Array
-from ..algebra.precision import own_precision
+from ..algebra.enclosures.double_double import Twofold
+from ..algebra.enclosures.floats import Array
+from ..algebra.enclosures.precision import own_precision
 from .periods import pair, reduced
 
 

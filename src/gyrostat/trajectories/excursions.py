@@ -5,9 +5,9 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from sympy import Expr
 
-from ..algebra.floats import Array
+from ..algebra.enclosures.floats import Array
 from ..errors import AccuracyError
-from ..mechanics.equilibria import Equilibrium
+from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..stability.decision import Decision
 from .motion import Motion
 

@@ -3,10 +3,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..algebra.floats import Array, doubles
+from ..algebra.enclosures.floats import Array, doubles
 from ..arguments import checked, several
 from ..errors import ValuesError
-from ..mechanics.circular_orbit import axes_of
+from ..mechanics.families.circular_orbit import axes_of
 
 
 @checked

@@ -6,20 +6,20 @@ from typing import Any
 
 from sympy import Expr, ImmutableMatrix, Symbol
 
-from ..algebra.numbers import exact_number
-from ..algebra.quantities import not_mixed
+from ..algebra.text.numbers import exact_number
+from ..algebra.text.quantities import not_mixed
 from ..arguments import checked
 from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError, brief
-from ..mechanics.reduction import reducible
-from ..mechanics.system import System, at_numbers
-from ..stability.values import check_names
+from ..mechanics.equilibrium.reduction import reducible
+from ..mechanics.scenes.system import System, at_numbers
+from ..stability.criteria.numbers_asked import check_names
 from .digits import bits_of
-from .free.motion import FreeMotion
-from .integrated.motion import Integration
+from .free.free_motion import FreeMotion
+from .integrated.integrated_motion import Integration
 from .motion import Motion
 from .route import Route
 from .top.level import Level
-from .top.motion import AxialMotion
+from .top.top_motion import AxialMotion
 from .turned import of_revolution, turned_free, turned_top
 
 MOST_DIGITS = 10_000

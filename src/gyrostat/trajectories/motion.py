@@ -5,12 +5,12 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from ..algebra.floats import Array, row
+from .._cached import cached_property
+from ..algebra.enclosures.floats import Array, row
 from ..arguments import checked
 from ..errors import optional
-from ..kept import cached_property
-from ..mechanics.system import System
-from ..stability.notes import state_note
+from ..mechanics.scenes.system import System
+from ..stability.criteria.number_notes import state_note
 from .columns import columns, dataset, euler, turns_of
 from .conserved import conserved, lost
 from .digits import finite_times, states_in_digits, states_in_doubles

@@ -2,9 +2,9 @@
 import numpy as np
 from flint import arb
 
-from ..algebra.double_double import Twofold, scaled
-from ..algebra.floats import Array
-from ..algebra.precision import own_precision
+from ..algebra.enclosures.double_double import Twofold, scaled
+from ..algebra.enclosures.floats import Array
+from ..algebra.enclosures.precision import own_precision
 from ..errors import AccuracyError, ValuesError
 
 # periods: their number is exact, and so is their product with a turn, mod 1

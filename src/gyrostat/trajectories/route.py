@@ -3,7 +3,7 @@ from typing import Any, Protocol
 
 from flint import arb
 
-from ..algebra.floats import Array
+from ..algebra.enclosures.floats import Array
 
 
 class Route(Protocol):

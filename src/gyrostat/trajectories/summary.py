@@ -4,7 +4,7 @@ from typing import Any
 
 from sympy import Expr, ImmutableMatrix
 
-from ..mechanics.system import System
+from ..mechanics.scenes.system import System
 from ..version import __version__
 from .route import Route
 

@@ -5,19 +5,19 @@ import numpy as np
 from flint import arb
 from sympy import Expr, ImmutableMatrix, Matrix, trigsimp
 
-from ..algebra.algebraic import is_algebraic
-from ..algebra.balls import ball
-from ..algebra.floats import Array
-from ..algebra.precision import own_precision
-from ..mechanics.axes import principal_axes
-from ..mechanics.recognition import Recognition, recognise
-from ..mechanics.spherical import lowest
-from ..mechanics.system import System, assemble
-from .free.motion import FreeMotion
+from ..algebra.enclosures.algebraic import is_algebraic
+from ..algebra.enclosures.balls import ball
+from ..algebra.enclosures.floats import Array
+from ..algebra.enclosures.precision import own_precision
+from ..mechanics.equilibrium.recognition import Recognition, recognise
+from ..mechanics.scenes.axes import principal_axes
+from ..mechanics.scenes.spherical import lowest
+from ..mechanics.scenes.system import System, assemble
+from .free.free_motion import FreeMotion
 from .free.uniform import CONSTANT
 from .periods import double
 from .top.level import Level
-from .top.motion import AxialMotion
+from .top.top_motion import AxialMotion
 
 GUARD = 32                                             # bits of the rotation beyond those of the motion
 

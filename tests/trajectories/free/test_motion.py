@@ -19,8 +19,8 @@ from sympy import Rational, atan, cos, pi, sin, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import AccuracyError, ScopeError, ValuesError
-from gyrostat.mechanics.freebody import polhode_period
-from gyrostat.trajectories.free.motion import FreeMotion
+from gyrostat.mechanics.classical.free_body import polhode_period
+from gyrostat.trajectories.free.free_motion import FreeMotion
 
 rotors = st.tuples(numbers, numbers, numbers)
 

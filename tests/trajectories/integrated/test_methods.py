@@ -10,7 +10,7 @@ from hypothesis import given
 from sympy import Rational, asin, besselj, cosh, exp, log, sin, sqrt, tan
 
 import gyrostat as gs
-from gyrostat.algebra.arithmetic import in_arithmetic
+from gyrostat.algebra.enclosures.arithmetic import in_arithmetic
 from gyrostat.errors import AccuracyError, MissingExtraError, ScopeError
 from gyrostat.trajectories.integrated.methods import METHODS, RungeKutta, beside, floats, nearest
 

@@ -17,8 +17,8 @@ from sympy import Rational, exp, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import AccuracyError, ArgumentError, ValuesError
-from gyrostat.trajectories.integrated import motion as integration
-from gyrostat.trajectories.integrated.motion import Integration
+from gyrostat.trajectories.integrated import integrated_motion as integration
+from gyrostat.trajectories.integrated.integrated_motion import Integration
 
 AT_20 = (-.63263141376382492, 1.3279608395136307, -2.30416111460101, -.42019155176267731, .78822852802552266,
          -.44959409185841302)

@@ -8,7 +8,7 @@ from sympy import Rational, log, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import AccuracyError, ValuesError
-from gyrostat.trajectories.integrated.motion import Integration
+from gyrostat.trajectories.integrated.integrated_motion import Integration
 
 
 @pytest.mark.few(1)

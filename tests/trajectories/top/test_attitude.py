@@ -6,7 +6,7 @@ from slow import slow
 from sympy import lambdify
 from tops import BODY, CASES, MOTIONS, SEPARATRICES, F, as_mpf, moving, plain, theirs
 
-from gyrostat.mechanics.attitude import ANGLES, rotation
+from gyrostat.mechanics.classical.attitude import ANGLES, rotation
 
 
 @pytest.mark.few(1)

@@ -4,7 +4,7 @@ import pytest
 from slow import slow
 from tops import BODY, MOTIONS, SEPARATRICES, moving
 
-from gyrostat.algebra.numbers import exact_number
+from gyrostat.algebra.text.numbers import exact_number
 
 FEW = ["degree 1", "exp", "no field", "pendulum between its poles"]
 MORE = ["degree 4", "over the top", "from the lower pole, pair", "near the upper pole",

@@ -6,7 +6,7 @@ from sympy import Rational, exp, solve, sqrt, symbols
 from tops import BODY, SEPARATRICES, TILTED, F, about, moving, off, theirs
 
 import gyrostat as gs
-from gyrostat.algebra.numbers import exact_number
+from gyrostat.algebra.text.numbers import exact_number
 from gyrostat.errors import AccuracyError
 from gyrostat.trajectories import motion
 

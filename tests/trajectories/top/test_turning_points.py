@@ -7,7 +7,7 @@ from flint import arb, ctx
 from sympy import Rational, atan, cos, exp, log, pi, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.numbers import exact_number
+from gyrostat.algebra.text.numbers import exact_number
 from gyrostat.errors import AccuracyError, ScopeError, ValuesError
 from gyrostat.trajectories import motion
 from gyrostat.trajectories.top.level import Level

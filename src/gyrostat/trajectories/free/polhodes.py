@@ -9,12 +9,12 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Integer
 
-from ...algebra.balls import ball
-from ...algebra.double_double import Twofold
-from ...algebra.floats import Array
-from ...algebra.precision import own_precision
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.double_double import Twofold
+from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.precision import own_precision
 from ...errors import AccuracyError
-from ...kept import cached_property
 from ..elliptic import argument, jacobi, jacobi_ball, quarter_period
 from ..periods import double, pair, reduced
 from .uniform import CONSTANT, CYCLIC, ROUNDING, Triple, accurate, decided

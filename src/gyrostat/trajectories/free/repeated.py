@@ -6,12 +6,12 @@ from functools import lru_cache
 import numpy as np
 from flint import arb
 
-from ...algebra.balls import ball
-from ...algebra.double_double import Twofold
-from ...algebra.floats import Array
-from ...algebra.precision import own_precision
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.double_double import Twofold
+from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.precision import own_precision
 from ...errors import AccuracyError
-from ...kept import cached_property
 from ..periods import double, pair, reduced, turns
 from .polhodes import Meeting, Polhode
 from .taylor import Loop, Rates, loop

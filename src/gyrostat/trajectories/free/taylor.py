@@ -7,9 +7,9 @@ from operator import mul
 import numpy as np
 from flint import arb
 
-from ...algebra.floats import Array
+from ..._cached import cached_property
+from ...algebra.enclosures.floats import Array
 from ...errors import AccuracyError
-from ...kept import cached_property
 from .uniform import CYCLIC, dot
 
 # of the polynomials in doubles: about e⁻⁴⁸ of the first term is left

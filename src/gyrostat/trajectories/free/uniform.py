@@ -10,14 +10,14 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Integer, sqrt
 
-from ...algebra.balls import ball
-from ...algebra.double_double import Twofold
-from ...algebra.exact import proved_sign
-from ...algebra.floats import Array
-from ...algebra.numbers import shown
-from ...algebra.precision import own_precision
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.double_double import Twofold
+from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import proved_sign
+from ...algebra.text.numbers import shown
 from ...errors import AccuracyError, ValuesError
-from ...kept import cached_property
 from ..periods import double, pair, turns
 
 Triple = tuple[Expr, Expr, Expr]

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from sympy import Expr, Rational, Symbol
 
-from ...algebra.arithmetic import Arithmetic, in_arithmetic
-from ...algebra.floats import Array
-from ...algebra.parts import FUNCTIONS
+from ...algebra.enclosures.arithmetic import Arithmetic, in_arithmetic
+from ...algebra.enclosures.floats import Array
+from ...algebra.text.parts import FUNCTIONS
 from ...errors import AccuracyError, ScopeError, optional
 
 Rates = Sequence[tuple[Symbol, Expr]]

@@ -4,7 +4,7 @@ The rotation, the directions and the momenta of a body of revolution from two co
 """
 from typing import Any, NamedTuple
 
-from ...algebra.floats import Array
+from ...algebra.enclosures.floats import Array
 
 
 class Forms(NamedTuple):
@@ -76,7 +76,7 @@ def rotation(R: Array, products: Any, precession: Any, spin: Any, height: Any) -
     References
     ----------
     Whittaker, Analytical Dynamics, 4th ed. (1937), §10; the angles are z-x-z, as in
-    gyrostat.mechanics.attitude.
+    gyrostat.mechanics.classical.attitude.
 
     Examples
     --------

@@ -7,15 +7,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import acb, arb
 
-from ...algebra.double_double import Twofold
-from ...algebra.floats import Array
-from ...algebra.precision import own_precision
-from ...kept import cached_property
+from ..._cached import cached_property
+from ...algebra.enclosures.double_double import Twofold
+from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.precision import own_precision
 from ..periods import double, pair, reduced, turns
 from .cayley_klein import Forms, momentum, product, rotation, valued
-from .integrals import Place
 from .nutation import Squares
 from .precession import Precession
+from .series_integrals import Place
 
 REST = Squares(1.0, 0.0, 0.0, 0.0)                         # of k3 that does not move
 

@@ -4,14 +4,14 @@ from math import prod
 
 from flint import acb, arb
 
-from ...kept import cached_property
+from ..._cached import cached_property
 from ..elliptic import quarter_period
 from .cayley_klein import Forms, forms
-from .integrals import Integrals
 from .level import Level, enclosed
 from .nutation import Nutation, nutation
 from .profiles import Profile
 from .quadrature import FEWEST, over_a_period, to_infinity
+from .series_integrals import Integrals
 from .turning_points import roots_of
 
 # s, c and the rate of their angle at either end

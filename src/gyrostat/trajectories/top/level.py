@@ -10,12 +10,12 @@ from typing import Any
 from flint import arb, ctx, fmpq
 from sympy import Expr, Poly, Rational, S, sqrt, trigsimp
 
-from ...algebra.algebraic import is_algebraic
-from ...algebra.balls import ball
-from ...algebra.exact import proved_sign
+from ..._cached import cached_property
+from ...algebra.enclosures.algebraic import is_algebraic
+from ...algebra.enclosures.balls import ball
+from ...algebra.reals.exact import proved_sign
 from ...errors import ValuesError
-from ...kept import cached_property
-from ...mechanics.system import System
+from ...mechanics.scenes.system import System
 from ...notation import Stored, symbol
 
 K3 = symbol("k3")

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import acb, arb
 
-from ...kept import cached_property
+from ..._cached import cached_property
 from ..elliptic import Landen, argument, jacobi, jacobi_ball, landen, means, quarter_period, raised
 from ..periods import double
 from .turning_points import Roots

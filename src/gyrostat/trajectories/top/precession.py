@@ -7,15 +7,15 @@ from dataclasses import dataclass
 import numpy as np
 from flint import acb, arb, ctx
 
-from ...algebra.precision import own_precision
+from ..._cached import cached_property
+from ...algebra.enclosures.precision import own_precision
 from ...errors import AccuracyError, ResolutionError
-from ...kept import cached_property
 from ..periods import double
 from .cayley_klein import momentum, valued
-from .integrals import Integrals
 from .integrands import Integrands, integrands
 from .level import Level, enclosed
 from .nutation import Squares
+from .series_integrals import Integrals
 
 MOST_BITS = 4096
 # bits by which a constant is better known than the results

@@ -7,7 +7,7 @@ from functools import lru_cache
 from flint import arb, ctx
 from sympy import Expr
 
-from ...algebra.balls import ball
+from ...algebra.enclosures.balls import ball
 from .level import K3, Level, enclosed, expression
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from flint import acb, arb, fmpq
 
 from ...errors import AccuracyError, ResolutionError
-from .integrals import Integrals
+from .series_integrals import Integrals
 
 FEWEST, MOST = 12, 8192                                    # nodes
 # bits by which the integrands are better known than the series

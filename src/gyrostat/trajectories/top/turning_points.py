@@ -6,7 +6,7 @@ from typing import Any
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_poly
 from sympy import sqrt
 
-from ...algebra.root_numbers import refuse_close
+from ...algebra.solving.root_numbers import refuse_close
 from ...errors import AccuracyError, ScopeError
 from .level import Level, enclosed
 from .profiles import Profile

@@ -1,0 +1,95 @@
+"""Real roots of polynomials over transcendental numbers such as π, isolated by balls."""
+from collections.abc import Sequence
+from functools import lru_cache
+
+from flint import acb, arb, arb_poly
+from sympy import Expr, Integer, Rational, S, Tuple
+
+from ..enclosures.balls import Enclosed, ball
+from ..enclosures.precision import own_precision
+
+NARROW, LARGEST = 1000, 2**14                          # bits: of a root, of coefficients to isolate it
+
+
+class RealRoot(Enclosed):
+    """A real root of a polynomial, the n-th from below; all its complex roots are simple.
+
+    Of algebraic coefficients a root is a CRootOf of a polynomial over ℤ; here they are real constants, of
+    which at least one is transcendental.
+
+    Parameters
+    ----------
+    coefficients : sequence of Expr
+        from the constant term
+    n : int
+
+    Examples
+    --------
+    >>> from sympy import S, pi
+    >>> RealRoot([-pi, S.Zero, S.Zero, S.One], 0).evalf(10)
+    1.464591888
+    """
+
+    def __new__(cls, coefficients: Sequence[Expr], n: int | Integer) -> "RealRoot":
+        root: RealRoot = Expr.__new__(cls, Tuple(*coefficients), Integer(n))
+        return root
+
+    @property
+    def coefficients(self) -> tuple[Expr, ...]:
+        """From the constant term."""
+        return tuple(self.args[0])
+
+    def enclosed(self, precision: int) -> arb:
+        """An enclosure, not finite where the precision does not isolate the roots."""
+        found = isolated(self.coefficients, precision)
+        return arb("nan") if found is None else found[int(self.args[1])]
+
+
+def roots_by_enclosures(coefficients: Sequence[Expr]) -> list[Expr] | None:
+    """The real roots in increasing order, None where they are not proved to be simple.
+
+    Examples
+    --------
+    >>> from sympy import S, pi
+    >>> [root.evalf(6) for root in roots_by_enclosures([S.One, -pi, S.Zero, S.One])]
+    [-1.91416, 0.329720, 1.58444]
+    """
+    monic, scale = _monic(coefficients)
+    precision = 128
+    while precision <= LARGEST:
+        if (found := isolated(monic, precision)) is not None:
+            return [RealRoot(monic, n) / scale for n in range(len(found))]
+        precision *= 2
+    return None
+
+
+def _monic(coefficients: Sequence[Expr]) -> tuple[tuple[Expr, ...], Expr]:
+    """A monic polynomial without new denominators, and by what its roots are divided, a positive number."""
+    *rest, lead = coefficients
+    if isinstance(lead, Rational):
+        return tuple(c / lead for c in coefficients), S.One
+    if ball(lead, 128) < 0:
+        *rest, lead = [-c for c in coefficients]
+    powers = [lead ** (len(rest) - 1 - n) for n in range(len(rest))]
+    return (*((c * power).expand() for c, power in zip(rest, powers)), S.One), lead
+
+
+@lru_cache(maxsize=256)
+def isolated(coefficients: tuple[Expr, ...], precision: int) -> list[arb] | None:
+    """Enclosures of the real roots in increasing order; None where the roots are not told apart.
+
+    Enclosures of all complex roots are disjoint. One that meets the real line has a real root if its mirror
+    image meets no other: the conjugate of its root lies in both.
+    """
+    with own_precision(2 * precision):
+        polynomial = arb_poly([ball(c, 2 * precision) for c in coefficients])
+        try:
+            found = polynomial.complex_roots(tol=2.0 ** -min(precision, NARROW))
+        except ValueError:
+            return None
+        near = [z for z in found if z.imag.contains(0)]
+        for z in near:
+            mirrored = acb(z.real, -z.imag)
+            if any(other is not z and mirrored.overlaps(other) for other in found):
+                return None
+        return sorted((z.real for z in near), key=arb.mid)

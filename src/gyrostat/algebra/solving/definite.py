@@ -1,0 +1,107 @@
+"""Which combination of symmetric matrices is definite, with rational coefficients that are proved."""
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from operator import mul
+
+from sympy import Dummy, Expr, ImmutableMatrix, Rational, oo
+
+from ...errors import ScopeError
+from ..enclosures.balls import ball
+from ..reals.exact import sign_of_constant
+from .roots import between, real_roots
+
+STEPS = 500                                                # of the search for several coefficients
+SIMPLEST = (1, 10, 10**3, 10**6, 10**12)                   # denominators that are tried
+
+
+def definite_combination(form: ImmutableMatrix,
+                         others: Sequence[ImmutableMatrix]) -> tuple[Rational, ...] | None:
+    """Rational numbers a with form + Σ aᵢ othersᵢ definite, of either sign; None if none are found.
+
+    They are searched in floats, a vector at which the sum is not positive corrects them (the perceptron's
+    rule), and what is found is proved. Then along each matrix alone, which is complete: a matrix ceases to be
+    definite where the determinant vanishes, and between its roots one number is tried.
+
+    Parameters
+    ----------
+    form : ImmutableMatrix, shape (n, n)
+        symmetric, exact numbers
+    others : sequence of ImmutableMatrix, shape (n, n)
+
+    References
+    ----------
+    Derived.
+
+    Examples
+    --------
+    >>> from sympy import diag
+    >>> definite_combination(diag(1, -1), [diag(-1, 3)])
+    (4/7,)
+    >>> definite_combination(diag(1, -1), [diag(-1, 1)])
+    """
+    for found in _searched(form, others):
+        if definite(_combined(form, others, found)):
+            return found
+    for place, other in enumerate(others):
+        for a in _along(form, other):
+            if definite(form + a * other):
+                return tuple(Rational(a if n == place else 0) for n in range(len(others)))
+    return None
+
+
+def definite(form: ImmutableMatrix) -> int:
+    """The sign of a definite matrix by its leading principal minors, 0 if it is not proved to be definite."""
+    signs = [sign_of_constant(form[:n, :n].det(method="berkowitz")) for n in range(1, form.rows + 1)]
+    if all(s == 1 for s in signs):
+        return 1
+    return -1 if all(s == (-1) ** n for n, s in enumerate(signs, 1)) else 0
+
+
+def _along(form: ImmutableMatrix, other: ImmutableMatrix) -> Iterator[Rational]:
+    """One number in each interval between the roots of the determinant of form + a other."""
+    a = Dummy("a")
+    try:
+        roots = real_roots((form + a * other).det(method="berkowitz").expand(), a)
+    except ScopeError:                                     # a transcendental determinant: not known
+        return
+    ends = [] if roots is None else [-oo, *roots, oo]      # none: singular for every a
+    yield from (between(low, high) for low, high in zip(ends, ends[1:]))
+
+
+def _combined(form: ImmutableMatrix, others: Sequence[ImmutableMatrix],
+              coefficients: Sequence[Expr]) -> ImmutableMatrix:
+    return ImmutableMatrix(sum((a * other for a, other in zip(coefficients, others)), form))
+
+
+def _searched(form: ImmutableMatrix, others: Sequence[ImmutableMatrix]) -> Iterator[tuple[Rational, ...]]:
+    """What is definite in floats, with short denominators first."""
+    stack = [[[float(ball(x, 64).mid()) for x in row] for row in matrix.tolist()]
+             for matrix in (form, *others)]
+    sizes = [sum(x * x for row in matrix for x in row) ** 0.5 or 1.0 for matrix in stack]
+    weights = [1.0] + [0.0] * len(others)
+    for _ in range(STEPS):
+        total = [[sum(w / size * x for w, size, x in zip(weights, sizes, entries)) for entries in zip(*rows)]
+                 for rows in zip(*stack)]
+        v = _not_positive(total)
+        if v is None and weights[0]:
+            ratios = [Fraction(w * sizes[0] / (weights[0] * size)) for w, size in zip(weights[1:], sizes[1:])]
+            yield from (tuple(Rational(*r.limit_denominator(n).as_integer_ratio()) for r in ratios)
+                        for n in SIMPLEST)
+            return
+        v = v or [1.0] * form.rows
+        square = sum(x * x for x in v)
+        weights = [w + sum(x * sum(map(mul, row, v)) for x, row in zip(v, matrix)) / (size * square)
+                   for w, size, matrix in zip(weights, sizes, stack)]
+
+
+def _not_positive(form: list[list[float]]) -> list[float] | None:
+    """A vector at which a form is not positive, by elimination; None where it is definite."""
+    vectors = [[float(i == j) for j in range(len(form))] for i in range(len(form))]
+    for i, row in enumerate(form):
+        if row[i] <= 0:
+            return vectors[i]
+        for j in range(i + 1, len(form)):
+            factor = form[j][i] / row[i]
+            form[j] = [x - factor * y for x, y in zip(form[j], row)]
+            vectors[j] = [x - factor * y for x, y in zip(vectors[j], vectors[i])]
+    return None

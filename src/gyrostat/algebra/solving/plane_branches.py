@@ -1,0 +1,172 @@
+"""The real branches of a plane curve F(x, t) = 0 over t, each from where its tangent is vertical to the next.
+"""
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import NamedTuple
+
+from flint import arb, arb_poly, fmpq, fmpq_mpoly, fmpq_poly
+from sympy import Expr, Rational, Symbol, oo
+
+from ...errors import ScopeError
+from ..enclosures.balls import ball
+from ..enclosures.precision import own_precision
+from ..rings.polynomials import Ring, by_degree
+from .plane_curves import PlaneCurve
+from .roots import between, in_order, roots_of_factor
+
+FINEST, LEAST = 2**13, 1000                            # bits; of the width of a root
+
+
+class Span(NamedTuple):
+    """The part of a strand between two values of t: the n-th real root x there, from below."""
+
+    low: Expr
+    high: Expr
+    place: int
+
+
+class Strand(NamedTuple):
+    """A branch over its interval of t, and x at its ends, None where t goes to ±∞."""
+
+    spans: tuple[Span, ...]
+    first: Expr | None
+    last: Expr | None
+
+
+def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr, bool]]) -> list[Strand]:
+    """Every real branch of F(x, t) = 0 over t, complete.
+
+    Between two roots of the discriminant there are as many real roots x as at one value. At a root of it
+    nothing happens but what is known, or else two of them become one at each double one, and are gone.
+
+    Parameters
+    ----------
+    F : Expr
+        a polynomial over ℚ without multiple factors
+    x, t : Symbol
+    known : mapping of t to mapping of x to bool
+        rational; the multiple roots there, and whether two branches cross in one, with different slopes
+
+    Returns
+    -------
+    list of Strand
+
+    Raises
+    ------
+    ScopeError
+        branches meet in another way
+
+    Examples
+    --------
+    >>> from sympy import S
+    >>> x, t = Symbol("x"), Symbol("t")
+    >>> for strand in strands(x**2 - t**2 * (t + 1), x, t, {S.Zero: {S.Zero: True}}):
+    ...     print(*[tuple(span) for span in strand.spans], strand.first, strand.last)
+    (-1, 0, 1) (0, oo, 0) 0 None
+    (-1, 0, 0) (0, oo, 1) 0 None
+    """
+    curve = PlaneCurve(F, x, t, ends=())
+    special = _where_roots_meet(curve, 0, t)
+    double = in_order(_where_roots_meet(curve, 1, x))
+    found: list[Strand] = []
+    growing: list[tuple[tuple[Span, ...], Expr | None]] = []
+    for low, high in pairwise([-oo, *in_order(special), oo]):
+        middle, before = between(low, high), len(growing)
+        count = len(curve.roots(Fraction(int(middle.p), int(middle.q))))
+        if low == -oo:
+            growing = [((), None)] * count
+        elif low in known and before == count:
+            for n in _crossed(curve, low, known[low], before):
+                growing[n:n + 2] = growing[n + 1], growing[n]
+        else:
+            for m, (x0, n) in reversed(list(enumerate(_folds(curve, low, double, abs(before - count) // 2)))):
+                if before < count:
+                    growing[n:n] = [((), x0)] * 2
+                else:
+                    found += [Strand(spans, first, x0) for spans, first in growing[n + 2 * m:n + 2 * m + 2]]
+                    del growing[n + 2 * m:n + 2 * m + 2]
+        growing = [((*spans, Span(low, high, n)), first) for n, (spans, first) in enumerate(growing)]
+    return found + [Strand(spans, first, None) for spans, first in growing]
+
+
+def _where_roots_meet(curve: PlaneCurve, eliminated: int, left: Symbol) -> list[Expr]:
+    """The real t, or x, of all points at which x is a multiple root."""
+    F, name = curve.whole, str(curve.whole.context().names()[curve.place[eliminated]])
+    whole = univariate(curve.ring, F.resultant(F.derivative(curve.place[0]), name), left)
+    return [root for factor, _ in whole.factor()[1] for root in roots_of_factor(factor)]
+
+
+def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> list[tuple[Expr, int]]:
+    """So many double roots x at a value of t, and how many simple ones are below each; there are no others.
+
+    So many pairs of roots come or go there, each at a multiple root. All that balls do not exclude are so
+    many; divided by (x − x0)² for each the polynomial has none of them left, and they are double.
+    """
+    precision = 256
+    while precision <= FINEST:
+        with own_precision(precision):
+            t0 = ball(at, precision)
+            parts = [arb_poly(part)(t0) for part in _in_x(curve)]
+            whole = arb_poly(parts)
+            near = {x0: ball(x0, precision) for x0 in double}
+            left = [x0 for x0 in double if whole(near[x0]).contains(0)
+                    and whole.derivative()(near[x0]).contains(0)]
+            if not left and not count:                     # those that meet are complex
+                return []
+            if len(left) == count:
+                for x0 in left:
+                    parts = _divided(_divided(parts, near[x0]), near[x0])
+                others = _isolated(parts, 2.0 ** -min(precision // 4, LEAST))
+                if others is not None and not any(x.overlaps(near[x0]) for x in others for x0 in left):
+                    return [(x0, sum(bool(x < near[x0]) for x in others)) for x0 in left]
+        precision *= 2
+    raise _untold(curve, at)
+
+
+def _divided(parts: Sequence[arb], root: arb) -> list[arb]:
+    """The coefficients of a polynomial divided by x − root, the remainder left out."""
+    quotient = [parts[-1]]
+    for c in parts[-2:0:-1]:
+        quotient.append(c + root * quotient[-1])
+    return quotient[::-1]
+
+
+def _isolated(parts: Sequence[arb], width: float) -> list[arb] | None:
+    """The real roots of a polynomial with balls for coefficients, None where they are not so narrow."""
+    try:
+        return [root.real for root in arb_poly(parts).complex_roots(tol=width) if root.imag.contains(0)]
+    except ValueError:
+        return None
+
+
+def _untold(curve: PlaneCurve, at: Expr) -> ScopeError:
+    return ScopeError(f"at {curve.t} = {at} several of them meet, and are not told apart: change a number "
+                      "a little")
+
+
+def _crossed(curve: PlaneCurve, at: Rational, known: Mapping[Expr, bool], count: int) -> list[int]:
+    """Where two roots cross, how many are below them; of so many, of which no others meet."""
+    _, factors = fmpq_poly([part(fmpq(int(at.p), int(at.q))) for part in _in_x(curve)]).factor()
+    orders = {root: order for factor, order in factors for root in roots_of_factor(factor)}
+    below, found = 0, []
+    for root in in_order(list(orders)):
+        if known.get(root):
+            found.append(below)
+        below += 2 if known.get(root) else orders[root] % 2
+    if below != count or any(order > 1 and root not in known for root, order in orders.items()):
+        raise _untold(curve, at)
+    return found
+
+
+def _in_x(curve: PlaneCurve) -> list[fmpq_poly]:
+    """The coefficients of the powers of x, in t."""
+    return [univariate(curve.ring, part, curve.t)
+            for part in by_degree(curve.whole, curve.place[0], curve.degree(curve.whole, 0))]
+
+
+def univariate(ring: Ring, polynomial: fmpq_mpoly, t: Symbol) -> fmpq_poly:
+    """Of a polynomial in t alone."""
+    place = ring.generators.index(t)
+    coefficients = {exponents[place]: c for exponents, c in polynomial.to_dict().items()}
+    return fmpq_poly([coefficients.get(n, 0) for n in range(max(coefficients, default=-1) + 1)])

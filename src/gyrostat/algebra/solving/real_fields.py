@@ -1,0 +1,114 @@
+"""Numbers that are rational in one real root of a polynomial over ℚ; expressions of them when asked for."""
+from collections.abc import Sequence
+from typing import Any, overload
+
+from flint import arb, arb_poly, fmpq_poly
+from sympy import Expr
+
+from ..._cached import cached_property
+from ..enclosures.balls import ball
+from ..enclosures.precision import own_precision
+from ..reals.number_fields import at_root, divided
+from .root_numbers import refuse_close
+from .roots import in_order, roots_of_factor
+
+BITS = 192                                             # of most enclosures that are asked for
+
+
+class Conjugates:
+    """Of an irreducible polynomial the real roots, and the values of quotients top/under at them.
+
+    Parameters
+    ----------
+    polynomial : fmpq_poly
+    tops : sequence of fmpq_poly
+    under : fmpq_poly
+        vanishes at no root
+
+    Examples
+    --------
+    >>> from sympy import S
+    >>> halves = Conjugates(fmpq_poly([-2, 0, 1]), [fmpq_poly([1])], fmpq_poly([0, 1]))
+    >>> [tuple(FieldNumbers(halves, n, [(0, S.One)])) for n in range(len(halves.roots()))]
+    [(-sqrt(2)/2,), (sqrt(2)/2,)]
+    """
+
+    def __init__(self, polynomial: fmpq_poly, tops: Sequence[fmpq_poly], under: fmpq_poly):
+        self.polynomial, self.tops, self.under = polynomial, tops, under
+        self._roots: dict[int, list[arb]] = {}
+        self._values: dict[int, list[list[arb]]] = {}
+
+    def roots(self, precision: int = BITS) -> list[arb]:
+        """Enclosures of the real roots, in increasing order, isolated."""
+        if precision not in self._roots:
+            refuse_close(self.polynomial.numer())
+            with own_precision(precision):
+                found = (x.real for x, _ in self.polynomial.numer().complex_roots() if x.imag == 0)
+                self._roots[precision] = sorted(found, key=arb.mid)
+        return self._roots[precision]
+
+    def values(self, precision: int = BITS) -> list[list[arb]]:
+        """Enclosures of the quotients at each root."""
+        if precision not in self._values:
+            with own_precision(precision):
+                under, *tops = (arb_poly(f) for f in (self.under, *self.tops))
+                self._values[precision] = [[top(root) / under(root) for top in tops]
+                                           for root in self.roots(precision)]
+        return self._values[precision]
+
+    @cached_property
+    def exact(self) -> list[Expr]:
+        """The real roots, in the same order."""
+        roots = roots_of_factor(self.polynomial)
+        return in_order(roots) if self.polynomial.degree() < 3 else roots
+
+    @cached_property
+    def short(self) -> tuple[list[fmpq_poly], fmpq_poly]:
+        """The quotients over the derivative of the polynomial, of which the coefficients are short."""
+        slope = self.polynomial.derivative()
+        return divided([top * slope for top in self.tops], self.under, self.polynomial), slope
+
+
+class FieldNumbers(Sequence[Expr]):
+    """Numbers in the field of one real root: a sequence of expressions, each made when it is asked for.
+
+    Parameters
+    ----------
+    conjugates : Conjugates
+    root : int
+        its place among the real ones
+    places : sequence of (int, Expr)
+        which of the tops, and an exact factor
+    """
+
+    def __init__(self, conjugates: Conjugates, root: int, places: Sequence[tuple[int, Expr]]):
+        self.conjugates, self.root, self.places = conjugates, root, places
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+    @overload
+    def __getitem__(self, n: int) -> Expr: ...
+
+    @overload
+    def __getitem__(self, n: slice) -> "FieldNumbers": ...
+
+    def __getitem__(self, n: int | slice) -> "Expr | FieldNumbers":
+        if isinstance(n, slice):
+            return FieldNumbers(self.conjugates, self.root, self.places[n])
+        (place, factor), root = self.places[n], self.conjugates.exact[self.root]
+        tops, under = self.conjugates.short
+        return factor * (at_root(tops[place], root) / at_root(under, root))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return tuple, (tuple(self),)                       # python-flint's polynomials are not pickled
+
+    def balls(self, precision: int) -> list[arb]:
+        """Enclosures, without an expression."""
+        values = self.conjugates.values(precision)[self.root]
+        with own_precision(precision):
+            return [values[place] * ball(factor, precision) for place, factor in self.places]
+
+    def over(self, divisor: Expr) -> "FieldNumbers":
+        """Each over an exact number."""
+        return FieldNumbers(self.conjugates, self.root, [(place, x / divisor) for place, x in self.places])

@@ -1,0 +1,96 @@
+"""The real roots of an irreducible polynomial as SymPy's numbers, which SymPy is told where to find.
+
+To show a root, or a product with one, SymPy evaluates it, from isolating intervals that continued fractions
+make smaller: hours for roots that are 10⁻¹⁵ apart, or of the size 10³⁰. python-flint isolates them at once.
+"""
+import math
+from collections.abc import Sequence
+
+from flint import arb, fmpz_poly
+from sympy import CRootOf, Expr, Poly, PurePoly, Rational, Symbol
+from sympy.polys import rootoftools
+from sympy.polys.domains import QQ, ZZ
+from sympy.polys.rootisolation import RealInterval
+
+from ...errors import ScopeError
+from ..enclosures.balls import ends
+from ..enclosures.precision import own_precision
+
+BITS = 256                                             # of a root that SymPy is lent
+APART = 600                                            # bits, for each root
+MODERATE = 9                                           # powers of ten of roots that are left as they are
+
+
+def roots_of(coefficients: Sequence[Rational]) -> list[Expr]:
+    """In increasing order, of a polynomial of degree 3 or more, irreducible over ℚ.
+
+    Very large or small ones are each a power of ten times a root near 1.
+
+    Parameters
+    ----------
+    coefficients : sequence of Rational
+        from the constant term
+
+    Raises
+    ------
+    ScopeError
+        roots are so close to each other that to tell them apart takes minutes
+
+    Examples
+    --------
+    >>> roots_of([Rational(-1), Rational(-1), Rational(0), Rational(1)])
+    [CRootOf(x**3 - x - 1, 0)]
+    """
+    unit = Rational(10) ** _order(coefficients[0] / coefficients[-1], len(coefficients) - 1)
+    near = Poly([a * unit**n for n, a in enumerate(coefficients)][::-1], Symbol("x"))
+    whole = fmpz_poly([int(c) for c in reversed(near.clear_denoms(convert=True)[1].all_coeffs())])
+    refuse_close(whole)
+    count = sum(root.imag == 0 for root, _ in whole.complex_roots())
+    found = [CRootOf(near, n) for n in range(count)]
+    for root in {root for number in found for root in number.atoms(CRootOf)}:
+        _lend(root.poly)
+    return [unit * number for number in found]
+
+
+def _order(product: Rational, degree: int) -> int:
+    """The power of ten of the geometric mean of the roots, whose product is given; 0 if it is moderate."""
+    bits = int(abs(product.p)).bit_length() - int(product.q).bit_length()
+    order = round(bits * math.log10(2) / degree)
+    return order if abs(order) > MODERATE else 0
+
+
+def refuse_close(polynomial: fmpz_poly) -> None:
+    """Refuse a polynomial with roots of such sizes that it takes minutes to isolate them.
+
+    Its coefficients are compared with those of roots of one modulus, and, by the discriminant, the product of
+    the distances of its roots with that of distances as large as the roots.
+
+    Raises
+    ------
+    ScopeError
+        roots lie too close to each other, or too far apart
+    """
+    while not polynomial[0]:
+        polynomial = polynomial.right_shift(1)
+    bits, degree = [int(c).bit_length() for c in polynomial.coeffs()], polynomial.degree()
+    above = max(degree * b - (degree - n) * bits[0] - n * bits[-1] for n, b in enumerate(bits))
+    resultant = polynomial.resultant(polynomial.derivative())
+    discriminant = int(resultant // polynomial.leading_coefficient()).bit_length()
+    near = resultant and (degree - 1) * (bits[0] + bits[-1]) - discriminant > degree * APART
+    if above > degree * APART or near:
+        raise ScopeError("these numbers are of so different sizes that equilibria, or what decides of them, "
+                         "are no longer told apart: leave out what is far too small to matter, or make "
+                         "smaller what is far too large")
+
+
+def _lend(poly: PurePoly) -> None:
+    """Give SymPy the isolating intervals of the real roots, if it has not found them itself."""
+    known = rootoftools._reals_cache
+    if poly in known:
+        return
+    coefficients = poly.rep.to_list()
+    with own_precision(BITS):
+        roots = fmpz_poly([int(c) for c in reversed(coefficients)]).complex_roots()
+    real = sorted((root.real for root, _ in roots if root.imag == 0), key=arb.mid)
+    known[poly] = [RealInterval(tuple(QQ(x.numerator, x.denominator) for x in ends(root)), coefficients, ZZ)
+                   for root in real]

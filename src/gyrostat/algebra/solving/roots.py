@@ -1,0 +1,229 @@
+"""All real roots of a polynomial in an interval, exact.
+
+Rational, quadratic surds, or roots of a named polynomial.
+"""
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cmp_to_key
+
+from flint import arb, fmpq, fmpq_mpoly, fmpq_poly
+from sympy import Add, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
+
+from ...errors import ScopeError, brief
+from ..enclosures.algebraic import is_algebraic
+from ..enclosures.balls import ball, ends
+from ..reals.exact import proved_sign
+from ..rings.enclosed_roots import roots_by_enclosures
+from ..rings.polynomials import Ring, by_degree
+from .root_numbers import roots_of
+
+FEW = 3                                                # numbers of which a norm is soon taken
+
+
+def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
+               high: Expr | None = None) -> list[Expr] | None:
+    """The distinct real roots of the numerator of a rational function of x, in increasing order, strictly
+    between low and high.
+
+    Complete: the polynomial is factored over ℚ and the real roots of each factor are counted. Algebraic
+    coefficients are eliminated by resultants with their minimal polynomials, and of the roots of that norm
+    those of the polynomial are kept. With transcendental coefficients, or algebraic ones that depend on each
+    other, factors of degree 1 and 2 are solved by formula, and the roots of the others are isolated.
+
+    Parameters
+    ----------
+    expression : Expr
+        rational in x, with coefficients that are exact numbers
+    x : Symbol
+    low, high : Expr or None
+        exact numbers; None: unbounded
+
+    Returns
+    -------
+    list of Expr
+        exact numbers; None if the expression vanishes identically
+
+    Raises
+    ------
+    ScopeError
+        the expression is not rational in x, has a coefficient that is not real, or its roots are not told
+        apart
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> x = gs.symbol("x")
+    >>> real_roots((x**2 - 2) * (3*x - 1) / (x + 5), x), real_roots(x**3 - x - 1, x)
+    ([-sqrt(2), 1/3, sqrt(2)], [CRootOf(x**3 - x - 1, 0)])
+    >>> real_roots(x**2 - sqrt(2), x, low=Rational(0))
+    [CRootOf(x**4 - 2, 1)]
+    """
+    ring = Ring([expression, x])
+    constants = [g for g in ring.generators if g != x]
+    if any(g.free_symbols or g.is_real is False for g in constants):
+        raise _beyond(expression, x)
+    top, bottom = ring.fraction(expression)
+    top, place = ring.reduce(top), ring.generators.index(x)
+    parts = by_degree(top, place, top.degrees()[place])
+    top = sum((c * ring.gens[x] ** n for n, c in enumerate(parts) if c
+               and (c.is_constant() or proved_sign(ring.expression(c)))), ring.zero)
+    if not top:
+        return None
+    ways = (_by_norm, _by_formulas) if len(constants) <= FEW else (_by_formulas, _by_norm)
+    found = next((roots for way in ways if (roots := way(ring, top, x)) is not None), None)
+    if found is None and all(map(is_algebraic, constants)):
+        raise ScopeError(f"the algebraic numbers of {brief(expression)} depend on each other: write them in "
+                         "one root")
+    if found is None:
+        found = _by_enclosures(ring, top, x)
+    found = [r for r in found if bottom.is_one() or proved_sign(inserted(ring, bottom, {x: r})) != 0]
+    return [r for r in found if (low is None or proved_sign(r - low) == 1)
+            and (high is None or proved_sign(high - r) == 1)]
+
+
+def _beyond(expression: Expr, x: Symbol) -> ScopeError:
+    return ScopeError(f"{brief(expression)} is not a fraction of polynomials in {x} with real numbers for "
+                      "coefficients: its roots are not found; give numbers for its parameters, and a field "
+                      "that is polynomial in k3")
+
+
+def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
+    """The real roots in order, from the product of the conjugates.
+
+    None where that is 0, or a coefficient is not algebraic.
+    """
+    if not all(g == x or is_algebraic(g) for g in ring.generators):
+        return None
+    norm, place = polynomial, ring.generators.index(x)
+    for n, g in enumerate(ring.generators):                # each root before those inside it
+        if g != x and norm.degrees()[n]:
+            norm = norm.resultant(_relation(ring, g, x), str(norm.context().names()[n]))
+    if not norm:
+        return None
+    nothing = (0,) * len(ring.generators)
+    coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
+    found = in_order([r for factor, _ in fmpq_poly(coefficients).factor()[1]
+                      for r in roots_of_factor(factor)])
+    return found if norm is polynomial else _kept(ring, polynomial, x, found)
+
+
+def _by_formulas(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
+    """The real roots in order, None where a factor is of a degree above 2."""
+    factors = _factors(ring, polynomial, x)
+    return None if any(len(c) > 3 for c in factors) else _apart(r for c in factors for r in _solved(c))
+
+
+def _by_enclosures(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr]:
+    """The real roots in order, those of higher degree isolated by balls."""
+    found: list[Expr] = []
+    for c in _factors(ring, polynomial, x):
+        if (roots := _solved(c) if len(c) < 4 else roots_by_enclosures(c)) is None:
+            raise ScopeError(f"the roots {x} of {brief(ring.expression(polynomial))} are not told apart: "
+                             "round its numbers to decimals")
+        found += roots
+    return _apart(found)
+
+
+def _factors(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[list[Expr]]:
+    """The coefficients of each factor in which x occurs."""
+    place = ring.generators.index(x)
+    return [[ring.expression(c) for c in by_degree(factor, place, degree)]
+            for factor, _ in polynomial.factor()[1] if (degree := factor.degrees()[place])]
+
+
+def _apart(numbers: Iterable[Expr]) -> list[Expr]:
+    """In order, each once."""
+    ordered = in_order(list(numbers))
+    return [r for n, r in enumerate(ordered) if not n or proved_sign(r - ordered[n - 1])]
+
+
+def _solved(c: Sequence[Expr]) -> list[Expr]:
+    """The real roots of a polynomial of degree 1 or 2, c[0] its constant term."""
+    if len(c) == 2:
+        return [-c[0] / c[1]]
+    sign = proved_sign(discriminant := c[1] ** 2 - 4 * c[0] * c[2])
+    if sign == 0:
+        return [-c[1] / (2 * c[2])]
+    return [(-c[1] + s * sqrt(discriminant)) / (2 * c[2]) for s in (-1, 1)] if sign > 0 else []
+
+
+def _relation(ring: Ring, g: Expr, x: Symbol) -> fmpq_mpoly:
+    """The polynomial that a generator satisfies, over the generators inside it."""
+    if g in ring.squares:
+        return ring.gens[g] ** 2 - ring.squares[g]
+    coefficients = Poly(minimal_polynomial(g, x), x).all_coeffs()
+    return sum((ring.one * int(c) * ring.gens[g] ** n for n, c in enumerate(reversed(coefficients))),
+               ring.zero)
+
+
+def _kept(ring: Ring, polynomial: fmpq_mpoly, x: Symbol, numbers: list[Expr]) -> list[Expr]:
+    """Of numbers in order, all roots of a polynomial and others.
+
+    The roots. A change of sign around a number proves that it is one.
+    """
+    midway = [between(a, b) for a, b in zip([-oo, *numbers], [*numbers, oo])]
+    signs = [proved_sign(inserted(ring, polynomial, {x: q})) for q in midway]
+    return [r for r, a, b in zip(numbers, signs, signs[1:]) if a * b < 0
+            or proved_sign(inserted(ring, polynomial, {x: r})) == 0]
+
+
+def in_order(numbers: Sequence[Expr]) -> list[Expr]:
+    """Distinct exact numbers in increasing order."""
+    def compared(a: Expr, b: Expr) -> int:
+        return proved_sign(a - b)
+
+    return sorted(numbers, key=cmp_to_key(compared))
+
+
+def between(a: Expr, b: Expr) -> Rational:
+    """A rational number between two exact ones, a short one."""
+    if a == -oo and b == oo:
+        return S.Zero
+    if a == -oo:
+        return S(floor(_side(b, 64, -1)) - 1)
+    if b == oo:
+        return S(floor(_side(a, 64, 1)) + 1)
+    precision = 64
+    while not (low := _side(a, precision, 1)) < (high := _side(b, precision, -1)):
+        precision *= 2
+    bits = 1
+    while not (candidate := Rational(floor(low * 2**bits) + 1, 2**bits)) < high:
+        bits += 1                                          # the first dyadic number that lies between
+    return candidate
+
+
+def _side(number: Expr, precision: int, side: int) -> Rational:
+    """The upper or lower end of an enclosure, exact."""
+    end = ends(ball(number, precision))[side > 0]
+    return Rational(end.numerator, end.denominator)
+
+
+def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
+    """The one of some distinct numbers that a power of the value, which is among them, is."""
+    precision = 64
+    while True:
+        here = math.prod([ball(value, precision)] * power, start=arb(1))
+        left = (
+            [number for number in known if here.overlaps(ball(number, precision))]
+            if here.is_finite()
+            else known
+        )
+        if len(left) == 1:
+            return left[0]
+        precision *= 2
+
+
+def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:
+    """The polynomial with numbers for generators.
+
+    Never inside a number, where a CRootOf has a variable of its own.
+    """
+    meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
+    return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
+                 for exponents, c in polynomial.to_dict().items()))
+
+
+def roots_of_factor(factor: fmpq_poly) -> list[Expr]:
+    """The real roots of an irreducible polynomial."""
+    c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
+    return _solved(c) if len(c) <= 3 else roots_of(c)

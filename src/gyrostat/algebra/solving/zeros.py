@@ -1,0 +1,76 @@
+"""Zeros of an expression in one name, and where it changes its sign: exact, or enclosed."""
+from fractions import Fraction
+from itertools import pairwise
+
+from flint import arb, fmpq
+from sympy import Expr, Rational, Symbol
+
+from ...errors import ScopeError
+from ..enclosures.balls import ball
+from ..reals.exact import evaluate, sign_of_constant
+from .roots import real_roots
+from .stations import between
+
+# of the range, where a zero of a transcendental margin is looked for
+FINEST, BITS = Fraction(1, 2**48), 192
+
+
+def inner(a: Expr, b: Expr) -> Rational:
+    """A fraction between two exact numbers."""
+    middle = between(a, b)
+    return Rational(middle.numerator, middle.denominator)
+
+
+def changes_of_sign(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
+    """Where an expression in one name changes its sign, strictly between two numbers, complete."""
+    cuts = [low, *zeros_inside(expression, free, low, high), high]
+    signs = [sign_of_constant(evaluate(expression, {free: inner(a, b)})) for a, b in pairwise(cuts)]
+    return [zero for zero, before, after in zip(cuts[1:], signs, signs[1:]) if before != after]
+
+
+def zeros_inside(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
+    """The zeros, none of an expression without the name."""
+    return zeros_of(expression, free, low, high) if expression.has(free) else []
+
+
+def zeros_of(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
+    """The zeros of an expression in one name.
+
+    Exact where it is rational, else within 2⁻⁴⁸ of the range, by enclosures.
+    """
+    try:
+        return real_roots(expression, free, low, high) or []
+    except ScopeError:
+        start, end = (Fraction(int(x.p), int(x.q)) for x in (low, high))
+        return [Rational(x.numerator, x.denominator)
+                for x in _enclosed(expression, expression.diff(free), free, start, end,
+                                                                       (end - start) * FINEST)]
+
+
+def _enclosed(f: Expr, slope: Expr, free: Symbol, a: Fraction, b: Fraction,
+              finest: Fraction) -> list[Fraction]:
+    """Every zero, by halving.
+
+    None where the enclosure excludes 0, one or none where that of the slope does.
+    """
+    found: list[Fraction] = []
+    waiting = [(a, b)]
+    while waiting:
+        a, b = waiting.pop()
+        here = {free: arb(fmpq(a.numerator, a.denominator)).union(arb(fmpq(b.numerator, b.denominator)))}
+        if not ball(f, BITS, here).contains(0):
+            continue
+        middle = (a + b) / 2
+        if b - a < finest:
+            if not found or abs(found[-1] - middle) > 4 * finest:
+                found.append(middle)
+            continue
+        inner = ball(slope, BITS, here)
+        if inner.is_finite() and not inner.contains(0) and _sign(f, free, a) * _sign(f, free, b) > 0:
+            continue
+        waiting += [(a, middle), (middle, b)]
+    return sorted(found)
+
+
+def _sign(f: Expr, free: Symbol, x: Fraction) -> int:
+    return sign_of_constant(evaluate(f, {free: Rational(x.numerator, x.denominator)})) or 0

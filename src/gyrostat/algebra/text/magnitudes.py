@@ -1,0 +1,92 @@
+"""How large a constant is, known before it is computed.
+
+Enclosures of 512 bits, by operations that none of them can keep busy.
+"""
+import operator
+from collections.abc import Callable
+from math import prod
+from typing import Any
+
+from flint import arb, fmpq
+from sympy import Rational
+
+from ..enclosures.precision import own_precision
+
+# bits; what two enclosures of it do not tell apart is not told apart
+PRECISION = 512
+FUNCTIONS: dict[str, Callable[[arb], arb]] = {name: getattr(arb, name) for name in (
+    "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
+    "atanh")}
+
+
+def enclosed(operation: Callable[..., arb], *enclosures: arb | None) -> arb | None:
+    """What an operation makes of enclosures (not finite where it may be undefined).
+
+    None where one of them is not known.
+    """
+    if any(x is None for x in enclosures):
+        return None
+    with own_precision(PRECISION):
+        return operation(*enclosures)
+
+
+def number(value: Rational) -> arb:
+    """Enclosure of a rational number."""
+    with own_precision(PRECISION):
+        return arb(fmpq(int(value.p), int(value.q)))
+
+
+def at_most_one() -> arb:
+    """The numbers from −1 to 1, such as the components of a direction."""
+    return arb(0, 1)
+
+
+def added(x: arb | None, y: arb | None) -> arb | None:
+    """x + y."""
+    return enclosed(operator.add, x, y)
+
+
+def multiplied(x: arb | None, y: arb | None) -> arb | None:
+    """x y."""
+    return enclosed(operator.mul, x, y)
+
+
+def negated(x: arb | None) -> arb | None:
+    """−x."""
+    return enclosed(operator.neg, x)
+
+
+def pi() -> arb | None:
+    """Enclosure of π."""
+    return enclosed(arb.pi)
+
+
+def applied(name: str, x: arb | None) -> arb | None:
+    """An elementary function."""
+    return enclosed(FUNCTIONS[name], x)
+
+
+def raised(x: arb | None, exponent: Rational) -> arb | None:
+    """x to a small rational power."""
+    top, root = int(exponent.p), int(exponent.q)
+
+    def power(base: arb) -> arb:
+        if root > 1:
+            base = arb("nan") if base < 0 else base.root(root)
+        return prod([base] * top, start=arb(1)) if top >= 0 else 1 / prod([base] * -top, start=arb(1))
+
+    return enclosed(power, x)
+
+
+def extent(x: arb) -> tuple[int, int | None]:
+    """Powers of 2 that a finite enclosure lies between in size; the lower one None where it may be 0."""
+    with own_precision(PRECISION):
+        ends: list[Any] = [x.abs_upper(), x.abs_lower()]
+        high, low = (_exponent(end) for end in ends)
+    return 0 if high is None else high, None if low is None else low - 1
+
+
+def _exponent(end: arb) -> int | None:
+    """n with the positive number at most 2ⁿ and more than 2ⁿ⁻²."""
+    mantissa, exponent = map(int, end.man_exp())
+    return None if mantissa == 0 else abs(mantissa).bit_length() + exponent

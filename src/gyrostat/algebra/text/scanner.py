@@ -1,0 +1,91 @@
+"""The tokens of a text: numbers, names, operators and parentheses."""
+import re
+from typing import NoReturn
+
+from ...errors import ExpressionError, brief
+from .spelling import NAME, RAISED, SIGNS, character, lowered, spelled
+
+LENGTH = 5000
+ROOT, PRIMES = "√", "'′″‴’"
+_TOKEN = re.compile(rf"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>{NAME})"
+                    rf"|(?P<raised>{RAISED})|(?P<sign>\*\*|[-+*/(){''.join(SIGNS)}{ROOT}]))", re.ASCII)
+Token = tuple[str, str]
+
+
+class Scanner:
+    """The tokens of a text, and the place of the next one."""
+
+    TOKEN = _TOKEN
+    HINT = "allowed are names in Latin and Greek letters, numbers, + - * / ^ and parentheses"
+
+    def __init__(self, text: str):
+        self.text, self.place = text, 0
+        if len(text) > LENGTH:
+            raise ExpressionError(f"an expression of {len(text)} characters is longer than the {LENGTH} "
+                                  "allowed: shorten it")
+        self.tokens = self._plain(self._scan())
+
+    def _scan(self) -> list[Token]:
+        tokens, place, end = [], 0, len(self.text.rstrip())
+        while place < end:
+            match = self.TOKEN.match(self.text, place)
+            if match is None:
+                rest = self.text[place:].lstrip()
+                hint = self.HINT
+                if comma := re.search(r"(\d+),(\d+)\Z",
+                                      self.text[:place] + re.match(r",?\d*", rest)[0]):  # type: ignore[index]
+                    hint = f"write a decimal point, {comma[1]}.{comma[2]}"
+                if rest[0] in PRIMES:
+                    hint = ("names have no primes: write k1, k2, k3 for the direction γ, γ′, γ″, or a number "
+                            "after a letter, b2")
+                what = repr(rest[:12]) if rest[0].isascii() else character(rest[0])
+                self.fail(f"{what} at character {len(self.text) - len(rest) + 1} is not part of the grammar",
+                          hint)
+            tokens.append((str(match.lastgroup), match[str(match.lastgroup)]))
+            place = match.end()
+        return tokens
+
+    def _plain(self, tokens: list[Token]) -> list[Token]:
+        """The tokens in ASCII: x^2 and x² as x**2, √x as sqrt(x), names as they stand in the table."""
+        plain, end = list[Token](), ("end", "")
+        for (_, before), (kind, text), (after, sign) in zip([end, *tokens], tokens, [*tokens[1:], end]):
+            if kind == "raised":
+                plain += self._raised(text, SIGNS.get(sign) == "**")
+            elif text == ROOT:
+                if sign != "(" and after not in ("name", "number"):
+                    self.fail(f"{ROOT} stands before no name, number or parenthesis", f"write {ROOT}(...)")
+                plain.append(("name", "sqrt"))
+            elif before == ROOT and text != "(":
+                if after == "raised" or sign in ("(", "^", "**"):
+                    self.fail(f"what is under {ROOT} is not clear", f"write {ROOT}(...)")
+                plain += [("sign", "("), _ascii(kind, text), ("sign", ")")]
+            else:
+                plain.append(_ascii(kind, text))
+        return plain
+
+    def _raised(self, text: str, power: bool) -> list[Token]:
+        """A superscript as a power."""
+        digits = lowered(text)
+        if not re.fullmatch("-?[1-9][0-9]*", digits):
+            self.fail(f"the superscript {text[:12]} is no exponent",
+                      "write π₃⁰ as pi3_0, other powers with ^")
+        if power:
+            self.fail(f"a power follows the superscript {text[:12]}", "write parentheses")
+        minus = [("sign", "-")] if digits[0] == "-" else []
+        return [("sign", "**"), ("sign", "("), *minus, ("number", digits.lstrip("-")), ("sign", ")")]
+
+    def fail(self, why: str, todo: str) -> NoReturn:
+        raise ExpressionError(f"cannot read {brief(self.text)}: {why}; {todo}") from None
+
+    def peek(self) -> str:
+        return self.tokens[self.place][1] if self.place < len(self.tokens) else ""
+
+    def take(self, *wanted: str) -> str:
+        if (token := self.peek()) and token in wanted:
+            self.place += 1
+            return token
+        return ""
+
+
+def _ascii(kind: str, text: str) -> Token:
+    return kind, spelled(text) if kind == "name" else SIGNS.get(text, text)

@@ -1,0 +1,152 @@
+"""Interval arithmetic on arrays, rounded outward after every operation."""
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from flint import arb
+from sympy import Expr, Rational
+
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.double_double import two_sum
+from ...algebra.enclosures.floats import Array
+from ...algebra.reals.exact import sign_of_constant
+
+# bits of the enclosures that are rounded to float64
+PRECISION = 64
+
+
+@dataclass(frozen=True, eq=False)
+class Enclosure:
+    """Bounds of a quantity, an entry for each box; (−∞, ∞) where nothing is known, never NaN.
+
+    Parameters
+    ----------
+    low, high : array, shape (boxes,) or ()
+    """
+
+    low: Array
+    high: Array
+
+    @cached_property
+    def short(self) -> Array:
+        """Whether both ends are numbers of single precision: their products are exact in double precision."""
+        low, high = np.asarray(self.low), np.asarray(self.high)
+        return (low.astype(np.float32) == low) & (high.astype(np.float32) == high)
+
+    @property
+    def apart(self) -> Array:
+        """Where 0 is excluded."""
+        return (self.low > 0) | (self.high < 0)
+
+    def __and__(self, other: "Enclosure") -> "Enclosure":
+        """What two enclosures of one quantity say together."""
+        return Enclosure(np.maximum(self.low, other.low), np.minimum(self.high, other.high))
+
+
+def outward(low: Array, high: Array, low_exact: Array | bool = False,
+             high_exact: Array | bool = False) -> Enclosure:
+    """Bounds that were rounded to nearest, moved by one float unless they are exact.
+
+    The whole line where an operation was undefined.
+    """
+    low, high = (
+        np.where(low_exact, low, np.nextafter(low, -np.inf)),
+        np.where(high_exact, high, np.nextafter(high, np.inf)),
+    )
+    return Enclosure(np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high))
+
+
+def _sum(a: Array, b: Array) -> tuple[Array, Array]:
+    """a + b, and whether it is exact: its error, which Knuth's two-sum gives, is 0.
+
+    NaN where it overflows.
+    """
+    total, error = two_sum(a, b)
+    return total, error == 0
+
+
+class Outward:
+    """The arithmetic of enclosures, for straight-line programs.
+
+    Exact where a sum, or a product of short numbers, is exact.
+
+    Examples
+    --------
+    >>> third = enclosed(Rational(1, 3))
+    >>> one = Outward.multiply(enclosed(Rational(3)), third)
+    >>> bool(one.low < 1 < one.high)
+    True
+    """
+
+    @staticmethod
+    def add(a: Enclosure, b: Enclosure) -> Enclosure:
+        (low, low_exact), (high, high_exact) = _sum(a.low, b.low), _sum(a.high, b.high)
+        return outward(low, high, low_exact, high_exact)
+
+    @staticmethod
+    def subtract(a: Enclosure, b: Enclosure) -> Enclosure:
+        return Outward.add(a, Outward.negative(b))
+
+    @staticmethod
+    def negative(a: Enclosure) -> Enclosure:
+        return Enclosure(-a.high, -a.low)
+
+    @staticmethod
+    def multiply(a: Enclosure, b: Enclosure) -> Enclosure:
+        """The product; of one and the same quantity the square, which is not negative."""
+        exact = a.short & b.short
+        if a is b:
+            one, other = a.low * a.low, a.high * a.high
+            square = outward(np.minimum(one, other), np.maximum(one, other), exact, exact)
+            return Enclosure(np.where(a.apart, np.maximum(square.low, 0), 0.0), square.high)
+        products = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
+        low, high = (bound(bound(*products[:2]), bound(*products[2:])) for bound in (np.minimum, np.maximum))
+        return outward(low, high, exact, exact)
+
+    @staticmethod
+    def reciprocal(a: Enclosure) -> Enclosure:
+        """1/x, the whole line where 0 is not excluded."""
+        inverse = outward(1 / a.high, 1 / a.low)
+        apart = a.apart
+        return Enclosure(np.where(apart, inverse.low, -np.inf), np.where(apart, inverse.high, np.inf))
+
+
+@lru_cache(maxsize=4096)
+def rounded(number: Expr) -> tuple[float, float]:
+    """The greatest float that is not above an exact real number and the least that is not below it, infinite
+    beyond the range.
+
+    Examples
+    --------
+    >>> from sympy import S, sqrt
+    >>> rounded(S.Half), rounded(sqrt(2)), rounded(Rational(10)**400)
+    ((0.5, 0.5), (1.414213562373095, 1.4142135623730951), (1.7976931348623157e+308, inf))
+    """
+    low, high = bounds_of(ball(number, 2 * PRECISION), ball(number, 2 * PRECISION))
+    # a few floats at most, unless the number is not known so well
+    for _ in range(4):
+        if _not_below(number, above := math.nextafter(low, math.inf)):
+            low = above
+        if _not_below(-number, above := math.nextafter(-high, math.inf)):
+            high = -above
+    return low + 0.0, high + 0.0                           # 0, not -0
+
+
+def _not_below(number: Expr, bound: float) -> bool:
+    return math.isfinite(bound) and sign_of_constant(number - Rational(*bound.as_integer_ratio())) in (0, 1)
+
+
+def enclosed(constant: Expr) -> Enclosure:
+    """An exact constant, between neighbouring floats."""
+    low, high = rounded(constant)
+    return Enclosure(np.asarray(low), np.asarray(high))
+
+
+def bounds_of(low: arb, high: arb) -> tuple[float, float]:
+    """Floats below one ball and above the other; the whole line where one is not finite."""
+    if not (low.is_finite() and high.is_finite()):
+        return -np.inf, np.inf
+    return math.nextafter(float(low.lower()), -math.inf), math.nextafter(float(high.upper()), math.inf)
+

@@ -1,0 +1,186 @@
+"""Curves on which a verdict changes.
+
+Zeros of margins, each point of them on a line of the grid, moved along it to the last bits.
+"""
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from sympy import Expr, Rational, Symbol
+
+from ...algebra.enclosures.double_double import Twofold, TwofoldArithmetic
+from ...algebra.enclosures.floats import Array, in_floats
+from ..signs.numeric import compile_margin
+from ..signs.rounding import error_bound
+from ..signs.straightline import Program, program_of
+from .crossings import Sign, edges, joined, pieces, zeros
+
+Verdicts = Callable[[Array, Array], Array]
+# values of an axis between which curves are followed
+FINEST = 2000
+_AROUND = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
+
+
+def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[Symbol, Array],
+             y: tuple[Symbol, Array],
+             verdict: Array, ask: Verdicts | None = None) -> tuple[Array, Array]:
+    """Points of the curves between different verdicts, NaN between the pieces.
+
+    Marching squares on the sign of each margin; a vertex is kept where the verdict differs on the two sides
+    of it, and moved along its edge onto the zero, by bisection in twofold arithmetic (106 bits): of a
+    polynomial with rational numbers, within two units of the last place where nothing is degenerate.
+    Functions such as exp are taken in doubles, and the point is as good as they are.
+
+    Parameters
+    ----------
+    margins : sequence of Expr
+    numbers : mapping of Symbol to Expr
+        the other parameters
+    x, y : pairs (symbol, array)
+        strictly monotonic
+    verdict : array, shape (len(y), len(x))
+    ask : callable or None
+        the verdict at points: which of several margins that change their sign on one edge it is that the
+        verdict changes with
+
+    Returns
+    -------
+    pair of arrays
+        x and y of the points
+
+    References
+    ----------
+    Dekker, Numer. Math. 18 (1971) 224-242.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> a, b = gs.symbol("a"), gs.symbol("b")
+    >>> across, up = np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0])
+    >>> stable = np.array([[-1, -1, 1], [-1, -1, 1]])
+    >>> boundary([a**2 - 2], {}, (a, across), (b, up), stable)
+    (array([1.41421356, 1.41421356]), array([1., 0.]))
+    """
+    known = []
+    for margin in dict.fromkeys(margin.xreplace(dict(numbers)) for margin in margins):
+        if {x[0], y[0]} & margin.free_symbols:
+            program = program_of(margin, {})
+            sign = partial(sign_at, program, x[0], y[0])
+            known.append((sign, signs_of(margin, program, x, y, sign)))
+    crowded = _crowded([signs for _, signs in known])
+    x_found, y_found = joined([_curves(sign, signs, (x[1], y[1]), verdict, crowded, ask)
+                               for sign, signs in known])
+    return x_found, y_found
+
+
+def thinned(n: int) -> Array:
+    """Places along an axis of n values between which curves are followed.
+
+    All of them, or some 2000 that lie evenly, both ends included.
+    """
+    return np.unique(np.linspace(0, n - 1, min(n, FINEST)).round().astype(np.int64))
+
+
+def sign_at(program: Program, across: Symbol, up: Symbol, x: Array, y: Array) -> Array:
+    """The sign of a program in two names at points, in twofold arithmetic."""
+    return _sign(program, {across: x, up: y})
+
+
+def _crowded(signs: Sequence[Array]) -> tuple[Array, Array]:
+    """Edges of the grid along x, and along y, on which more than one margin may change its sign."""
+    sides = [np.where(np.isnan(s), np.nan, s > 0) for s in signs]
+    return tuple(np.sum([s != t for s, t in pairs], axis=0) > 1 for pairs in (
+        [(s[:, 1:], s[:, :-1]) for s in sides], [(s[1:], s[:-1]) for s in sides]))
+
+
+def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array, crowded: tuple[Array, Array],
+            ask: Verdicts | None) -> Array:
+    """The points of one margin, shape (2, points)."""
+    columns, rows = axes
+    gaps, good, bad = edges(signs)
+    kept = ~gaps & _between_verdicts(verdict, signs, good, bad)
+    points = np.full((2, len(gaps)), np.nan)
+    places = [tuple(part[kept] for part in end) for end in (good, bad)]
+    if kept.any():
+        sides = [(columns[c], rows[r]) for r, c in places]
+        points[:, kept] = found = zeros(sign, *sides)
+        (row, column), along = map(np.minimum, *places), places[0][0] == places[1][0]
+        several = np.array([crowded[0][r, c] if flat else crowded[1][r, c]
+                            for r, c, flat in zip(row, column, along)])
+        if ask is not None and several.any():
+            points[:, np.flatnonzero(kept)[several]] = np.where(_parts(ask, found[:, several], *(
+                tuple(part[several] for part in side) for side in sides)), found[:, several], np.nan)
+    return pieces(points)
+
+
+def signs_of(margin: Expr, program: Program, x: tuple[Symbol, Array], y: tuple[Symbol, Array],
+           sign: Sign) -> Array:
+    """The sign at every point of the grid, NaN where the margin has none.
+
+    Where doubles cannot tell, in twofold arithmetic.
+    """
+    (across, columns), (up, rows) = x, y
+    given = {across: columns[None, :], up: rows[:, None]}
+    used: dict[Symbol, Any] = {s: given[s] for s in (across, up) if s in margin.free_symbols}
+    named: dict[str, Any] = {s.name: array for s, array in used.items()}
+    with np.errstate(all="ignore"):
+        values = np.broadcast_to(compile_margin(margin)(**named), (len(rows), len(columns)))
+        sizes, roundings = {}, {}
+        for leaf in program.leaves:
+            sizes[leaf] = np.max(np.abs(in_floats(leaf, np, used)), initial=0)
+            roundings[leaf] = 0 if isinstance(leaf, Symbol) else 4
+        bound = error_bound(program, sizes, roundings)
+    signs = np.sign(values)
+    near = np.nonzero(~(np.abs(values) > bound) & np.isfinite(values))
+    if near[0].size:
+        signs[near] = sign(columns[near[1]], rows[near[0]])
+    return signs
+
+
+def _between_verdicts(verdict: Array, signs: Array, good: tuple[Array, ...], bad: tuple[Array, ...]) -> Array:
+    """Whether the verdict differs on the two sides.
+
+    Where an end lies on the curve itself, whether it differs beyond that end.
+    """
+    here = verdict[good]
+    different = here != verdict[bad]
+    asked = np.nonzero(~different & (signs[bad] == 0))[0]
+    for i, j in _AROUND:
+        row = np.clip(bad[0][asked] + i, 0, verdict.shape[0] - 1)
+        column = np.clip(bad[1][asked] + j, 0, verdict.shape[1] - 1)
+        different[asked] |= (signs[row, column] < 0) & (verdict[row, column] != here[asked])
+    return different
+
+
+def _parts(ask: Verdicts, points: Array, good: tuple[Array, Array], bad: tuple[Array, Array]) -> Array:
+    """Whether the verdict differs between points on edges and their two sides, a few units of the last place
+    away.
+    """
+    seen = [ask(*points)]
+    for side in (good, bad):
+        steps = [np.minimum(4 * np.spacing(np.abs(value)), np.abs(end - value))
+                 for value, end in zip(points, side)]
+        seen.append(ask(*(value + np.sign(end - value) * step
+                          for value, end, step in zip(points, side, steps))))
+    return (seen[0] != seen[1]) | (seen[0] != seen[2])
+
+
+def _sign(program: Program, arrays: Mapping[Symbol, Array]) -> Array:
+    """The sign of a program at points, in twofold arithmetic."""
+    def leaf(value: Expr) -> Twofold:
+        if isinstance(value, Symbol):
+            return Twofold(arrays[value], np.float64(0))
+        return (
+            constant(Rational(value.evalf(40)))
+            if not value.free_symbols
+            else Twofold(in_floats(value, np, arrays), np.float64(0))
+        )
+
+    def constant(value: Rational) -> Twofold:
+        near = float(value)
+        return Twofold(np.float64(near), np.float64(float(value - Rational(near))))
+
+    with np.errstate(all="ignore"):
+        high, low = program.run(leaf, constant, TwofoldArithmetic)[-1]
+        return np.sign(np.where(high != 0, high, low))

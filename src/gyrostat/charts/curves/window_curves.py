@@ -1,0 +1,161 @@
+"""Curves where gyroscopic forces hold a maximum: resonances of low order, and D4 = 0."""
+from collections.abc import Mapping
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+from sympy import Expr, Symbol
+
+from ...algebra.enclosures.floats import Array
+from ...algebra.solving.margins import Signs
+from ...stability.criteria.conditions import Condition
+from ...stability.decision import Rung
+from ...stability.normal_forms.local_motion import data_of
+from ...stability.normal_forms.windows import resonance_margin
+from ...stability.report.report import Report
+from ..codes import CURVES, RUNGS
+from ..grids import Grid
+from ..signs.arrays import grid_for
+from ..signs.ball_arrays import SUM, BallArray
+from ..signs.deciding import Decided, signs_in_row
+from ..signs.held_points import leaf, twists
+from ..signs.straightline import program_of
+from .contours import sign_at, signs_of
+from .crossings import edges, joined, pieces, zeros
+
+WITHIN = 2.0**-12                                      # of an edge of the grid: what D4 = 0 is enclosed to
+STEPS = 30                                             # of the search on an edge
+HELD = [RUNGS[rung] for rung in (Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE, Rung.SIXTH_ORDER, Rung.RESONANCE,
+                                Rung.INTEGRAL, Rung.NOTHING)]
+Axis = tuple[Symbol, Array]
+
+
+class Plane(NamedTuple):
+    """A report over two axes, each strictly monotonic, and the other numbers."""
+
+    report: Report
+    numbers: Mapping[Symbol, Expr]
+    x: Axis
+    y: Axis
+
+    def grid(self, x: Array, y: Array) -> Grid:
+        """Points in a row."""
+        return grid_for(self.report, {s.name: value for s, value in (*self.numbers.items(), (self.x[0], x),
+                                                                     (self.y[0], y))})
+
+
+def window_curves(plane: Plane, rungs: Array) -> Array:
+    """x, y and code of points of the curves, shape (3, points), NaN between pieces.
+
+    A resonance is a zero of its margin, found as the boundary is. On D4 = 0 each point is the middle of a
+    part of an edge, of 2⁻¹² of it at most, at the ends of which D4 is proved to have opposite signs, while
+    the resonance 1:2, its pole, is excluded in all of it.
+
+    Parameters
+    ----------
+    plane : Plane
+    rungs : array of int8, shape (len(y), len(x))
+        what decided each point
+    """
+    eq = plane.report.equilibrium
+    p, q = data_of(eq)[-1]
+    if not {s for x in (p, q) for s in x.free_symbols} <= {*plane.numbers, plane.x[0], plane.y[0]}:
+        return np.empty((3, 0))
+    held = _beside(np.isin(rungs, HELD))
+    margins = {name: resonance_margin(p, q, *pair).xreplace(dict(plane.numbers))
+               for name, pair in (("resonance_1_2", (1, 2)), ("resonance_1_3", (1, 3)))}
+    factors = {name: Signs.over([margin]).normal_form(margin) for name, margin in margins.items()}
+    positive, nonzero = Signs.over([p]).normal_form(p)
+    oscillates = Condition(positive, True, "p", nonzero, eq.at)
+    found = [_coded(_resonance(plane, oscillates, factor, np.where(held, _signs(plane, factor), np.nan)),
+                    CURVES[name])
+             for name, (odd, even) in factors.items() for factor in (odd, *even)]
+    negative = np.where(rungs == RUNGS[Rung.TWIST_NEGATIVE], -1.0, np.nan)
+    twist = np.where(rungs == RUNGS[Rung.TWIST_POSITIVE], 1.0, negative)
+    double = _signs(plane, factors["resonance_1_2"][0])
+    return joined([*found, _coded(_untwisted(plane, np.where(double == 0, np.nan, twist * double)),
+                                  CURVES["D4_zero"])])
+
+
+def _signs(plane: Plane, factor: Expr) -> Array:
+    """The signs of a factor over the grid."""
+    program = program_of(factor, {})
+    sign = partial(sign_at, program, plane.x[0], plane.y[0])
+    return signs_of(factor, program, plane.x, plane.y, sign)
+
+
+def _beside(where: Array) -> Array:
+    """Where it is so, or at a neighbour."""
+    wide = np.pad(where, 1)
+    rows, columns = where.shape
+    return np.any([wide[i:i + rows, j:j + columns] for i in range(3) for j in range(3)], axis=0)
+
+
+def _coded(curve: Array, code: int) -> Array:
+    return np.concatenate([curve, np.where(np.isnan(curve[:1]), np.nan, code)])
+
+
+def _resonance(plane: Plane, oscillates: Condition, factor: Expr, signs: Array) -> Array:
+    """Its zeros between the two criteria, but for those on the edge, p = q = 0."""
+    gaps, good, bad = edges(signs)
+    points = np.full((2, len(gaps)), np.nan)
+    if gaps.all():
+        return points[:, :0]
+    sides = [(plane.x[1][c[~gaps]], plane.y[1][r[~gaps]]) for r, c in (good, bad)]
+    sign = partial(sign_at, program_of(factor, {}), plane.x[0], plane.y[0])
+    found = zeros(sign, *sides)
+    grid = plane.grid(*found)
+    whole = tuple(slice(0, n) for n in grid.merged)
+    with np.errstate(all="ignore"):
+        inside = np.broadcast_to(Decided(plane.report, grid, "numpy").open(whole), grid.merged)[0]
+        inside = inside & (signs_in_row(oscillates, grid) == 1)
+    points[:, ~gaps] = np.where(inside, found, np.nan)
+    return pieces(points)
+
+
+def _untwisted(plane: Plane, signs: Array) -> Array:
+    """Zeros of D4 times the margin of 1:2, which has no pole, where that margin is not 0."""
+    gaps, good, bad = edges(signs)
+    points = np.full((2, len(gaps)), np.nan)
+    if gaps.all():
+        return points[:, :0]
+    ends = [np.array([plane.x[1][c[~gaps]], plane.y[1][r[~gaps]]]) for r, c in (good, bad)]
+    with np.errstate(all="ignore"):
+        middle, half = _near_zero(plane, *ends), abs(ends[1] - ends[0]) * WITHIN / 2
+        wide = 2 * half + SUM * abs(middle)
+        D4, double = (x.sign().reshape(3, -1) for x in _twists(
+            plane, np.concatenate([middle - half, middle + half, middle], axis=1),
+            np.concatenate([0 * half, 0 * half, wide], axis=1)))
+    proved = (D4[0] * D4[1] < 0) & (double[2] != 0)
+    points[:, ~gaps] = np.where(proved, middle, np.nan)
+    return pieces(points)
+
+
+def _near_zero(plane: Plane, good: Array, bad: Array) -> Array:
+    """About where D4 times the margin is 0 on edges: false position, every third step a bisection."""
+    t, s = np.ones(good.shape[1]), np.zeros(good.shape[1])
+    value, old = np.split(_product(plane, np.concatenate([bad, good], axis=1)), 2)
+    left = np.arange(len(t))
+    for step in range(STEPS):
+        following = (t + s)[left] / 2 if step % 3 == 2 else (t - value * (t - s) / (value - old))[left]
+        here = _product(plane, good[:, left] + (bad - good)[:, left] * following)
+        turned, moved = here * value[left] < 0, abs(following - t[left])
+        s[left], old[left] = np.where(turned, t[left], s[left]), np.where(turned, value[left], old[left] / 2)
+        t[left], value[left] = following, here
+        left = left[moved > WITHIN / 16]
+        if not left.size:
+            break
+    return np.asarray(good + (bad - good) * np.clip(t, WITHIN, 1 - WITHIN))
+
+
+def _product(plane: Plane, at: Array) -> Array:
+    D4, double = _twists(plane, at, np.zeros_like(at))
+    return np.asarray(D4.middle * double.middle)
+
+
+def _twists(plane: Plane, at: Array, wide: Array) -> tuple[BallArray, BallArray]:
+    """D4 and the margin of 1:2 over boxes about points."""
+    grid = plane.grid(*at)
+    names = {s: leaf(grid, s) for s in grid.values}
+    names |= {name: BallArray(*ball) for name, ball in zip((plane.x[0], plane.y[0]), zip(at, wide))}
+    return twists(plane.report, names, at.shape[1])

@@ -1,0 +1,250 @@
+"""Verdicts in the blocks of a grid: proved signs of margins, and the ladder between the two criteria."""
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from itertools import chain, repeat
+
+import numpy as np
+from sympy import Expr
+
+from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.precision import ONE_AT_A_TIME
+from ...algebra.rings.polynomials import Ring
+from ...stability.criteria.conditions import Condition, Criterion
+from ...stability.criteria.orientation_form import orientation_form
+from ...stability.criteria.truth import Relation, truth
+from ...stability.decision import Rung
+from ...stability.report.report import Report
+from ...stability.theorems.boundary import Boundary
+from ...stability.theorems.two_directions import may_lie_on_curve, open_between
+from ..codes import CODE_OF, INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
+from ..grids import Grid, Slices, cut, last, places
+from .constants import with_constants
+from .grid_signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational
+from .held_points import held
+from .three_valued import answered, every, some
+
+
+@dataclass(frozen=True)
+class Demands:
+    """What has to be positive, not 0, and 0 for the equilibrium to exist; the margin that decides alone."""
+
+    positive: tuple[Expr, ...]
+    nonzero: tuple[Expr, ...]
+    zero: tuple[Expr, ...]
+    alone: Expr | None
+
+
+def demands_of(report: Report, grid: Grid, damped: bool) -> Demands:
+    """The demands of a report on the numbers of a grid."""
+    eq, alone = report.equilibrium, None if damped else _single(report.sufficient)
+    return Demands((*eq.existence(), *(s for s in grid.values if s.is_positive)),
+                   tuple(e for e in _denominators(eq.field_values) if e.free_symbols <= grid.values.keys()),
+                   tuple(eq.constraints),
+                   alone if alone is not None and alone == _single(report.necessary) else None)
+
+
+class Decided:
+    """The verdicts of a report over a grid, written block by block on one thread.
+
+    With rungs, of the merged shape, what decided each point between the two criteria is written too.
+    """
+
+    def __init__(self, report: Report, grid: Grid, backend: str, damped: bool = False,
+                 rungs: Array | None = None):
+        self.report, self.grid, self.backend, self.damped = report, grid, backend, damped
+        self.rungs, self.stays_open = rungs, not damped and open_between(report.equilibrium)
+        self.known: dict[Expr, ArraySigns] = {}
+        demands = demands_of(report, grid, damped)
+        self.positive = [self._signs(e) for e in demands.positive]
+        self.nonzero = [self._signs(e) for e in demands.nonzero]
+        self.zero = [self._signs(e) for e in demands.zero]
+        self.alone = demands.alone
+        self.unsafe = [a for a in map(grid.strange, grid.values) if a is not None]
+
+    def _signs(self, expression: Expr) -> ArraySigns:
+        if expression not in self.known:
+            self.known[expression] = ArraySigns(with_constants(expression, self.grid), self.grid,
+                                                self.backend, [])
+        return self.known[expression]
+
+    def fill(self, tiles: Iterable[Sequence[Slices]], result: Array) -> tuple[int, ...] | None:
+        """Write the verdicts; the first place where the equilibrium does not exist."""
+        first: tuple[int, ...] | None = None
+        for block in chain.from_iterable(tiles):
+            out = result[block][(0,) * (result.ndim - 2)]
+            with np.errstate(all="ignore"):            # overflow is a value here
+                nowhere = self._nowhere(block)
+                self._decide(block, out, nowhere)
+                out[np.broadcast_to(self._doubtful(block), out.shape)] = UNDECIDED
+            if nowhere is not None:
+                out[np.broadcast_to(nowhere, out.shape)] = INVALID
+                here = _place(block, *np.argwhere(out == INVALID)[0])
+                first = here if first is None else min(first, here)
+        return first
+
+    def _nowhere(self, block: Slices) -> Array | None:
+        """Where the equilibrium does not exist, or a number is not finite; None: nowhere in the block."""
+        wrong = [last(cut(a, block)) for a in self.unsafe]
+        wrong += [signs(block) < 1 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
+        wrong += [abs(signs(block)) == 1 for signs in self.zero]
+        found = [w for w in wrong if w.any()]
+        return reduce(np.logical_or, found) if found else None
+
+    def _doubtful(self, block: Slices) -> Array:
+        """Where it is not proved that the equilibrium exists."""
+        return reduce(np.logical_or, [signs(block) == UNKNOWN for signs in (*self.positive, *self.zero)],
+                      np.zeros((1, 1), bool))
+
+    def _decide(self, block: Slices, out: Array, nowhere: Array | None) -> None:
+        """Write the verdicts in a block."""
+        if self.alone is not None:
+            signs = self._signs(self.alone)
+            if (found := signs(block, out)) is not out:
+                out[...] = found
+            if signs.sufficed:
+                return
+            between = out == 0
+            out[out == UNKNOWN] = UNDECIDED
+        elif self.damped:
+            positive = self._holds(self.report.damped, block)
+            out[...] = positive                        # where it is not, and neither is degenerate, unstable
+            between = np.broadcast_to(positive < 0, out.shape) & self._exceptional(block)
+        else:
+            sufficient, necessary = (self._holds(c, block)
+                                     for c in (self.report.sufficient, self.report.necessary))
+            out[...] = np.where(sufficient > 0, STABLE, np.where(necessary < 0, UNSTABLE, UNDECIDED))
+            between = np.broadcast_to((sufficient < 0) & (necessary > 0), out.shape)
+        if nowhere is not None:
+            between = between & ~nowhere
+        if self.stays_open and between.any():              # but on a closed curve, where K is degenerate
+            between = between & self._on_curve(block)
+        if between.any():
+            rows, columns = places(between)
+            for start in range(0, len(rows), TOGETHER):
+                at = rows[start:start + TOGETHER], columns[start:start + TOGETHER]
+                with ONE_AT_A_TIME:
+                    out[at], rungs = self._between(self.grid.at(block, *at))
+                if self.rungs is not None:
+                    self.rungs[block][(0,) * (self.rungs.ndim - 2)][at] = rungs
+
+    def _on_curve(self, block: Slices) -> Array:
+        """Where a satellite may lie on a closed curve of equilibria."""
+        if not may_lie_on_curve(eq := self.report.equilibrium):
+            return np.zeros((1, 1), bool)
+        signs = self._signs(eq.insert(orientation_form(eq).stiffness.det(method="berkowitz")))(block)
+        return (signs == 0) | (signs == UNKNOWN)
+
+    def open(self, block: Slices) -> Array:
+        """Where it is proved that the equilibrium exists and lies between the two criteria."""
+        sufficient, necessary = (self._holds(c, block)
+                                 for c in (self.report.sufficient, self.report.necessary))
+        nowhere = self._nowhere(block)
+        found = (sufficient < 0) & (necessary > 0) & ~self._doubtful(block)
+        return found if nowhere is None else found & ~nowhere
+
+    def _between(self, grid: Grid) -> tuple[Array | list[int], Array | list[int]]:
+        """Verdicts at points that the criteria leave open, and what decided each.
+
+        By the ladder of the boundary; where there is none, together where gyroscopic forces hold them, the
+        others one by one.
+        """
+        boundary = self.report.boundary
+        if boundary is not None and not self.damped:
+            found = _climbed(boundary, grid, self.alone)
+            return found, np.full(len(found), RUNGS[Rung.REDUCED_MOTION])
+        names = [s.name for s in grid.values]
+        twists = repeat(0) if self.damped else held(self.report, grid)
+        verdicts, rungs = list[int](), list[int]()
+        for numbers, twist in zip(grid.numbers(grid.values), twists):
+            if twist:
+                verdict, rung = STABLE, RUNGS[Rung.TWIST_POSITIVE if twist > 0 else Rung.TWIST_NEGATIVE]
+            else:
+                values = dict(zip(names, map(dyadic_rational, numbers)))
+                decision = self.report.verdict(values, self.damped)
+                verdict, rung = CODE_OF[decision.verdict], RUNGS[decision.rung]
+            verdicts.append(verdict)
+            rungs.append(rung)
+        return verdicts, rungs
+
+    def _exceptional(self, block: Slices) -> Array:
+        """Where the second variation may be degenerate, or the damping not reach every motion."""
+        degenerate, *torques = self.report.secular.standard.exceptions
+
+        def may_vanish(factors: Sequence[Expr]) -> Array:
+            signs = [self._signs(e)(block) for e in factors]
+            return reduce(np.logical_or, [(s == 0) | (s == UNKNOWN) for s in signs], np.zeros((1, 1), bool))
+
+        unreached = np.ones((1, 1), bool)
+        for torque in torques:
+            if not unreached.any():
+                break
+            unreached = unreached & may_vanish(torque)
+        return np.asarray(may_vanish(degenerate) | unreached)
+
+    def _holds(self, criterion: Criterion, block: Slices) -> Array:
+        """1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
+        def compare(expression: Expr, relation: Relation) -> Array:
+            signs = self._signs(expression)(block)
+            known, holds = signs != UNKNOWN, relation(signs, 0)
+            return answered(known & holds, known & ~holds)
+
+        return truth(criterion, compare, every, some)
+
+
+def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
+    """Verdicts at points in a row by the ladder, each rung at the points where all below it vanish, as a
+    margin may be known to.
+    """
+    found = np.full(grid.shape, UNDECIDED, dtype=np.int8)
+    left = np.arange(len(found))
+    for rung in boundary.decisive():
+        if not rung.condition.symbols <= grid.values.keys():
+            return found
+        if rung.condition.margin == vanishing:         # and 0 it is with even factors as well
+            continue
+        signs = signs_in_row(rung.condition,
+                          grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))
+        unknown = (signs == UNKNOWN) | (signs == 0)
+        found[left] = np.where(unknown, UNDECIDED, np.where(rung.stable(signs), STABLE, UNSTABLE))
+        left = left[signs == 0]
+        if not len(left):
+            return found
+    if boundary.last is not None:
+        found[left] = UNSTABLE
+    return found
+
+
+def signs_in_row(condition: Condition, grid: Grid) -> Array:
+    """The sign of a condition at points in a row, 0 where an even factor vanishes."""
+    whole = (slice(0, 1), slice(0, grid.shape[0]))
+    signs, *factors = (np.broadcast_to(ArraySigns(e, grid, "numpy", [])(whole)[0], grid.shape)
+                       for e in (condition.margin, *condition.degenerate))
+    for factor in factors:
+        signs = np.where(factor == 0, 0, np.where((factor == UNKNOWN) & (signs != 0), UNKNOWN, signs))
+    return signs
+
+
+def _place(block: Slices, row: int, column: int) -> tuple[int, ...]:
+    """The place in the merged grid of a row and column of a block."""
+    return (*(s.start for s in block[:-2]), block[-2].start + int(row), block[-1].start + int(column))
+
+
+def _single(criterion: Criterion) -> Expr | None:
+    """The margin that decides alone, None if there is no such."""
+    conditions = list(chain.from_iterable(criterion.alternatives))
+    if len(criterion.alternatives) != 1 or len(conditions) != 1 or conditions[0].degenerate:
+        return None
+    return conditions[0].margin
+
+
+def _denominators(values: Sequence[Expr]) -> list[Expr]:
+    """What must not vanish for U and its derivatives to be finite."""
+    found = []
+    for value in values:
+        ring = Ring([value])
+        bottom = ring.fraction(value)[1]
+        if not bottom.is_constant():
+            found.append(ring.expression(bottom))
+    return list(dict.fromkeys(found))
+

@@ -1,0 +1,110 @@
+"""Exact signs of polynomials at many doubles at once: a double is a whole number times a power of 2."""
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from sympy import Expr, Rational
+
+from ...algebra.enclosures.floats import Array
+from .straightline import Program
+
+WORD = 64                                              # bits of a machine number
+NOTHING = 2**20                                        # the power of 0, beyond all others
+LONGEST = 4096                                         # bits of whole numbers that are not too long
+TOGETHER = 1024                                        # points of which those are kept in memory
+
+
+class Dyadics(NamedTuple):
+    """Numbers whole · 2^power: arrays, the whole ones modulo 2⁶⁴, or Python's without an end."""
+
+    whole: Array
+    power: Array
+
+
+class DyadicArithmetic:
+    """Sums and products without rounding, for straight-line programs."""
+
+    @staticmethod
+    def add(a: Dyadics, b: Dyadics) -> Dyadics:
+        power = np.minimum(a.power, b.power)
+        return Dyadics(_shifted(a, power) + _shifted(b, power), power)
+
+    @staticmethod
+    def subtract(a: Dyadics, b: Dyadics) -> Dyadics:
+        power = np.minimum(a.power, b.power)
+        return Dyadics(_shifted(a, power) - _shifted(b, power), power)
+
+    @staticmethod
+    def multiply(a: Dyadics, b: Dyadics) -> Dyadics:
+        return Dyadics(a.whole * b.whole, a.power + b.power)
+
+    @staticmethod
+    def negative(a: Dyadics) -> Dyadics:
+        return Dyadics(-a.whole, a.power)
+
+
+def dyadic_signs(program: Program, leaves: Mapping[Expr, Array], most: Array) -> tuple[Array, Array]:
+    """The signs of a polynomial with whole coefficients at doubles in a row, and where they are found.
+
+    First modulo 2⁶⁴: what is left of a whole number is the number itself where that is known to be smaller,
+    whatever was lost on the way to it. Then in numbers of any length, where those are not too long.
+
+    Parameters
+    ----------
+    program : Program
+        its leaves symbols
+    leaves : mapping of leaf to array
+        finite doubles
+    most : array
+        at least abs(value), in doubles
+
+    Returns
+    -------
+    signs, found : arrays of int8 and bool
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> from gyrostat.charts.signs.straightline import program_of
+    >>> x, y = gs.symbol("x"), gs.symbol("y")
+    >>> x_of, most = np.array([3.0, 2.0**-40 + 1]), np.array([1e-15, 1e-15])
+    >>> dyadic_signs(program_of(x**2 - y, {}), {x: x_of, y: x_of**2}, most)[0]
+    array([0, 1], dtype=int8)
+    """
+    exact = {leaf: dyadics(x) for leaf, x in leaves.items()}
+    last = _run(program, exact, np.uint64)
+    signs = np.broadcast_to(np.sign(last.whole.view(np.int64)), most.shape).astype(np.int8)
+    with np.errstate(over="ignore"):
+        found, short = (most < np.ldexp(1.0, last.power + bits) for bits in (WORD - 2, LONGEST))
+    left = np.flatnonzero(short & ~found)
+    for start in range(0, len(left), TOGETHER):
+        here = left[start:start + TOGETHER]
+        whole = _run(program, {leaf: Dyadics(*(a[here] if len(a) > 1 else a for a in x))
+                               for leaf, x in exact.items()}, object).whole
+        signs[here], found[here] = (whole > 0).astype(np.int8) - (whole < 0), True
+    return signs, found
+
+
+def dyadics(x: Array) -> Dyadics:
+    """The whole numbers and powers of finite doubles, the whole ones odd."""
+    fraction, power = np.frexp(x)
+    whole = np.ldexp(fraction, 53).astype(np.int64)
+    zeros = np.maximum(np.frexp((whole & -whole).astype(np.float64))[1] - 1, 0)
+    return Dyadics(whole >> zeros, np.where(whole == 0, NOTHING, power.astype(np.int64) + zeros - 53))
+
+
+def _run(program: Program, leaves: Mapping[Expr, Dyadics], kind: Any) -> Dyadics:
+    """The program modulo 2⁶⁴ with NumPy's uint64, in Python's numbers with objects."""
+    def constant(value: Rational) -> Dyadics:
+        zeros = max((int(value) & -int(value)).bit_length() - 1, 0)
+        odd = int(value) >> zeros
+        return Dyadics(np.array([odd if kind is object else odd % 2**WORD], dtype=kind), np.array([zeros]))
+
+    return program.run(lambda leaf: leaves[leaf]._replace(whole=leaves[leaf].whole.astype(kind)), constant,
+                       DyadicArithmetic)[-1]
+
+
+def _shifted(a: Dyadics, power: Array) -> Array:
+    """Whole numbers of a lower power."""
+    return a.whole << (a.power - power).astype(a.whole.dtype)
+

@@ -1,0 +1,141 @@
+"""Points that gyroscopic forces hold, decided together: D4 in arrays of balls."""
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from sympy import Add, Expr, Mul, Pow, Rational, Symbol
+
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.floats import Array
+from ...algebra.rings.series import Series, composed
+from ...mechanics.scenes.potential import DIRECTIONS
+from ...notation import jet
+from ...stability.normal_forms.birkhoff import Modes, characteristic, linear_motion, modes, normalised, twist
+from ...stability.normal_forms.local_motion import data_of
+from ...stability.normal_forms.orbit_chart import energy_on_orbit
+from ...stability.normal_forms.windows import resonance_margin, resonances_up_to
+from ...stability.report.report import Report
+from ..grids import Grid
+from .ball_arrays import SUM, TINY, BallArray
+
+Number = Callable[[Expr], BallArray]
+
+
+def held(report: Report, grid: Grid) -> Array:
+    """The sign of D4 where no resonance to order 4 holds, and no eigenvalue is real or 0: stable if not 0.
+
+    Where it is not proved so in doubles, 0.
+
+    Parameters
+    ----------
+    report : Report
+        of a body in a field
+    grid : Grid
+        of one axis
+
+    Returns
+    -------
+    array of int8, shape of the grid
+    """
+    return twists(report, {s: leaf(grid, s) for s in grid.values}, max(grid.shape))[0].sign()
+
+
+def twists(report: Report, given: Mapping[Symbol, BallArray], count: int) -> tuple[BallArray, BallArray]:
+    """D4 where no resonance to order 4 holds, and the margin of 1:2, where no eigenvalue is real or 0.
+
+    Over all numbers of the balls; of infinite radius elsewhere. D4 has poles only where that margin is 0.
+    """
+    eq = report.equilibrium
+    potential = eq.system.potential
+    found = [BallArray(np.zeros(count), np.full(count, np.inf)) for _ in range(2)]
+    if potential is None or potential.coupled:
+        return found[0], found[1]
+    if not potential.given or not potential.expression.is_rational_function(*DIRECTIONS):
+        return found[0], found[1]
+    names = dict(given)
+    try:
+        for name, value in eq.relations:
+            if not jet(name.name):
+                names[name] = _evaluated(eq.insert(value), names)
+        inverse, rotor, pi, k, _ = ([_evaluated(x, names) for x in part] for part in data_of(eq))
+        _evaluated(potential.expression, names | dict.fromkeys(DIRECTIONS, BallArray(1.0)))
+    except (NotImplementedError, KeyError):
+        return found[0], found[1]
+    shape = (count,)
+    spread = [BallArray(np.broadcast_to(x.middle, shape), np.broadcast_to(x.radius, shape))
+              for x in (*inverse, *rotor, *pi, *k)]
+    smallest = np.argmin([abs(x.middle) for x in spread[-3:]], axis=0)
+    for upright in range(3):
+        at = np.flatnonzero(smallest == upright)
+        if at.size:
+            here = {s: _cut(x, at, shape) for s, x in names.items()}
+            numbers = [_cut(x, at, shape) for x in spread]
+            for whole, part in zip(found, _twists(numbers, potential.expression, here, upright)):
+                whole.middle[at], whole.radius[at] = part.middle, part.radius
+    return found[0], found[1]
+
+
+def _twists(numbers: list[BallArray], U: Expr, names: dict[Symbol, BallArray],
+            upright: int) -> list[BallArray]:
+    """At points that have the same axis farthest from k."""
+    inverse = [numbers[3 * i:3 * i + 3] for i in range(3)]
+    rotor, pi, k = (numbers[n:n + 3] for n in (9, 12, 15))
+    momentum = [x + y for x, y in zip(pi, rotor)]
+
+    def field(places: Any) -> Series:
+        return composed(U, dict(zip(DIRECTIONS, places)), lambda x: _evaluated(x, names))
+
+    with np.errstate(all="ignore"):
+        parts = energy_on_orbit(inverse, rotor, k, momentum, field, upright, 4)
+        A = linear_motion(parts[2])
+        p, q = characteristic(A)
+        discriminant = p**2 - 4 * q
+        proved = p.positive() & q.positive() & discriminant.positive()
+        double = resonance_margin(p, q, 1, 2).where(proved)
+        for pair in resonances_up_to(4):
+            proved = proved & resonance_margin(p, q, *pair).excludes_zero()
+        unknown = double.where(np.zeros_like(proved))
+        if not proved.any():
+            return [unknown, double]
+        root = discriminant.sqrt()
+        square = (p + root) * 0.5
+        values = square.sqrt().turned(), (q / square).sqrt().turned()
+        try:
+            found: Modes = modes(A, p, values)
+        except ZeroDivisionError:
+            return [unknown, double]
+        return [twist(normalised(parts, found)[4], found).real.where(proved), double]
+
+
+def leaf(grid: Grid, name: Symbol) -> BallArray:
+    """The numbers of a name, doubles or near doubles."""
+    values = np.asarray(grid.values[name], float).ravel()
+    return BallArray(values, SUM * abs(values) + TINY if name in grid.exact else None)
+
+
+def _cut(x: BallArray, at: Array, shape: tuple[int, ...]) -> BallArray:
+    """Of some points."""
+    if x.middle.size == 1 and shape != (1,):
+        return x
+    return BallArray(x.middle[at], x.radius[at])
+
+
+def _evaluated(expression: Expr, names: dict[Symbol, BallArray]) -> BallArray:
+    """A fraction of polynomials in names, with constants of any kind."""
+    if isinstance(expression, Symbol):
+        return names[expression]
+    if not expression.free_symbols:
+        enclosed = ball(expression, 128)
+        near = float(enclosed.mid())
+        exact = isinstance(expression, Rational) and Rational(near) == expression
+        return BallArray(near, None if exact else np.asarray(abs(near) * SUM + TINY))
+    if isinstance(expression, Pow) and expression.exp.is_Integer:
+        base = _evaluated(expression.base, names)
+        return base**int(expression.exp) if expression.exp > 0 else 1 / base**-int(expression.exp)
+    if not isinstance(expression, Add | Mul):
+        raise NotImplementedError
+    found = _evaluated(expression.args[0], names)
+    for part in expression.args[1:]:
+        other = _evaluated(part, names)
+        found = found + other if isinstance(expression, Add) else found * other
+    return found

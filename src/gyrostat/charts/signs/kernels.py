@@ -1,0 +1,136 @@
+"""The work at each point of a block as one loop, compiled by Numba and kept on disk."""
+import atexit
+import hashlib
+import importlib.util
+import os
+import shutil
+import sys
+import tempfile
+import time
+from collections.abc import Sequence
+from functools import lru_cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any, Literal
+
+import numpy as np
+
+from ...algebra.enclosures.floats import Array
+from ...errors import optional
+from ..grids import Slices
+from .straightline import Operation
+from .tiles import Tiles
+
+Finish = Literal["value", "positive", "nonnegative", "sign"]
+_SYMBOLS = {"add": "+", "subtract": "-", "multiply": "*"}
+_FINISH = {"value": "{0}", "positive": "{0} > 0", "nonnegative": "{0} >= 0",
+           "sign": "({0} > bound) - ({0} < -bound)"}
+
+
+class Kernel:
+    """The inner steps of tiles as a compiled function of a block.
+
+    Parameters
+    ----------
+    tiles : Tiles
+    finish : str
+        what is written: the value, whether it is positive or nonnegative, or its sign beyond a bound
+    spent : list
+        the seconds of a compilation, or of reading it from disk, with the first block, are entered
+    """
+
+    def __init__(self, tiles: Tiles, finish: Finish, spent: list[float]):
+        self.tiles, self.finish, self.spent = tiles, finish, spent
+        self.functions: dict[str, Any] = {}
+
+    def __call__(self, block: Slices, out: Array, bound: float = 0.0) -> None:
+        """Write a block of results."""
+        operands = [self.tiles.small(i, block) for i in self.tiles.operands]
+        kinds = "".join(map(_kind, operands))
+        if kinds not in self.functions:
+            self.functions[kinds] = function_of(self._source(kinds))
+        function = self.functions[kinds]
+        given = [_given(a, kind) for a, kind in zip(operands, kinds)]
+        into = out if out.flags.c_contiguous else np.empty(out.shape, dtype=out.dtype)
+        known, begin = len(function.overloads), time.perf_counter()
+        function(*given, bound, into)
+        if len(function.overloads) > known:
+            self.spent.append(time.perf_counter() - begin)
+        if into is not out:
+            out[...] = into
+
+    def _source(self, kinds: str) -> str:
+        tiles = self.tiles
+        read = {"s": "a{0}", "r": "r{0}", "c": "a{0}[j]", "f": "b{0}[j]"}
+        names = {i: read[kind].format(i) for i, kind in zip(tiles.operands, kinds)}
+        before = [f"        {kind if kind == 'r' else 'b'}{i} = a{i}[i]"
+                  for i, kind in zip(tiles.operands, kinds) if kind in "rf"]
+        lines = []
+        for i, step in tiles.inner:
+            names[i] = f"x{i}"
+            lines.append(f"            x{i} = " + written(step.operation, [names[n] for n in step.arguments]))
+        final = _FINISH[self.finish].format(names[tiles.inner[-1][0]])
+        return "\n".join([f"def kernel({', '.join(f'a{i}' for i in tiles.operands)}, bound, out):",
+                          "    for i in range(out.shape[0]):", "        row = out[i]", *before,
+                          "        for j in range(out.shape[1]):", *lines, f"            row[j] = {final}",
+                          ""])
+
+
+def written(operation: Operation, arguments: Sequence[str]) -> str:
+    """An operation of a program as it stands in a loop."""
+    return f"-{arguments[0]}" if operation == "negative" else f" {_SYMBOLS[operation]} ".join(arguments)
+
+
+@lru_cache(maxsize=128)
+def function_of(source: str) -> Any:
+    """The function, compiled when first called, or read from disk where a process has compiled it before."""
+    numba = optional("numba", "fast")
+    return numba.njit(cache=True, nogil=True, error_model="numpy")(_module(source).kernel)
+
+
+def _module(source: str) -> ModuleType:
+    """The source as a module of its own: Numba keeps what it compiles beside the file that it comes from."""
+    name = "gyrostat_kernel_" + hashlib.sha256(source.encode()).hexdigest()[:24]
+    path = _folder() / f"{name}.py"
+    if not path.exists() or path.read_text(encoding="utf-8") != source:
+        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, suffix=".tmp",
+                                         delete=False) as file:
+            file.write(source)
+        os.replace(file.name, path)
+    spec = importlib.util.spec_from_file_location(name, path)
+    assert spec is not None and spec.loader is not None
+    module = sys.modules[name] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@lru_cache(maxsize=1)
+def _folder() -> Path:
+    """Where kernels are kept: the user's cache, or a folder of this process where that cannot be written."""
+    try:
+        folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "gyrostat"
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return folder
+    except (OSError, RuntimeError):                    # no home, or none that can be written
+        folder = Path(tempfile.mkdtemp(prefix="gyrostat-"))
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+        return folder
+
+
+def _kind(operand: Array) -> str:
+    """How an operand varies over a block: a scalar, with the column, with the row, or with both."""
+    if operand.size == 1:
+        return "s"
+    if operand.shape[0] == 1:
+        return "c"
+    return "r" if operand.shape[1] == 1 else "f"
+
+
+def _given(operand: Array, kind: str) -> Any:
+    """An operand as a kernel of its kind takes it."""
+    if kind == "s":
+        return operand[0, 0]
+    if kind == "c":
+        return np.ascontiguousarray(operand[0])
+    return np.ascontiguousarray(operand[:, 0] if kind == "r" else operand)

@@ -1,0 +1,39 @@
+"""Answers as a list: as data for JSON, and what all of them note once."""
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from ...printing.formats.json_data import damped_data, decision_data, number_data, rate_data
+from ...stability.decision import Decision
+from .answers import Answer
+from .equilibria import Missing
+
+
+def note_once(answers: Sequence[Answer | Missing]) -> tuple[str, list[Answer | Missing]]:
+    """The note that all decisions of a list have, and the list without it; "" where it is each one's own."""
+    decided = [a for a in answers if isinstance(a, Answer)]
+    notes = {a.decision.note for a in decided}
+    if len(decided) < 2 or len(notes) > 1:
+        return "", list(answers)
+    return notes.pop(), [a if isinstance(a, Missing) else
+                         replace(a, decision=replace(a.decision, note=""), damped=_bare(a.damped),
+                                 itself=_bare(a.itself)) for a in answers]
+
+
+def _bare(decision: Decision | None) -> Decision | None:
+    return None if decision is None else replace(decision, note="")
+
+
+def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
+    """The answers as data for JSON, what all of them note once."""
+    note, bare = note_once(answers)
+    return _listed(bare) | ({"note": note} if note else {})
+
+
+def _listed(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
+    return {"equilibria": [a.data() if isinstance(a, Missing) else
+        {"label": a.label} | {name: number_data(x) for name, x in a.place.items()}
+                           | {name: rate_data(x) for name, x in a.rates.items()}
+                           | {"decision": decision_data(a.decision),
+                              "damped_decision": None if a.damped is None else damped_data(a.damped)}
+        | ({"itself": decision_data(a.itself)} if a.itself is not None else {}) for a in answers]}

@@ -1,0 +1,232 @@
+"""What decide answers: the equilibrium that the numbers name, or all that they allow."""
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from sympy import Expr
+
+from ...algebra.reals.exact import sign_of_constant
+from ...equilibria.finders.free_rotation import PermanentRotation
+from ...equilibria.finders.heavy_rotation import HeavyRotation
+from ...equilibria.finders.orbital_equilibrium import OrbitalEquilibrium
+from ...equilibria.finders.precession_branch import Branch
+from ...equilibria.finders.revolution import branches_at, pole_at
+from ...equilibria.search import relative_equilibria
+from ...errors import ScopeError, ValuesError
+from ...mechanics.equilibrium.reduction import reducible
+from ...mechanics.families.circular_orbit import in_orbit
+from ...mechanics.families.named_families import E3, EARTH_POINTING, FAMILIES, POLES
+from ...mechanics.scenes.system import System, at_numbers, names_of_scene
+from ...notation import symbol
+from ...stability.decision import Decision
+from ...stability.normal_forms.d4_along_family import Window
+from ...stability.normal_forms.normal_form import NormalForm
+from ...stability.report.report import Report
+from ..options.scene_texts import Asked, scene_of
+from .equilibria import (
+    AT_REST,
+    Missing,
+    both_verdicts,
+    enough,
+    its_own,
+    known_names,
+    labels_of,
+    of_each,
+    report_at,
+    report_of,
+    some,
+)
+from .equilibrium_labels import named
+
+# with these numbers of the motion all are found
+MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One equilibrium, where it lies if it was found, and what is decided.
+
+    Of it, under internal damping if it is one there, and of the point itself where that differs; and how
+    fast the small motions are, where that is known.
+    """
+
+    label: str
+    at: Expr
+    decision: Decision
+    damped: Decision | None
+    itself: Decision | None
+    place: dict[str, Expr | None] = field(default_factory=dict)
+    rates: dict[str, Expr] = field(default_factory=dict)
+
+
+def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
+    """The equilibrium that is named, or all that the numbers allow.
+
+    Of one that does not exist in this field, why.
+    """
+    scene, wanted = scene_of(asked), named(asked, label and [label])
+    own = {s.name for s in names_of_scene(scene)}
+    if not wanted and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys() - own:
+        raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and "
+                          "pi3_0; or name the --equilibrium")
+    if wanted == (E3.label,) and asked.eliminate is None and reducible(scene):
+        return _tilted(asked, numbers)
+    if wanted:
+        return [_answer(asked, wanted[0], numbers)]
+    if reducible(scene):
+        given = scene.potential is not None and scene.potential.given
+        if given and (_level(scene, numbers).keys() - own) & set().union(*MOTION) in MOTION:
+            return _all_found(scene, _level(scene, numbers), None)
+    elif _asks_for_all(scene, numbers):
+        here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
+        return [_one_of_all(here, found) for found in relative_equilibria(scene, numbers)]
+    return _of_labels(asked, numbers)
+
+
+def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr],
+                   degree: int) -> NormalForm | Window:
+    """Of the equilibrium that is named, or of the point; of degree 4, D4 in names that have no number."""
+    wanted = named(asked, label and [label])
+    if not wanted:
+        raise ValuesError(f"--normal-form {degree} is of one equilibrium: name it by --equilibrium or "
+                          "--point")
+    report = report_at(asked, wanted[0], numbers)
+    if degree == 4 and not numbers.keys() >= set(report.compared):
+        return report.window(numbers)
+    return report.normal_form(numbers, degree)
+
+
+def _of_labels(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
+    """Of the equilibria that a scene is known to have those whose names are set."""
+    wanted, others = labels_of(asked, None, numbers)
+    some(wanted, others)
+    if len(wanted) == 1 and not others:
+        return [_answer(asked, wanted[0], numbers)]
+    reports, missing = of_each(wanted, lambda name: [report_at(asked, name, numbers)])
+    known_names(asked, reports, numbers)
+    whole = [r for r, decided in zip(reports, enough(reports, numbers)) if decided]
+    answers, without = of_each([r.equilibrium.label for r in whole], lambda name: [
+        _decided(r, its_own(r, numbers)) for r in whole if r.equilibrium.label == name])
+    return [*answers, *missing, *without, *others]
+
+
+def _tilted(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
+    """E3 of a body of revolution: as its names say, or every one of a tilt or a rate."""
+    scene = scene_of(asked)
+    if scene.potential is not None and scene.potential.given:
+        if len({"k3", "omega"} & numbers.keys()) == 1:
+            return _all_found(scene, _level(scene, numbers), E3.label)
+        if not {"k3", "omega"} & numbers.keys():
+            raise ValuesError("E3 needs k3 or omega: give one of them with l, or both")
+    if "omega" in numbers and sign_of_constant(numbers["omega"]) == 0:
+        return [_decided(report_of(asked, AT_REST),
+                         {name: x for name, x in numbers.items() if name != "omega"})]
+    return [_answer(asked, E3.label, numbers)]
+
+
+def _asks_for_all(scene: System, numbers: Mapping[str, Expr]) -> bool:
+    """Whether the numbers ask for every equilibrium: of a free body on a sphere of the momentum, in a field
+    at a rate, on a level or at a tilt; of a satellite in orbit wherever they are enough.
+    """
+    own = numbers.keys() - {s.name for s in names_of_scene(scene)}
+    if scene.potential is None:
+        return "M" in own
+    if in_orbit(scene):
+        return numbers.keys() >= {s.name for s in names_of_scene(scene)}
+    return scene.potential.given and any(
+        name in ("omega", "C1") or name[:1] == "k" and name[1:] in ("1", "2", "3", "c") for name in own)
+
+
+def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) -> list[Answer | Missing]:
+    """Every relative equilibrium of a label, or of all.
+
+    At a rate at which those of a tilt are not found, E1 and E2, and why.
+    """
+    try:
+        return [_found(branch) for branch in branches_at(scene, numbers)
+                if label in (None, branch.label)]
+    except ScopeError as error:
+        if label is not None or "omega" not in numbers:
+            raise
+        poles = [pole for s in POLES if (pole := pole_at(scene, s, numbers)) is not None]
+        if not poles:
+            raise
+        return [*map(_found, poles), Missing(E3.label, str(error))]
+
+
+def _level(scene: System, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
+    """The numbers with pi3_0 = I3 omega3_0 in place of omega3_0."""
+    level, moment = dict(numbers), scene.body.moments[2]
+    if "omega3_0" in level and {s.name for s in moment.free_symbols} <= level.keys():
+        level["pi3_0"] = level.pop("omega3_0") * moment.xreplace({symbol(n): x for n, x in numbers.items()})
+    return level
+
+
+def _answer(asked: Asked, label: str, numbers: Mapping[str, Expr]) -> Answer:
+    """The equilibrium of that label."""
+    return _decided(report_at(asked, label, numbers), numbers)
+
+
+def _decided(report: Report, numbers: Mapping[str, Expr]) -> Answer:
+    decision, damped = both_verdicts(report, numbers)
+    return Answer(report.equilibrium.label, report.equilibrium.at, decision, damped,
+                  report.itself(numbers) if decision.modulo else None, rates=_librations(report, numbers))
+
+
+def _librations(report: Report, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
+    """The frequencies of an Earth-pointing satellite, every name of which has a number."""
+    eq, known = report.equilibrium, {symbol(name): x for name, x in numbers.items()}
+    if eq.label != EARTH_POINTING.label or not names_of_scene(eq.system) <= known.keys():
+        return {}
+    return _orbital(OrbitalEquilibrium(at_numbers(eq.system, known), eq.point[3:6], eq.point[6:])).rates
+
+
+def _found(branch: Branch) -> Answer:
+    """A relative equilibrium that was found."""
+    place = {"k3": branch.k3, "omega": branch.omega, "sigma": branch.sigma, "pi3": branch.pi3}
+    at_pole = branch.k3 is not None and branch.label in FAMILIES and FAMILIES[branch.label].pole
+    at = branch.k3 if at_pole else symbol("k3")
+    return Answer(branch.label, at, branch.decision, branch.damped, branch.itself, place)
+
+
+def _recognised(scene: System, branch: Branch) -> Answer:
+    """One of a body of revolution about another axis, at its point."""
+    place = dict(zip(map(str, scene.space.coordinates), branch.point or ()))
+    return Answer(branch.label, symbol("k3"), branch.decision, branch.damped, branch.itself,
+                  place | {"omega": branch.omega, "sigma": branch.sigma})
+
+
+def _rotation(scene: System, found: PermanentRotation) -> Answer:
+    """One of a free body at numbers, at its π = M − l."""
+    label = f"permanent rotations on {found.locus}" if found.locus else "permanent rotation"
+    rotor = scene.body.gyrostatic_momentum
+    place = {str(x): M - l for x, M, l in zip(scene.space.coordinates, found.momentum, rotor)}
+    rates = {"Delta": found.curvature, "frequency": found.frequency, "growth_rate": found.growth_rate}
+    return Answer(label, symbol("k3"), found.decision, found.damped, found.itself, place,
+                  {name: x for name, x in rates.items() if x is not None and found.nu is not None})
+
+
+def _one_of_all(here: System, found: Branch | PermanentRotation | HeavyRotation | OrbitalEquilibrium
+                ) -> Answer:
+    if isinstance(found, PermanentRotation):
+        return _rotation(here, found)
+    if isinstance(found, OrbitalEquilibrium):
+        return _orbital(found)
+    return _heavy(found) if isinstance(found, HeavyRotation) else _recognised(here, found)
+
+
+def _orbital(found: OrbitalEquilibrium) -> Answer:
+    """One of a satellite in orbit."""
+    place = {str(x): value for x, value in zip(found.scene.space.coordinates[3:], (*found.n, *found.r))}
+    return Answer(found.locus or "equilibrium in orbit", symbol("r3"), found.decision, found.damped,
+                  found.itself, place, {f"frequency_{n}": x for n, x in enumerate(found.frequencies, 1)})
+
+
+def _heavy(found: HeavyRotation) -> Answer:
+    """One of a body in a field that is not of revolution."""
+    label = f"permanent rotations on {found.locus}" if found.locus else "permanent rotation"
+    place = {str(x): k for x, k in zip(found.scene.space.coordinates[3:], found.k)}
+    rates = {f"frequency_{n}": x for n, x in enumerate(found.frequencies, 1)}
+    if found.growth_rate is not None:
+        rates["growth_rate"] = found.growth_rate
+    place["omega"] = found.omega
+    return Answer(label, symbol("k3"), found.decision, found.damped, found.itself, place, rates)

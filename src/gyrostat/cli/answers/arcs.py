@@ -1,0 +1,73 @@
+"""What decide answers where the numbers are those of a body in a field, and none of its motion: the arcs."""
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from sympy import Abs, Expr, factor_terms
+
+from ...algebra.reals.exact import sign_of_constant
+from ...algebra.solving.roots import between
+from ...equilibria.curves.gyrostat_arcs import GyrostatArc
+from ...equilibria.curves.staude import staude_cone
+from ...equilibria.curves.staude_arcs import StaudeArc
+from ...mechanics.equilibrium.reduction import reducible
+from ...mechanics.scenes.system import names_of_scene
+from ...printing.blocks import Block, Heading
+from ...printing.formats.json_data import decision_data, number_data, strings
+from ...printing.results.beyond_reports import result_blocks
+from ...printing.results.decision import note_blocks
+from ...stability.criteria.number_notes import scene_note
+from ..options.scene_texts import Asked, scene_of
+from .equilibrium_labels import named
+
+Arcs = Sequence[StaudeArc] | Sequence[GyrostatArc]
+
+
+def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Arcs:
+    """Every arc of permanent rotations; none where something else is asked, or U is not c·k."""
+    scene = scene_of(asked)
+    U = scene.potential
+    if named(asked, label and [label]) or U is None or scene.coupled or not U.given:
+        return []
+    if reducible(scene) or (
+            numbers.keys() != {s.name for s in names_of_scene(scene)}):
+        return []
+    if any(x.free_symbols & set(scene.space.coordinates) for x in map(U.value, filter(None, U.gradient()))):
+        return []
+    return staude_cone(scene).arcs(numbers)
+
+
+def arcs_blocks(arcs: Arcs) -> list[Block]:
+    """Ends, direction, rate and verdicts of each."""
+    return [*(block for n, arc in enumerate(arcs, 1)
+              for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))),
+            *note_blocks(scene_note(arcs[0].scene, {}))]
+
+
+def _along(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
+    """The unit vector k and the square of the rate, in the parameter and sigma."""
+    if isinstance(arc, GyrostatArc):
+        return {"k": strings(arc.curve.k), "omega_squared": str(arc.parameter**2)}
+    inside = {arc.parameter: between(arc.low, arc.high)}   # what has a sign keeps it along the arc
+    square = arc.omega_squared.replace(Abs, lambda x: x * sign_of_constant(x.xreplace(inside)))
+    return {"k": strings(factor_terms(x / square) for x in arc.n), "omega_squared": str(square)}
+
+
+def arcs_data(arcs: Arcs) -> dict[str, Any]:
+    """The arcs as data for JSON; of an infinite number the decimal is none."""
+    note = scene_note(arcs[0].scene, {})
+    return {"arcs": [{
+        "parameter": str(arc.parameter), "low": number_data(arc.low), "high": number_data(arc.high),
+        **_along(arc),
+        "ends": [{"k": [number_data(x) for x in end.k], "omega": number_data(end.omega)} for end in arc.ends],
+        "pieces": [{"low": number_data(piece.low), "high": number_data(piece.high),
+                    "decision": decision_data(replace(piece.decision, note=""))} for piece in arc.pieces]}
+        | _circles(arc) for arc in arcs]} | ({"note": note} if note else {})
+
+
+def _circles(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
+    """Those that an arc crosses, if any."""
+    if not isinstance(arc, GyrostatArc) or not arc.circles:
+        return {}
+    return {"circles": [{"k": [number_data(x) for x in circle.k], "omega": number_data(circle.omega),
+                         "locus": circle.locus} for circle in arc.circles]}

@@ -1,0 +1,83 @@
+"""The motion that options name, and its times."""
+import argparse
+from collections.abc import Mapping, Sequence
+from decimal import Context, Decimal
+
+import numpy as np
+from sympy import Expr, Rational, floor
+
+from ...algebra.enclosures.floats import Array
+from ...algebra.text.numbers import exact_number
+from ...errors import ValuesError
+from ...mechanics.families.circular_orbit import in_orbit
+from ...mechanics.families.release import release
+from ...mechanics.scenes.system import System, at_numbers
+from ...notation import symbol
+from ...trajectories import Motion, motion
+from ..options.options import LONGEST, numbers_of
+from ..options.scene_texts import entries, one_for_each, pointing_of, whole_scene
+
+LATEST = 10**300                                       # a time that is a double
+
+
+def motion_of(given: argparse.Namespace) -> Motion:
+    """The motion that --potential, --set and --state name."""
+    numbers = numbers_of(given.values)
+    if given.state is None and given.release is None:
+        raise ValuesError("--state is missing, a motion starts from one: give PI1,PI2,PI3,K1,K2,K3, or of a "
+                          "free body PI1,PI2,PI3; of a satellite in orbit --release ROLL,PITCH,YAW")
+    scene = whole_scene(given, numbers)
+    tolerance = None if given.tolerance is None else float(_positive("--tolerance", given.tolerance))
+    return motion(scene, _state(given, scene, numbers), numbers, precision=given.precision,
+                  tolerance=tolerance)
+
+
+def _state(given: argparse.Namespace, scene: System, numbers: Mapping[str, Expr]) -> Sequence[Expr]:
+    """That of --state, or of --release."""
+    if given.release is None:
+        texts = one_for_each("--state", given.state, scene)
+        return [exact_number(text, str(name)) for text, name in zip(texts, scene.space.coordinates)]
+    if given.state is not None:
+        raise ValuesError("--state and --release are both given: leave out one of the two")
+    if not in_orbit(scene):
+        raise ValuesError("--release is of a satellite in orbit, and this body is in none: add --orbit, or "
+                          "give a --state")
+    here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
+    return release(here, entries(given.release), pointing_of(given.pointing))
+
+
+def times_of(given: argparse.Namespace, count: int) -> Array:
+    """The times from 0 to --until, doubles or decimals.
+
+    The states beside them are those at the times as they are written.
+    """
+    end = exact_number(given.until, "--until")
+    if not 0 < abs(end) < LATEST:
+        raise ValuesError(f"--until {given.until} is no end of a motion that starts at 0: give another "
+                          "time, before 0 to go back")
+    if given.step is None:
+        count = count if given.count is None else given.count
+        step = end / max(count - 1, 1)
+    else:
+        step = _positive("--step", given.step)
+        count = int(floor(abs(end) / step)) + 1
+        step = step if end > 0 else -step
+    if not 2 <= count <= LONGEST:
+        asked = f"--count {count}" if given.step is None else f"--step {given.step}"
+        raise ValuesError(f"--until {given.until} with {asked} is {count} times, which makes no table: "
+                          f"ask for 2 to {LONGEST}")
+    p, q = (step if isinstance(step, Rational)
+            else Rational(str(step.evalf(40 + (given.precision or 0))))).as_numer_denom()
+    p, q = int(p), int(q)
+    if given.precision is None:
+        return np.array([p * i / q for i in range(count)])
+    rounding = Context(prec=max(given.precision, 1))
+    return np.array([rounding.divide(Decimal(p * i), Decimal(q)) for i in range(count)], dtype=object)
+
+
+def _positive(option: str, text: str) -> Expr:
+    number = exact_number(text, option)
+    if not number > 0:
+        raise ValuesError(f"{option} {text} is not positive, and nothing else is meant by it: give, for "
+                          f"example, {option} 1e-3")
+    return number

@@ -1,0 +1,53 @@
+"""gyrostat decide --batch: a decision for each line of a file, as it is read."""
+import argparse
+from collections.abc import Iterable
+from typing import BinaryIO
+
+from ...charts.progress import Progress
+from ...errors import ValuesError
+from ..output import Output, on_terminal, told
+from ..time_limit import interrupted
+from .batch_lines import Kept, Numbered, numbered, opened, size_of
+from .batch_worker import Answer, Worker
+
+
+def run(given: argparse.Namespace, out: Output) -> int:
+    """Write an object for each line, in order; 0, or 2 if a line was bad."""
+    if given.format != "json" and given.format is not None:
+        raise ValuesError(f"--batch writes JSON, --format is {given.format}: leave out one of the two")
+    with opened(given.batch, given.output) as file, Worker(given) as worker:
+        worker.start()                                 # wrong options are said before anything is written
+        with Kept(given.output, given.start) as kept:
+            return _each(given, file, worker, kept)
+
+
+def _each(given: argparse.Namespace, file: BinaryIO, worker: Worker, kept: Kept) -> int:
+    status, total, read = 0, size_of(file), 0
+    progress = Progress(given.output is not None or not on_terminal())
+    try:
+        for lines in numbered(file):
+            for n, (text, error) in zip(*_answered(worker, lines, given.start)):
+                if error is not None:
+                    status = 2
+                    progress.wipe()
+                    told(f"line {n}: {error}")
+                kept(n, text)
+                progress.show("decide", n if total is None else read, total)
+            read += sum(len(line) + 1 for _, line in lines)
+            progress.show("decide", lines[-1][0] if total is None else min(read, total), total)
+        kept.ended()
+    except BrokenPipeError:                            # nobody reads on
+        raise
+    except OSError as error:
+        raise OSError(error.errno, f"{error.strerror}; {kept.until_now()}") from None
+    except KeyboardInterrupt as error:
+        raise interrupted(error, kept.until_now()) from None
+    finally:
+        progress.wipe()
+    return status
+
+
+def _answered(worker: Worker, lines: list[Numbered], start: int) -> tuple[list[int], Iterable[Answer]]:
+    """The numbers of the lines that are asked for and are not blank, and their answers."""
+    asked = [(n, line) for n, line in lines if n >= start and line.strip()]
+    return [n for n, _ in asked], worker.answers(asked)

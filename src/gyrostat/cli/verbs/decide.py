@@ -1,0 +1,91 @@
+"""gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
+import argparse
+
+from sympy import CRootOf, Expr
+
+from ...algebra.enclosures.balls import Enclosed
+from ...notation import symbol
+from ...printing.blocks import Block, Display, Heading, Word, sentence
+from ...printing.formats.json_data import double, json_text
+from ...printing.formats.text import text
+from ...printing.results.decision import damped_block, decision_blocks, note_blocks, reason_block
+from ...printing.results.interval_ends import number as rounded
+from ...printing.results.normal_form import form_blocks, form_data, window_blocks, window_data
+from ...stability.criteria.number_notes import scene_note
+from ...stability.normal_forms.d4_along_family import Window
+from ..answers.answer_list import answers_data, note_once
+from ..answers.answers import Answer, answers_at, normal_form_of
+from ..answers.arcs import arcs_at, arcs_blocks, arcs_data
+from ..answers.equilibria import Missing
+from ..batch.batch import run as each
+from ..options.options import numbers_of
+from ..options.scene_files import with_scene
+from ..options.scene_texts import asked_of, scene_of
+from ..output import Output
+
+LONG = 200                                                 # characters that nobody reads
+
+_NOWHERE = "No such relative equilibrium exists at these numbers."
+
+
+def run(given: argparse.Namespace, out: Output) -> int:
+    """Write the decisions; 0, whatever they are, and 2 if a line of a batch was bad."""
+    if given.momentum is not None:
+        given = argparse.Namespace(**{**vars(given), "values": [*given.values, f"M={given.momentum}"]})
+    given = with_scene(given)
+    if given.batch is not None:
+        return each(given, out)
+    numbers = numbers_of(given.values)
+    asked = asked_of(given, numbers)
+    if given.normal_form:
+        form = normal_form_of(asked, given.equilibrium, numbers, given.normal_form)
+        out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
+        if isinstance(form, Window):
+            data, blocks = window_data(form), window_blocks(form)
+        else:
+            data, blocks = form_data(form), form_blocks(form)
+        out(json_text(data) if given.format == "json" else text(blocks, out.width))
+        return 0
+    if arcs := arcs_at(asked, given.equilibrium, numbers):
+        out(json_text(arcs_data(arcs)) if given.format == "json" else text(arcs_blocks(arcs), out.width))
+        return 0
+    answers = answers_at(asked, given.equilibrium, numbers)
+    if given.format == "json":
+        out(json_text(answers_data(answers)))
+    else:
+        note, bare = note_once(answers)
+        blocks = [block for a in bare for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))]
+        out(text([*(blocks or [sentence(_NOWHERE)]), *note_blocks(note)], out.width))
+    return 0
+
+
+def _blocks(answer: Answer) -> list[Block]:
+    blocks: list[Block] = [Heading(answer.label)]
+    if answer.place:
+        blocks += [Display(symbol(name), _value(number)) for name, number in answer.place.items()]
+    blocks += [Display(symbol(name), rounded(rate)) for name, rate in answer.rates.items()]
+    blocks += [*decision_blocks(answer.decision, answer.at), reason_block(answer.decision),
+               damped_block(answer.decision, answer.damped)]
+    if answer.itself is not None:
+        blocks += [*decision_blocks(answer.itself, answer.at, "The point itself"),
+                   reason_block(answer.itself)]
+    return blocks
+
+
+def _value(number: Expr | None) -> Word:
+    """A number exactly, and as a decimal where that says more; a long one as a decimal alone."""
+    if number is None:
+        return Word("any", "any")
+    if _is_long(number):
+        return rounded(number)
+    text = (
+        str(number)
+        if number.is_Integer
+        else f"{number} ≈ {f'{value:.10g}' if (value := double(number)) else number.evalf(10)}"
+    )
+    return Word(text, text)
+
+
+def _is_long(number: Expr) -> bool:
+    """Whether its text is, or is that of the root of a polynomial, which nobody reads."""
+    return number.has(CRootOf, Enclosed) or len(str(number)) > LONG

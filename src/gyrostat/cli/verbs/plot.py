@@ -1,0 +1,157 @@
+"""gyrostat plot KIND: a picture of gyrostat.plotting."""
+import argparse
+from collections.abc import Callable, Collection
+from typing import Any
+
+import numpy as np
+from sympy import Expr
+
+from ... import plotting
+from ...algebra.text.numbers import exact_number
+from ...errors import ValuesError
+from ...mechanics.families.scene_tables import NONE
+from ...mechanics.scenes.system import System
+from ...notation import symbol
+from ...stability.criteria.number_notes import scene_note
+from ..answers.equilibria import report_for
+from ..answers.motion_options import motion_of, times_of
+from ..options.options import axis_of, numbers_of, one_spin
+from ..options.scene_files import with_scene
+from ..options.scene_texts import Asked, asked_of, scene_of, whole_scene
+from ..output import PICTURES, Output, file_of, printed_look, save_picture
+from .motion import POINTS, SPACE
+
+SAMPLES = 200                                          # of the parameter, along eigenvalues
+CONES = {**SPACE, "elev": 14, "azim": 12}              # both are seen from the side
+Numbers = dict[str, Expr]
+
+
+def run(given: argparse.Namespace, out: Output) -> int:
+    """Write the picture; 0."""
+    given = with_scene(given)
+    path = file_of(out, "picture", PICTURES, f"{given.kind}.png, .pdf or .svg")
+    from matplotlib.figure import Figure
+    with printed_look():
+        figure = Figure()
+        note = DRAWN[given.kind](given, numbers_of(given.values), figure)
+        save_picture(figure, path)
+    out.noted(note)
+    return 0
+
+
+def _momentum_sphere(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    energies = [float(exact_number(text, "--energy")) for text in given.energy or ()]
+    scene = whole_scene(argparse.Namespace(**{"potential": NONE, **vars(given)}), numbers)
+    plotting.draw_momentum_sphere(scene, exact_number(given.momentum, "--momentum"), numbers,
+                                  energies or None, figure.add_subplot(**SPACE))
+    return _unusual(scene, numbers)
+
+
+def _rotor_set(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    texts = {"potential": NONE, **vars(given)}
+    scene = scene_of(asked_of(argparse.Namespace(**texts), numbers.keys() | {"l1"}))
+    plotting.draw_rotor_set(scene, {**numbers, "M": exact_number(given.momentum, "--momentum")},
+                            figure.subplots())
+    return _unusual(scene, numbers)
+
+
+def _staude_cone(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    plotting.draw_staude_cone(scene := _in_a_field(given, numbers), numbers, figure.add_subplot(**SPACE))
+    return _unusual(scene, numbers)
+
+
+def _staude_plane(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    rates = None
+    if given.x is not None:
+        name, *rates, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
+        if name != "omega":
+            raise ValuesError(f"--x is {name}, and the picture is one over omega: write --x omega=-2:2")
+    plotting.draw_staude_plane(scene := _in_a_field(given, numbers), numbers, rates, figure.subplots())
+    return _unusual(scene, numbers)
+
+
+def _amended_potential(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    scene = _in_a_field(given, numbers)
+    plotting.draw_amended_potential(scene, numbers, figure.add_subplot(**SPACE))
+    return _unusual(scene, numbers)
+
+
+def _nutation(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    times = times_of(given, POINTS)
+    plotting.draw_nutation(moving := motion_of(given), times, figure.add_subplot(**SPACE))
+    return moving.note
+
+
+def _effective_potential(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    plotting.draw_effective_potential(scene := _in_a_field(given, numbers), numbers, given.energy,
+                                      figure.subplots())
+    return _unusual(scene, numbers)
+
+
+def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    name, low, high, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
+    _free(name, numbers)
+    if given.potential is None:
+        raise ValuesError('--potential is missing: write --potential "m0*k3", or none for a free gyrostat')
+    scene = scene_of(asked_of(given, {**numbers, name: low}))
+    plotting.draw_bifurcation_diagram(scene, name, (low, high), numbers, figure.subplots())
+    return _unusual(scene, numbers)
+
+
+def _energy_momentum(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    plotting.draw_energy_momentum(scene := _in_a_field(given, numbers), numbers, ax=figure.subplots())
+    return _unusual(scene, numbers)
+
+
+def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    name, low, high, count = axis_of("--x", given.x, "NAME=LOW:HIGH[:COUNT]", SAMPLES)
+    _free(name, numbers)
+    one_spin(names := {**numbers, name: low})
+    eq = report_for("picture", asked_of(given, names), given.equilibrium,
+                    {**numbers, name: None}).equilibrium
+    held = dict(eq.relations)                              # numbers without which it is no equilibrium
+    plotting.draw_eigenvalues(eq, name, np.linspace(float(low), float(high), count).tolist(),
+                              {n: x for n, x in numbers.items() if held.get(symbol(n)) != x},
+                              figure.subplots())
+    return _unusual(eq.system, numbers)
+
+
+def _cones(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    transverse, axial = exact_number(given.transverse, "--transverse"), exact_number(given.axial, "--axial")
+    if numbers.keys() != {"I1", "I3"}:
+        raise ValuesError(f"--set gives {', '.join(numbers) or 'nothing'}, the cones are those of a body "
+                          "with I1 = I2 and without a rotor: "
+                          "give I1 and I3")
+    plotting.draw_cones((numbers["I1"], numbers["I3"]), transverse, axial, figure.add_subplot(**CONES))
+    return _unusual(scene_of(Asked(NONE).of_body(())), {**numbers, "I2": numbers["I1"]})
+
+
+def _unusual(scene: System, numbers: Numbers) -> str:
+    """What is unusual about the numbers, as far as they are given."""
+    return scene_note(scene, {symbol(name): number for name, number in numbers.items()})
+
+
+def _in_a_field(given: argparse.Namespace, names: Collection[str]) -> System:
+    """The scene that is given, with a field."""
+    if given.orbit is not None:
+        raise ValuesError(f"{given.kind} is of a body in a field fixed in space, and --orbit {given.orbit} "
+                          "is an orbit: leave it out; of a satellite plot eigenvalues draws the spectrum, "
+                          "chart the verdicts, motion how it moves")
+    if given.potential is None or given.potential.strip() == "none":
+        raise ValuesError(f'--potential is {given.potential or "missing"}, and {given.kind} is of a field: '
+                          'write --potential "m0*k3"')
+    return scene_of(asked_of(given, names))
+
+
+def _free(name: str, numbers: Numbers) -> None:
+    """Refuse a number for what goes along the axis."""
+    if name in numbers:
+        raise ValuesError(f"{name} is given twice, by --set and as the axis --x: leave out one of the two")
+
+
+DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], str]] = {
+    "momentum-sphere": _momentum_sphere, "nutation": _nutation, "effective-potential": _effective_potential,
+    "bifurcations": _bifurcations, "rotor-set": _rotor_set, "staude-cone": _staude_cone,
+    "staude-plane": _staude_plane,
+    "amended-potential": _amended_potential,
+    "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues, "cones": _cones}

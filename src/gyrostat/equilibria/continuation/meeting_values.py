@@ -1,0 +1,176 @@
+"""The values of a name at which relative equilibria of a body of revolution meet, as numbers."""
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import Expr, S, Symbol
+
+from ..._display import Shown
+from ...algebra.reals.exact import Point, evaluate, proved_sign
+from ...algebra.solving.plane_curves import PlaneCurve
+from ...algebra.solving.roots import in_order, real_roots
+from ...algebra.solving.stations import critical_points, stations
+from ...arguments import checked
+from ...errors import ValuesError
+from ...mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce
+from ...mechanics.families.named_families import POLES
+from ...mechanics.scenes.coupled import in_one_direction
+from ...mechanics.scenes.system import System, at_numbers
+from ...notation import Stored, symbol
+from ...stability.criteria.numbers_asked import unknown
+from ..finders.rate_level_tilt import LENGTH, MARKED, exact_point, names_of, numbers_of_rotations
+from .bifurcation_kinds import AT_RATE, ON_LEVEL, defined, kind_of, tilt_leaves
+from .free_meetings import places_where_rotations_meet
+from .meeting_equations import bifurcations, insert, relation_at_rate
+
+
+@dataclass(frozen=True, repr=False)
+class BifurcationPoint(Shown, Stored):
+    """The value of the free name at which a bifurcation takes place, and where.
+
+    Its kind says what happens; where branches meet between the poles "at fixed rate" or "on a level", it
+    starts with "fold", "pitchfork", "crossing" or "isolated". Of a free gyrostat it is that of the degenerate
+    rotation: "fold", "pitchfork", "umbilic" (a fold and a pitchfork in one), "circle leaves an axis" of a
+    body of revolution, "circle at this value alone" or "sphere at this value alone".
+
+    Parameters
+    ----------
+    kind : str
+    name : str
+        the one that is free
+    value : Expr
+    k3 : Expr or None
+        None of a free gyrostat
+    nu : Expr or None
+        of a free gyrostat: ω = ν M
+    momentum : tuple of Expr, shape (3,), or None
+        of a free gyrostat: M
+    k : tuple of Expr, shape (3,), or None
+        of a body in a field that is not of revolution
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> point = gs.bifurcation_points(top, values={"I1": 1, "l": 0, "m0": 1}, name="pi3_0")[0]
+    >>> point.kind, point.value, point.k3
+    ('precessions leave E1', -2, 1)
+    """
+
+    kind: str
+    name: str
+    value: Expr
+    k3: Expr | None
+    nu: Expr | None = None
+    momentum: tuple[Expr, ...] | None = None
+    k: tuple[Expr, ...] | None = None
+
+
+@checked
+def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[BifurcationPoint]:
+    """The values of one name at which relative equilibria meet, all others being given; exact and complete.
+
+    Parameters
+    ----------
+    scene : System
+        a body of revolution in a U rational in k3, or any body without a field
+    name : str
+        what is left free; a moment is positive
+    values : mapping of name to number
+        everything but the name: moments, l, the parameters of U, and omega (fixed rate), pi3_0 (the levels C1
+        = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level); of a free gyrostat moments, rotor and M
+
+    Returns
+    -------
+    list of BifurcationPoint
+        by value
+
+    Raises
+    ------
+    ValuesError
+        names are missing or unknown, or a number is not admissible
+    ScopeError
+        the body is not of revolution, U is unspecified, or not rational in k3
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> [(b.kind, b.value) for b in gs.bifurcation_points(top, "l", {"I1": 2, "I3": 1, "m0": 3, "omega": 1})]
+    [('E3 leaves E2', 2), ('E3 leaves E1', 4)]
+    >>> [(b.kind, b.value) for b in gs.bifurcation_points(top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})]
+    [('precessions leave E1', -2), ('precessions leave E1', 2)]
+    >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
+    >>> [(b.kind, b.value, b.nu) for b in gs.bifurcation_points(free, "M", {"l": 1})]
+    [('pitchfork', 1/2, 1), ('pitchfork', 2, 1/2)]
+    """
+    in_one_direction(scene.potential, "bifurcation_points")
+    if scene.potential is None:
+        return _of_rotations(scene, name, values)
+    own = names_of(scene, MARKED)
+    asked = {"omega", "pi3_0", "C1"} - own
+    known = own | asked
+    if name not in known:
+        raise ValuesError(unknown(name, sorted(known), "the scene"))
+    free, numbers = symbol(name), exact_point(scene, values, known)
+    given = set(map(symbol, asked)) & {free, *numbers}
+    kinds = {frozenset({OMEGA}): AT_RATE, frozenset({symbol("pi3_0")}): "precessions leave",
+             frozenset({symbol("pi3_0"), symbol("C1")}): ON_LEVEL}.get(frozenset(given))
+    if kinds is None or free in numbers:
+        raise ValuesError(f"given were {', '.join(map(str, values))}, free is {name}: of omega, or pi3_0, "
+                          "or pi3_0 and C1, give each or "
+                          "leave it free, and give a number for every other name")
+    found = [point for point in (_at_poles if kinds == "precessions leave"
+                                 else _meetings)(scene, numbers, free, kinds)
+             if positive(scene, numbers, free, point.value)]
+    return _by_value(found)
+
+
+def _by_value(found: list[BifurcationPoint]) -> list[BifurcationPoint]:
+    order = {
+        value: n for n, value in enumerate(in_order(list(dict.fromkeys(point.value for point in found))))
+    }
+    return sorted(found, key=lambda point: order[point.value])
+
+
+def _of_rotations(scene: System, name: str, values: Mapping[str, Any]) -> list[BifurcationPoint]:
+    """Of a scene without a field."""
+    numbers = numbers_of_rotations(scene, values, name)
+    met = places_where_rotations_meet(at_numbers(scene, numbers).body, numbers.get(LENGTH, LENGTH),
+                                      symbol(name))
+    return _by_value([BifurcationPoint(kind, name, value, None, nu, M) for kind, value, nu, M in met])
+
+
+def positive(scene: System, numbers: Point, free: Symbol, value: Expr) -> bool:
+    """Whether every moment of inertia is positive at a value of a free name."""
+    moments = [m for m in scene.body.moments[1:] if free in m.free_symbols]
+    if free.is_positive:
+        moments.append(free)
+    return all(proved_sign(evaluate(m, {**numbers, free: value})) == 1 for m in moments)
+
+
+def _at_poles(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterator[BifurcationPoint]:
+    for b in bifurcations(scene):
+        if b.kind.startswith(kinds):
+            placed = insert(scene, b.equations[0], b.at, numbers, {free}, b.kind)
+            # U is infinite at the pole: there is no E1 or E2
+            if not placed.has(S.ComplexInfinity, S.NaN):
+                yield from (BifurcationPoint(b.kind, free.name, value, b.at)
+                            for value in real_roots(placed, free) or ())
+
+
+def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterator[BifurcationPoint]:
+    motion = reduce(scene)
+    relation = relation_at_rate(scene)
+    if kinds == ON_LEVEL:
+        level = {P: symbol("pi3_0") + scene.body.gyrostatic_momentum[2], V: symbol("C1")}
+        relation = motion.precession().xreplace({OMEGA: motion.rate.xreplace(level)}).xreplace(level)
+    first = tilt_leaves(POLES[1]) if kinds == AT_RATE else f"fold {kinds}"
+    curve = PlaneCurve(insert(scene, relation, K3, numbers, {free, K3}, first), K3, free)
+    points = critical_points(curve)
+    infinite = {point for F in curve.components for pole in curve.poles for point in curve.common(F, pole)}
+    for station in stations(curve, points):
+        for place in station.places:
+            kind = kind_of(place, kinds) if (station.t, place.x) not in infinite else ""
+            if kind and (place.x**2 != 1 or (kinds == AT_RATE and defined(curve, station.t, place.x))):
+                yield BifurcationPoint(kind, free.name, station.t, place.x)

@@ -1,0 +1,183 @@
+"""The permanent rotations of a gyrostat in a uniform field as plane curves over the rate omega."""
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from sympy import Add, Expr, Mul, Rational, S, Symbol, oo, sqrt
+
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.reals.exact import evaluate, proved_sign
+from ...algebra.rings.polynomials import cancel
+from ...algebra.solving.plane_curves import PlaneCurve
+from ...algebra.solving.roots import in_order, real_roots
+from ...errors import ScopeError
+from ...mechanics.scenes.system import System
+from ...notation import Stored
+from ...stability.criteria.amended_form import dot
+from ..finders.heavy import OMEGA, SIGMA, heavy_rotations
+from ..finders.heavy_polynomials import DIRECTION
+from ..finders.heavy_rotation import HeavyRotation
+from .staude_arcs import TAU
+
+PRECISION = 192                                        # bits of roots that become doubles
+SLOWER = {SIGMA: OMEGA**2 * TAU}
+Known = dict[Expr, dict[Expr, bool]]
+
+
+@dataclass(frozen=True)
+class RateCurve(Stored):
+    """Permanent rotations of every rate, as a plane curve over omega.
+
+    With ∇U = omega² Ik + omega l + sigma k and b = c − omega l, k_i = b_i/(sigma + omega² I_i); where b_i is
+    0 at every omega, k_i = 0, or sigma = −omega² I_i and k_i is what abs(k) = 1 leaves.
+
+    Parameters
+    ----------
+    scene : System
+        at its numbers, in principal axes, with U = c·k
+    b : tuple of Expr, shape (3,)
+        in omega
+    unknown : Symbol
+        sigma; or k_i, of rotations with sigma = −omega² I_i
+    equation : Expr
+        a polynomial in it and omega, of which it is a root
+    k : tuple of Expr, shape (3,)
+        in both
+    through : tuple of Expr
+        the rates at which branches cross in a circle of rotations, of a body with equal moments
+    """
+
+    scene: System
+    b: tuple[Expr, ...]
+    unknown: Symbol
+    equation: Expr
+    k: tuple[Expr, ...]
+    through: tuple[Expr, ...] = ()
+
+    @cached_property
+    def plane(self) -> PlaneCurve:
+        """The curve, for its real roots in balls."""
+        return PlaneCurve(self.equation, self.unknown, OMEGA, ends=())
+
+    def directed(self, omega: Expr, root: Expr) -> tuple[Expr, ...]:
+        """k of a root of the equation, exact."""
+        return tuple(evaluate(x, {OMEGA: omega, self.unknown: root}) for x in self.k)
+
+    def at(self, place: int, omega: Expr) -> HeavyRotation:
+        """That of a root, counted from below, at an exact rate at which all roots are simple."""
+        roots = real_roots(evaluate(self.equation, {OMEGA: omega}), self.unknown) or []
+        return HeavyRotation(self.scene, self.directed(omega, roots[place]), omega)
+
+    def all_at(self, omega: Expr) -> list[tuple[Expr, HeavyRotation]]:
+        """sigma and rotation of all with k_i = 0 where b_i is 0 at every omega, in the order of sigma."""
+        found = []
+        for whole in heavy_rotations(self.scene, {"omega": omega}):
+            for rotation in self._on_branches(whole):
+                if not any(proved_sign(x) for x, y in zip(rotation.k, self.b) if not y):
+                    found.append((self.sigma(rotation), rotation))
+        order = in_order([sigma for sigma, _ in found])
+        return sorted(found, key=lambda pair: order.index(pair[0]))
+
+    def _on_branches(self, rotation: HeavyRotation) -> list[HeavyRotation]:
+        """The rotation; of a circle of them those two at which branches pass, along b."""
+        if rotation.circle is None:
+            return [rotation]
+        within = [not x for x in rotation.circle]          # the axes in whose plane k may be turned
+        slopes = [y.coeff(OMEGA, 1) if turns else S.Zero for y, turns in zip(self.b, within)]
+        square = Add(*(x**2 for x, turns in zip(rotation.k, within) if turns))
+        scale = sqrt(square / dot(slopes, slopes))
+        return [replace(rotation, k=tuple(evaluate(side * y, {}) if turns else x
+                                          for x, y, turns in zip(rotation.k, slopes, within)))
+                for side in (-scale, scale)]
+
+    def sigma(self, rotation: HeavyRotation) -> Expr:
+        """Of a rotation on it, exact."""
+        k, at = rotation.k, rotation.omega
+        return evaluate(dot(k, [evaluate(y, {OMEGA: at}) - at**2 * m * x
+                                for x, y, m in zip(k, self.b, self.scene.body.moments)]), {})
+
+    def near(self, place: int, omega: Fraction) -> tuple[tuple[float, ...], float]:
+        """k and sigma of a root, counted from below, in doubles."""
+        root = self.plane.roots(omega, precision=PRECISION)[place]
+        here = {OMEGA: ball(Rational(omega.numerator, omega.denominator), PRECISION), self.unknown: root}
+        k = tuple(float(ball(x, PRECISION, here).mid()) for x in self.k)
+        parts = zip(self.k, self.scene.body.moments)
+        sigma = SIGMA if self.unknown == SIGMA else next(-OMEGA**2 * m for x, m in parts if x == self.unknown)
+        return k, float(ball(sigma, PRECISION, here).mid())
+
+    def far(self, place: int, omega: Expr) -> tuple[Expr, ...]:
+        """k of a root, counted from below, as omega goes to −∞ or ∞: along a principal axis."""
+        moments = self.scene.body.moments
+        if self.unknown != SIGMA:
+            side = 2 * place - 1
+            return tuple(S(side) if x == self.unknown else S.Zero for x in self.k)
+        free = sorted({m for m, y in zip(moments, self.b) if y}, reverse=True)
+        parts = [y if m == free[place // 2] else S.Zero for m, y in zip(moments, self.b)]
+        leading = [y.coeff(OMEGA, 1) * (1 if omega == oo else -1) for y in parts]
+        vector = leading if any(leading) else parts
+        return tuple((2 * (place % 2) - 1) * x / sqrt(dot(vector, vector)) for x in vector)
+
+    @cached_property
+    def critical(self) -> list[Expr]:
+        """Every omega at which k·adj(K)k or p² − 4q vanishes on the curve, among others, and 0.
+
+        With tau = sigma/omega², of which the polynomials are of lower degree in omega.
+        """
+        form = HeavyRotation(self.scene, tuple(x.xreplace(SLOWER) for x in self.k), OMEGA).form
+        unknown = TAU if self.unknown == SIGMA else self.unknown
+        curve = PlaneCurve(self.equation.xreplace(SLOWER), unknown, OMEGA, ends=())
+        name = str(curve.whole.context().names()[curve.place[0]])
+        found: dict[Expr, None] = {S.Zero: None}
+        for margin in (form.determinant, form.p**2 - 4 * form.q):
+            top = cancel(*curve.ring.fraction(margin))[0]
+            part = curve.whole / curve.whole.gcd(top)
+            found |= dict.fromkeys(real_roots(curve.ring.expression(part.resultant(top, name)), OMEGA) or ())
+        return in_order(list(found))
+
+
+def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, Known]]:
+    """The curves that have every rotation, and the multiple roots on them that are no folds.
+
+    Where a b_i is 0 at one omega, so are d_i = sigma + omega² I_i and k_i d_i: two rotations with k_i of two
+    signs have one sigma, and their branches cross; or there is none, or one with k_i = 0. Of equal moments
+    those are two points of a circle of rotations, along b_i and b_j.
+
+    Raises
+    ------
+    ScopeError
+        a number is not rational, or there are circles of rotations at every omega
+    """
+    moments, rotor = scene.body.moments, scene.body.gyrostatic_momentum
+    if not all(isinstance(x, Rational) for x in (*moments, *rotor, *c)):
+        raise ScopeError(f"inertia = {moments}, l = {rotor}, c = {c}: with a rotor the arcs are found at "
+                         "rational numbers: round the others to decimals, or give one rate omega")
+    b = tuple(x - OMEGA * y for x, y in zip(c, rotor))
+    squares = {m: Add(*(y**2 for n, y in zip(moments, b) if n == m)).expand() for m in moments}
+    known: Known = {S.Zero: {S.Zero: False}}               # at omega = 0, where all d_i are sigma
+    through = []
+    for m in moments:
+        for at in real_roots(squares[m], OMEGA) or ():
+            if at != 0:
+                crossing = proved_sign(_left(squares, m, at)) == 1
+                known.setdefault(at, {})[-at**2 * m] = crossing
+                through += [at] if crossing and moments.count(m) > 1 else []
+    free = [m for m, square in squares.items() if square]
+    d = {m: SIGMA + OMEGA**2 * m for m in free}
+    equation = Add(*(squares[m] * Mul(*(d[n]**2 for n in free if n != m)) for m in free),
+                   -Mul(*(d[m]**2 for m in free)))
+    yield RateCurve(scene, b, SIGMA, equation, tuple(y / d[m] if y else S.Zero for y, m in zip(b, moments)),
+                    tuple(dict.fromkeys(through))), known
+    for i, m in enumerate(moments):
+        if not b[i] and not squares[m]:
+            unknown = DIRECTION[i]
+            equation = OMEGA**4 * (unknown**2 - _left(squares, m, OMEGA))
+            k = tuple(unknown if n == i else y / (OMEGA**2 * (moments[n] - m)) if y else S.Zero
+                      for n, y in enumerate(b))
+            yield RateCurve(scene, b, unknown, equation.expand(), k), {S.Zero: {}}
+
+
+def _left(squares: Mapping[Expr, Expr], m: Expr, omega: Expr) -> Expr:
+    """What is left of abs(k) = 1 for the square of the parts with the moment m, at sigma = −omega² m."""
+    return 1 - Add(*(evaluate(square, {OMEGA: omega}) / (omega**2 * (n - m)) ** 2
+                     for n, square in squares.items() if n != m))

@@ -1,0 +1,191 @@
+"""Staude's cone: the directions about which a body in a field turns permanently."""
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import Expr, Matrix, S
+
+from ..._cached import cached_property
+from ..._display import Shown
+from ...algebra.reals.exact import is_identically_zero
+from ...algebra.rings.matrices import cross
+from ...arguments import checked
+from ...errors import ScopeError, ValuesError
+from ...mechanics.equilibrium.recognition import recognise
+from ...mechanics.scenes.coupled import in_one_direction
+from ...mechanics.scenes.system import System, at_numbers, names_of_scene
+from ...notation import Stored
+from ...stability.criteria.amended_form import dot
+from ..finders.heavy_polynomials import DIRECTION
+from ..finders.rate_level_tilt import exact_point
+from .gyrostat_arcs import GyrostatArc, gyrostat_arcs
+from .staude_arcs import StaudeArc, staude_arcs
+
+
+@dataclass(frozen=True, repr=False)
+class StaudeCone(Shown, Stored):
+    """The directions of the permanent rotations of a body in a field, as the zeros of a polynomial.
+
+    Parameters
+    ----------
+    scene : System
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))
+    >>> field = gs.general_potential(lambda k1, k2, k3: gs.symbol("m0") * k3)
+    >>> print(gs.staude_cone(gs.assemble(body, field)))
+    Permanent rotations are about the directions k, |k| = 1, with:
+    m₀ k₁ k₂ (I₁ − I₂) = 0
+    The rate, admissible where its square is positive:
+    ω² = −m₀ k₃ (k₁² (I₁ − I₃) + k₂² (I₂ − I₃))/(k₁² k₂² (I₁ − I₂)² + k₁² k₃² (I₁ − I₃)²
+    + k₂² k₃² (I₂ − I₃)²)
+    """
+
+    scene: System
+
+    @cached_property
+    def polynomial(self) -> Expr:
+        """0 where k is the direction of a permanent rotation, but for exceptions.
+
+        [k, ∇U, Ik] without a rotor; with one [k, Ik, ∇U]² − [k, Ik, l] [k, ∇U, l], where abs(k) = 1.
+        """
+        along, rotor, slopes = self._vectors
+        if not self.turned:
+            return _triple(slopes, along).expand()
+        self._refuse_sphere()
+        a, b, d = (_triple(*pair).expand() for pair in ((along, slopes), (along, rotor), (slopes, rotor)))
+        return a**2 - b * d
+
+    @cached_property
+    def rate(self) -> Expr:
+        """omega² without a rotor, admissible where it is positive; with one omega [1/T², 1/T]."""
+        along, rotor, slopes = self._vectors
+        if self.turned:
+            self._refuse_sphere()
+            return _triple(along, slopes) / _triple(along, rotor)
+        lever = cross(along, DIRECTION)
+        return dot(cross(slopes, DIRECTION), lever) / dot(lever, lever)
+
+    def _refuse_sphere(self) -> None:
+        """Of equal moments Ik is along k, and the polynomial is 0 for every k."""
+        if all(is_identically_zero(x.expand()) for x in cross(self._vectors[0], DIRECTION)):
+            raise ScopeError("all moments are equal: the polynomial of the curve is 0 for every k and says "
+                             "nothing; the rotations are where omega l − ∇U is along k, ask for arcs, or "
+                             "relative_equilibria at a rate omega")
+
+    @property
+    def turned(self) -> bool:
+        """Whether there is a rotor: the cone is then a curve on the sphere."""
+        return any(self.scene.body.gyrostatic_momentum)
+
+    @cached_property
+    def _vectors(self) -> tuple[list[Expr], Sequence[Expr], list[Expr]]:
+        """Ik, l and ∇U."""
+        U = self.scene.potential
+        assert U is not None
+        slopes = [U.value(d) if U.given and d else d for d in map(S, U.gradient())]
+        body = self.scene.body
+        return (body.tensor * Matrix(DIRECTION)).flat(), body.gyrostatic_momentum, slopes
+
+    @checked
+    def arcs(self, values: Mapping[str, Any]) -> list[StaudeArc] | list[GyrostatArc]:
+        """Every admissible arc.
+
+        Without a rotor in the order of tau, and on each both omega and −omega are rates. With one, over
+        omega, as they end: from where two rotations become one to the next such rate, or to omega → ±∞.
+
+        Parameters
+        ----------
+        values : mapping of name to number
+            for every name of the scene
+
+        Returns
+        -------
+        list of StaudeArc, with a rotor of GyrostatArc
+            complete; where c, and l, are on a principal axis, that axis is the direction of two of them, of
+            every rate
+
+        Raises
+        ------
+        ScopeError
+            U is not c·k, the axes are not principal, or the body is one of revolution in its field; with a
+            rotor, a number is not rational
+        ValuesError
+            a name is missing or unknown, or a number is not admissible
+        """
+        needed = {s.name for s in names_of_scene(self.scene)}
+        numbers = exact_point(self.scene, values, needed)
+        if missing := sorted(needed - values.keys()):
+            raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
+        here = at_numbers(self.scene, numbers)
+        c = _linear(here)
+        if not any(c):
+            raise ScopeError("U does not depend on k: the body is free; assemble it without a potential, and "
+                             "relative_equilibria finds its permanent rotations")
+        turned = StaudeCone(here).turned
+        if recognise(here):
+            rotor = f", l = {here.body.gyrostatic_momentum}" if turned else ""
+            raise ScopeError(f"inertia = {here.body.moments}, c = {c}{rotor}: the body is one of revolution "
+                             "in its field, and its permanent rotations are about whole circles of "
+                             "directions: ask relative_equilibria")
+        return list(gyrostat_arcs(here, c)) if turned else list(staude_arcs(here, c))
+
+
+@checked
+def staude_cone(scene: System) -> StaudeCone:
+    """The cone of the permanent rotations of a body in a field; with a rotor, a curve on the sphere.
+
+    In a uniform field, U = c·k, without a rotor: (I2 − I3) c1 k2 k3 + (I3 − I1) c2 k3 k1 + (I1 − I2) c3 k1 k2
+    = 0. It contains the principal axes, c and I⁻¹ c. Of k and −k one is admissible, where omega² > 0.
+
+    Parameters
+    ----------
+    scene : System
+        any body in a field, in symbols or numbers
+
+    Returns
+    -------
+    StaudeCone
+
+    Raises
+    ------
+    ScopeError
+        there is no field
+
+    References
+    ----------
+    Staude, J. reine angew. Math. 113 (1894) 318-334; Kharlamov (1965), for gyrostats; else derived.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
+    >>> cone = gs.staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U))
+    >>> cone.polynomial
+    -k1*k2 + 2*k1*k3 - k2*k3
+    >>> [(arc.low, arc.high) for arc in cone.arcs({})]
+    [(-oo, -3), (-3, -2), (-2, -1), (-1, oo)]
+    """
+    in_one_direction(scene.potential, "staude_cone")
+    if scene.potential is None:
+        raise ScopeError("Staude's cone is of a body in a field, and the scene has none: give a potential; "
+                         "of a free body relative_equilibria finds every permanent rotation")
+    return StaudeCone(scene)
+
+
+def _linear(scene: System) -> tuple[Expr, ...]:
+    """c of U = c·k."""
+    U = scene.potential
+    assert U is not None
+    c = tuple(U.value(d) if d else S.Zero for d in U.gradient())
+    if not U.given or any(x.free_symbols for x in c):
+        raise ScopeError(f"U = {U.expression} is not c·k: the arcs are found in a uniform field; in another "
+                         "give a direction k1, k2, k3 to relative_equilibria")
+    return c
+
+
+def _triple(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
+    """[k, a, b]."""
+    return dot(DIRECTION, cross(a, b))

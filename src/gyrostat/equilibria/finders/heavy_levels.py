@@ -1,0 +1,231 @@
+"""The permanent rotations of any body in a field on a level of C1 = M·k: critical points of U_c."""
+from collections.abc import Iterator
+from functools import reduce
+from typing import Any, NamedTuple
+
+from flint import arb, arb_mat, fmpq, fmpq_mpoly, fmpq_poly
+from sympy import Expr, Matrix, Rational, S, Symbol, eye, sqrt
+
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import evaluate, proved_sign
+from ...algebra.reals.number_fields import at_root, divided, in_one
+from ...algebra.rings.polynomials import Ring, by_degree
+from ...algebra.solving.pencils import points_on_sphere
+from ...algebra.solving.roots import real_roots, roots_of_factor
+from ...errors import ScopeError
+from ...notation import symbol
+
+OMEGA, SIGMA, EPSILON = symbol("omega"), symbol("sigma"), symbol("epsilon")
+PRECISION = 512                                            # bits
+UNTOLD = "the rotations on that level of C1 are not told apart by omega"
+Found = tuple[Expr, tuple[Expr, ...], tuple[Expr, ...] | None]
+
+
+class Field(NamedTuple):
+    """A body in U = c·k + k·Qk/2 and the value of C1."""
+
+    inertia: Matrix
+    curved: Matrix
+    linear: Matrix
+    rotor: Matrix
+    level: Expr
+
+    def along(self, axes: list[int]) -> "Field":
+        """The parts along some of the axes."""
+        I, Q, c, l, level = self
+        within, parts = (axes, axes), (axes, [0])
+        return Field(I.extract(*within), Q.extract(*within), c.extract(*parts), l.extract(*parts), level)
+
+    @property
+    def pencil(self) -> Matrix:
+        return OMEGA**2 * self.inertia - self.curved + SIGMA * eye(len(self.linear))
+
+    @property
+    def vector(self) -> Matrix:
+        return self.linear - OMEGA * self.rotor
+
+
+def rates_on_level(inertia: Matrix, curved: Matrix, linear: Matrix, rotor: Matrix, level: Expr
+                   ) -> Iterator[Found]:
+    """omega, k, and the axis of a circle if there is one, of N k = b, k·k = 1 and C1 = omega k·Ik + l·k.
+
+    N = omega² I − Q + sigma and b = c − omega l, where U = c·k + k·Qk/2. Where det N ≠ 0 the solutions are
+    the common roots of two polynomials in omega and sigma; omega is a root of their resultant R. Of a root α
+    of one in sigma at which the other, G, vanishes, and at no other root, α is the ratio of the terms of R
+    in epsilon for G + epsilon sigma and G + epsilon: so sigma and k are rational in omega. The omega at which
+    det N = 0 and b has no part in the kernel are roots of R too, several times: there k·k = 1 and C1 are
+    looked at on the kernel.
+
+    Raises
+    ------
+    ScopeError
+        a number is not rational, or the rotations of one omega are not told apart: heavy_polynomials has them
+    """
+    numbers = [*inertia, *curved, *linear, *rotor, level]
+    if not all(isinstance(x, Rational) for x in numbers):
+        raise ScopeError("a number is not rational")
+    yield from _with_parts_along(Field(inertia, curved, linear, rotor, level), [0, 1, 2])
+
+
+def _with_parts_along(field: Field, axes: list[int]) -> Iterator[Found]:
+    """Those with k in the span of some axes: in a plane of symmetry, or not."""
+    I, Q, c, l, _ = field
+
+    def symmetric(n: int) -> bool:
+        return not (c[n] or l[n] or any(I[n, m] or Q[n, m] for m in range(3) if m != n))
+
+    n = next((n for n in axes if symmetric(n)), None)
+    if n is None:
+        yield from _in_span(field, axes)
+        return
+    others = [m for m in axes if m != n]
+    yield from _with_parts_along(field, others)
+    yield from _across(field, n, others)
+
+
+def _across(field: Field, n: int, others: list[int]) -> Iterator[Found]:
+    """Those with a part along an axis of symmetry."""
+    part, moment = field.along(others), field.inertia[n, n]
+    placed = part.pencil.xreplace({SIGMA: field.curved[n, n] - OMEGA**2 * moment})
+    above, below = placed.adjugate() * part.vector, placed.det(method="berkowitz").expand()
+    if (singular := real_roots(below, OMEGA)) is None:
+        raise ScopeError(UNTOLD)
+    for root in singular:
+        if all(proved_sign(evaluate(x, {OMEGA: root})) == 0 for x in above):
+            yield from (found for found in _one_by_one(field, root, others + [n]) if found[1][n] != 0)
+    rest = [x / below for x in above]
+    a = Matrix(rest)
+    twist = OMEGA * (a.dot(part.inertia * a) + moment * (1 - a.dot(a))) + part.rotor.dot(a) - field.level
+    if (roots := real_roots(twist, OMEGA)) is None:
+        raise ScopeError(UNTOLD)
+    for root in roots:
+        if proved_sign(square := evaluate(1 - a.dot(a), {OMEGA: root})) == 1:
+            inside = dict(zip(others, (evaluate(x, {OMEGA: root}) for x in rest)))
+            for t in (sqrt(square), -sqrt(square)):
+                yield root, tuple(t if m == n else inside.get(m, S.Zero) for m in range(3)), None
+
+
+def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
+    """Those with k in the span of axes without a plane of symmetry."""
+    inertia, _, _, rotor, level = part = field.along(axes)
+    pencil, vector, size = part.pencil, part.vector, range(len(axes))
+    ring = Ring([OMEGA, SIGMA, EPSILON])
+    above = [ring.numerator(x) for x in (pencil.adjugate() * vector).expand()]
+    below = ring.numerator(pencil.det(method="berkowitz").expand())
+    shared = reduce(lambda f, g: f.gcd(g), above, below)   # two equal moments
+    above, below = [x / shared for x in above], below / shared
+    if below.gcd(shared) != shared:
+        raise ScopeError(UNTOLD)
+    omega, sigma, epsilon = (ring.gens[x] for x in (OMEGA, SIGMA, EPSILON))
+
+    def total(parts: Any) -> fmpq_mpoly:
+        return sum(parts, ring.zero)
+
+    def number(x: Expr) -> fmpq:
+        return fmpq(int(x.p), int(x.q))
+
+    length = total(x**2 for x in above) - below**2
+    moment = omega * total(number(inertia[i, j]) * above[i] * above[j] for i in size for j in size)
+    moment += below * total(number(rotor[i]) * above[i] for i in size) - number(level) * below**2
+    moment += number(level) * -length                      # of a lower degree in sigma
+    place, name = ring.generators.index(EPSILON), str(length.context().names()[ring.generators.index(SIGMA)])
+    if not (resultant := _in_omega(ring, length.resultant(moment, name))):
+        raise ScopeError(UNTOLD)
+    changed = [length.resultant(moment + epsilon * x, name).derivative(place) for x in (1, sigma, sigma + 1)]
+    ones, sigmas, _ = (_in_omega(ring, x) for x in changed)
+    for factor, _ in resultant.factor()[1]:
+        if not (roots := roots_of_factor(factor)):
+            continue
+        one = ones % factor
+        if factor.degree() > 1 and one:
+            (s,) = divided([sigmas], one, factor)
+            if under := _placed(ring, below, s, factor):
+                slope = factor.derivative()
+                tops = divided([_placed(ring, x, s, factor) * slope for x in above], under, factor)
+                for root in roots:
+                    scale = at_root(slope, root)
+                    yield root, _embedded([at_root(top, root) / scale for top in tops], axes), None
+                continue
+        twice = [_in_omega(ring, x.derivative(place)) for x in changed]
+        if factor.degree() > 1 and twice[0] % factor:
+            product, both = divided(twice[1:], twice[0], factor)
+            s = (both - product - 1) / 2
+            if not any(_placed(ring, x, s, factor) for x in (below, *above)) and not any(
+                    _may_turn(part, root, at_root(s, root)) for root in roots):
+                continue
+        for root in roots:
+            yield from _one_by_one(field, root, axes)
+
+
+def _embedded(parts: list[Expr], axes: list[int]) -> tuple[Expr, ...]:
+    given = dict(zip(axes, parts))
+    return tuple(given.get(n, S.Zero) for n in range(3))
+
+
+def _one_by_one(field: Field, root: Expr, axes: list[int]) -> Iterator[Found]:
+    """Of all rotations of a rate those on the level with k in the span of some axes."""
+    if not isinstance(root, Rational):
+        raise ScopeError(UNTOLD)
+    here = {OMEGA: root}
+    for _, k, circle in points_on_sphere(field.pencil.xreplace(here), field.vector.xreplace(here), S.One,
+                                         SIGMA):
+        at = Matrix(k)
+        if circle is not None and not _on_one_level(field, root, at, Matrix(circle)):
+            raise ScopeError(UNTOLD)
+        value = root * at.dot(field.inertia * at) + field.rotor.dot(at)
+        if proved_sign(evaluate(value - field.level, {})) == 0 and not any(
+                proved_sign(k[n]) for n in range(3) if n not in axes):
+            yield root, k, circle
+
+
+def _on_one_level(field: Field, root: Rational, k: Matrix, axis: Matrix) -> bool:
+    """Whether C1 is the same on the whole circle of k about an axis, no axis being any."""
+    inertia, rotor = field.inertia, field.rotor
+    across = k * axis.dot(axis) - axis * axis.dot(k)
+    other = axis.cross(across)
+    turned = [rotor.dot(across), rotor.dot(other), *(root * x for x in (
+        axis.dot(inertia * across), axis.dot(inertia * other), across.dot(inertia * other),
+        across.dot(inertia * across) * axis.dot(axis) - other.dot(inertia * other)))]
+    return any(axis) and not any(proved_sign(evaluate(x, {})) for x in turned)
+
+
+def _may_turn(part: Field, root: Expr, sigma: Expr) -> bool:
+    """Whether a solution is not excluded where det N = 0 and b has no part in the kernel, spanned by e.
+
+    They are k = a ± t e, (N + e eᵀ) a = b.
+    """
+    with own_precision(PRECISION):
+        at = {OMEGA: ball(root, PRECISION), SIGMA: ball(sigma, PRECISION)}
+        N, adjugate = (_enclosed(m, at) for m in (part.pencil, part.pencil.adjugate()))
+        b, I, l = (_enclosed(m, at) for m in (part.vector, part.inertia, part.rotor))
+        size = range(len(part.linear))
+        n = max(size, key=lambda n: abs(adjugate[n, n]).lower())
+        if not abs(adjugate[n, n]) > 0:
+            return True
+        e = arb_mat([[adjugate[m, n]] for m in size])
+        across = (N + e * e.transpose()).solve(b)
+        rest = (1 - (across.transpose() * across)[0, 0]) / (e.transpose() * e)[0, 0]
+        if rest < 0:
+            return False
+        places = [across + e * (side * rest.sqrt()) for side in (1, -1)]
+        return any((at[OMEGA] * (k.transpose() * I * k)[0, 0] + (l.transpose() * k)[0, 0]
+                    - ball(part.level, PRECISION)).contains(0) for k in places)
+
+
+def _enclosed(matrix: Matrix, at: dict[Symbol, arb]) -> arb_mat:
+    return arb_mat([[ball(x, PRECISION, at) for x in row] for row in matrix.tolist()])
+
+
+def _in_omega(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_poly:
+    """With 0 for what is not omega."""
+    return in_one(polynomial, ring.generators.index(OMEGA))
+
+
+def _placed(ring: Ring, polynomial: fmpq_mpoly, s: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
+    """With s for sigma."""
+    place = ring.generators.index(SIGMA)
+    value = fmpq_poly([0])
+    for part in reversed(by_degree(polynomial, place, polynomial.degrees()[place])):
+        value = (value * s + _in_omega(ring, part)) % modulus
+    return value

@@ -1,0 +1,111 @@
+"""Every equilibrium of a gyrostat satellite in a circular orbit."""
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from sympy import Add, Expr, Rational, S, sqrt
+
+from ...algebra.reals.exact import evaluate, proved_sign
+from ...algebra.rings.matrices import cross
+from ...algebra.solving.real_fields import FieldNumbers
+from ...algebra.solving.sphere_sets import zeros_on_sphere
+from ...errors import ScopeError, ValuesError
+from ...mechanics.families.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbital_rate
+from ...mechanics.scenes.system import System, at_numbers, names_of_scene
+from ...notation import symbol
+from .orbital_axial import along_an_axis, circles
+from .orbital_equilibrium import OrbitalEquilibrium
+from .rate_level_tilt import exact_point
+
+N, R = (tuple(symbol(f"{x}{i}") for i in (1, 2, 3)) for x in (NORMAL, VERTICAL))
+
+
+def orbital_equilibria(scene: System, values: Mapping[str, Any]) -> list[OrbitalEquilibrium]:
+    """All of them, as relative_equilibria says.
+
+    n and r are unit vectors at right angles with t·Ir = 0, t·(ω0 In + l) = 0 and r·(4 ω0 In + l) = 0. With l
+    along a principal axis they are in closed form. Else, with c = r × Ir and r·l ≠ 0, r lies on a cubic and a
+    quartic, and n = (Ir − (r·Ir) r)/b, b = −r·l/(4 ω0); with r·l = 0 it is along a principal axis, and n
+    turns about it.
+    """
+    if not by_gradient_alone(scene):
+        raise ScopeError("another field acts beside the gravity gradient, or a rotor is free, for which no "
+                         "complete list is proved: give an attitude, steady_motion(scene, n, r)")
+    needed = {s.name for s in names_of_scene(scene)}
+    numbers = exact_point(scene, values, needed)
+    if missing := sorted(needed - values.keys()):
+        raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
+    here = at_numbers(scene, dict(numbers))
+    rotor = [evaluate(x / orbital_rate(here), {}) for x in here.body.gyrostatic_momentum]
+    along = [i for i, x in enumerate(rotor) if x != 0]
+    axis = _axis_of_symmetry(here.body.moments)
+    if axis is not None and along in ([], [axis]):
+        return list(circles(here, axis, rotor[axis]))
+    if len(along) < 2:
+        place = (along or [0])[0]
+        return list(along_an_axis(here, place, rotor[place]))
+    scale = rotor[along[0]]
+    if isinstance(scale, Rational):
+        scale = S.One
+    direction = [evaluate(x / scale, {}) for x in rotor]
+    if not all(isinstance(x, Rational) for x in (*here.body.moments, *direction, evaluate(scale**2, {}))):
+        raise ScopeError("with a rotor along no principal axis all equilibria are found at rational moments "
+                         "and a rational l/omega0, or one square root times that, and l/omega0 is "
+                         f"({', '.join(map(str, rotor))}): round to decimals")
+    return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
+
+
+def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
+    """The one whose moment the other two do not share; None where all are different."""
+    same = [i for i in range(3) if proved_sign(moments[i - 1] - moments[i - 2]) == 0]
+    if len(same) == 3:
+        raise ScopeError(f"the three moments are {moments[0]}, and no gravity gradient turns the satellite: "
+                         "it rests wherever l is along the normal n or against it, without a rotor in every "
+                         "attitude: steady_motion(scene, n, r) is each of these")
+    return same[0] if same else None
+
+
+def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalEquilibrium]:
+    """Where r is along no principal axis; the rotor is ω0 scale l."""
+    I = scene.body.moments
+    along = [moment * x for moment, x in zip(I, R)]
+    c, level = cross(R, along), Add(*(x * y for x, y in zip(l, R)))
+    cubic = (4 * (I[1] - I[0]) * (I[2] - I[0]) * (I[2] - I[1]) * R[0] * R[1] * R[2]
+             - scale**2 * level * Add(*(x * y for x, y in zip(l, c))))
+    quartic = scale**2 * level**2 - 16 * Add(*(x**2 for x in c))
+    mean = Add(*(x * y for x, y in zip(along, R)))
+    normal = [-4 * (a * Add(*(x**2 for x in R)) - mean * x) for a, x in zip(along, R)]
+    yield from (OrbitalEquilibrium(scene, place[3:].over(scale), place[:3])
+                for place in _finite([cubic, quartic], R, level, normal))
+
+
+def _finite(polynomials: Sequence[Expr], k: Sequence[Expr], but: Expr = S.One, over_it: Sequence[Expr] = ()
+            ) -> list[FieldNumbers]:
+    """The zeros on the sphere, which are refused where they are no points."""
+    zeros = zeros_on_sphere(polynomials, k, but, over_it)
+    if zeros is None or zeros.curves:
+        curve = zeros and f", {zeros.curves[0].expression(k)} = 0" or ""
+        raise ScopeError(f"the equilibria lie on curves{curve}: give an attitude, steady_motion(scene, n, r)")
+    return zeros.points
+
+
+def _principal(scene: System, l: Sequence[Expr], scale: Expr, axis: int | None
+               ) -> Iterator[OrbitalEquilibrium]:
+    """Where r is along a principal axis across l: n on a circle, t·(ω0 In + l) = 0.
+
+    With the scale a root, its square is taken, and of two opposite n one has the right sign.
+    """
+    verticals = [[S.One if i == k else S.Zero for i in range(3)] for k in range(3) if l[k] == 0]
+    if axis is not None:                                   # any axis across that of symmetry is principal
+        first, second = ((axis + n) % 3 for n in (1, 2))
+        verticals = [v for v in verticals if v[axis]]
+        verticals.append([l[second] if i == first else -l[first] if i == second else S.Zero
+                          for i in range(3)])
+    for v in verticals:
+        t, length = cross(N, v), sqrt(Add(*(x**2 for x in v)))
+        own = Add(*(moment * x * y for moment, x, y in zip(scene.body.moments, N, t)))
+        given = Add(*(x * y for x, y in zip(l, t)))
+        held = own + given if scale == 1 else own**2 - scale**2 * given**2
+        for n in _finite([held, Add(*(x * y for x, y in zip(v, N)))], N):
+            if scale == 1 or proved_sign(evaluate(own * given * scale, dict(zip(N, n)))) != 1:
+                for side in (S.One, S.NegativeOne):
+                    yield OrbitalEquilibrium(scene, n, tuple(side * x / length for x in v))

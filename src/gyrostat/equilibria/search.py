@@ -1,0 +1,103 @@
+"""All relative equilibria of a scene, with their decisions: the one verb for every kind of scene."""
+from collections.abc import Mapping
+from typing import Any
+
+from ..arguments import checked
+from ..mechanics.equilibrium.reduction import reducible
+from ..mechanics.families.circular_orbit import in_orbit
+from ..mechanics.scenes.coupled import in_one_direction
+from ..mechanics.scenes.system import System
+from .finders.free import rotations_at
+from .finders.free_rotation import PermanentRotation
+from .finders.heavy import heavy_rotations
+from .finders.heavy_rotation import HeavyRotation
+from .finders.orbit import orbital_equilibria
+from .finders.orbital_equilibrium import OrbitalEquilibrium
+from .finders.precession_branch import Branch
+from .finders.rate_level_tilt import asked_about
+from .finders.revolution import branches_at
+
+
+@checked
+def relative_equilibria(scene: System, values: Mapping[str, Any]
+                        ) -> list[Branch] | list[PermanentRotation] | list[HeavyRotation] | list[
+                            OrbitalEquilibrium]:
+    """Every relative equilibrium of a scene at given numbers, each with its decision.
+
+    Of a body of revolution in U(k3): numbers for the moments, l and the parameters of U, and one of
+
+    - omega: E1, E2 and every E3 of that rate about the vertical, U' = ω l − ω² k3 (I1 − I3)
+    - pi3_0, C1: what lies on that level of π3 and of C1 = (π + l)·k: E1 and E2 where C1 = ±(π3 + l), and
+      every regular precession
+    - k3: every E3 of that tilt, (I1 − I3) k3 ω² − l ω + U' = 0
+    - k3, pi3_0: every regular precession of that tilt, I1 k3 ω² − (π3 + l) ω + U' = 0.
+
+    A body of revolution about another axis is recognised: of axis 1 it is k1 and pi1_0 in place of k3 and
+    pi3_0, of an oblique axis c it is kc = k·c and pic_0 = π·c.
+
+    Of any other body in a field: numbers for the moments, the rotor and the parameters of U, and one of
+
+    - omega: every permanent rotation ω = omega k of that rate, (∇U − omega l − omega² Ik) × k = 0, in a U
+      polynomial in k; of degree d at most 2 (d² − d + 1), or circles and other curves of them
+    - C1: every permanent rotation on that level of C1 = M·k, the critical points of the amended potential
+      U + (C1 − l·k)²/(2 k·Ik), at rational numbers and in the same U; minima − saddles + maxima = 2 if all
+      are points that are not degenerate
+    - k1, k2, k3: every rate of a permanent rotation in that direction, omega² Ik × k + omega l × k = ∇U × k.
+
+    Of a free body or gyrostat: numbers for the moments and the rotor, and M, the length of M = π + l: every
+    permanent rotation on that momentum sphere.
+
+    Of a satellite in a circular orbit: numbers for the moments, the rotor and omega0, if they are names:
+    every attitude in which it rests in the frame of the orbit, 8 to 24 if its moments are different, or a
+    closed curve of them; of a body of revolution with the rotor along its axis a point of each circle of
+    them.
+
+    Parameters
+    ----------
+    scene : System
+        a body of revolution, U rational in the component of k along its axis; or any body, in a field that is
+        given or without one
+    values : mapping of name to number
+        rational or algebraic, as in Report.verdict
+
+    Returns
+    -------
+    list of Branch, of HeavyRotation, of PermanentRotation or of OrbitalEquilibrium
+        complete; of a body in a field in the order of k3 from E1 down to E2, then of omega, without a pole
+        where U is infinite, of a circle of rotations a point, of another curve a point and its equation; of a
+        free one by energy
+
+    Raises
+    ------
+    ValuesError
+        names are missing, unknown or too many, or a number is not admissible
+    ScopeError
+        U is unspecified; of a body of revolution it is not rational in k3; of any other, at a rate or on a
+        level, not a polynomial; or a number is not rational, on a level or in a U of degree 3 or more, and
+        they have no common factor
+
+    References
+    ----------
+    Goldstein, Classical Mechanics, §5.7 (the heavy top); Staude (1894) and Kharlamov (1965) (permanent
+    rotations); Hughes, Spacecraft Attitude Dynamics (1986), chapter 6 (free gyrostats); else derived.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> for b in gs.relative_equilibria(top, {"I1": 2, "I3": 1, "l": 0, "m0": 3, "k3": "1/2", "pi3_0": 6}):
+    ...     print(b.label, b.omega, b.decision.verdict.name)
+    precession 3 - sqrt(6) STABLE
+    precession sqrt(6) + 3 STABLE
+    >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> [(b.momentum, b.decision.verdict.name) for b in gs.relative_equilibria(free, {"M": 1})[::2]]
+    [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
+    """
+    if in_orbit(scene):
+        return orbital_equilibria(scene, values)
+    in_one_direction(scene.potential, "relative_equilibria")
+    if scene.potential is None:
+        return rotations_at(scene, values)
+    if reducible(scene) or not scene.potential.given or asked_about(scene, values):
+        return branches_at(scene, values)
+    return heavy_rotations(scene, values)

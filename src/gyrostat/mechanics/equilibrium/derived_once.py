@@ -1,0 +1,14 @@
+"""Once: a verb of an equilibrium that derives its answer the first time it is asked."""
+from collections.abc import Callable
+from functools import wraps
+
+from .equilibrium import Derived, Equilibrium
+
+
+def once(verb: Callable[[Equilibrium], Derived]) -> Callable[[Equilibrium], Derived]:
+    """The verb, derived once for each equilibrium."""
+    @wraps(verb)
+    def kept(eq: Equilibrium) -> Derived:
+        return eq.derived(verb)
+
+    return kept

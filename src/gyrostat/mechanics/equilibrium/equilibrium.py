@@ -1,0 +1,250 @@
+"""Equilibria: points or families that are checked, when they are built, to satisfy their equations."""
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from sympy import Expr, S, Symbol
+
+from ..._cached import cached_property
+from ..._display import Shown
+from ...algebra.reals.exact import is_identically_zero, plain, sign
+from ...errors import EquilibriumError, brief, require
+from ...notation import Stored, Use, jet
+from ...registry import INTERNAL, use_of, why_refused
+from ..scenes.coupled import CoupledPotential, Held
+from ..scenes.near_pole import NearPole, left_positive, near_pole, refuse_rough
+from ..scenes.potential import smooth_where_positive
+from ..scenes.system import System
+from .relations import residual_of
+
+Relation = tuple[Symbol, Expr]
+Derived = TypeVar("Derived")
+
+
+@dataclass(frozen=True, repr=False)
+class Equilibrium(Shown, Stored):
+    """A point, or a family of points, where the field vanishes; that it does is checked here, once.
+
+    Parameters
+    ----------
+    label : str
+    system : System
+    point : tuple of Expr, shape (n,)
+        in the parameters of the family
+    relations : tuple of (Symbol, Expr)
+        inserted in this order; a derivative of U in them holds on the family
+    domain : tuple of Expr
+        positive on the family; the family is not claimed to exist elsewhere
+    eliminated : tuple of str
+        the names that relations express by the others; if they are given, they are checked
+
+    Raises
+    ------
+    EquilibriumError
+        a component of the field does not vanish; the message names it
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> eq = gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))
+    >>> eq.label, eq.relations
+    ('E3', ((dU, -k3*omega**2*(I1 - I3) + l*omega),))
+    """
+
+    label: str
+    system: System
+    point: tuple[Expr, ...]
+    relations: tuple[Relation, ...] = ()
+    domain: tuple[Expr, ...] = ()
+    eliminated: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        require(self.system, System, "the scene")
+        if len(self.point) != (n := len(self.system.space.coordinates)):
+            raise EquilibriumError(f"{self.label} has {len(self.point)} entries, the space has {n}: give "
+                                   "one for each coordinate")
+        moments = [*self.system.body.positive, *(value for name, value in self.relations if name.is_positive)]
+        if impossible := [m for m in moments if not m.free_symbols and sign(m, {}) != 1]:
+            raise EquilibriumError(f"{self.label} has a relation that makes a moment or the like "
+                                   f"{impossible[0]}, not proved positive: moments of inertia are positive")
+        unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive
+                   and m not in self.domain]
+        object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
+        names = {s.name for x in (*self.point, *dict(self.relations).values()) for s in x.free_symbols}
+        if clash := sorted(name for name in names if name in INTERNAL or use_of(name) is Use.TIME):
+            raise EquilibriumError(f"{self.label} depends on {why_refused(clash, names)}")
+        object.__setattr__(self, "point", tuple(map(plain, self.point)))   # 0 and ±1, however they are spelt
+        left = []
+        for coordinate, rate in zip(self.system.space.coordinates, self.at_point(self.system.jet_field)):
+            if residual := residual_of(rate, self.insert):
+                left.append((f"d{coordinate}/dt = {brief(residual)}", is_identically_zero(residual)))
+        if wrong := [rate for rate, zero in left if zero is False]:
+            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong[:2])}. Check the "
+                                   "point, or in Python pass the relation that makes these vanish "
+                                   "as relations=((symbol, value),).")
+        if left:
+            raise EquilibriumError(f"{self.label} is not proved to be an equilibrium: whether "
+                                   f"{', '.join(rate for rate, _ in left)} is 0 is not decided. Write its "
+                                   "numbers with rationals and roots.")
+        if self.system.potential:
+            self._check_direction()
+
+    def _check_direction(self) -> None:
+        """k is a unit vector (k = 0 is refused by the verbs), the relations hold for U, and it is smooth."""
+        if isinstance(self.system.potential, CoupledPotential):
+            return self._check_held(self.system.potential.held)
+        k = self.point[3:]
+        named = k == self.system.space.coordinates[3:]         # any unit vector: checked at numbers
+        length = sum((x**2 for x in k), S.NegativeOne)
+        if any(k) and not named and (excess := residual_of(length, self.insert)):
+            unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
+            raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}"
+                                   f"{unknown}: k is a direction, |k| = 1; divide it by its length")
+        refuse_rough(self.label, self.system.potential, self.near_pole,
+                     (*self.field_values, *self.constraints), self._inner_arguments())
+        for residual in self.constraints:
+            if not residual.free_symbols:
+                what = "is not proved to be" if sign(residual, {}) is None else "is not"
+                raise EquilibriumError(f"{self.label} {what} an equilibrium: a relation on the derivatives "
+                                       f"of U is off by {residual}")
+
+    def _check_held(self, held: Held) -> None:
+        """The directions have the lengths and the angle that the scene gives them."""
+        for casimir, value in held:
+            if excess := residual_of(self._placed(casimir) - value, self.insert):
+                unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
+                raise EquilibriumError(f"{self.label} has {casimir} − {value} = {excess}{unknown}, not 0: "
+                                       "correct the directions")
+
+    def _inner_arguments(self) -> tuple[Expr, ...]:
+        """What has to be positive for a given U to be smooth at the point: arguments of roots."""
+        if not (potential := self.system.potential) or not potential.given:
+            return ()
+        found = map(self._placed, smooth_where_positive(potential.expression))
+        return tuple(dict.fromkeys(map(self.insert, left_positive(self.near_pole, found))))
+
+    @cached_property
+    def near_pole(self) -> NearPole | None:
+        """U in powers of 1 ∓ k3, where k3 = ±1 and U(k3) has roots of what is 0 there; else None."""
+        return near_pole(self.system.potential, plain(self.point[-1]))
+
+    def _placed(self, expression: Expr) -> Expr:
+        """An expression in k, at the point."""
+        directions = self.system.space.coordinates[3:]
+        return expression.xreplace(dict(zip(directions, self.point[3:])))
+
+    @property
+    def at(self) -> Expr:
+        """The k3 at which the derivatives of an axial U are taken: 1, -1 or an expression."""
+        return self.point[-1]
+
+    def at_point(self, expression: Any) -> Any:
+        """An expression or matrix in the coordinates and the jet of U, at the point and on the family.
+
+        Parameters
+        ----------
+        expression : Expr or ImmutableMatrix, any shape
+
+        Returns
+        -------
+        Expr or ImmutableMatrix, of the same shape
+        """
+        placed = expression.xreplace(dict(zip(self.system.space.coordinates, self.point)))
+        potential = self.system.potential
+        for relation in self.relations:
+            if jet(relation[0].name):
+                placed = placed.xreplace(dict((relation,)))
+        return self.insert(placed) if potential and potential.given and not potential.axial else placed
+
+    def insert(self, expression: Any) -> Any:
+        """An expression with the values of a given U and of its derivatives at the point.
+
+        The eliminated names are replaced by their values then.
+
+        Parameters
+        ----------
+        expression : Expr or ImmutableMatrix, any shape
+
+        Returns
+        -------
+        Expr or ImmutableMatrix, of the same shape
+        """
+        expression = self.insert_field(expression)
+        for name, value in self.relations:
+            if not jet(name.name):
+                expression = expression.xreplace({name: value})
+        return expression
+
+    def insert_field(self, expression: Any) -> Any:
+        """The jet of a given U replaced by its values at the point.
+
+        Parameters
+        ----------
+        expression : Expr or ImmutableMatrix, any shape
+
+        Returns
+        -------
+        Expr or ImmutableMatrix, of the same shape
+        """
+        potential = self.system.potential
+        if not potential or not potential.given:
+            return expression
+        for s in expression.free_symbols - self._jet.keys():
+            if order := jet(s.name):
+                near, value = self.near_pole, potential.value(s)
+                self._jet[s] = near.derivative(order[0]) if near else self._placed(value)
+        return expression.xreplace(self._jet)
+
+    @cached_property
+    def _jet(self) -> dict[Symbol, Expr]:                  # the values that have been inserted
+        return {}
+
+    def existence(self) -> tuple[Expr, ...]:
+        """The domain in the parameters that are left: positive where the family exists."""
+        return self._existence
+
+    @cached_property
+    def _existence(self) -> tuple[Expr, ...]:
+        return tuple(map(self.insert, self.domain))
+
+    @cached_property
+    def field_values(self) -> tuple[Expr, ...]:
+        """A given U, its slope and its curvature at the point; () where U is unspecified."""
+        potential = self.system.potential
+        if not potential or not potential.given:
+            return ()
+        if near := self.near_pole:                         # where nothing is asked of the curvature
+            return self.insert(near.coefficient(0)), self.insert(near.derivative(1))
+        first = [d for d in potential.gradient() if d]
+        jets = [*first, *(d for s in first for d in potential.following(s) if d)]
+        return tuple(self.insert(e) for e in (self._placed(potential.expression), *jets))
+
+    @cached_property
+    def constraints(self) -> tuple[Expr, ...]:
+        """What has to vanish at given values: relations that a given U does not satisfy by itself."""
+        if not self.system.potential or not self.system.potential.given:
+            return ()
+        residuals = (residual_of(self.insert(name) - self.insert(value), self.insert)
+                     for name, value in self.relations if jet(name.name))
+        return tuple(residual for residual in residuals if residual is not None)
+
+    def derived(self, verb: Callable[["Equilibrium"], Derived]) -> Derived:
+        """What a verb derives from this equilibrium, the first time it is asked; then the same again.
+
+        Parameters
+        ----------
+        verb : callable
+            of an equilibrium
+
+        Returns
+        -------
+        Any
+            what the verb returns
+        """
+        if verb not in self._derived:
+            self._derived[verb] = verb(self)
+        return self._derived[verb]
+
+    @cached_property
+    def _derived(self) -> dict[Callable[..., Any], Any]:
+        return {}

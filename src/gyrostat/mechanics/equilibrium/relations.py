@@ -1,0 +1,47 @@
+"""Relations between the names of a family: solved for one that they are affine in; what is left of one."""
+from collections.abc import Callable, Sequence
+
+from sympy import Expr, S, Symbol
+
+from ...algebra.reals.exact import is_identically_zero
+from ...algebra.rings.polynomials import Ring, lowest_terms
+from ...errors import EquilibriumError
+from ...notation import symbol
+
+
+def solved_for(relation: Expr, wanted: str | None, parameters: Sequence[Symbol],
+               label: str) -> tuple[str | None, Expr | None, Expr]:
+    """Name, value and leading coefficient of a parameter in which the relation is affine."""
+    ordered = sorted(parameters, key=lambda s: (bool(s.is_positive), s.name))
+    for name in [wanted] if wanted else ["dU", "l", "k3", *map(str, ordered)]:
+        if solved := affine(relation, symbol(name)):
+            return name, *solved
+    if wanted:
+        raise EquilibriumError(f"{label}: the relation {relation} = 0 is not affine in {wanted}: eliminate "
+                               "another name, or none")
+    return None, None, S.One
+
+
+def affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
+    """Solution and leading coefficient of a x + b = 0, None if the relation has no such form."""
+    ring = Ring([relation])
+    top, _ = ring.fraction(relation)
+    if x not in ring.gens or any(x in g.free_symbols for g in ring.generators if g != x):
+        return None
+    index = ring.generators.index(x)
+    if top.degrees()[index] != 1:
+        return None
+    slope = top.derivative(index)
+    rest = top - slope * ring.gens[x]
+    return ring.quotient(-rest, slope), ring.expression(slope)
+
+
+def residual_of(rate: Expr, insert: Callable[[Expr], Expr]) -> Expr | None:
+    """The rate in lowest terms, values inserted where needed; None where it is proved to vanish."""
+    for expression in (rate, insert(rate)):
+        if expression is S.Zero:
+            return None
+        residual = lowest_terms(expression)
+        if residual == 0 or is_identically_zero(residual):
+            return None
+    return residual

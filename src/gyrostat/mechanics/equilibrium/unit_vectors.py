@@ -1,0 +1,42 @@
+"""Unit vectors in parameters, and any unit vector."""
+from collections.abc import Sequence
+
+from sympy import Expr
+
+from ...algebra.text.grammar import parse
+from ...notation import symbol
+from .equilibrium import Equilibrium
+
+STEREOGRAPHIC = "stereographic"                       # the word for it
+
+
+def stereographic() -> tuple[Expr, Expr, Expr]:
+    """A direction k by its stereographic coordinates u1, u2: every one but −e3, each exactly a unit vector.
+
+    k = (2 u1, 2 u2, 1 − u1² − u2²)/(1 + u1² + u2²), the projection from −e3 onto the plane k3 = 0.
+
+    Returns
+    -------
+    tuple of Expr, shape (3,)
+        rational in u1 and u2; e3 is (0, 0), abs(u) = 1 where k3 = 0
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> k = gs.stereographic()
+    >>> [x.subs({gs.symbol("u1"): 1, gs.symbol("u2"): 2}) for x in k]
+    [1/3, 2/3, -2/3]
+    """
+    u1, u2 = symbol("u1"), symbol("u2")
+    square = u1**2 + u2**2
+    return 2 * u1 / (1 + square), 2 * u2 / (1 + square), (1 - square) / (1 + square)
+
+
+def in_any_direction(eq: Equilibrium) -> bool:
+    """Whether k1, k2, k3 are names of a family: any unit vector, and that it is one is checked at numbers."""
+    return eq.system.potential is not None and eq.point[3:] == eq.system.space.coordinates[3:]
+
+
+def direction_in(texts: Sequence[str]) -> tuple[Expr, ...]:
+    """The direction that three expressions name, or that word."""
+    return stereographic() if list(texts) == [STEREOGRAPHIC] else tuple(map(parse, texts))

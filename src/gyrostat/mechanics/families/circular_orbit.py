@@ -1,0 +1,231 @@
+"""A satellite in a circular orbit: the field of the gravity gradient in the frame that turns with it."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from numbers import Integral
+from typing import Any
+
+from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, sqrt
+
+from ...algebra.reals.exact import is_identically_zero, sign_of_constant
+from ...algebra.text.numbers import exact_expression, shown
+from ...arguments import checked
+from ...errors import EquilibriumError, PotentialError, ScopeError, brief
+from ...notation import symbol
+from ...registry import check_names
+from ..equilibrium.equilibrium import Equilibrium
+from ..scenes.coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
+from ..scenes.lie_poisson import hat
+from ..scenes.potential import DIRECTIONS
+from ..scenes.rotors import Rotor
+from ..scenes.system import System
+
+NORMAL, VERTICAL = "n", "r"
+RATE = symbol("omega0")
+
+
+@dataclass(frozen=True)
+class CircularOrbit(CoupledPotential):
+    """The field of a satellite in a circular orbit; alone: U is that of the gravity gradient of I alone."""
+
+    alone: bool = True
+
+
+@checked
+def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
+                   potential: Any = 0, rotors: Sequence[Rotor] = ()) -> CoupledPotential:
+    """The field of a satellite in a circular orbit, in the frame that turns with the orbit.
+
+    n is the normal of the orbit, r the local vertical, outwards, t = n × r along the velocity, all in body
+    axes. h = T − ω0 n·(π + l) + (3/2) ω0² r·Ir is the Jacobi integral; π is the angular momentum of the
+    absolute rate ω, the rate against the frame is ω − ω0 n. The attitude does not act on the orbit, and the
+    body is small beside it.
+
+    Parameters
+    ----------
+    rate : number, text or Expr, or None
+        ω0 > 0, such as "0.0011 rad/s"; None: the symbol omega0 [1/T]
+    mu, radius : number, text or Expr
+        in place of the rate: the gravitational parameter [L³/T²] and the radius of the orbit [L],
+        ω0² = mu/radius³
+    potential : Expr, str or callable
+        another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient, or a text or a function of it:
+        −B n·μ of a magnet μ in a field B along the normal, f ρ·(n × r) of a constant drag f at the point ρ of
+        the body [M L²/T²]
+    rotors : sequence of Rotor
+        those of gyrostat_with_rotors: the tensor of the body is without the axial moments of the free ones,
+        on which gravity acts
+
+    Returns
+    -------
+    CoupledPotential
+        U in n, r, the entries I11, I12, … of the tensor of the body and its rotor l1, l2, l3, inserted by
+        assemble
+
+    Raises
+    ------
+    PotentialError
+        the rate, mu or the radius is not positive, or the rate is given and mu and radius give another; the
+        other potential is of no such directions
+
+    References
+    ----------
+    Hughes, Spacecraft Attitude Dynamics (1986), chapter 9; the bracket: Krishnaprasad & Marsden, Arch.
+    Rational Mech. Anal. 98 (1987) 71-93.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)), gs.circular_orbit())
+    >>> gs.earth_pointing(scene, roll=1, pitch=2, yaw=3).point
+    (0, I2*omega0, 0, 0, 1, 0, 0, 0, 1)
+    """
+    omega0 = _rate(rate, mu, radius)
+    n, r, l = map(_components, (NORMAL, VERTICAL, "l"))
+    gravity = Add(*(symbol(f"I{min(i, j)}{max(i, j)}") * r[i - 1] * r[j - 1]
+                    for i in (1, 2, 3) for j in (1, 2, 3)))
+    U = Rational(3, 2) * omega0**2 * gravity - omega0 * Add(*(a * b for a, b in zip(n, l)))
+    first, second, third = (-omega0 * x for x in n)
+    other = _beside(potential)
+    for rotor in rotors:
+        if rotor.momentum is not None:
+            along = Add(*(x * y for x, y in zip(rotor.axis, r)))
+            other += Rational(3, 2) * omega0**2 * rotor.axial * along**2
+    return CircularOrbit((*n, *r), U + other, False, (first, second, third),
+                         unit_and_orthogonal((NORMAL, VERTICAL)), other == 0)
+
+
+def _components(name: str) -> list[Symbol]:
+    """The three symbols of a vector."""
+    return [symbol(f"{name}{i}") for i in (1, 2, 3)]
+
+
+def _beside(potential: Any) -> Expr:
+    """Another energy in the directions of the orbit."""
+    if not callable(potential):
+        potential = exact_expression(potential, "U")
+    fixed = sorted(str(k) for k in getattr(potential, "free_symbols", set()) & set(DIRECTIONS))
+    if fixed:
+        raise PotentialError(f"U = {potential} has {', '.join(fixed)}, a direction fixed in space, and "
+                             "in an orbit the directions turn: leave U out, the gravity gradient acts there "
+                             "anyway, or write what acts beside it in n1, n2, n3, the normal, and r1, r2, "
+                             "r3, the vertical")
+    return coupled_potential(potential, (NORMAL, VERTICAL)).expression
+
+
+def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
+    """ω0, positive."""
+    given = {name: exact_expression(x, f"orbit {name}")
+             for name, x in (("rate", rate), ("mu", mu), ("radius", radius)) if x is not None}
+    for name, value in given.items():
+        directions = sorted(map(str, value.free_symbols & {*_components(NORMAL), *_components(VERTICAL)}))
+        check_names([value], f"{name} = {shown(value)}", PotentialError)
+        if directions:
+            raise PotentialError(f"{name} = {shown(value)} depends on {', '.join(directions)}, a direction "
+                                 "that moves: give a number or another name")
+        if value.is_nonpositive or not value.free_symbols and sign_of_constant(value) != 1:
+            raise PotentialError(f"{name} = {shown(value)}: the {name} of a circular orbit is positive; give "
+                                 "a positive number")
+    if ("mu" in given) != ("radius" in given):
+        raise PotentialError(f"{', '.join(given)}: an orbit has a rate, or mu and radius; give both of these")
+    if "mu" not in given:
+        return given.get("rate", RATE)
+    found = sqrt(given["mu"] / given["radius"] ** 3)
+    if "rate" in given and sign_of_constant(given["rate"] - found) != 0:
+        raise PotentialError(f"rate = {shown(given['rate'])}, but mu and radius give "
+                             f"{shown(found)}: leave one of them out")
+    return found
+
+
+def in_orbit(scene: System) -> bool:
+    """Whether a scene is a satellite in a circular orbit."""
+    return isinstance(scene.potential, CircularOrbit)
+
+
+def by_gradient_alone(scene: System) -> bool:
+    """Whether it is one on which nothing but the gravity gradient acts, and no rotor is free."""
+    return isinstance(scene.potential, CircularOrbit) and scene.potential.alone
+
+
+@checked
+def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -> Equilibrium:
+    """A satellite at rest in the frame of its circular orbit, three body axes along those of the orbit.
+
+    Parameters
+    ----------
+    scene : System
+        of assemble(body, circular_orbit())
+    roll, pitch, yaw : int
+        the body axes, 1, 2, 3 in some order, along the velocity t, the normal n and the vertical r; −2, say,
+        for an axis that points the other way. That of roll follows from the other two: t = n × r
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    ScopeError
+        the scene is in no orbit
+    EquilibriumError
+        the axes are not three; or the body does not rest so: l needs l·t = −ω0 t·In, l·r = −4 ω0 r·In, and
+        t·Ir = 0
+
+    References
+    ----------
+    Lagrange (1780); Hughes, Spacecraft Attitude Dynamics (1986), chapters 9 and 10.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, gs.symbol("l"), 0))
+    >>> pointing = gs.earth_pointing(gs.assemble(body, gs.circular_orbit()), roll=1, pitch=2, yaw=3)
+    >>> print(gs.analyze(pointing).sufficient)
+    l + 4 ω₀ (I₂ − I₃) > 0 and I₁ > I₃ and l > ω₀ (I₁ − I₂)
+    """
+    if not in_orbit(scene):
+        raise ScopeError("earth_pointing is of a satellite in orbit: assemble(body, circular_orbit())")
+    axes = axes_of(roll, pitch, yaw)
+    if by_gradient_alone(scene):
+        _check_rotor(scene, *map(ImmutableMatrix, axes))
+    return Equilibrium("Earth-pointing", scene, resting_at(scene, *axes[1:]))
+
+
+def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: ImmutableMatrix) -> None:
+    """What turns the body is said in the axes of the orbit, with what would hold it."""
+    I, rate, l = scene.body.tensor, orbital_rate(scene), ImmutableMatrix(scene.body.gyrostatic_momentum)
+    torques = {"t·Ir": t.dot(I * r), "l·t + ω0 t·In": t.dot(l) + rate * t.dot(I * n),
+               "l·r + 4 ω0 r·In": r.dot(l) + 4 * rate * r.dot(I * n)}
+    left = [f"{name} = {shown(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
+    if left:
+        raise EquilibriumError(f"Earth-pointing is not an equilibrium of this body: {', '.join(left)}, and "
+                               "each has to be 0: in principal axes a rotor lies along the one that pitches, "
+                               "0, l, 0 where that is the second. In Python earth_pointing_gyrostat(body, "
+                               "orbit) gives the rotor that holds it, or the angle by which to turn the body "
+                               "first")
+
+
+def axes_of(roll: int, pitch: int, yaw: int) -> list[list[int]]:
+    """t, n and r in body axes, of the body axes along them: t = n × r, whatever way roll points."""
+    given = roll, pitch, yaw
+    if not all(isinstance(axis, Integral) for axis in given) or sorted(map(abs, given)) != [1, 2, 3]:
+        raise EquilibriumError(f"roll, pitch, yaw = {brief(given)}: give the body axes 1, 2, 3 in some "
+                               " order, negative for one that points the other way")
+    n, r = ([abs(axis) // axis if i == abs(axis) else 0 for i in (1, 2, 3)] for axis in (pitch, yaw))
+    return [[int(x) for x in along_velocity(n, r)], n, r]
+
+
+def resting_at(scene: System, n: Any, r: Any) -> tuple[Expr, ...]:
+    """The point of a satellite at rest in the frame of its orbit, at n and r: π = ω0 In."""
+    normal = ImmutableMatrix(n)
+    return (*(orbital_rate(scene) * scene.body.tensor * normal), *normal, *ImmutableMatrix(r))
+
+
+def orbital_rate(scene: System) -> Expr:
+    """ω0 of a scene."""
+    assert isinstance(scene.potential, CoupledPotential)
+    return -scene.potential.drift[0].diff(symbol(f"{NORMAL}1"))
+
+
+def along_velocity(n: Any, r: Any) -> ImmutableMatrix:
+    """t = n × r."""
+    return ImmutableMatrix(hat(n) * ImmutableMatrix(r))

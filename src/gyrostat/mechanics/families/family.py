@@ -1,0 +1,56 @@
+"""What is known of a named family of equilibria."""
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ..equilibrium.equilibrium import Equilibrium
+    from ..scenes.system import System
+
+
+@dataclass(frozen=True)
+class Family:
+    """What is known of a named family of equilibria.
+
+    Parameters
+    ----------
+    label : str
+        of its equilibria, Equilibrium.label
+    name : str
+        the word of the field
+    title : str
+        how it moves; "" where the label says so
+    make : callable
+        of a scene, and of what the family is made with
+    made_with : str
+        the argument that its maker takes besides: "spin", "eliminate", "direction", "pointing", or "" for
+        none
+    pole : int
+        1 where k points upwards, −1 downwards, 0 at a tilt, and of a free body
+    where : str
+        what its scenes are: "field", of one direction, "free", or "orbit"
+    asked_for : str
+        what the command line and published files call it; "" if it is only found
+    source : str
+    """
+
+    label: str
+    name: str
+    title: str
+    make: Callable[..., "Equilibrium"]
+    made_with: str = ""
+    pole: int = 0
+    where: str = "field"
+    asked_for: str = ""
+    source: str = "Vera & Viguera 2003, §3"
+
+    @property
+    def tilted(self) -> bool:
+        """Whether it lies at a tilt, with a relation that a name may be eliminated from."""
+        return self.made_with == "eliminate"
+
+    def of(self, scene: "System", spin: str = "pi3_0", eliminate: str | None = None,
+           direction: Sequence[Any] | None = None, pointing: Sequence[int] | None = None) -> "Equilibrium":
+        """The equilibrium of a scene, made with what its maker takes."""
+        given = {"spin": spin, "eliminate": eliminate, "direction": direction, "pointing": pointing}
+        return self.make(scene, given[self.made_with]) if self.made_with else self.make(scene)

@@ -1,0 +1,245 @@
+"""Gyrostat: inertia, gyrostatic momentum, kinetic energy."""
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, diag, radsimp
+
+from ..._cached import cached_property
+from ..._display import Shown
+from ...algebra.reals.exact import is_identically_zero, plain, sign_of_constant
+from ...algebra.text.numbers import exact_expression, shown
+from ...algebra.text.quantities import not_mixed
+from ...arguments import checked, several
+from ...errors import ArgumentError, BodyError, ScopeError, article, brief
+from ...notation import Stored, Use, symbol
+from ...registry import check_names
+
+_INERTIA = tuple(symbol(f"I{i}") for i in (1, 2, 3))
+_ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))
+
+
+@dataclass(frozen=True)
+class Gyrostat(Shown, Stored):
+    """Rigid body with a rotor whose relative angular momentum l is constant, in axes fixed in the body.
+
+    Each entry is a number (made exact) or a SymPy expression; the default is the general body, in symbols.
+    Arrays are sequences too, and a diagonal matrix has its moments on the diagonal. With a full tensor
+    everything is given, and answered, in its axes; what needs principal moments says so. Texts may have
+    units, "120 kg m^2", then all of them; the body is in SI.
+
+    Parameters
+    ----------
+    inertia : (I1, I2, I3), or matrix, shape (3, 3)
+        principal moments of the locked body, or its inertia tensor [M L²]; positive
+    gyrostatic_momentum : (l1, l2, l3)
+        angular momentum of the rotor relative to the body [M L²/T]
+
+    Raises
+    ------
+    BodyError
+        a moment is not positive, or there are not three of each; the tensor is not symmetric or not positive
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> body = gs.Gyrostat(inertia=(2, 2, 1), gyrostatic_momentum=(0, 0, 0))
+    >>> body.kinetic_energy((gs.symbol("pi1"), 0, gs.symbol("pi3")))
+    pi1**2/4 + pi3**2/2
+    """
+
+    inertia: Sequence[Any] = _INERTIA
+    gyrostatic_momentum: Sequence[Any] = _ROTOR
+
+    def __post_init__(self) -> None:
+        given = {field: _entries(getattr(self, field), field) for field in ("gyrostatic_momentum", "inertia")}
+        not_mixed((field, x) for field, entries in given.items() for x in entries)
+        rotor, inertia = (_exact(entries, field) for field, entries in given.items())
+        object.__setattr__(self, "gyrostatic_momentum", tuple(map(plain, rotor)))
+        object.__setattr__(self, "inertia", tensor_of(inertia) if len(inertia) == 9
+                           else _as_first_written(inertia))
+        check_names(self.entries, "the inertia", BodyError, Use.ANGLE)
+        check_names(self.gyrostatic_momentum, "the rotor", BodyError, Use.ROTOR, Use.ANGLE)
+        for value in self.positive:
+            if not value.free_symbols and (sign := sign_of_constant(value)) != 1:
+                what = "is not proved to be" if sign is None else "is not"
+                if isinstance(self.inertia, ImmutableMatrix):
+                    raise BodyError(f"inertia = {self.inertia.tolist()}: a leading principal minor, "
+                                    f"{shown(value)}, {what} positive, but the tensor of a body is positive "
+                                    "definite; check the signs of the products of inertia")
+                raise BodyError(f"inertia = ({', '.join(map(shown, self.inertia))}): {shown(value)} "
+                                f"{what} positive, but a body has "
+                                "mass off every axis; give three positive moments")
+
+    @property
+    def moments(self) -> tuple[Expr, ...]:
+        """The principal moments (I1, I2, I3).
+
+        Raises
+        ------
+        ScopeError
+            the axes are not principal
+        """
+        if isinstance(self.inertia, ImmutableMatrix):
+            raise ScopeError("this needs principal axes, and the inertia tensor has products of inertia: "
+                             "in Python gyrostat.mechanics.principal_axes(body) turns the body; state "
+                             "everything else in those axes")
+        return tuple(self.inertia)
+
+    @cached_property
+    def tensor(self) -> ImmutableMatrix:
+        """The inertia tensor, shape (3, 3)."""
+        return (self.inertia if isinstance(self.inertia, ImmutableMatrix)
+                else ImmutableMatrix(diag(*self.inertia)))
+
+    @cached_property
+    def inverse(self) -> ImmutableMatrix:
+        """I⁻¹, shape (3, 3): ω = I⁻¹ π."""
+        if isinstance(self.inertia, ImmutableMatrix):
+            return ImmutableMatrix(self.inertia.adjugate() / self.inertia.det(method="berkowitz"))
+        return ImmutableMatrix(diag(*(1 / moment for moment in self.inertia)))
+
+    @property
+    def entries(self) -> tuple[Expr, ...]:
+        """The moments, or I11, I22, I33, I23, I31, I12 of a tensor."""
+        if not isinstance(self.inertia, ImmutableMatrix):
+            return tuple(self.inertia)
+        return tuple(self.inertia[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)))
+
+    @property
+    def positive(self) -> tuple[Expr, ...]:
+        """What is positive of any body: the moments, or the leading principal minors of the tensor."""
+        if not isinstance(self.inertia, ImmutableMatrix):
+            return tuple(self.inertia)
+        return tuple(self.inertia[:n, :n].det(method="berkowitz") for n in (1, 2, 3))
+
+    @property
+    def symbols(self) -> set[Symbol]:
+        """The names that it depends on."""
+        return {s for e in (*self.entries, *self.gyrostatic_momentum) for s in e.free_symbols}
+
+    @checked
+    def changed(self, change: Callable[[Expr], Expr]) -> "Gyrostat":
+        """The body with every entry changed, numbers inserted, say.
+
+        Parameters
+        ----------
+        change : callable
+
+        Returns
+        -------
+        Gyrostat
+        """
+        inertia = (
+            [[change(x) for x in row] for row in self.inertia.tolist()]
+            if isinstance(self.inertia, ImmutableMatrix)
+            else [change(x) for x in self.inertia]
+        )
+        return Gyrostat(inertia, [change(x) for x in self.gyrostatic_momentum])
+
+    @checked
+    def kinetic_energy(self, momentum: Sequence[Expr]) -> Expr:
+        """T = ½ π·I⁻¹π, with the rotor locked.
+
+        Parameters
+        ----------
+        momentum : sequence of Expr, shape (3,)
+            π [M L²/T]
+
+        Returns
+        -------
+        Expr
+            [M L²/T²]
+        """
+        momentum = [exact_expression(p, "momentum") for p in several(momentum, "momentum", 3)]
+        if isinstance(self.inertia, ImmutableMatrix):
+            return Add(*(x * p * q / 2 for row, p in zip(self.inverse.tolist(), momentum)
+                         for x, q in zip(row, momentum)))
+        return Add(*(Rational(1, 2) * p**2 / moment for p, moment in zip(momentum, self.inertia)))
+
+    def is_of_revolution(self) -> bool:
+        """Whether I1 = I2 and l lies on axis 3."""
+        if isinstance(self.inertia, ImmutableMatrix):
+            return False
+        return self.inertia[0] == self.inertia[1] and self.gyrostatic_momentum[:2] == (0, 0)
+
+
+def symmetric_gyrostat() -> Gyrostat:
+    """Gyrostat of revolution: I1 = I2, l = (0, 0, l).
+
+    Returns
+    -------
+    Gyrostat
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.symmetric_gyrostat().inertia
+    (I1, I1, I3)
+    """
+    return Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, symbol("l")))
+
+
+def _as_first_written(values: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Constants that are equal in one spelling, so that a body of revolution is one."""
+    known: list[Expr] = []
+    for value in values:
+        same = (x for x in known if not (apart := x - value).free_symbols and sign_of_constant(apart) == 0)
+        known.append(next(same, value))
+    return tuple(known)
+
+
+def tensor_of(entries: Sequence[Expr]) -> ImmutableMatrix:
+    """A symmetric tensor of nine exact entries, row by row.
+
+    Raises
+    ------
+    BodyError
+        it is not symmetric
+    """
+    tensor = ImmutableMatrix(3, 3, list(entries))
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        apart = tensor[i, j] - tensor[j, i]
+        if is_identically_zero(apart) is not True:
+            raise BodyError(f"inertia is a matrix with the entries {shown(tensor[i, j])} and "
+                            f"{shown(tensor[j, i])} in the places {i + 1}{j + 1} and {j + 1}{i + 1}: an "
+                            "inertia tensor is symmetric; give the products of inertia twice, with one sign")
+    return ImmutableMatrix(3, 3, lambda i, j: tensor[min(i, j), max(i, j)])
+
+
+def _exact(given: Sequence[Any], field: str) -> tuple[Expr, ...]:
+    return tuple(_without_surds_below(exact_expression(value, field)) for value in given)
+
+
+def _entries(given: Any, field: str) -> tuple[Any, ...]:
+    """Three entries, of a sequence or an array; of a diagonal matrix those on the diagonal, of another all.
+    """
+    if hasattr(given, "__len__") and len(given) > 9:
+        raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")
+    rows = given.tolist() if hasattr(given, "tolist") else given
+    if isinstance(rows, str | bytes) or not isinstance(rows, Sequence):
+        raise ArgumentError(f"{field} = {brief(given)} is {article(type(given))}, not a sequence: give "
+                            "three numbers, "
+                            f"{field}=({'2, 2, 1' if field == 'inertia' else '0, 0, 1'})")
+    entries = tuple(rows)
+    if len(entries) == 3 and all(isinstance(row, Sequence) and not isinstance(row, str) and len(row) == 3
+                                 for row in entries):
+        if field != "inertia":
+            raise BodyError(f"{field} is a matrix: give three numbers, one for each axis")
+        if any(exact_expression(row[j], field) != 0 for i, row in enumerate(entries)
+               for j in range(3) if i != j):
+            return tuple(x for row in entries for x in row)
+        entries = tuple(row[i] for i, row in enumerate(entries))
+    # a matrix of one row, or of one column
+    if len(entries) == 1 and isinstance(entries[0], Sequence):
+        entries = tuple(entries[0])
+    if hasattr(given, "tolist") and all(isinstance(row, Sequence) and len(row) == 1 for row in entries):
+        entries = tuple(row[0] for row in entries)
+    if len(entries) != 3:
+        raise BodyError(f"{field} has {len(entries)} entries: give three, one for each principal axis")
+    return entries
+
+
+def _without_surds_below(value: Expr) -> Expr:
+    """A number with its denominator rational, as polynomial algebra wants it."""
+    return value if value.free_symbols or value.is_Rational else radsimp(value)

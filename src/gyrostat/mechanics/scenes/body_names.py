@@ -1,0 +1,42 @@
+"""What is written in I1, I2, I3, l or l1, l2, l3, of a body: its moments and its rotor are inserted."""
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from sympy import Expr, Symbol
+
+from ...errors import ScopeError
+from ...notation import symbol
+from .body import Gyrostat
+from .potential import Potential
+
+_MOMENTS = tuple(symbol(f"I{i}") for i in (1, 2, 3))
+
+
+def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] = MappingProxyType({})
+                ) -> Expr:
+    """The expression with the moments and the gyrostatic momentum of the body in place of their names.
+
+    All at once with those of a tensor: what is inserted has names too. Where the rotor has the name l along
+    another axis, l is that.
+    """
+    # a tensor has none
+    names = dict(zip(_MOMENTS, body.moments)) if expression.free_symbols & {*_MOMENTS} else {}
+    names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
+    if symbol("l") not in body.symbols:
+        names |= {symbol("l"): body.gyrostatic_momentum[2]}
+    names |= tensor
+    return expression.xreplace({name: value for name, value in names.items() if name != value})
+
+
+def potential_of_body(potential: Potential, body: Gyrostat) -> Potential:
+    """The potential with this body's moments and gyrostatic momentum inserted."""
+    if potential.revolution and body.moments[0] != body.moments[1]:
+        raise ScopeError(f"U = {potential.expression} is written for I1 = I2, the body has inertia = "
+                         f"{body.moments}: "
+                         "give its own U(k1, k2, k3) with general_potential")
+    if potential.coupled:                                  # I11, I12, … too, in any axes
+        tensor = {symbol(f"I{i}{j}"): body.tensor[i - 1, j - 1] for i in (1, 2, 3) for j in (1, 2, 3)}
+        return potential.changed(lambda e: in_names_of(body, e, tensor))
+    if in_names_of(body, potential.expression) == potential.expression:
+        return potential
+    return potential.changed(lambda e: in_names_of(body, e))

@@ -1,0 +1,36 @@
+"""The equations of motion in the coordinates and the jet of U, and their derivatives."""
+from functools import lru_cache
+
+from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol
+
+from ...algebra.rings.polynomials import Ring, derivatives
+from .lie_poisson import LiePoisson
+
+
+# the jet is the same of every U: what it leaves open is derived once for a body
+@lru_cache(maxsize=64)
+def jet_field(space: LiePoisson, energy_gradient: tuple[Expr, ...]) -> ImmutableMatrix:
+    """B ∇h, one coefficient for each product of coordinates."""
+    return ImmutableMatrix([_collected(component, space.coordinates)
+                            for component in (space.tensor * ImmutableMatrix(energy_gradient)).flat()])
+
+
+@lru_cache(maxsize=64)
+def jet_jacobian(field: ImmutableMatrix, coordinates: tuple[Symbol, ...],
+                 following: tuple[tuple[Symbol, tuple[Expr, ...]], ...]) -> ImmutableMatrix:
+    """Its derivative along the coordinates, each symbol of the jet with the symbols that follow it."""
+    rows = []
+    for rate in field.flat():
+        row = derivatives(rate, (*coordinates, *(d for d, _ in following)))
+        for (_, inner), outer in zip(following, row[len(coordinates):]):
+            row[3:6] = [entry + outer * slope for entry, slope in zip(row[3:6], inner)]
+        rows.append(row[:len(coordinates)])
+    return ImmutableMatrix(rows)
+
+
+def _collected(component: Expr, coordinates: tuple[Symbol, ...]) -> Expr:
+    """The component with one coefficient for each product of coordinates, as in (I1 − I3)/(I1 I3) π2 π3."""
+    ring = Ring([component])
+    top, bottom = ring.fraction(component)
+    return Add(*(Mul(ring.quotient(coefficient, bottom), ring.monomial(kind))
+                 for kind, coefficient in ring.coefficients(top, set(coordinates)).items()))

@@ -1,0 +1,146 @@
+"""One-dimensional cylindrical algebraic decomposition: a parameter's line, cut where a verdict may change.
+
+All other parameters are numbers; the verdict is proved between the cuts and at them.
+"""
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import cache, partial
+from itertools import pairwise
+
+from sympy import Expr, Mul, Symbol, oo
+
+from ..algebra.enclosures.balls import ball
+from ..algebra.reals.exact import Point, evaluate, is_identically_zero, proved_sign, sign_of_constant
+from ..algebra.rings.polynomials import Ring
+from ..algebra.solving.roots import between, real_roots
+from ..errors import ScopeError
+from ..mechanics.families.orbital_precession import moving_axis
+from ..stability.decision import Decision, Verdict
+from ..stability.normal_forms.d4_along_family import cuts_in_windows, motion_in_field
+from ..stability.report.report import Report
+from .sets import EXCLUDED, INCLUDED, Interval
+
+# an open interval or a point, and whether it is stable there; None: not proved
+Cell = tuple[Expr, Expr, bool | None]
+
+
+def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None,
+        also: Sequence[Expr] = ()) -> list[Cell]:
+    """Between and at the roots of everything whose sign matters."""
+    conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives
+                  for c in a]
+    expressions = [*(e for c in conditions for e in (c.margin, *c.degenerate)),
+                   *report.equilibrium.existence(), *also]
+    placed = [e.xreplace(numbers) for e in expressions]
+    everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))
+    if everywhere and report.between:                      # on the boundary whatever x is
+        placed += [e.xreplace(numbers) for e in report.between.ladder()]
+    elif everywhere and _degenerate(report, numbers):
+        raise ScopeError(f"the second variation is degenerate whatever {x} is: ask for verdicts at numbers")
+    polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]
+    ends = real_roots(Mul(*polynomials), x, low, high) or []
+    bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]
+    cells: list[Cell] = []
+    windows = cache(partial(_in_window, report, x, numbers, low, high))
+    for n, (a, b) in enumerate(zip(bounds, bounds[1:])):
+        if n:
+            cells.append((a, a, stable_at(report, x, a, numbers)))
+        decision = _decision(report, x, between(a, b), numbers)
+        if decision is None or not decision.pointwise:
+            cells.append((a, b, _stable(decision)))
+            continue
+        if (inside := windows()) is None:
+            cells.append((a, b, None))
+        else:
+            cells += _window(report, x, numbers, [a, *(c for c in inside if _lies(c, a, b)), b])
+    return cells
+
+
+def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
+               high: Expr | None) -> list[Expr] | None:
+    """Where a window may end or be resonant, or D4 is 0: between these values Arnold's condition holds
+    everywhere in it, or nowhere; None: not known.
+    """
+    eq = report.equilibrium
+    if eq.system.coupled:                                  # of a symmetric satellite, as its axis moves
+        axis = moving_axis(eq, lambda e: evaluate(e, numbers))
+        return None if axis is None else cuts_in_windows(motion_in_field(axis, numbers), x, low, high)
+    try:
+        motion = motion_in_field(eq, numbers)
+    except ScopeError:
+        return None
+    return cuts_in_windows(motion, x, low, high)
+
+
+def _window(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr]) -> Iterator[Cell]:
+    """Between the bounds, all that is at one point; at them each by itself."""
+    for n, (a, b) in enumerate(pairwise(bounds)):
+        if n:
+            yield a, a, stable_at(report, x, a, numbers)
+        yield a, b, stable_at(report, x, between(a, b), numbers)
+
+
+def _lies(x: Expr, low: Expr, high: Expr) -> bool:
+    return (low == -oo or proved_sign(x - low) == 1) and (high == oo or proved_sign(high - x) == 1)
+
+
+def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
+    """Numerator and denominator, as far as they contain x."""
+    ring = Ring([expression])
+    parts = [ring.expression(ring.reduce(part)) for part in ring.fraction(expression)]
+    return [part for part in parts if x in part.free_symbols]
+
+
+def _degenerate(report: Report, numbers: Point) -> bool:
+    """Whether the determinant of the linearised field vanishes for every value of the parameter."""
+    determinant = report.equilibrium.insert(report.linearization.coefficients[-1]).xreplace(numbers)
+    return bool(is_identically_zero(determinant))
+
+
+def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:
+    """Whether the equilibrium exists at a value and is stable there; None where neither is proved."""
+    return _stable(_decision(report, x, value, numbers))
+
+
+def _stable(decision: Decision | None) -> bool | None:
+    """What a decision says, None of which is that nothing exists."""
+    if decision is None:
+        return False
+    return None if decision.verdict is Verdict.UNDECIDED else decision.verdict is Verdict.STABLE
+
+
+def _decision(report: Report, x: Symbol, value: Expr, numbers: Point) -> Decision | None:
+    """The verdict at a value, None where the equilibrium does not exist."""
+    at = Point({**numbers, x: value})
+    values = [evaluate(e, at) for e in report.equilibrium.existence()]
+    if any(not ball(value, 64).is_finite() or proved_sign(value) != 1 for value in values):
+        return None
+    decision = report.verdict({s.name: number for s, number in at.items()})
+    if any(sign_of_constant(margin) is None for _, margin in decision.margins):
+        raise ScopeError(f"at {x} = {value} nothing is proved: {decision.reason}")
+    return decision
+
+
+def joined(cells: Sequence[Cell], wanted: bool | None = True) -> tuple[Interval, ...]:
+    """Cells that touch and are all stable, or all of another kind, as one interval."""
+    found: list[Interval] = []
+    for low, high, stable in cells:
+        if stable is not wanted:
+            continue
+        point = low == high
+        last = found[-1] if found else None
+        if last and last.high == low and (point or last.high_if):
+            found[-1] = replace(last, high=high, high_if=INCLUDED if point else EXCLUDED)
+        else:
+            found.append(Interval(low, high, *([INCLUDED] * 2 if point else [EXCLUDED] * 2)))
+    return tuple(found)
+
+
+def joined_apart(cells: Sequence[Cell], turns: Sequence[Expr]) -> list[Interval]:
+    """As joined, but separated where the name turns; a turn belongs to both sides if it is stable."""
+    runs: list[list[Cell]] = [[]]
+    for cell in cells:
+        runs[-1].append(cell)
+        if cell[0] == cell[1] and cell[0] in turns:
+            runs.append([cell])
+    return [interval for run in runs for interval in joined(run)]

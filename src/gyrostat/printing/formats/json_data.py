@@ -1,0 +1,147 @@
+"""Scenes, reports and decisions as data for JSON.
+
+Expressions are strings in the grammar of the command line.
+"""
+import json
+import math
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any
+
+from sympy import Expr, Float
+
+from ...algebra.enclosures.balls import accurate
+from ...mechanics.scenes.system import System
+from ...stability.criteria.conditions import Condition, Criterion
+from ...stability.criteria.orientation_form import orientation_form, rests_in_frame
+from ...stability.decision import Decision
+from ...stability.report.report import Report
+from ...stability.report.rotation_report import RotationReport
+from ...stability.theorems.drift import Drift
+from ...version import DOCUMENT_FORMAT
+from ..results.boundary import ladder, undecided
+
+
+def scene_data(scene: System) -> dict[str, Any]:
+    """Coordinates, bracket, integrals and field."""
+    return {
+        "coordinates": strings(scene.space.coordinates),
+        "tensor": [strings(row) for row in scene.space.tensor.tolist()],
+        "casimirs": strings(scene.space.casimirs), "hamiltonian": str(scene.hamiltonian),
+        "integrals": strings(scene.integrals),
+        "vector_field": strings(scene.vector_field() if scene.potential and scene.potential.given
+                                else scene.jet_field)}
+
+
+def report_data(report: Report) -> dict[str, Any]:
+    """The whole derivation of one equilibrium."""
+    eq = report.equilibrium
+    family, criteria = conditions_data(report), {"casimirs_only": criterion_data(report.casimirs_only)}
+    drift = {} if report.boundary is None or report.boundary.pole else {"drift": drift_data(report.drift)}
+    relations = {str(name): str(value) for name, value in eq.relations}
+    place: dict[str, Any] = {"point": strings(eq.point), "relations": relations}
+    if isinstance(report, RotationReport):
+        return family | criteria | place | {"tangent_basis": None, "matrix": None,
+                                            "characteristic_polynomial": "lamda**4 + lamda**2*p + q"}
+    linear = report.linearization
+    if rests_in_frame(eq):
+        form = orientation_form(eq)
+        place |= {"stiffness": [strings(row) for row in form.stiffness.tolist()],
+                  "gyroscopic": strings(form.gyroscopic)}
+    return family | criteria | drift | place | {
+        "tangent_basis": [strings(row) for row in linear.basis.T.tolist()],
+        "matrix": [strings(row) for row in eq.insert_field(linear.matrix).tolist()],
+        "characteristic_polynomial": str(eq.insert_field(linear.characteristic_polynomial()))}
+
+
+def conditions_data(report: Report) -> dict[str, Any]:
+    """Where an equilibrium exists, and what decides there."""
+    eq = report.equilibrium
+    definitions = {}
+    if isinstance(report, RotationReport):
+        definitions = {"definitions": {str(name): str(value) for name, value in report.closed.definitions}}
+    eliminated = eq.eliminated[0] if len(eq.eliminated) == 1 else list(eq.eliminated) or None
+    return {"label": eq.label, "positive": strings(eq.existence()), "eliminated": eliminated,
+            "parameters": list(report.parameters),
+            "necessary": criterion_data(report.necessary), "sufficient": criterion_data(report.sufficient),
+            "boundary": boundary_data(report), "damped": criterion_data(report.damped)} | definitions
+
+
+def boundary_data(report: Report) -> dict[str, Any] | None:
+    """The ladder between the two criteria as it is shown.
+
+    None where they leave nothing open, or nothing decides it.
+    """
+    if not undecided(report) or report.boundary is None:
+        return None
+    (rungs, _), last = ladder(report.boundary), report.boundary.last
+    return {"rungs": [{"power": r.power if isinstance(r.power, int) else str(r.power), "escapes": r.escapes}
+                      | condition_data(r.condition) for r in rungs],
+            "last": None if last is None else int(last)}
+
+
+def drift_data(drift: Drift) -> dict[str, Any]:
+    """D, and the rates of the relative equilibria nearby, None where any rate goes."""
+    return {"defect": str(drift.defect), "rates": strings(drift.rates) if drift.omega else None}
+
+
+def criterion_data(criterion: Criterion) -> dict[str, Any]:
+    """Any of the alternatives, all of the conditions of one."""
+    return {"notion": criterion.notion, "modulo": strings(criterion.modulo),
+            "any_of": [{"all_of": [condition_data(c) for c in alternative]}
+                       for alternative in criterion.alternatives]}
+
+
+def condition_data(c: Condition) -> dict[str, Any]:
+    """margin > 0, or ≥ 0 where it is not strict."""
+    return {"margin": str(c.margin), "strict": c.strict, "source": c.source,
+            "zero_where": strings(c.degenerate), "at": str(c.at)}
+
+
+def decision_data(decision: Decision) -> dict[str, Any]:
+    """A verdict with its reason."""
+    return {"verdict": decision.verdict.name, "notion": decision.notion, "modulo": strings(decision.modulo),
+            "level": strings(decision.level), "locus": decision.locus, "rung": decision.rung.value,
+            "proved": decision.proved, "reason": decision.reason,
+            "margins": {_text(margin): str(value) for margin, value in decision.margins},
+            "certificate": {str(F): str(a) for F, a in decision.certificate},
+            "note": decision.note}
+
+
+def damped_data(decision: Decision) -> dict[str, Any]:
+    """A verdict under internal damping, with the number of growing modes."""
+    return decision_data(decision) | {"growing": decision.growing}
+
+
+@lru_cache(maxsize=4096)
+def _text(margin: Expr) -> str:
+    """The same margins come in every line of a batch."""
+    return str(margin)
+
+
+def number_data(number: Expr | None) -> dict[str, Any] | None:
+    """A number exactly and as a decimal, None for none."""
+    return None if number is None else {"exact": str(number), "decimal": double(number)}
+
+
+def rate_data(number: Expr) -> dict[str, Any]:
+    """The same of a number that may be known to some digits only."""
+    return {"exact": None if number.has(Float) else str(number), "decimal": double(number)}
+
+
+def double(number: Expr) -> float | None:
+    """The double next to a number, None where none is: JSON has no infinity."""
+    enclosed = accurate(number, 60)                        # of nested roots sooner than evalf
+    value = float(enclosed.mid() if enclosed.is_finite() else number.evalf(17))
+    return value if math.isfinite(value) else None
+
+
+def json_text(data: Mapping[str, Any]) -> str:
+    """A document that every reader reads: its format first, and neither NaN nor Infinity."""
+    document = {"format": DOCUMENT_FORMAT, **data}
+    return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def strings(expressions: Any) -> list[str]:
+    """Expressions in the grammar of the command line."""
+    return [str(expression) for expression in expressions]

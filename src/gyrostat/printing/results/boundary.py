@@ -1,0 +1,130 @@
+"""What decides between the two criteria: the ladder of coefficients of the reduced motion."""
+from itertools import islice
+from typing import Any
+
+from sympy import Expr, Mul, Rational
+
+from ...algebra.rings.readable import readable
+from ...mechanics.equilibrium.reduction import ENERGY, K3, P, V, reduce
+from ...mechanics.scenes.system import System
+from ...notation import symbol
+from ...registry import Letters
+from ...stability.report.report import Report
+from ...stability.theorems.boundary import HIGHEST, Boundary, Rung
+from ...typesetting import SUBSCRIPTS, SUPERSCRIPTS
+from ..blocks import Block, Display, Word, modulo_flow, sentence
+from ..letters import letters_of, word
+
+# rungs shown of a ladder without an end, of one with an end
+FEW, SEVERAL = 3, 6
+_BETWEEN = "where the necessary condition holds and the sufficient one does not, "
+
+
+def boundary_blocks(report: Report) -> list[Block]:
+    """What decides where the necessary condition holds and the sufficient one does not.
+
+    The ladder, if there is one.
+    """
+    if not undecided(report):
+        return []
+    boundary, eq = report.boundary, report.equilibrium
+    if boundary is None and report.between:
+        return [sentence(_BETWEEN.capitalize(),
+                         "the energy on the momentum sphere decides to fourth order, at numbers.")]
+    if boundary is None:
+        return [sentence(_BETWEEN.capitalize(), "they claim nothing; a verdict at numbers may.")]
+    between = _BETWEEN.capitalize()
+    if report.recognised:
+        between = f"The scene is {report.recognised.sentence}; with that axis for the third: {_BETWEEN}"
+        eq = boundary.equilibrium
+    letters = letters_of(eq.system)
+    g, distance = letters.of("g"), symbol(letters.of("x"))
+    levels = {ENERGY: symbol(letters.of("h")), V: symbol(letters.of("C1")),
+              P: eq.system.space.coordinates[2] + eq.system.body.gyrostatic_momentum[2]}
+    levels |= {name: value for name, value in eq.relations if not value.free_symbols and name != K3}
+    blocks: list[Block] = [
+        sentence(between, "the motion of ", K3, " by itself decides, on the level of the equilibrium: ",
+                 squared_rate(eq.system), " = ", symbol(g), " with"),
+        Display(symbol(g), reduce(eq.system).square().xreplace(levels), label="reduced")]
+    series = _series(letters, boundary)
+    place: tuple[Any, ...] = (distance, " the deviation of ", K3)
+    if boundary.pole:
+        place = (K3, " = ", eq.at * (1 - distance), ", ", word(letters, "⟨x⟩ ≥ 0", r"⟨x⟩ \geq 0"))
+    rungs, more = ladder(boundary)
+    if not rungs:
+        return [*blocks, sentence("There ", series, ", with ", *place, "; all coefficients are 0: unstable.")]
+    first = "; the first coefficient that is not 0 decides. Up to positive factors:"
+    return [*blocks, sentence("There ", series, ", with ", *place, first),
+            *(rung_display(rung, letters) for rung in rungs),
+            sentence(*_outcome(boundary, rungs, more, report.sufficient.modulo))]
+
+
+def _series(letters: Letters, boundary: Boundary) -> Word:
+    """g by its powers, of which a pole has fractional ones where U has."""
+    near = boundary.equilibrium.near_pole
+    if near is None or near.smooth:
+        return word(letters, "⟨g⟩ = ⟨c3⟩ ⟨x⟩³ + ⟨c4⟩ ⟨x⟩⁴ + …",
+                    r"⟨g⟩ = ⟨c_⟩_3 ⟨x⟩^3 + ⟨c_⟩_4 ⟨x⟩^4 + \dots")
+    first, second = (2 + Rational(n, near.order) for n in (1, 2))
+    return word(letters, f"⟨g⟩ = Σ ⟨c_⟩ₚ ⟨x⟩ᵖ, p = {first}, {second}, …",
+                rf"⟨g⟩ = \sum ⟨c_⟩_p ⟨x⟩^p,\ p = {first}, {second}, \dots")
+
+
+def squared_rate(scene: System) -> Expr:
+    """I1² k̇3² in the names of the body."""
+    return scene.body.moments[0] ** 2 * symbol("k3_dot") ** 2
+
+
+def undecided(report: Report) -> bool:
+    """Whether the two criteria leave anything open."""
+    return () not in report.sufficient.alternatives and report.necessary.alternatives != ()
+
+
+def ladder(boundary: Boundary) -> tuple[list[Rung], bool]:
+    """The rungs to show, without those that vanish with the ones before, and whether more may follow."""
+    rungs: list[Rung] = []
+    for rung in islice(boundary.rungs(), FEW if boundary.last is None else SEVERAL):
+        margin = rung.condition.margin
+        if margin == 0 or any(margin in (r.condition.margin, -r.condition.margin)
+                              and not r.condition.degenerate for r in rungs):
+            continue
+        rungs.append(rung)
+        if margin.is_number and not rung.condition.degenerate:
+            return rungs, False
+    return rungs, True
+
+
+def rung_display(rung: Rung, letters: Letters) -> Display:
+    """−c ∝ what has its sign: the margin, with its even factors."""
+    condition, sub = rung.condition, str(rung.power).translate(SUBSCRIPTS)
+    value = Mul(condition.margin, *(factor**2 for factor in condition.degenerate))
+    name = word(letters, f"−⟨c_⟩{sub}", f"-⟨c_⟩_{{{rung.power}}}")
+    return Display(name, readable(value), condition.at, "∝", f"c{rung.power}")
+
+
+def _outcome(boundary: Boundary, rungs: list[Rung], more: bool, modulo: tuple[Expr, ...]) -> list[Any]:
+    """What each sign means, and what comes after the rungs shown."""
+    parts: list[Any] = []
+    odd, even = any(r.escapes for r in rungs), any(not r.escapes for r in rungs)
+    if boundary.pole:
+        parts.append("Positive: Lyapunov stable (supercritical); negative: unstable (subcritical)")
+    elif odd:
+        parts.append("Of an odd power, not 0: unstable")
+    if even and not boundary.pole:
+        flow = (" ", *modulo_flow(modulo)) if modulo else ()
+        start = "; of" if odd else "of"
+        parts += [f"{start} an even power, positive: Lyapunov stable", *flow, "; negative: unstable"]
+    end = boundary.last or HIGHEST
+    further = more and (boundary.last is None or end > 2 + SEVERAL)
+    parts.append("; 0: the next coefficient." if further or len(rungs) > 1 else ".")
+    if further:
+        potential = boundary.equilibrium.system.potential
+        if potential is not None and potential.given:
+            power = word(letters_of(boundary.equilibrium.system), f"⟨x⟩{str(end).translate(SUPERSCRIPTS)}",
+                         f"⟨x⟩^{{{end}}}")
+            parts += [" And so on, up to ", power, "."]
+        else:
+            parts.append(" And so on, to any order.")
+    if more and boundary.last:
+        parts += [" If all vanish, every ", K3, " nearby is a motion: unstable."]
+    return parts

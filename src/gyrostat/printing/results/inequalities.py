@@ -1,0 +1,112 @@
+"""Where an equilibrium exists, abs(k3) < 1, and its criteria, as comparisons."""
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+from sympy import Abs, Expr, Pow, S
+
+from ...algebra.rings.readable import readable
+from ...registry import Letters
+from ...stability.criteria.conditions import Condition, Criterion
+from ...stability.criteria.linearization import square_root
+from ...stability.report.report import Report
+from ..blocks import Block, Display, Word, modulo_flow, sentence
+from ..letters import letters_in, word
+from ..order import inequality
+
+
+def polynomial_of(letters: Letters) -> Word:
+    """λ⁴ + p λ² + q."""
+    return word(letters, "⟨lamda⟩⁴ + ⟨p⟩ ⟨lamda⟩² + ⟨q⟩", r"⟨lamda⟩^4 + ⟨p⟩\,⟨lamda⟩^2 + ⟨q⟩")
+
+
+def existence(domain: Expr, at: Any) -> Display:
+    """Where a family exists: abs(x) < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
+    if isinstance(domain, Pow) and domain.exp == 2:
+        base = readable(domain.base)
+        return Display(-base if base.could_extract_minus_sign() else base, S.Zero, at, "≠")
+    root = readable(square_root(1 - domain))
+    if any(x.exp == S.Half for x in root.atoms(Pow)):
+        return Display(readable(domain), S.Zero, at, ">")
+    return Display(Abs(-root if root.could_extract_minus_sign() else root, evaluate=False), S.One, at, "<")
+
+
+def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str,
+                     letters: Letters | None = None) -> list[Block]:
+    """Each alternative as its comparisons, labelled; without letters those that its formulas leave."""
+    if criterion.alternatives == () and criterion.necessary:
+        return [sentence(f"{title}: never.")]
+    if criterion.alternatives == ():
+        form = "positive" if criterion.notion == "secular" else "definite"
+        return [sentence(f"{title}: no information, the form is not {form}.")]
+    modulo = (", ", *modulo_flow(criterion.modulo)) if criterion.modulo else ()
+    if () in criterion.alternatives:
+        return [sentence(title, *modulo, ": always.")]
+    blocks: list[Block] = []
+    for alternative in criterion.alternatives:
+        blocks.append(sentence("or") if blocks else sentence(title, *modulo, ":"))
+        blocks += _alternative(alternative, at, label)
+    conditions = [c for alternative in criterion.alternatives for c in alternative]
+    return blocks + _implied(conditions, at, letters or letters_in(c.margin for c in conditions))
+
+
+def integral_blocks(report: Report) -> list[Block]:
+    """What the integrals that are given have to do with the sufficient condition."""
+    if not report.equilibrium.system.given_integrals:
+        return []
+    if report.sufficient == report.casimirs_only:
+        return [sentence("The integrals that are given take part in verdicts at numbers, not in this "
+                         "condition.")]
+    return [sentence("There the second variation of h + α F is definite on the orbit for some α, F an "
+                     "integral of the scene; α is eliminated, a verdict at numbers gives it.")]
+
+
+def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> list[Block]:
+    """Conditions that hold together: comparisons, then where even factors vanish."""
+    telling = [c for c in alternative if not trivial(c)]
+    blocks: list[Block] = [replace(comparison(condition), label=label) for condition in telling]
+    for c in alternative:
+        for factor in map(readable, c.degenerate):
+            if c.strict and not telling:
+                blocks.append(Display(factor, S.Zero, at, "≠", label))
+            elif c.strict:
+                blocks.append(sentence("and ", factor, " ≠ 0", at=at))
+            else:
+                blocks.append(sentence("(also where ", factor, " = 0)", at=at))
+    return blocks
+
+
+def _implied(conditions: Iterable[Condition], at: Any, letters: Letters) -> list[Block]:
+    """What is left out because the other conditions imply it, with the identity that shows it."""
+    blocks: list[Block] = []
+    for proof in (p for c in conditions for p in c.implies):
+        name = source_word(proof.source, letters)
+        factor = () if proof.factor == 1 else (readable(proof.factor), " ")
+        identity = readable(proof.square), " + ", *factor, "(", readable(proof.by), ")"
+        of = (", in ", polynomial_of(letters), ",") if "p" in proof.source else ()
+        blocks.append(sentence("The condition on ", name, *of, " adds nothing: up to a positive factor it ",
+                               "is ", *identity, ".", at=at))
+    return blocks
+
+
+def source_word(source: str, letters: Letters, before: str = "") -> Word:
+    """What a condition came from, p² − 4q or minor 3, after a text."""
+    if source.startswith("minor"):
+        return Word(before + source, rf"\text{{{before}{source}}}")
+    template = re.sub(r"\b[pqts]\b|(?<=4)q", r"⟨\g<0>⟩", source)
+    latex = template.replace("²", "^2").replace("−", "-")
+    return word(letters, before + template, rf"\text{{{before}}}{latex}" if before else latex)
+
+
+def trivial(condition: Condition) -> bool:
+    """Whether it only says that a positive number is one, as beside l ≠ 0."""
+    return bool(condition.margin.is_number and condition.margin.is_positive)
+
+
+def comparison(condition: Condition) -> Display:
+    """The condition as left > right; a negative product alone as product < 0."""
+    left, right = inequality(condition)
+    if left == 0:
+        return Display(right, left, condition.at, "<" if condition.strict else "≤")
+    return Display(left, right, condition.at, ">" if condition.strict else "≥")

@@ -1,0 +1,74 @@
+"""Staude's cone and its arcs, as sentences and displays."""
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from sympy import Add, Expr, S, oo, sqrt
+
+from ...algebra.rings.readable import readable
+from ...equilibria.curves.gyrostat_arcs import GyrostatArc
+from ...equilibria.curves.staude import StaudeCone
+from ...equilibria.curves.staude_arcs import End, Piece, StaudeArc
+from ...equilibria.finders.heavy_rotation import HeavyRotation
+from ...notation import symbol
+from ..blocks import Block, Display, Word, equations, listed, sentence
+from .interval_ends import number
+
+VECTOR, OMEGA = Word("k", "⟨vector_k⟩"), symbol("omega")
+FAST = {oo: Word("ω → ∞", r"⟨omega⟩\to\infty"), -oo: Word("ω → −∞", r"⟨omega⟩\to-\infty")}
+
+
+def cone_blocks(cone: StaudeCone) -> list[Block]:
+    """The polynomial, and the rate on it."""
+    terms = Add.make_args(cone.polynomial) if cone.turned else (cone.polynomial,)
+    rate = OMEGA if cone.turned else OMEGA**2
+    admissible = "" if cone.turned else ", admissible where its square is positive"
+    return [sentence("Permanent rotations are about the directions ", VECTOR, ", |", VECTOR, "| = 1, with:"),
+            Display(Add(*map(readable, terms)), S.Zero), sentence(f"The rate{admissible}:"),
+            Display(rate, readable(cone.rate))]
+
+
+def arc_blocks(arc: StaudeArc) -> list[Block]:
+    """Its ends, the direction and the rate along it, and the verdict of each part."""
+    low, high = arc.ends
+    length = sqrt(readable(arc.omega_squared**2))
+    return [sentence("Arc from ", *_end(low), " to ", *_end(high), " along it:"),
+            Display(OMEGA**2, length),
+            *(Display(symbol(f"k{n}"), readable(x) / OMEGA**2) for n, x in enumerate(arc.n, 1)),
+            *_verdicts(arc.parameter, arc.pieces)]
+
+
+def gyrostat_arc_blocks(arc: GyrostatArc) -> list[Block]:
+    """Its ends, the direction along it, and the verdict of each part."""
+    low, high = arc.ends
+    return [sentence("Arc from ", *_end(low), " to ", *_end(high), " along it |", VECTOR, "| = 1:"),
+            *(Display(symbol(f"k{n}"), x) for n, x in enumerate(arc.curve.k, 1) if x != symbol(f"k{n}")),
+            *_verdicts(OMEGA, arc.pieces), *map(_crossed, arc.circles)]
+
+
+def _crossed(rotation: HeavyRotation) -> Block:
+    return sentence("Where ", *equations([(OMEGA, number(rotation.omega))]), " every direction of ",
+                    rotation.locus, ", through ", VECTOR, " = (", *listed(map(number, rotation.k)),
+                    "), is that of a permanent rotation")
+
+
+def _verdicts(parameter: Expr, pieces: Iterable[Piece]) -> Iterator[Block]:
+    for piece in pieces:
+        yield sentence(*_interval(piece.low, parameter, piece.high),
+                       f": {piece.decision.verdict.name.lower()}")
+
+
+def _end(end: End) -> tuple[Any, ...]:
+    if end.omega in FAST:
+        rate: tuple[Any, ...] = (FAST[end.omega],)
+    else:
+        rate = (*equations([(OMEGA, number(end.omega))]), " and rotations meet") if end.omega else equations(
+            [(OMEGA, S.Zero)])
+    return (VECTOR, " = (", *listed(map(number, end.k)), "), where ", *rate, ",")
+
+
+def _interval(low: Expr, x: Expr, high: Expr) -> tuple[Any, ...]:
+    if low == -oo and high == oo:
+        return "every ", x
+    if low == -oo:
+        return x, " < ", number(high)
+    return (x, " > ", number(low)) if high == oo else (number(low), " < ", x, " < ", number(high))

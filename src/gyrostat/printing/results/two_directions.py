@@ -1,0 +1,105 @@
+"""Two directions, and a coupling β: their scene, and what an equilibrium at rest in their frame has."""
+from typing import Any
+
+from sympy import Add, Expr, ImmutableMatrix, Symbol
+
+from ...algebra.rings.readable import readable
+from ...mechanics.scenes.coupled import CoupledPotential
+from ...mechanics.scenes.system import System
+from ...notation import symbol
+from ...registry import Letters
+from ...stability.criteria.orientation_form import orientation_form
+from ...stability.criteria.sextic import factors_in_squares
+from ...stability.report.parallel_report import ParallelReport
+from ...stability.report.report import Report
+from ..blocks import Block, Display, Heading, Word, equations, listed, sentence
+from ..letters import letter, letters_of, word
+
+_MOTION = ("⟨vector_I⟩ θ̈ + ⟨g⟩ × θ̇ + ⟨K⟩ θ = 0",
+           r"⟨vector_I⟩\ddot\theta + ⟨g⟩\times\dot\theta + ⟨K⟩\theta = 0")
+_FREE = ("⟨vector_M_dot⟩ = ⟨vector_M⟩ × ⟨vector_omega⟩", r"⟨vector_M_dot⟩ = ⟨vector_M⟩\times⟨vector_omega⟩")
+_IN_FIELD = (" + ⟨vector_k⟩ × ∇⟨U⟩,  ⟨vector_k_dot⟩ = ⟨vector_k⟩ × ⟨vector_omega⟩",
+             r" + ⟨vector_k⟩\times\nabla ⟨U⟩,\quad ⟨vector_k_dot⟩ = ⟨vector_k⟩\times⟨vector_omega⟩")
+
+
+def casimirs(letters: Letters) -> tuple[Word, ...]:
+    """The names of the Casimirs in a field."""
+    return tuple(letter(letters, f"C{n}") for n in (1, 2, 3))
+
+
+def space_of(scene: System) -> str:
+    """The name of the space."""
+    if scene.potential is None or len(scene.potential.directions) == 1:
+        return f"{'e' if scene.potential else 'so'}(3)*"
+    return "the dual of so(3) with two directions, each in R³"
+
+
+def coupling(scene: System) -> tuple[Any, ...]:
+    """β of the energy, where there is one."""
+    if not isinstance(scene.potential, CoupledPotential) or not any(scene.potential.drift):
+        return ()
+    letters = letters_of(scene)
+    energy = word(letters, "⟨beta⟩·(⟨vector_M⟩ − ⟨vector_l⟩)", r"⟨beta⟩\cdot(⟨vector_M⟩ - ⟨vector_l⟩)")
+    return ", with the energy ", energy, " of ", letter(letters, "beta"), " = (", *listed(
+        scene.potential.drift), ")"
+
+
+def held_blocks(scene: System) -> list[Block]:
+    """What the Casimirs are."""
+    if not isinstance(scene.potential, CoupledPotential) or not scene.potential.held:
+        return []
+    names = dict(zip(scene.space.casimirs, casimirs(letters_of(scene))))
+    pairs = [(names[casimir], value) for casimir, value in scene.potential.held if casimir in names]
+    return [sentence("There ", *equations(pairs), ".")]
+
+
+def motion_form(scene: System) -> Word:
+    """The equations of motion of a scene in vectors; the momentum is M = Iω + l, as π is a number too."""
+    letters = letters_of(scene)
+    if not scene.coupled or not scene.potential:
+        forms = zip(_FREE, _IN_FIELD if scene.potential else ("", ""))
+        return word(letters, *(free + field for free, field in forms))
+    vectors = [f"⟨vector_{a}⟩" for a in scene.potential.directions]
+    rates = [f"⟨vector_{a}_dot⟩" for a in scene.potential.directions]
+    torques = " + ".join(f"{a} × ∂⟨h⟩/∂{a}" for a in vectors)
+    turning = ",  ".join(f"{rate} = {a} × ⟨vector_omega⟩" for rate, a in zip(rates, vectors))
+    latex = " + ".join(rf"{a}\times\partial ⟨h⟩/\partial {a}" for a in vectors)
+    turned = r",\quad ".join(rf"{rate} = {a}\times⟨vector_omega⟩" for rate, a in zip(rates, vectors))
+    return word(letters, f"{_FREE[0]} + {torques},  {turning},  ⟨vector_omega⟩ = ∂⟨h⟩/∂⟨vector_M⟩",
+                rf"{_FREE[1]} + {latex},\quad {turned},\quad "
+                r"⟨vector_omega⟩ = \partial ⟨h⟩/\partial ⟨vector_M⟩")
+
+
+def frame_blocks(report: Report) -> list[Block]:
+    """K, g and the factors of the sextic."""
+    eq = report.equilibrium
+    form, letters = orientation_form(eq), letters_of(eq.system)
+    K, square = letter(letters, "K"), symbol(letters.of("x"))
+    blocks: list[Block] = [
+        Heading("Linearised motion in the frame of the directions", 2),
+        sentence("Turned by a small ", Word("θ", r"\theta"), " the body moves by ",
+                 word(letters, *_MOTION), ", with"),
+        Display(K, ImmutableMatrix(form.stiffness.applyfunc(readable)), eq.at, label="K"),
+        Display(letter(letters, "g"), ImmutableMatrix([[*map(readable, form.gyroscopic)]]), eq.at, label="g"),
+        sentence("The second variation on the coadjoint orbit is a positive form of the momenta beside ",
+                 K, "; with ", word(letters, "⟨x⟩ = ⟨lamda⟩²", "⟨x⟩ = ⟨lamda⟩^2"),
+                 " the characteristic polynomial has the factors:")]
+    for n, (first, *others) in enumerate(dict.fromkeys(factors_in_squares(form.coefficients)), 1):
+        blocks.append(Display(letter(letters, f"f{n}"), _polynomial([first, *others], square), eq.at,
+                              label=f"factor{n}"))
+    return blocks
+
+
+def parallel_blocks(report: Report) -> list[Block]:
+    """Where the directions are parallel: of which motions the matrices and the conditions are."""
+    if not isinstance(report, ParallelReport):
+        return []
+    return [sentence("The directions are parallel there, and the coadjoint orbit is singular. Directions "
+                     "that are parallel once stay so: the matrices are those of such motions, and what is "
+                     "unstable among them is unstable. The sufficient conditions are against all motions; "
+                     "nothing is claimed where they fail and none of these motions grows.")]
+
+
+def _polynomial(coefficients: list[Expr], square: Symbol) -> Expr:
+    size = len(coefficients) - 1
+    return Add(*(readable(c) * square ** (size - n) for n, c in enumerate(coefficients)))

@@ -1,0 +1,115 @@
+"""Both sides of a printed formula at a point, by the library and again by Newton and Euler's equations."""
+from collections.abc import Sequence
+from typing import Any
+
+from sympy import Expr, MatrixBase
+
+from ...algebra.reals.exact import sign_of_constant
+from ...errors import PublishedError
+from ...notation import symbol
+from ..independent.counterexample import Values
+from ..independent.frame_equations import model_of
+from ..independent.names_at_numbers import number
+from ..language import decimal
+from ..statements import Doubt, Seen
+from .readings import Reading
+
+
+def formula_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
+    """Both sides at the point.
+
+    As the library has them, and again from Newton and Euler's equations, or three turns.
+    """
+    if r.statement.kind == "solution":
+        return _solution(r, values, doubt)
+    sides = tuple(e.subs(dict(values)) for e in doubt.sides)
+    quantity = number(_entry(r.independently(r.statement.quantity, values), doubt.place), r.scene, values)
+    if sides[0].evalf(20).is_real is False:
+        # the grammar refuses to read what is not real
+        return _compared(r, values, sides, (sides[0], quantity), doubt.place)
+    printed = number(_entry(r.independently(r.statement.printed, values), doubt.place), r.scene, values)
+    return _compared(r, values, sides, (printed, quantity), doubt.place)
+
+
+def _solution(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
+    """The slope that is printed, against the rate along the motion.
+
+    Or a start that no choice of the constants reaches.
+    """
+    quantity = list(map(str, r.statement.quantity))
+    if doubt.place is None:
+        for name, f, side in zip(quantity, doubt.printed.subs(symbol("t"), 0), doubt.sides):
+            if f.is_number and sign_of_constant(side.subs(dict(values)) - f) in (1, -1):
+                return Seen(f, side.subs(dict(values)),
+                            f"{name} may start there; the printed functions start it at {f} for every choice "
+                            f"of {', '.join(r.statement.constants)}", True)
+        return None
+    for f in (f.subs(dict(values)) for f in doubt.printed):
+        if f.evalf(20).is_real is False:
+            return Seen("not real", "a real number", f"the printed value there is {f.evalf(8)}", True)
+    moving = {**values, **{x: f.subs(dict(values)) for x, f in doubt.moving.items()}}
+    p, d = (e.subs(dict(values)) for e in doubt.sides)
+    rate = number(r.independently(f"dt({quantity[doubt.place[0]]})", moving), r.scene, moving)
+    return _compared(r, values, (p, d), [p, rate], doubt.place)
+
+
+def _entry(value: Any, place: Any) -> Any:
+    return value[place] if isinstance(value, MatrixBase) else value
+
+
+def _compared(r: Reading, values: Values, library: Sequence[Expr], again: Sequence[Any],
+              place: Any) -> Seen | None:
+    """Both sides from both routes: these must agree, and the sides must not."""
+    (p, d), (x, y) = library, again
+    for one, other in ((d, y), (p, x)):
+        if (
+            not isinstance(other, Expr)
+            or other.free_symbols
+            or not abs((other - one).evalf(25)) <= 1e-18 * max(1, abs(one.evalf(25)))
+        ):
+            raise PublishedError(f"computed independently it is {other} at {dict(values)}, by the library "
+                                 f"{one}")
+    sides = x.evalf(30), y.evalf(30)
+    if sides[1].is_real is not True or abs(sides[0] - sides[1]) <= 1e-20:
+        return None
+    by = "three turns of the body" if "angles" in r.scene.table else "Newton and Euler's equations"
+    columns = (
+        len(r.statement.printed[0])
+        if isinstance(r.statement.printed, list) and isinstance(r.statement.printed[0], list)
+        else 1
+    )
+    which = f"entry {', '.join(str(i + 1) for i in place[:2 if columns > 1 else 1])}: " if place else ""
+    if sides[0].is_real is not True:
+        return Seen("not real", d,
+                    f"{which}the printed value there is {p.evalf(8)}, by {by} it is {_short(y)}", True)
+    return Seen(p, d, f"{which}by {by} at these numbers {_short(y)}", True)
+
+
+def _short(value: Expr) -> str:
+    return str(value) if value.is_Rational else str(value.evalf(20))
+
+
+def decimal_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
+    """A printed decimal, against the number that Newton and Euler's equations give."""
+    printed, half = decimal(str(r.statement.printed))
+    value = number(r.independently(r.statement.quantity, values), r.scene, values)
+    if abs((value - doubt.derived).evalf(25)) > 1e-18 * max(1, abs(doubt.derived.evalf(25))):
+        raise PublishedError(f"computed independently it is {value}, by the library {doubt.derived}")
+    if abs((value - printed).evalf(30)) <= half:
+        return None
+    return Seen(printed, doubt.derived, f"by Newton and Euler's equations at these numbers {_short(value)}",
+                True)
+
+
+def rest_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
+    """A printed point, at which a rate does not vanish."""
+    model = model_of(r.scene, values)
+    at = dict(zip(model.coordinates, r.independently(r.statement.printed, values)))
+    name, rate = model.coordinates[doubt.place[0]], model.field.subs(at)[doubt.place[0]].subs(dict(values))
+    if sign_of_constant(rate - doubt.sides[0].subs(dict(values))) != 0:
+        raise PublishedError(f"Newton and Euler's equations give the rate {rate}, the library "
+                             f"{doubt.sides[0].subs(dict(values))}")
+    if sign_of_constant(rate) in (0, None):
+        return None
+    why = f"by Newton and Euler's equations the rate of {name} there is {rate}, not 0"
+    return Seen("an equilibrium", f"d{name}/dt = {rate}", why, True)

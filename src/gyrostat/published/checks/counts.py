@@ -1,0 +1,75 @@
+"""Checks of printed counts: how many equilibria a satellite has, of each index of K."""
+from typing import Any
+
+from ..._cached import cached_property
+from ...equilibria.finders.orbital_equilibrium import OrbitalEquilibrium
+from ...equilibria.search import relative_equilibria
+from ...errors import PublishedError
+from ..independent.counterexample import Values
+from ..independent.counts_by_newton import found_by_search
+from ..statements import Doubt, Outcome, Seen
+from .readings import Reading
+
+INDICES = tuple(f"index {n}" for n in range(4))
+COUNTED = ("equilibria", *INDICES)
+CURVE = "not finite: there is a closed curve of equilibria"
+
+
+def count(r: Reading) -> Outcome | Doubt:
+    """The printed numbers of equilibria, at the numbers of `at`."""
+    asked, printed = _texts(r.statement.quantity), _texts(r.statement.printed)
+    if "orbit" not in r.scene.table or r.scene.equilibrium is not None:
+        raise PublishedError("a count is of the equilibria of a satellite: give the scene an orbit, and no "
+                             "equilibrium")
+    if unknown := [name for name in asked if name not in COUNTED]:
+        raise PublishedError(f"quantity = {unknown[0]!r}: what is counted is {', '.join(COUNTED)}")
+    if len(printed) != len(asked) or not all(text.lstrip("-").isdigit() for text in printed):
+        raise PublishedError(f"printed = {', '.join(printed)}: give a whole number for each of "
+                             f"{', '.join(asked)}")
+    values = {s.name: value for s, value in r.at.items()}
+    counted = Counted(relative_equilibria(r.scene.system, values))
+    derived = [str(counted.of(name)) for name in asked]
+    if derived == printed:
+        return Outcome(True, ", ".join(printed), ", ".join(derived))
+    return Doubt([r.at], ", ".join(printed), ", ".join(derived))
+
+
+class Counted:
+    """The equilibria of a satellite, by their index."""
+
+    def __init__(self, found: list[Any]):
+        self.found: list[OrbitalEquilibrium] = found
+
+    def of(self, name: str) -> int | str:
+        """How many there are, or why that is no number."""
+        if any(e.locus or not e.signs[2] for e in self.found):
+            return CURVE
+        return len(self.found) if name == "equilibria" else self.indices.count(name)
+
+    @cached_property
+    def indices(self) -> list[str]:
+        """Of each the number of negative squares of K."""
+        return [f"index {sum(a != b for a, b in zip((1, *signs), signs))}"
+                for signs in ([s for s in e.signs[:3] if s] for e in self.found)]
+
+
+def count_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
+    """The same by a search from many starts, in floats."""
+    found = found_by_search(r.scene, values)
+    asked, printed = _texts(r.statement.quantity), _texts(r.statement.printed)
+    if None in found:                                      # K is singular: a curve
+        again = [CURVE] * len(asked)
+    else:
+        again = [str(len(found) if name == "equilibria" else found.count(INDICES.index(name)))
+                 for name in asked]
+    if ", ".join(again) != doubt.derived:
+        raise PublishedError(f"by a search from many starts the numbers are {', '.join(again)}, by the "
+                             f"library {doubt.derived}")
+    if again == printed:
+        return None
+    return Seen(doubt.printed, doubt.derived, f"a search from many starts, by Newton's method in V = (3/2) "
+                f"ω0² r·Ir − (1/2) ω0² n·In − ω0 n·l, ends at {len(found)} different points", True)
+
+
+def _texts(value: Any) -> list[str]:
+    return [str(x) for x in value] if isinstance(value, list) else [str(value)]

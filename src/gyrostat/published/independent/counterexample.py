@@ -1,0 +1,248 @@
+"""What confirms a counterexample.
+
+Newton and Euler's equations at rational numbers, by cross products and matrices.
+
+Nothing here uses the bracket, the linearisation or the criteria of the library, nor any published formula.
+"""
+from collections.abc import Mapping
+
+import mpmath
+from sympy import Expr, Float, Integer, Matrix, Poly, Symbol, hessian, linsolve, sqrt
+
+from ..._cached import cached_property
+from ...algebra.reals.exact import sign_of_constant
+from ...errors import PublishedError
+from ...notation import symbol
+from ..scenes import Scene
+from .sphere_energy import signs_on_sphere
+
+Values = Mapping[Symbol, Expr]
+PI, K = (Matrix([symbol(f"{x}{i}") for i in (1, 2, 3)]) for x in ("pi", "k"))
+DIGITS = 50
+
+
+class Model:
+    """A scene at numbers: the field ẋ = f(x), and the point of the equilibrium if there is one."""
+
+    def __init__(self, scene: Scene, values: Values):
+        self.values = dict(values)
+        self.inertia = [moment.subs(self.values) for moment in scene.body.moments]
+        self.rotor = Matrix([part.subs(self.values) for part in scene.body.gyrostatic_momentum])
+        self.claimed = scene.claimed
+        self.label = "E" if self.claimed else scene.table.get("equilibrium")
+        self.spins = scene.body.is_of_revolution() and scene.potential is not None and scene.potential.axial
+        self.coordinates = [*PI, *K] if scene.potential else [*PI]
+        k3 = (self.claimed[5].subs(self.values) if len(self.claimed) == 6
+              else self.values.get(K[2], Integer(0)))
+        self.k3 = {"E1": Integer(1), "E2": Integer(-1)}.get(str(self.label), k3)
+        self.U = self._potential(scene) if scene.potential else Integer(0)
+        self.point = self._point() if self.label else [x.subs(self.values) for x in self.coordinates]
+        rates = self.field.subs(dict(zip(self.coordinates, self.point))) if self.label else ()
+        # not a number where the field is not defined
+        if not all(x.is_finite and abs(x.evalf(30)) < 1e-20 for x in rates):
+            raise PublishedError(f"{self.label} is no equilibrium of Newton and Euler's equations at "
+                                 f"{self.values}")
+
+    def _potential(self, scene: Scene) -> Expr:
+        """U as a polynomial with the derivatives given, or the expression at its numbers."""
+        potential = scene.potential
+        assert potential is not None
+        if potential.given:
+            return potential.expression.subs({s: v
+                                              for s, v in self.values.items()
+                                              if s not in potential.variables})
+        if not potential.axial:
+            linear = sum((self.values.get(symbol(f"dU_{i}"), Integer(0)) * K[i - 1] for i in (1, 2, 3)),
+                         Integer(0))
+            return linear - linear.subs(self.values) + self.values.get(symbol(scene.derived("U")), 0)
+        slope = self.values.get(symbol("dU"))
+        if self.label == "E3":                             # what balances the torques at the point
+            omega, l = self.values[symbol("omega")], self.rotor[2]
+            slope = omega * (l + self.inertia[2] * omega * self.k3) - omega**2 * self.inertia[0] * self.k3
+        jets = [slope, *(self.values.get(symbol(f"d{n}U"), Integer(0)) for n in (2, 3))]
+        rise, constant = K[2] - self.k3, self.values.get(symbol(scene.derived("U")), Integer(0))
+        return sum((d * rise**n / (1, 2, 6)[n - 1] for n, d in enumerate(jets, 1) if d is not None), constant)
+
+    def _point(self) -> list[Expr]:
+        if self.label in ("E1", "E2"):
+            spin = self.values.get(symbol("pi3_0"),
+                                   self.inertia[2] * self.values.get(symbol("omega3_0"), Integer(0)))
+            return [Integer(0), Integer(0), spin, Integer(0), Integer(0), self.k3]
+        if self.label == "E3":
+            k = [self.values.get(K[0], sqrt(1 - self.k3**2)), self.values.get(K[1], Integer(0)), self.k3]
+            return [*(moment * self.values[symbol("omega")] * x for moment, x in zip(self.inertia, k)), *k]
+        if self.claimed:
+            return [x.subs(self.values) for x in self.claimed]
+        axis = int(str(self.label)[-1])
+        return [self.inertia[axis - 1] * self.values[symbol(f"omega{i}_0")] if i == axis else Integer(0)
+                for i in (1, 2, 3)]
+
+    def has_a_unit_k(self) -> bool:
+        """Whether k is a unit vector at the point; on so(3)* there is none."""
+        return len(self.point) == 3 or sign_of_constant(sum(x**2 for x in self.point[3:]) - 1) == 0
+
+    @cached_property
+    def omega(self) -> Matrix:
+        """Angular velocity."""
+        return Matrix([p / moment for p, moment in zip(PI, self.inertia)])
+
+    @cached_property
+    def field(self) -> Matrix:
+        """π̇ = (π + l) × ω + k × ∇U, k̇ = k × ω."""
+        torque = K.cross(Matrix([self.U.diff(x) for x in K])) if self.U else Matrix([0, 0, 0])
+        turning = (PI + self.rotor).cross(self.omega) + torque
+        return Matrix([*turning, *K.cross(self.omega)]) if len(self.coordinates) == 6 else turning
+
+    @cached_property
+    def jacobian(self) -> Matrix:
+        """∂f/∂x at the point."""
+        return self.field.jacobian(self.coordinates).subs(dict(zip(self.coordinates, self.point)))
+
+    def growth(self) -> mpmath.mpf:
+        """Largest real part of an eigenvalue, to 50 digits."""
+        with mpmath.workdps(2 * DIGITS):
+            J = self.jacobian
+            values, _ = mpmath.eig(mpmath.matrix([[mpmath.mpf(Float(x.evalf(2 * DIGITS))._mpf_)
+                                                   for x in J.row(i)] for i in range(J.rows)]))
+            return max(mpmath.re(v) for v in values)
+
+    @cached_property
+    def polynomial(self) -> Expr:
+        """Characteristic polynomial on the orbit.
+
+        Each Casimir gives a factor λ of that of the whole field.
+        """
+        lamda = symbol("lamda")
+        casimirs = 2 if len(self.coordinates) == 6 else 1
+        return Poly(self.jacobian.charpoly().all_coeffs()[:-casimirs], lamda).as_expr()
+
+    def grows(self) -> bool:
+        """Whether an eigenvalue is proved to have a positive real part.
+
+        On the orbit the characteristic polynomial is λ⁴ + pλ² + q, for a free body λ² + q.
+        """
+        *_, p, _, q = [Integer(0)] * 3 + Poly(self.polynomial, symbol("lamda")).all_coeffs()
+        if len(self.coordinates) == 3:
+            return sign_of_constant(q) == -1
+        return -1 in [sign_of_constant(e) for e in (p, q, p**2 - 4 * q)]
+
+    def stability(self) -> tuple[int, str]:
+        """1 proved Lyapunov stable, modulo the spin at a tilt; -1 proved unstable; 0 neither; and why."""
+        if self.grows():
+            return -1, ("an eigenvalue of the differenced field has the real part "
+                        f"{mpmath.nstr(self.growth(), 15)}: unstable")
+        level = self.level_set()
+        if level == -1:
+            return -1, ("motions with the same energy and momenta, or with momenta as near as one likes, "
+                        "leave it: unstable")
+        if level == 0:
+            return 0, ""
+        if not self.spins:
+            return 1, ("the energy, on the level set of the Casimirs, has a strict extremum there: Lyapunov "
+                       "stable")
+        if self.is_at_pole:
+            return 1, "the level set of all integrals there is the point alone: Lyapunov stable"
+        return 1, ("the level set of all integrals there is the orbit of the point under the spin: Lyapunov "
+                   "stable, modulo the spin")
+
+    def is_on_boundary(self) -> bool:
+        """Whether the second variation of a body of revolution does not decide.
+
+        The square of k̇3 is 0 to the second order in k3.
+        """
+        return self.spins and self._leading()[0] != 2
+
+    def level_set(self) -> int:
+        """1 if the level set of all integrals near the point is only its orbit under the spin, -1 if motions
+        leave along it, else 0.
+
+        1 proves Lyapunov stability, -1 instability, both modulo the spin. On so(3)* the energy has a strict
+        extremum on the sphere, or none. Otherwise, but for a body of revolution, a definite second variation
+        isolates the point.
+        """
+        if len(self.coordinates) == 3:
+            return self._on_sphere()
+        if not self.spins:
+            return int(self.is_definite() is True)
+        power, slope = self._leading()
+        # with a little more energy, or less momentum, k3 moves away
+        if power == 0:
+            return -1
+        if slope == 0:
+            return 0
+        return -1 if slope > 0 or not self.is_at_pole and power % 2 else 1
+
+    @property
+    def is_at_pole(self) -> bool:
+        """Whether k is along the axis of a body of revolution."""
+        return self.label in ("E1", "E2") or bool(self.claimed) and self.k3**2 == 1
+
+    def _on_sphere(self) -> int:
+        signs = self.signs_on_sphere()                     # none where the sphere is a point
+        return (signs[0] or 0) * (signs[1] or 0) if signs else 1
+
+    def signs_on_sphere(self) -> list[int | None]:
+        """Of the two squares of the energy about the point on the sphere."""
+        return signs_on_sphere(self.inertia, [*(Matrix(self.point) + self.rotor)], self.point)
+
+    def _leading(self) -> tuple[int, int]:
+        """Of a body of revolution I1² k̇3² = g(k3), where g has a multiple root at the equilibrium.
+
+        Power and sign of its first term.
+
+        (0, 0): g is 0 throughout; sign 0: not proved, or beyond the sixth power. A pole is approached from
+        inside.
+        """
+        at = dict(zip(self.coordinates, self.point))
+        z, x, M = symbol("z"), symbol("x"), PI + self.rotor
+        energy = (sum(p**2 / moment for p, moment in zip(PI[:2], self.inertia)) / 2 + self.U).subs(at)
+        momentum, total = M.dot(K).subs(at), M[2].subs(at)
+        g = 2 * self.inertia[0] * (energy - self.U.subs(K[2], z)) * (1 - z**2) - (momentum - total * z) ** 2
+        shifted = g.subs(z, self.k3 * (1 - x) if self.is_at_pole else self.k3 + x).expand()
+        if shifted == 0:
+            return 0, 0
+        for power in range(2, 7):                          # g and its slope vanish at an equilibrium
+            known = sign_of_constant(shifted.diff(x, power).subs(x, 0).expand())
+            if known != 0:
+                return power, known or 0
+        return 7, 0
+
+    def is_definite(self) -> bool | None:
+        """Whether D²(h + ν·C) is definite on the tangent space of the orbit.
+
+        None where a sign is not proved.
+        """
+        try:
+            plus, zero, minus = self.inertia_of_second_variation()
+        except NotImplementedError:
+            return None
+        return not zero and 0 in (plus, minus)
+
+    def _gradients(self) -> tuple[Expr, list[Expr], Matrix]:
+        h = sum(p**2 / moment for p, moment in zip(PI, self.inertia)) / 2 + self.U
+        C = [(PI + self.rotor).dot(K), K.dot(K)]
+        rows = Matrix([[f.diff(x) for x in self.coordinates] for f in (h, *C)])
+        return h, C, rows.subs(dict(zip(self.coordinates, self.point)))
+
+    @cached_property
+    def multipliers(self) -> tuple[Expr, Expr]:
+        """ν with ∇h + ν1 ∇(M·k) + ν2 ∇abs(k)² = 0 at the point."""
+        _, _, gradients = self._gradients()
+        a, b = symbol("a"), symbol("b")
+        ((nu1, nu2),) = linsolve(list(gradients.row(0) + a * gradients.row(1) + b * gradients.row(2)), [a, b])
+        return nu1, nu2
+
+    def inertia_of_second_variation(self) -> tuple[int, int, int]:
+        """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC1 ∩ ker dC2."""
+        h, C, gradients = self._gradients()
+        nu1, nu2 = self.multipliers
+        form = hessian(h + nu1 * C[0] + nu2 * C[1],
+                       self.coordinates).subs(dict(zip(self.coordinates, self.point)))
+        kernel = Matrix.hstack(*gradients[1:, :].nullspace())
+        signs = [sign_of_constant(c) for c in (kernel.T * form * kernel).charpoly().all_coeffs()]
+        if None in signs:
+            raise NotImplementedError("a coefficient has no proved sign")
+        left = [s for s in signs if s]                     # all roots are real: Descartes' rule is exact
+        positive = sum(a != b for a, b in zip(left, left[1:]))
+        zero = len(signs) - 1 - max(n for n, s in enumerate(signs) if s)
+        return positive, zero, len(signs) - 1 - zero - positive

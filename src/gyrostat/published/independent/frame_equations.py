@@ -1,0 +1,237 @@
+"""What confirms a counterexample of a body in two directions: its equations of motion at numbers.
+
+Newton and Euler's of a satellite and of a body in two fields, Kirchhoff's of a vehicle. Nothing here uses the
+bracket, the linearisation or the criteria of the library, nor any published formula.
+"""
+from collections.abc import Callable
+from typing import Any
+
+from sympy import Add, Expr, Integer, Matrix, MatrixBase, Poly, Rational, hessian, linsolve, sqrt, zeros
+
+from ..._cached import cached_property
+from ...algebra.reals.exact import sign_of_constant
+from ...algebra.text.grammar import parse
+from ...algebra.text.quantities import in_si
+from ...errors import PublishedError
+from ...notation import symbol
+from ..names.kinematics import Later
+from ..scenes import Scene
+from .counterexample import PI, Model, Values
+
+FAR = 10**6                                                # of a multiplier that may have any value
+
+
+def model_of(scene: Scene, values: Values) -> Model:
+    """The scene at numbers."""
+    return InFrame(scene, values) if scene.system.coupled else Model(scene, values)
+
+
+class InFrame(Model):
+    """A scene in two directions a, b at numbers: its field, and the point of the equilibrium if there is one.
+    """
+
+    def __init__(self, scene: Scene, values: Values):
+        self.values = dict(values)
+        self.coordinates = [*scene.system.space.coordinates]
+        self.rotor = Matrix([part.subs(self.values) for part in scene.body.gyrostatic_momentum])
+        self.claimed = scene.claimed
+        self.label = scene.equilibrium.label if scene.equilibrium else None
+        self.spins = scene.hull.is_of_revolution() and "orbit" in scene.table
+        self.a, self.b = (Matrix(self.coordinates[n:n + 3]) for n in (3, 6))
+        tensor = Matrix(scene.hull.tensor).subs(self.values)
+        kind = _vehicle if "vehicle" in scene.table else _orbit if "orbit" in scene.table else _two_fields
+        turning, self.turned, self.omega, self.energy = kind(self, scene, tensor)
+        self.U = self.energy.subs(dict.fromkeys(PI, 0))
+        self.field = Matrix([*turning, *self.a.cross(self.turned), *self.b.cross(self.turned)])
+        self.casimirs = [self.a.dot(self.a), self.a.dot(self.b), self.b.dot(self.b)]
+        self.point = [x.subs(self.values) for x in (scene.point or self.coordinates)]
+        rates = self.field.subs(self.place) if self.label else ()
+        if not all(x.is_finite and abs(x.evalf(30)) < 1e-20 for x in rates):
+            raise PublishedError(f"{self.label} is no equilibrium of the equations of motion at "
+                                 f"{self.values}")
+
+    @property
+    def place(self) -> dict[Any, Any]:
+        """The coordinates at the point."""
+        return dict(zip(self.coordinates, self.point))
+
+    def number(self, value: Any) -> Any:
+        """A value of the parameters, not of the coordinates."""
+        return value.subs({s: x for s, x in self.values.items() if s not in self.coordinates})
+
+    def has_a_unit_k(self) -> bool:
+        """Whether the directions are as the scene has them: construction checks it."""
+        return True
+
+    @cached_property
+    def polynomial(self) -> Expr:
+        """Characteristic polynomial on the orbit: each of three Casimirs gives a factor λ."""
+        found = self.jacobian.charpoly().all_coeffs()[:-3]
+        return Poly([x.expand() for x in found], symbol("lamda")).as_expr()
+
+    @cached_property
+    def coefficients(self) -> tuple[Expr, Expr, Expr]:
+        """c2, c1, c0 of λ⁶ + c2 λ⁴ + c1 λ² + c0."""
+        a, b, c = (self.polynomial.coeff(symbol("lamda"), n) for n in (4, 2, 0))
+        return a, b, c
+
+    def grows(self) -> bool:
+        """Whether an eigenvalue is proved to have a positive real part: a root λ² that is not real and ≤ 0.
+        """
+        a, b, c = self.coefficients
+        discriminant = a**2 * b**2 - 4 * b**3 - 4 * a**3 * c + 18 * a * b * c - 27 * c**2
+        return -1 in [sign_of_constant(e.expand()) for e in (a, b, c, discriminant)]
+
+    def stability(self) -> tuple[int, str]:
+        """1 proved Lyapunov stable, modulo the spin of a body of revolution; -1 proved unstable; 0 neither.
+        """
+        if self.grows():
+            return super().stability()
+        if self.is_definite():
+            return 1, ("the energy, on the level set of the Casimirs" + (" and of π3" if self.spins else "")
+                       + ", has a strict minimum there: Lyapunov stable"
+                       + (", modulo the spin" if self.spins else ""))
+        return 0, ""
+
+    def is_on_boundary(self) -> bool:
+        """A boundary is decided in one direction only."""
+        return False
+
+    def is_definite(self) -> bool | None:
+        """Whether the energy has a strict minimum, π3 fixed and but for the spin of a body of revolution."""
+        found = [self._squares(far, self.spins) for far in (FAR, -FAR)]
+        return None if None in found else any(s and not s[2] and not s[1] - self.spins for s in found)
+
+    def is_least(self) -> bool | None:
+        """The same on the level of the Casimirs alone."""
+        found = [s for far in (FAR, -FAR) if (s := self._squares(far, False)) is not None]
+        if any(not s[2] and s[1] == self.spins for s in found):
+            return True
+        return False if found and all(s[2] for s in found) else None
+
+    def inertia_of_second_variation(self) -> tuple[int, int, int]:
+        """Numbers of positive, zero and negative squares on the level of the Casimirs."""
+        found = self._squares(FAR, False)
+        if found is None:
+            raise NotImplementedError("a coefficient has no proved sign")
+        return found
+
+    def _squares(self, far: int, spin: bool) -> tuple[int, int, int] | None:
+        """Positive, zero and negative squares of D²(h + ν·C) on ker dC, of π3 too if it is held; of a
+        multiplier that is free where the directions are parallel the value is far.
+        """
+        names = [symbol(f"x{n}") for n in (1, 2, 3)]
+        rows = Matrix([[f.diff(x) for x in self.coordinates] for f in (self.energy, *self.casimirs)])
+        rows = rows.subs(self.place)
+        force = rows[0, :] + Add(*(x * rows[n, :] for n, x in enumerate(names, 1)), evaluate=False).doit()
+        found = list(linsolve(list(force), names))
+        if not found:                                      # parallel directions, and it turns about them
+            return None
+        nu = [x.subs(dict.fromkeys(names, far)) for x in found[0]]
+        form = hessian(self.energy + Add(*(x * c for x, c in zip(nu, self.casimirs))), self.coordinates)
+        held = [list(rows.row(n)) for n in (1, 2, 3)] + [[0, 0, 1] + [0] * 6] * spin
+        kernel = Matrix.hstack(*Matrix(held).nullspace())
+        matrix = kernel.T * form.subs(self.place) * kernel
+        signs = [sign_of_constant(c.expand()) for c in matrix.charpoly().all_coeffs()]
+        if None in signs:
+            return None
+        left = [s for s in signs if s]
+        positive = sum(x != y for x, y in zip(left, left[1:]))
+        zero = len(signs) - 1 - max(n for n, s in enumerate(signs) if s)
+        return positive, zero, len(signs) - 1 - zero - positive
+
+    @cached_property
+    def _turned_by_a_little(self) -> tuple[Matrix, Matrix, Matrix]:
+        """I, hat(g) and K of I θ̈ + g × θ̇ + K θ = 0, where a and b change by a × θ, and π by what keeps the
+        body turning at θ̇ in their frame.
+        """
+        rate = self.turned.jacobian(self.coordinates).subs(self.place)
+        inertia = rate[:, :3].inv()
+        follows = -inertia * rate[:, 3:]
+        turn = Matrix.vstack(*(_hat(Matrix(self.point[n:n + 3])) for n in (3, 6)))
+        own, along = self.jacobian[:3, :3], self.jacobian[:3, 3:]
+        return inertia, follows * turn - own * inertia, -(own * follows + along) * turn
+
+
+def rate_of(scene: Scene) -> Expr:
+    """ω0 of the orbit of a scene."""
+    given = {name: in_si(text, f"orbit {name}")[0] for name, text in scene.table["orbit"].items()}
+    return given["rate"] if "rate" in given else sqrt(given["mu"] / given["radius"] ** 3)
+
+
+def _hat(v: Matrix) -> Matrix:
+    return Matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+
+
+Equations = tuple[Matrix, Matrix, Matrix, Expr]
+
+
+def _orbit(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
+    """π̇, the rate in the frame of the orbit, the absolute one, h; gravity has free rotors too."""
+    n, r, rate = model.a, model.b, model.number(rate_of(scene))
+    other = model.number(parse(scene.table.get("potential", "0").replace("none", "0")))
+    omega, free = tensor.inv() * PI, [x for x in scene.rotors if x.momentum is not None]
+    mass = tensor + sum((model.number(Matrix(x.axial * x.along)) for x in free), zeros(3, 3))
+    turning = (PI + model.rotor).cross(omega) + 3 * rate**2 * r.cross(mass * r) + _torque(model, other)
+    energy = (PI.dot(omega) / 2 - rate * n.dot(PI + model.rotor)
+              + Rational(3, 2) * rate**2 * r.dot(mass * r) + other)
+    return turning, omega - rate * n, omega, energy
+
+
+def _two_fields(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
+    """π̇, ω twice, h."""
+    U, omega = model.number(parse(scene.table["potential"])), tensor.inv() * PI
+    turning = (PI + model.rotor).cross(omega) + _torque(model, U)
+    return turning, omega, omega, PI.dot(omega) / 2 + U
+
+
+def _vehicle(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
+    """π̇ = (π + l) × Ω + p × v + w × γ, Ω twice, h; (π, p) is the matrix of T times (Ω, v)."""
+    table = scene.table["vehicle"]
+    mass = [parse(x) for x in table["mass"]]
+    D = model.number(Matrix([[parse(x) for x in row] for row in table.get("coupling", [["0"] * 3] * 3)]))
+    M = model.number(Matrix.diag(*mass))
+    weight = model.number(Matrix([parse(x) for x in table["weight"]]))
+    whole = Matrix([[tensor, D], [D.T, M]])
+    moving = whole.inv() * Matrix([*PI, *model.a])
+    omega, velocity = Matrix(moving[:3]), Matrix(moving[3:])
+    turning = (PI + model.rotor).cross(omega) + model.a.cross(velocity) + weight.cross(model.b)
+    return turning, omega, omega, (PI.dot(omega) + model.a.dot(velocity)) / 2 - model.b.dot(weight)
+
+
+def _torque(model: InFrame, U: Expr) -> Matrix:
+    """Σ a × ∂U/∂a."""
+    a, b = (v.cross(Matrix([U.diff(x) for x in v])) for v in (model.a, model.b))
+    return a + b
+
+
+def frame_names_at_numbers(model: InFrame, scene: Scene) -> dict[str, Any]:
+    """The names of a scene in two directions."""
+    x = model.coordinates
+    named: dict[str, Any] = {str(s): v for s, v in model.values.items() if s not in x}
+    named |= {str(s): s for s in x} | {f"omega{i}": model.omega[i - 1] for i in (1, 2, 3)}
+    named |= {f"C{n}": c for n, c in enumerate(model.casimirs, 1)}
+    named |= {f"vector_{str(v[0])[:-1]}": v for v in (model.a, model.b)}
+    at_rest = model.energy.subs(dict.fromkeys(PI, 0))
+    named |= {"vector_pi": PI, "vector_l": model.rotor, "vector_M": PI + model.rotor, "h": model.energy,
+              "vector_omega": model.omega, "field": model.field, "state": Matrix(x), "U": at_rest}
+    if not model.label:
+        return named | {"dt": _along(x, model.field)}
+    for name, value in named.items():
+        if isinstance(value, (Expr, MatrixBase)):
+            named[name] = Later(lambda value=value: value.subs(model.place))  # type: ignore[misc]
+    g = Later(lambda: Matrix([model._turned_by_a_little[1][i, j] for i, j in ((2, 1), (0, 2), (1, 0))]))
+    lamda = symbol("lamda")
+    return named | {
+        "jacobian": Later(lambda: model.jacobian), "lamda": model.values.get(lamda, lamda),
+        "polynomial": Later(lambda: model.polynomial.subs(model.values)),
+        "tensor": Later(lambda: model._turned_by_a_little[0]), "gyroscopic": g,
+        "stiffness": Later(lambda: model._turned_by_a_little[2]),
+        **{f"c{2 - n}": Later(lambda n=n: model.coefficients[n]) for n in range(3)}}  # type: ignore[misc]
+
+
+def _along(coordinates: list[Expr], direction: Matrix) -> Callable[[Any], Any]:
+    """The derivative along the motion."""
+    def one(f: Expr) -> Expr:
+        return Add(*(f.diff(s) * rate for s, rate in zip(coordinates, direction)), Integer(0))
+    return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)

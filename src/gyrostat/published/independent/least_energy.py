@@ -1,0 +1,49 @@
+"""What confirms a condition under internal damping: the energy is least on the orbit.
+
+Nothing here uses the bracket, the second variation or the criteria of the library.
+"""
+from ...algebra.reals.exact import sign_of_constant
+from ...notation import symbol
+from .counterexample import PI, K, Model
+from .frame_equations import InFrame
+
+
+def is_least(model: Model) -> bool | None:
+    """Whether the energy has a strict minimum on the level of the Casimirs, along the spin constant.
+
+    On so(3)* by its second order and fourth; of a body of revolution by what it is at least at each k3; else
+    by the signs of its squares. None where these do not decide, or it is one point.
+    """
+    if isinstance(model, InFrame):
+        return model.is_least()
+    if len(model.point) == 3:
+        signs = model.signs_on_sphere()
+        return False if -1 in signs else True if signs == [1, 1] else None
+    if model.spins:
+        return _is_least_at_its_height(model)
+    try:
+        _, zero, minus = model.inertia_of_second_variation()
+    except NotImplementedError:
+        return None
+    return False if minus else None if zero else True
+
+
+def _is_least_at_its_height(model: Model) -> bool | None:
+    """With M·k fixed the energy at k is at least U + (M·k − l·k)²/(2 k·Ik), a function of k3: its excess,
+    times 2 k·Ik, from the first power that does not vanish.
+
+    A pole is approached from inside.
+    """
+    at = dict(zip(model.coordinates, model.point))
+    z, x = symbol("z"), symbol("x")
+    energy = (sum(p**2 / moment for p, moment in zip(PI, model.inertia)) / 2 + model.U).subs(at)
+    along = (PI + model.rotor).dot(K).subs(at) - model.rotor[2] * z
+    inertia = model.inertia[0] * (1 - z**2) + model.inertia[2] * z**2
+    excess = 2 * inertia * (model.U.subs(K[2], z) - energy) + along**2
+    pole = model.is_at_pole
+    excess = excess.subs(z, model.k3 * (1 - x) if pole else model.k3 + x).expand()
+    for power in range(1, 7):
+        known = sign_of_constant(excess.diff(x, power).subs(x, 0).expand())
+        if known != 0:
+            return None if known is None else known > 0 and (pole or power % 2 == 0)
+    return None

@@ -1,0 +1,60 @@
+"""Jacobi's elliptic functions sn, cn, dn of (u, m) in formulas, m = κ², with derivatives and values.
+
+The derivatives are those along u.
+"""
+from functools import lru_cache
+from typing import Any
+
+import mpmath
+from sympy import Expr, Float, Function, I
+
+from ...errors import ScopeError
+
+LARGEST = 1000
+
+
+@lru_cache(maxsize=4096)
+def _value(letters: str, u: Expr, m: Expr, prec: int) -> Expr:
+    """The number; SymPy asks for it many times over."""
+    with mpmath.workprec(prec + 20):
+        if max(abs(complex(a.evalf(5))) for a in (u, m)) > LARGEST:
+            raise ScopeError(f"sn, cn and dn are computed of arguments up to {LARGEST}: give smaller numbers")
+        at, modulus = (mpmath.mpmathify(a.evalf(int(prec / 3.3) + 10)) for a in (u, m))
+        value = mpmath.ellipfun(letters, at, m=modulus)
+        parts = [Float._new(mpmath.mpf(part)._mpf_, prec) for part in (mpmath.re(value), mpmath.im(value))]
+    return parts[0] if abs(parts[1]) < Float(2) ** -prec else parts[0] + I * parts[1]
+
+
+class _Jacobi(Function):
+    nargs = 2
+    letters = ""
+
+    def _eval_evalf(self, prec: int) -> Expr | None:
+        if any(a.free_symbols for a in self.args):
+            return None
+        return _value(self.letters, *self.args, prec)
+
+    def fdiff(self, argindex: int = 1) -> Any:
+        u, m = self.args
+        if argindex != 1:
+            raise NotImplementedError(f"d{self.letters}/dm is not needed by any formula")
+        return {"sn": cn(u, m) * dn(u, m), "cn": -sn(u, m) * dn(u, m),
+                "dn": -m * sn(u, m) * cn(u, m)}[self.letters]
+
+
+class sn(_Jacobi):
+    """sn' = cn dn."""
+
+    letters = "sn"
+
+
+class cn(_Jacobi):
+    """cn' = −sn dn."""
+
+    letters = "cn"
+
+
+class dn(_Jacobi):
+    """dn' = −m sn cn."""
+
+    letters = "dn"

@@ -1,0 +1,200 @@
+"""Conjunctions of polynomial inequalities.
+
+What always holds, what follows from what, and one multiplier eliminated.
+"""
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from flint import fmpq_mpoly
+from sympy import Expr, S
+
+from ...algebra.reals.exact import sign_of_constant
+from ...algebra.rings.polynomials import Ring, by_degree
+from ...algebra.solving.margins import Signs
+
+
+@dataclass(frozen=True)
+class Item:
+    """A condition while it is worked on: margin > 0 if it is strict, else margin ≥ 0.
+
+    The sign of the margin counts as 0 where a factor in degenerate, one of even power, vanishes.
+    """
+
+    margin: fmpq_mpoly
+    degenerate: tuple[fmpq_mpoly, ...]
+    strict: bool
+    source: str
+    implies: tuple["Implied", ...] = field(default=(), compare=False)
+
+
+@dataclass(frozen=True)
+class Implied:
+    """margin = square + factor · by, factor > 0: the condition named source follows from by."""
+
+    source: str
+    margin: Any
+    square: Any
+    factor: Any
+    by: Any
+
+
+def reduced(items: Sequence[Item], signs: Signs) -> list[Item] | None:
+    """An equivalent conjunction without what is always true or implied; None if it can never hold."""
+    left = list(items)
+    while True:
+        found = _decided(left, signs)
+        if found is None:
+            return None
+        shorter = _without_implied(_divided(found, signs), signs)
+        if shorter == left:
+            return shorter
+        left = shorter
+
+
+def _decided(items: Iterable[Item], signs: Signs) -> list[Item] | None:
+    """Without conditions that always hold; None if one never does."""
+    left: list[Item] = []
+    for item in items:
+        sign = signs.of(item.margin)
+        if sign is None or item.degenerate and (sign > 0) == item.strict and sign:
+            if item not in left:
+                left.append(item)
+        elif sign < 0 or sign == 0 and item.strict:
+            return None
+    return left
+
+
+def _divided(items: list[Item], signs: Signs) -> list[Item]:
+    """Strict margins divided by those that are known to be positive with them; each even factor once."""
+    result = list(items)
+    for i, item in enumerate(result):
+        for other in result[:i] + result[i + 1:]:
+            if not (item.strict and other.strict) or other.margin.is_constant():
+                continue
+            quotient, rest = divmod(item.margin, other.margin)
+            margin = quotient if not rest else item.margin
+            item = replace(item, margin=margin,
+                           degenerate=tuple(e for e in item.degenerate if divmod(other.margin, e)[1]))
+        result[i] = _once(item, result[:i]) if item.strict else item
+    return result
+
+
+def _once(item: Item, before: Sequence[Item]) -> Item:
+    """Without even factors that are not 0 where its margin, or one before it, is positive."""
+    known = [e for other in before if other.strict for e in other.degenerate]
+    left: list[fmpq_mpoly] = []
+    for e in item.degenerate:
+        if divmod(item.margin, e)[1] and e not in known and e not in left:
+            left.append(e)
+    return replace(item, degenerate=tuple(left))
+
+
+def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
+    """Drop X where X = S + T Y with T > 0 and S a square, or X a square of Y: it follows from Y.
+
+    Of strict ones S may also be a positive multiple of a third: I2 − I3 = (I1 − I3) + (I2 − I1).
+    A non-strict Y also holds where an even factor e of it vanishes. If e divides S, then X and Y together are
+    Y's margin ≥ 0 alone: where e = 0, X has the sign of the margin.
+    """
+    for x in items:
+        for y in items:
+            if x is y or x.degenerate or x.strict != y.strict:
+                continue
+            if x.strict and _is_square(x.margin, y.margin, signs.ring):
+                return [item for item in items if item is not x]
+            others = [z.margin for z in items if x.strict and z.strict and z not in (x, y)
+                      and not z.degenerate]
+            parts = _parts(x.margin, y.margin, signs, others)
+            if parts is None or not y.strict and any(divmod(parts[0], e)[1] for e in y.degenerate):
+                continue
+            proof = Implied(x.source, x.margin, *parts, y.margin)
+            plain = replace(y, degenerate=y.degenerate if y.strict else (),
+                            implies=(*y.implies, proof, *x.implies))
+            return [plain if item is y else item for item in items if item is not x]
+    return items
+
+
+def _is_square(x: fmpq_mpoly, y: fmpq_mpoly, ring: Ring) -> bool:
+    """Whether x = c y² with a number c > 0, by what the numbers in the coefficients are.
+
+    Factoring takes them for names.
+    """
+    if all(g.free_symbols for g in ring.generators):
+        return False
+    names = set().union(*(g.free_symbols for g in ring.generators))
+    ours, squares = ({powers: ring.expression(c).expand()
+                      for powers, c in ring.coefficients(p, names).items()}
+                     for p in (x, ring.reduce(y * y)))
+    first = max(squares)
+    if first not in ours or sign_of_constant(ours[first] * squares[first]) != 1:
+        return False
+    return all(sign_of_constant((ours.get(powers, S.Zero) * squares[first] - ours[first]
+                                 * squares.get(powers, S.Zero)).expand()) == 0
+               for powers in {*ours, *squares})
+
+
+def _parts(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs, positive: Sequence[fmpq_mpoly]
+           ) -> tuple[fmpq_mpoly, fmpq_mpoly] | None:
+    """S ≥ 0 and T > 0 with x = S + T y, where a generator enters both of them affinely and S not at all.
+
+    S may be one of those that are positive, times a number.
+    """
+    for index, (n, m) in enumerate(zip(x.degrees(), y.degrees())):
+        if n == m == 1:
+            quotient, rest = divmod(x.derivative(index), y.derivative(index))
+            square = x - quotient * y
+            if not rest and signs.of(quotient) == 1 and (
+                    signs.nonnegative(square) or any(_multiple(square, z) for z in positive)):
+                return square, quotient
+    return None
+
+
+def _multiple(x: fmpq_mpoly, y: fmpq_mpoly) -> bool:
+    """Whether x is y times a positive number."""
+    quotient, rest = divmod(x, y)
+    return bool(not rest and quotient.is_constant() and quotient.leading_coefficient() > 0)
+
+
+def eliminate(items: list[Item], nu: Expr, signs: Signs) -> list[list[Item]]:
+    """∃ν: a ν² + b ν + c > 0, as alternatives without ν; where ν enters otherwise, ν = 0 is tried."""
+    index = signs.ring.generators.index(nu)
+    with_nu = [item for item in items if any(p.degrees()[index] for p in (item.margin, *item.degenerate))]
+    others = [item for item in items if item not in with_nu]
+    if not with_nu:
+        return [others]
+    if (
+        len(with_nu) == 1
+        and not with_nu[0].degenerate
+        and (n := int(with_nu[0].margin.degrees()[index])) <= 2
+    ):
+        c, b, a = (*by_degree(with_nu[0].margin, index, n), *[signs.ring.zero] * (2 - n))
+        discriminant = Item(*signs.split(b**2 - 4 * a * c, signs.ring.one), True, with_nu[0].source)
+        opens = Item(*signs.split(a, signs.ring.one), True, with_nu[0].source)
+        return [[*others, opens], [*others, discriminant]]
+    at_zero = [replace(i, margin=by_degree(i.margin, index, int(i.margin.degrees()[index]))[0])
+               for i in with_nu]
+    return [[*others, *at_zero]] if not any(i.degenerate for i in with_nu) else []
+
+
+def merge(alternatives: list[list[Item]], signs: Signs) -> list[list[Item]]:
+    """X > 0 or X < 0, beside conditions that make X ≠ 0, is no condition; equal alternatives are one."""
+    for n, one in enumerate(alternatives):
+        for other in alternatives[n + 1:]:
+            extra = [item for item in one if item not in other]
+            opposite = [item for item in other if item not in one]
+            rest = [item for item in one if item in other]
+            if not extra and not opposite or (len(extra) == len(opposite) == 1
+                                              and extra[0].margin == -opposite[0].margin
+                                              and not opposite[0].degenerate
+                                              and _nonzero_with(extra[0], rest, signs)):
+                return merge([rest, *(a for a in alternatives if a is not one and a is not other)], signs)
+    return alternatives
+
+
+def _nonzero_with(item: Item, rest: list[Item], signs: Signs) -> bool:
+    return not item.degenerate and all(
+        signs.nonzero(factor) or any(not divmod(r.margin, factor)[1] for r in rest if r.strict)
+        for factor, _ in item.margin.factor()[1])
+
+

@@ -1,0 +1,219 @@
+"""The linearised field on the coadjoint orbit, its characteristic polynomial and eigenvalues."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Expr, I, ImmutableMatrix, Mul, Poly, Pow, S, roots, sqrt
+
+from ..._cached import cached_property
+from ..._display import Shown
+from ...algebra.rings.matrices import characteristic_coefficients, multiply
+from ...algebra.rings.polynomials import Ring
+from ...arguments import checked
+from ...errors import ScopeError
+from ...mechanics.equilibrium.coadjoint_orbit import orbit_tangent
+from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
+from ...mechanics.equilibrium.derived_once import once
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...notation import Stored, symbol
+from .sextic import factors_in_squares
+
+LAMBDA = symbol("lamda")
+
+
+@dataclass(frozen=True, repr=False)
+class Linearization(Shown, Stored):
+    """δẋ = J δx on the tangent space T of the coadjoint orbit.
+
+    dU, d2U stand for the derivatives of U at the equilibrium; equilibrium.insert(…) inserts those of a given
+    U.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+    basis : ImmutableMatrix, shape (n, d)
+        columns span T
+    matrix : ImmutableMatrix, shape (d, d)
+        J on T in that basis [1/T]
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.linearize(gs.inclined(top)).matrix.shape, gs.linearize(gs.inclined(top)).factors()[1]
+    ((4, 4), (lamda, 2))
+    """
+
+    equilibrium: Equilibrium
+    basis: ImmutableMatrix
+    matrix: ImmutableMatrix
+
+    @cached_property
+    def coefficients(self) -> tuple[Expr, ...]:
+        """c2, c4, …: det(λ − J) = λᵈ + c2 λᵈ⁻² + …; the odd ones vanish, the field being Hamiltonian."""
+        ring = signs_over(self.equilibrium, self.matrix.flat()).ring
+        rows, bottom = ring.matrix(self.matrix.tolist())
+        return tuple(ring.quotient(c, bottom**n)
+                     for n, c in enumerate(characteristic_coefficients(ring, rows), 1) if n % 2 == 0)
+
+    @property
+    def frequency_coefficients(self) -> tuple[Expr, ...]:
+        """(q,) of λ² + q or (p, q) of λ⁴ + p λ² + q.
+
+        Raises
+        ------
+        ScopeError
+            the orbit has another dimension: its polynomial has other coefficients, and other criteria
+        """
+        if len(self.coefficients) not in (1, 2):
+            raise ScopeError(f"the characteristic polynomial has the degree {self.matrix.rows} in lamda, "
+                             f"with {len(self.coefficients)} "
+                             "coefficients: criteria and eigenvalues are those of orbits of dimension 2, "
+                             "4 and 6; use characteristic_polynomial()")
+        return self.coefficients
+
+    def characteristic_polynomial(self) -> Expr:
+        """λᵈ + c2 λᵈ⁻² + … in the symbol lamda."""
+        size = self.matrix.rows
+        return LAMBDA**size + sum((c * LAMBDA ** (size - 2 * n) for n, c in enumerate(self.coefficients, 1)),
+                                  S.Zero)
+
+    def factors(self) -> tuple[tuple[Expr, int], ...]:
+        """The factors of the characteristic polynomial that contain λ, over the rationals.
+
+        Returns
+        -------
+        tuple of (Expr, int)
+            each with its multiplicity
+        """
+        ring = Ring([polynomial := self.characteristic_polynomial()])
+        _, factors = ring.fraction(polynomial)[0].factor()
+        index = ring.generators.index(LAMBDA)
+        return tuple((ring.expression(f), int(n)) for f, n in factors if f.degrees()[index])
+
+    def eigenvalues(self) -> tuple[Expr, ...]:
+        """The d roots of the characteristic polynomial, d = 2, 4 or 6, in closed form.
+
+        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2 (frequencies); at E1 and E2 p + 2r
+        is a square too.
+
+        Returns
+        -------
+        tuple of Expr
+            with multiplicities [1/T]
+
+        References
+        ----------
+        Vera & Viguera (2003), §4.1.1, whose discriminant (2a + b)² (b² + 4dc) is (p + 2r) (p − 2r).
+
+        Examples
+        --------
+        >>> import gyrostat as gs
+        >>> scene = gs.assemble(gs.Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)),
+        ...                     gs.axial_potential())
+        >>> gs.linearize(gs.hanging(scene)).eigenvalues()[0]
+        I*(pi3_0/2 + sqrt(4*dU + pi3_0**2)/2)
+        """
+        if len(self.coefficients) == 3:
+            squares = [root for factor in factors_in_squares(self.coefficients) for root in _roots(factor)]
+            return tuple(s * I * sqrt(-root) for root in squares for s in (1, -1))
+        parts = self.frequencies()
+        if parts is None:
+            p, q = self.frequency_coefficients
+            inner = square_root(p**2 - 4 * q)
+            return tuple(s * sqrt((-p + t * inner) / 2) for s in (1, -1) for t in (1, -1))
+        outer, inner = parts
+        if len(self.coefficients) == 1:
+            return I * outer, -I * outer
+        return tuple(s * I * (outer + t * inner) for s in (1, -1) for t in (1, -1))
+
+    def frequencies(self) -> tuple[Expr, Expr] | None:
+        """(a, b) with λ = ±i (a ± b), b = 0 for d = 2; None where q is no square, or d = 6."""
+        if len(self.coefficients) == 3:
+            return None
+        if len(self.frequency_coefficients) == 1:
+            return square_root(self.coefficients[0]), S.Zero
+        p, q = self.coefficients
+        r = rational_root(q)
+        return None if r is None else (square_root(p + 2 * r) / 2, square_root(p - 2 * r) / 2)
+
+
+@checked
+@once
+def linearize(eq: Equilibrium) -> Linearization:
+    """The field linearised at an equilibrium, on the tangent space of its coadjoint orbit.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+
+    Returns
+    -------
+    Linearization
+
+    Raises
+    ------
+    SingularOrbitError
+        k = 0 on e(3)*, M = 0 on so(3)*
+
+    References
+    ----------
+    Vera & Viguera (2003), §4.1.1 and §5.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> gs.linearize(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))).coefficients[1]
+    0
+    """
+    basis = orbit_tangent(eq)
+    vectors = basis.tolist()
+    free = _free_coordinates(vectors)
+    jacobian = rows_at_point(eq, eq.system.jet_jacobian)
+    ring = signs_over(eq, [entry for row in (*jacobian, *vectors) for entry in row]).ring
+    rows, bottom = ring.matrix([jacobian[i] for i in free])
+    columns, _ = ring.matrix(vectors)                  # polynomial: the denominator is 1
+    product = multiply(ring, rows, columns)
+    scale = [columns[i][j] for j, i in enumerate(free)]
+    matrix = ImmutableMatrix([[ring.quotient(entry, bottom * d) for entry in row]
+                              for row, d in zip(product, scale)])
+    return Linearization(eq, basis, matrix)
+
+
+def _free_coordinates(basis: Sequence[Sequence[Expr]]) -> list[int]:
+    """For each basis vector the coordinate that no other vector has."""
+    found: dict[int, int] = {}
+    for i, row in enumerate(basis):
+        vectors = [j for j, entry in enumerate(row) if entry]
+        if len(vectors) == 1:
+            found.setdefault(vectors[0], i)
+    return [found[j] for j in range(len(basis[0]))]
+
+
+def _roots(factor: Sequence[Expr]) -> list[Expr]:
+    """The roots of a polynomial of degree up to three, by its coefficients."""
+    return list(roots(Poly(factor, LAMBDA), multiple=True))
+
+
+def square_root(expression: Expr) -> Expr:
+    """√ of a fraction of polynomials, its square factors taken out (up to their sign)."""
+    ring = Ring([expression])
+    top, bottom = ring.fraction(expression)
+    top = ring.reduce(top)
+    if not top:
+        return S.Zero
+    outside, inside = S.One, S.One
+    for polynomial, n_sign in ((top, 1), (bottom, -1)):
+        content, factors = polynomial.factor()
+        inside *= ring.expression(ring.one * content) ** n_sign
+        for factor, n in factors:
+            outside *= Pow(ring.expression(factor), n_sign * (int(n) // 2))
+            inside *= Pow(ring.expression(factor), n_sign * (int(n) % 2))
+    return Mul(outside, sqrt(inside))
+
+
+def rational_root(expression: Expr) -> Expr | None:
+    """r with r² the expression, a fraction of polynomials; None where there is none."""
+    root = square_root(expression)
+    return (
+        None if root.atoms(Pow) and any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root
+    )

@@ -1,0 +1,242 @@
+"""The numbers at which a report is asked: named, exact, positive where they must be, and on the family."""
+from collections.abc import Iterable, Mapping, Sequence
+from difflib import get_close_matches
+from typing import Any
+
+from sympy import Add, Expr, Rational, S, Symbol
+
+from ...algebra.enclosures.balls import ball
+from ...algebra.reals.exact import Point, compiled, evaluate, sign_of_constant
+from ...algebra.text.numbers import exact_number, shown
+from ...algebra.text.quantities import not_mixed
+from ...errors import ScopeError, ValuesError, brief, require
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.unit_vectors import in_any_direction
+from ...notation import NOTATION, Use, jet, symbol
+from ...registry import use_of
+from .conditions import Criterion
+
+K3 = symbol("k3")
+
+
+def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[str],
+                 known: Sequence[str]) -> Point:
+    """The values as exact numbers, every one of them checked.
+
+    Raises
+    ------
+    ValuesError
+        a name is missing or unknown, a number is not exact and finite, or the point is proved not to be on
+        the family; where that is not proved, the doubt of the point says so
+    """
+    require(values, Mapping, "what is given for the names")
+    given = {str(name): value for name, value in values.items()}
+    free_jet = eq.system.potential is not None and not eq.system.potential.given
+    for name in given:
+        if name not in known and not (free_jet and jet(name)):
+            raise ValuesError(unknown(name, known, eq.label))
+    if missing := [name for name in required if name not in given]:
+        raise ValuesError(f"{eq.label} needs {', '.join(map(_described, missing))}: give a number for each")
+    not_mixed(given.items())
+    numbers = Point({symbol(name): exact_number(value, name) for name, value in given.items()})
+    for name, number in numbers.items():
+        if not isinstance(number, Rational) and not ball(number, 64).is_finite():
+            raise ValuesError(f"{name} = {number} cannot be enclosed: write it with rationals, roots, pi, "
+                              "exp, log and the like")
+        if name.is_positive and not is_positive(name.name, number):
+            numbers.doubt = f"whether {name} = {shown(number)} is positive is not proved"
+    if eq.system.potential is not None:
+        eq.system.potential.check_size(numbers)
+    numbers.doubt = numbers.doubt or _exists(eq, numbers) or _on_family(eq, numbers)
+    return numbers
+
+
+def is_positive(name: str, number: Expr) -> bool:
+    """Whether a number, for a name that is positive, is proved to be.
+
+    ValuesError if it is proved not to be.
+    """
+    sign = sign_of_constant(number)
+    if sign in (0, -1):
+        own = ", or write another letter for a number of your own" if use_of(name) is Use.FIELD else ""
+        raise ValuesError(f"{name} = {shown(number) if sign else 0}, but {_described(name)} must be "
+                          f"positive: give a positive number{own}")
+    return sign == 1
+
+
+def check_names(given: Iterable[str], names: Sequence[str], where: str) -> None:
+    """Raise ValuesError if a name is unknown or missing."""
+    for name in given:
+        if name not in names:
+            raise ValuesError(unknown(name, names, where))
+    if missing := [name for name in names if name not in given]:
+        raise ValuesError(f"{where} needs {', '.join(missing)}: give a number or an array for each")
+
+
+def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str], parameters: Sequence[str],
+                 how: str) -> None:
+    """Raise ValuesError unless the names are what a verdict on a family needs, without the name that the
+    others express.
+    """
+    refuse_any_direction(eq)
+    free_jet = eq.system.potential is not None and not eq.system.potential.given
+    known = [name for name in parameters if name not in eq.eliminated or name in required]
+    for name in given:
+        if name in eq.eliminated and name not in known:
+            raise ValuesError(f"{name} follows from the other names on {eq.label}, {name} = "
+                              f"{dict(eq.relations)[symbol(name)]}: omit it")
+        if name not in known and not (free_jet and jet(name)):
+            raise ValuesError(unknown(name, known, eq.label))
+    if missing := [name for name in required if name not in given]:
+        raise ValuesError(f"{eq.label} needs {', '.join(missing)}: {how}")
+
+
+def refuse_any_direction(eq: Equilibrium) -> None:
+    """Raise ScopeError of a family in k1, k2, k3: no range of them stays on the sphere."""
+    if in_any_direction(eq):
+        raise ScopeError(f"{eq.label} has the names k1, k2, k3 with |k| = 1, and ranges of them leave the "
+                         "sphere: give a direction by stereographic coordinates u1, u2, "
+                         "permanent_rotation(scene, stereographic()), --direction stereographic")
+
+
+def unknown(name: str, known: Sequence[str], where: str) -> str:
+    """What to say of a name that is not a parameter."""
+    other = {"pi3_0": "omega3_0", "omega3_0": "pi3_0"}
+    close = (
+        [other[name]]
+        if other.get(name) in known
+        else get_close_matches(name, [*known, *(other[n] for n in known if n in other)], 1)
+    )
+    hint = f"did you mean {close[0]}? Its" if close else "its"
+    spin = (
+        ' (with spin="omega3_0" in place of pi3_0)'
+        if "omega3_0" in (name, *close) and "omega3_0" not in known
+        else ""
+    )
+    return f"{where} has no parameter {brief(name)[1:-1]}: {hint} parameters are {', '.join(known)}{spin}"
+
+
+def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
+    """What is not proved of it, "" if nothing."""
+    doubt = ""
+    for expression in eq.existence():
+        value = evaluate(expression, numbers)
+        if value.free_symbols:
+            continue
+        if (sign := sign_of_constant(value)) is None and ball(value, 64).is_finite():
+            doubt = (f"whether {eq.label} exists there is not proved: {expression} is {shown(value)}, and "
+                     "has to be positive")
+        elif sign != 1:
+            here = "is not defined" if value is S.NaN else "is 0" if sign == 0 else f"is {shown(value)}"
+            todo = (
+                f"k3 = {shown(numbers[K3])}, give −1 < k3 < 1"
+                if expression == 1 - K3**2 and K3 in numbers
+                else "choose a point inside"
+            )
+            raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: {todo}")
+    for expression in eq.field_values:
+        # finite and real wherever it is
+        polynomial = (fraction := compiled(expression)) is not None and fraction[2] is None
+        if (
+            not polynomial
+            and expression.free_symbols <= numbers.keys()
+            and not _may_be_real(value := evaluate(expression, numbers))
+        ):
+            raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a "
+                              "finite real number: "
+                              "choose another point")
+    return doubt
+
+
+def _may_be_real(constant: Expr) -> bool:
+    """Whether a constant may be a finite real number: False where SymPy knows that it is none."""
+    return bool(constant.is_finite is not False and constant.is_real is not False and constant is not S.NaN)
+
+
+def _on_family(eq: Equilibrium, numbers: Point) -> str:
+    """Of |k| = 1 where k1, k2, k3 are given, of relations where no name was eliminated, and of that of a name
+    that is given: what is not proved.
+    """
+    doubt = _unit_vector(eq, numbers) if in_any_direction(eq) else ""
+    for residual in eq.constraints:
+        if (value := evaluate(residual, numbers)).free_symbols:
+            continue
+        sign = sign_of_constant(value)
+        if sign is None and ball(value, 64).is_finite():
+            doubt = (f"whether the point is on {eq.label} is not proved: {residual} is {shown(value)}, and "
+                     "has to be 0")
+        elif sign != 0:
+            raise ValuesError(f"the point is not on {eq.label}: {residual} is {shown(value)}, not 0; "
+                              "correct the numbers")
+    for name in map(symbol, eq.eliminated):
+        if name in numbers:
+            doubt = _satisfied(eq, name, numbers) or doubt
+    return doubt
+
+
+def _unit_vector(eq: Equilibrium, numbers: Point) -> str:
+    """Whether k is one: what is not proved of it."""
+    rational = numbers.rational_at(eq.point[3:])
+    if rational is not None and sum(x * x for x in rational) == 1:
+        return ""
+    k = [numbers[s] for s in eq.point[3:]]
+    excess = Add(*(x**2 for x in k), -1)
+    sign = sign_of_constant(excess)
+    if sign is None and ball(excess, 64).is_finite():
+        return f"whether k is a unit vector is not proved: |k|² − 1 is {shown(excess)}"
+    if sign != 0:
+        place = ", ".join(map(shown, k))
+        raise ValuesError(f"k = ({place}) has |k|² − 1 = {shown(excess)}: k is a direction, |k| = 1; divide "
+                          "it by its length, or give its stereographic coordinates")
+    return ""
+
+
+def _satisfied(eq: Equilibrium, name: Symbol, numbers: Mapping[Symbol, Expr]) -> str:
+    """The relation that expresses a name whose value is given: what is not proved of it."""
+    needed = eq.insert(dict(eq.relations)[name])
+    if missing := [n for n in names_in([needed]) if symbol(n) not in numbers]:
+        raise ValuesError(f"to check {name} on {eq.label}, {', '.join(missing)} is needed: give it, or "
+                          f"omit {name}")
+    value = evaluate(needed, numbers)
+    sign = sign_of_constant(difference := numbers[name] - value)
+    if sign is None and ball(difference, 64).is_finite():
+        return (f"whether the point is on {eq.label} is not proved: it needs {name} = {shown(value)}, given "
+                f"was {shown(numbers[name])}")
+    if sign != 0:
+        given = shown(numbers[name])
+        off = f", off by {shown(difference)}" if given == shown(value) else ""
+        raise ValuesError(f"the point is not on {eq.label}: it needs {name} = {shown(value)}, given was "
+                          f"{given}{off}; omit {name}, or "
+                          "correct it")
+    return ""
+
+
+def names_needed(eq: Equilibrium, criteria: Iterable[Criterion]) -> tuple[str, ...]:
+    """Names that a verdict by these criteria needs."""
+    conditions = [c for criterion in criteria for a in criterion.alternatives for c in a]
+    expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(eq.existence())
+    return names_in([*expressions, *eq.constraints])
+
+
+def names_accepted(eq: Equilibrium, required: Sequence[str]) -> tuple[str, ...]:
+    """Names that a verdict accepts, those of the scene and the family beside those that it needs."""
+    scene = [eq.system.hamiltonian, *eq.system.body.entries, *eq.system.body.gyrostatic_momentum,
+             *eq.point, *eq.existence()]
+    own = set(names_in([*scene, *(e for pair in eq.relations for e in pair)])) | set(required)
+    moving = set(map(str, eq.system.space.coordinates)) - set(names_in(eq.point))
+    return tuple(sorted(n for n in own - moving if n in required or n in eq.eliminated or not jet(n)))
+
+
+def names_of_motion(eq: Equilibrium) -> tuple[str, ...]:
+    """Names that the motion near an equilibrium depends on, those that the others express left out."""
+    known = {name.name for name, _ in eq.relations}
+    return tuple(name for name in names_accepted(eq, ()) if name not in known)
+
+
+def names_in(expressions: Iterable[Expr]) -> tuple[str, ...]:
+    """Names of all symbols, sorted."""
+    return tuple(sorted({s.name for e in expressions for s in e.free_symbols}))
+
+
+def _described(name: str) -> str:
+    return f"{name} ({NOTATION[name].meaning})" if name in NOTATION else name

@@ -1,0 +1,56 @@
+"""The criterion of a polynomial in λ² of any degree up to three, factor by factor."""
+from collections.abc import Sequence
+from typing import Any
+
+from flint import fmpq_mpoly
+from sympy import Expr
+
+from ...algebra.rings.polynomials import Ring, by_degree
+from ...algebra.solving.margins import Signs
+from ...notation import symbol
+from .implication import Item
+
+SQUARE = symbol("lamda")                                   # λ², in a ring of its own
+Fraction = tuple[fmpq_mpoly, fmpq_mpoly]
+
+
+def factors_in_squares(coefficients: Sequence[Expr]) -> list[tuple[Expr, ...]]:
+    """Those of x³ + c2 x² + c1 x + c0, each by its coefficients, that of the highest power first.
+
+    Over the rationals, each as often as it occurs.
+    """
+    size = len(coefficients)
+    whole = SQUARE**size + sum(c * SQUARE ** (size - n) for n, c in enumerate(coefficients, 1))
+    ring = Ring([whole])
+    index = ring.generators.index(SQUARE)
+    _, found = ring.fraction(whole)[0].factor()
+    split = [(by_degree(factor, index, degree), times) for factor, times in found
+             if (degree := factor.degrees()[index])]
+    return [tuple(ring.expression(c * (1 if parts[-1].leading_coefficient() > 0 else -1))
+                  for c in reversed(parts)) for parts, times in split for _ in range(times)]
+
+
+def items_of_factors(factors: Sequence[tuple[Expr, ...]], signs: Signs) -> list[Item]:
+    """What has to be ≥ 0 for all roots x of every factor to be real and ≤ 0."""
+    items: list[Item] = []
+    for first, *others in dict.fromkeys(factors):
+        bottom = signs.ring.numerator(first)
+        monic = [(signs.ring.numerator(c), bottom) for c in others]
+        items += _items(monic, signs)
+    return items
+
+
+def _items(monic: list[Fraction], signs: Signs) -> list[Item]:
+    """x + q; x² + p x + q; x³ + a x² + b x + c, of which all roots are real iff Δ ≥ 0."""
+    names = {1: "q", 2: "pq", 3: "abc"}[len(monic)]
+    items = [Item(*signs.split(*c), False, name) for c, name in zip(monic, names)]
+    bottom = monic[0][1]
+    if len(monic) == 2:
+        (p, _), (q, _) = monic
+        items.append(Item(*signs.split(p**2 - 4 * q * bottom, bottom**2), False, "p² − 4q"))
+    if len(monic) == 3:
+        (a, _), (b, _), (c, _) = monic
+        D: Any = (a**2 * b**2 - 4 * b**3 * bottom - 4 * a**3 * c + 18 * a * b * c * bottom
+                  - 27 * c**2 * bottom**2)
+        items.append(Item(*signs.split(D, bottom**4), False, "Δ"))
+    return items

@@ -1,0 +1,243 @@
+"""The three criteria: the spectral, the formal and the secular, each as inequalities."""
+from collections.abc import Iterable, Sequence
+
+from sympy import Expr, Matrix, S
+
+from ...algebra.rings.polynomials import lowest_terms
+from ...algebra.solving.margins import Signs
+from ...arguments import checked
+from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from .amended_form import amended_form, dot
+from .conditions import Criterion, condition_of
+from .energy_casimir import SecondVariation, augmented_hessian, blocks
+from .implication import Item, eliminate, merge, reduced
+from .linearization import Linearization
+from .orientation_form import orientation_form, rests_in_frame
+from .sextic import factors_in_squares, items_of_factors
+
+Minor = tuple[str, int, Expr]                              # its name, its order, what it is
+
+
+@checked
+def spectral_criterion(linearization: Linearization) -> Criterion:
+    """Necessary for stability: no eigenvalue has a positive real part.
+
+    λ⁴ + pλ² + q: p ≥ 0, q ≥ 0, p² − 4q ≥ 0, each as it is; λ² + q: q ≥ 0. Of λ⁶ + … each factor in x = λ² has
+    real roots ≤ 0: x³ + a x² + b x + c iff a, b, c ≥ 0 and its discriminant Δ ≥ 0.
+
+    Parameters
+    ----------
+    linearization : Linearization
+
+    Returns
+    -------
+    Criterion
+        of the notion "spectral", with one alternative
+
+    Raises
+    ------
+    ScopeError
+        the polynomial has another degree
+
+    References
+    ----------
+    Vera & Viguera (2003), §5.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> ((p, q, discriminant),) = gs.spectral_criterion(gs.linearize(gs.upright(top))).alternatives
+    >>> discriminant.margin, discriminant.degenerate
+    (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
+    """
+    eq = linearization.equilibrium
+    if len(linearization.coefficients) == 3:
+        return _of_sextic(linearization)
+    values = linearization.frequency_coefficients
+    signs = signs_over(eq, values)
+    ring = signs.ring
+    fractions = [ring.fraction(value) for value in values]
+    items = [Item(*signs.split(*fraction), False, name)
+             for fraction, name in zip(fractions, "q" if len(values) == 1 else "pq")]
+    if len(values) == 2:
+        (p, a), (q, b) = fractions
+        factors = items[0].margin, *items[0].degenerate
+        # q = 0: the discriminant is p²
+        square = ring.one, tuple(e for e in factors if not e.is_constant())
+        discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
+        items.append(Item(*discriminant, False, "p² − 4q"))
+    return Criterion("spectral", (tuple(condition_of(ring, item, eq) for item in items),))
+
+
+def _of_sextic(linearization: Linearization) -> Criterion:
+    eq = linearization.equilibrium
+    factors = factors_in_squares(linearization.coefficients)
+    signs = signs_over(eq, [c for factor in factors for c in factor])
+    items = items_of_factors(factors, signs)
+    return Criterion("spectral", (tuple(condition_of(signs.ring, item, eq) for item in items),))
+
+
+@checked
+def formal_criterion(variation: SecondVariation) -> Criterion:
+    """Sufficient for stability: the second variation is definite.
+
+    Of either sign, for some value of the free multiplier. The leading principal minors decide; a free
+    multiplier enters one margin, quadratically, and is eliminated: a ν² + b ν + c takes a positive value
+    iff a > 0 or b² > 4ac. A body in a field without integrals, in a direction where the second variation does
+    not split: trace and determinant of D²U_c on the plane across k (AmendedForm) decide, named t and s.
+
+    Parameters
+    ----------
+    variation : SecondVariation
+
+    Returns
+    -------
+    Criterion
+        of the notion "formal", modulo what the variation is
+
+    References
+    ----------
+    Holm, Marsden, Ratiu & Weinstein (1985); elimination: the maximum of a quadratic.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> variation = gs.second_variation(gs.upright(top))
+    >>> gs.formal_criterion(variation).alternatives[0][0].margin
+    -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
+    """
+    if invariants := _on_sphere(variation):
+        signs = signs_over(variation.equilibrium, invariants)
+        return _definite(variation, "formal", _minors([(2, invariants[1])]), signs, (1,))
+    if found := across(variation) or of_stiffness(variation):
+        return _definite(variation, "formal", found, _signs(variation, found), (1,))
+    # one multiplier is eliminated, any value of the others may be chosen
+    others = dict.fromkeys(variation.free[1:], S.Zero)
+    minors = _minors([(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)])
+    if sum(x != 0 for x in variation.equilibrium.point[3:]) > 1:
+        signs = _signs(variation, minors)                  # k·Ik is positive, whatever it looks like
+    else:
+        signs = signs_over(variation.equilibrium, [minor for _, _, minor in minors])
+    return _definite(variation, "formal", minors, signs, (1, -1))
+
+
+@checked
+def secular_criterion(variation: SecondVariation) -> Criterion:
+    """Sufficient for stability under internal damping: the second variation is positive definite.
+
+    Damping takes energy: where it is not a minimum on the orbit, it is lost. Where the damping reaches every
+    motion and the second variation is not degenerate, the criterion is necessary too.
+
+    Parameters
+    ----------
+    variation : SecondVariation
+        of secular_variation
+
+    Returns
+    -------
+    Criterion
+        of the notion "secular", modulo what the variation is
+
+    References
+    ----------
+    Kelvin & Tait, Treatise on Natural Philosophy (1879), §345; Bloch, Krishnaprasad, Marsden & Ratiu (1994).
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> spin = gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))), 3)
+    >>> print(gs.independent(gs.secular_criterion(gs.secular_variation(spin)), spin))
+    I₃ > I₁ and I₃ > I₂
+    """
+    minors = across(variation) or of_stiffness(variation)
+    minors = minors or _minors([(2, e) for e in _on_sphere(variation)] or variation.block_minors)
+    return _definite(variation, "secular", minors, _signs(variation, minors), (1,))
+
+
+def positive(eq: Equilibrium) -> tuple[Expr, ...]:
+    """What is positive at every equilibrium: k·Ik, where there is a field."""
+    k = Matrix(() if eq.system.coupled else eq.point[3:])
+    return (eq.at_point(k.dot(eq.system.body.tensor * k)),) if k else ()
+
+
+def across(variation: SecondVariation) -> list[Minor]:
+    """Of a body in a field without integrals: trace and determinant of D²U_c on the plane across k.
+
+    In any basis. The second variation has D²U_c beside a positive form of the velocities. Where k is along an
+    axis or the second variation splits, its own minors are shorter.
+    """
+    eq = variation.equilibrium
+    system, body, k = eq.system, eq.system.body, eq.point[3:]
+    if not system.potential or system.coupled or system.linear_integrals or sum(x != 0 for x in k) < 2:
+        return []
+    if len(blocks(variation.matrix.tolist())) > 1:
+        return []
+    omega = dot(k, body.inverse * Matrix(eq.point[:3]))
+    gradient = [eq.at_point(d) for d in system.potential.gradient()]
+    hessian = [row[3:] for row in rows_at_point(eq, system.energy_hessian)[3:]]
+    form = amended_form(body.tensor.tolist(), body.gyrostatic_momentum, gradient, hessian, k, omega)
+    return [("t", 1, lowest_terms(form.trace)), ("s", 2, lowest_terms(form.determinant))]
+
+
+def stiffness(variation: SecondVariation) -> Matrix | None:
+    """Of a body at rest in the frame of two directions, without integrals: K.
+
+    The second variation is a positive form of the momenta beside K.
+    """
+    eq = variation.equilibrium
+    if eq.system.linear_integrals or not rests_in_frame(eq):
+        return None
+    return orientation_form(eq).stiffness
+
+
+def of_stiffness(variation: SecondVariation) -> list[Minor]:
+    """The leading principal minors of each block of K."""
+    K = stiffness(variation)
+    if K is None:
+        return []
+    rows = K.tolist()
+    return [(f"minor {n} of K", n, Matrix([[rows[i][j] for j in block[:n]] for i in block[:n]]).det(
+        method="berkowitz")) for block in blocks(rows) for n in range(1, len(block) + 1)]
+
+
+def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:
+    """Off the principal axes of a free body: trace and determinant on the plane across M, in any basis.
+
+    A = I⁻¹ − ν: tr A M² − M·A M, and Δ = M·adj(A) M. In the coordinates of a basis they have poles.
+    """
+    eq = variation.equilibrium
+    M = [p + l for p, l in zip(eq.point, eq.system.body.gyrostatic_momentum)]
+    if eq.system.potential or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
+        return ()
+    A = augmented_hessian(eq, eq.system.space.casimirs)
+    M = Matrix(M)
+    return (lowest_terms(A.trace() * M.dot(M) - M.dot(A * M)), lowest_terms(M.dot(A.adjugate() * M)))
+
+
+def _minors(of_order: Iterable[tuple[int, Expr]]) -> list[Minor]:
+    return [(f"minor {n}", n, minor) for n, minor in of_order]
+
+
+def _signs(variation: SecondVariation, minors: Sequence[Minor]) -> Signs:
+    eq = variation.equilibrium
+    return Signs.over([minor for _, _, minor in minors], (*eq.domain, *positive(eq)))
+
+
+def _definite(variation: SecondVariation, notion: str, minors: Sequence[Minor], signs: Signs,
+              allowed: Sequence[int]) -> Criterion:
+    """Definite of a sign that is allowed, by minors with their names and orders."""
+    ring = signs.ring
+    fractions = [(name, n, ring.fraction(minor)) for name, n, minor in minors]
+    alternatives: list[list[Item]] = []
+    for s in allowed:
+        items = [Item(*signs.split(s**n * top, bottom), True, name) for name, n, (top, bottom) in fractions]
+        conjunction = reduced(items, signs)
+        if conjunction is not None:
+            free = [nu for nu in variation.free if nu in ring.gens]
+            alternatives += eliminate(conjunction, free[0], signs) if free else [conjunction]
+    merged = merge([a for a in (reduced(a, signs) for a in alternatives) if a is not None], signs)
+    return Criterion(notion, tuple(tuple(condition_of(ring, item, variation.equilibrium) for item in a)
+                                   for a in merged), variation.modulo)

@@ -1,0 +1,102 @@
+"""Truth of a criterion: an OR of ANDs of comparisons with 0, answered exactly, in floats or over boxes."""
+import operator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any, TypeVar
+
+from sympy import Expr, S, Symbol
+
+from ...algebra.reals.exact import evaluate, sign_of_constant
+from .conditions import Condition, Criterion
+
+T = TypeVar("T")
+Relation = Callable[[Any, Any], Any]                   # gt, ge, eq or ne of operator
+Compare = Callable[[Expr, Relation], T]                # whether an expression stands in a relation to 0
+Joined = Callable[[Iterable[T]], T]
+
+
+def truth(criterion: Criterion, compare: Compare[T], every: Joined[T], some: Joined[T]) -> T:
+    """What a criterion says where its comparisons with 0 have the answers given.
+
+    A strict condition holds where its margin is positive and no even factor is 0, another one where its
+    margin is not negative or an even factor is 0. The answers may be True, False and None, arrays, or
+    functions that write them.
+
+    Parameters
+    ----------
+    criterion : Criterion
+    compare : callable (expression, relation)
+        whether an expression stands in a relation, operator.gt, ge, eq or ne, to 0
+    every, some : callable (answers)
+        the conjunction and the disjunction of any number of answers
+
+    Returns
+    -------
+    as compare
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
+    >>> truth(report.sufficient, lambda margin, relation: relation(1, 0), all, any)
+    True
+    """
+    return some(every(condition_truth(condition, compare, every, some) for condition in alternative)
+                for alternative in criterion.alternatives)
+
+
+def condition_truth(condition: Condition, compare: Compare[T], every: Joined[T], some: Joined[T]) -> T:
+    """What one condition says, as truth of a criterion."""
+    if condition.strict:
+        return every(_answers(condition, compare, operator.gt, operator.ne))
+    return some(_answers(condition, compare, operator.ge, operator.eq))
+
+
+def _answers(condition: Condition, compare: Compare[T], of_margin: Relation,
+             of_factor: Relation) -> Iterator[T]:
+    yield compare(condition.margin, of_margin)
+    for factor in condition.degenerate:
+        yield compare(factor, of_factor)
+
+
+def holds(criterion: Criterion, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> bool | None:
+    """Truth of a criterion at exact numbers, None where it is not proved.
+
+    The values of its margins are entered.
+    """
+    def compare(expression: Expr, relation: Relation) -> bool | None:
+        if relation in (operator.gt, operator.ge):
+            sign = _margin_sign(expression, numbers, margins)
+        else:
+            sign = sign_of_constant(evaluate(expression, numbers))
+        return None if sign is None else bool(relation(sign, 0))
+
+    return truth(criterion, compare, _every, _some)
+
+
+def _every(answers: Iterable[bool | None]) -> bool | None:
+    given = list(answers)
+    return False if False in given else None if None in given else True
+
+
+def _some(answers: Iterable[bool | None]) -> bool | None:
+    given = list(answers)
+    return True if True in given else None if None in given else False
+
+
+def sign_at(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
+    """Sign of the margin at exact numbers, 0 where an even factor vanishes, None where it is not proved.
+
+    Values go into margins.
+    """
+    factors = [sign_of_constant(evaluate(factor, numbers)) for factor in condition.degenerate]
+    if 0 in factors:
+        return 0
+    return None if None in factors else _margin_sign(condition.margin, numbers, margins)
+
+
+def _margin_sign(margin: Expr, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
+    if margin not in margins:
+        margins[margin] = evaluate(margin, numbers)
+    if (found := sign_of_constant(margins[margin])) == 0:
+        margins[margin] = S.Zero                       # in whatever terms it came out
+    return found

@@ -1,0 +1,249 @@
+"""Internal damping: whether an equilibrium stays stable when the body loses energy inside.
+
+Fuel that sloshes, a nutation damper, joints that give: they take energy, keep the Casimirs, and leave a body
+that turns like a rigid one alone. What is stable then is a minimum of the energy on the orbit.
+"""
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain
+
+from sympy import Add, Expr, S, Symbol
+
+from ..._cached import cached_property
+from ...algebra.reals.exact import Point, evaluate, sign_of_constant
+from ...algebra.rings.matrices import characteristic, cross
+from ...algebra.rings.polynomials import lowest_terms
+from ...algebra.solving.margins import Signs
+from ...mechanics.equilibrium.derivation_ring import signs_over
+from ...mechanics.equilibrium.derived_once import once
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.standard_axes import seen, seen_at
+from ...notation import symbol
+from ..criteria.conditions import Condition, Criterion, independent
+from ..criteria.energy_casimir import SecondVariation, secular_variation
+from ..criteria.numbers_asked import names_in, names_needed, names_of_motion
+from ..criteria.three_criteria import across, of_stiffness, positive, secular_criterion
+from ..criteria.truth import holds, sign_at
+from ..decision import Decision, Rung, settled, undecided
+from ..theorems.minima import least_at
+from .growing_modes import growing_at
+
+KEPT = "damping takes energy, which has a strict minimum on the orbit"
+LOST = "damping takes energy, which is not least on the orbit: it is lost"
+OUT_OF_REACH = ("the damping does not reach every motion: in some the body turns at a rate that stays "
+                "constant in its axes; of the others none is proved to grow")
+NO_SIGN = "a margin has no proved sign"
+KEEPS = settled(True, KEPT, Rung.SECOND_VARIATION, "secular", growing=0)
+
+
+@dataclass(frozen=True)
+class Secular:
+    """The second variation with the Casimirs alone, and what it says under internal damping.
+
+    Positive definite: stable, asymptotically on its orbit if the damping reaches all motions (is pervasive).
+    Not degenerate, not positive, and the damping pervasive: unstable, with as many growing modes as the
+    second variation has negative squares (Kelvin, Tait, Chetaev). Damping by all three components of ω
+    reaches every motion but in two cases. The body turns about k with M along k, and no torque acts to first
+    order, so that k moves by itself: M is that of a free body, and its growing modes are all. Or a body of
+    revolution is at rest at a tilt: it may begin to spin about its axis, and nothing stops it.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+
+    References
+    ----------
+    Chetaev, The Stability of Motion (1961); Zajac, J. Astronaut. Sci. 11 (1964) 46-49; Bloch, Krishnaprasad,
+    Marsden & Ratiu, Ann. Inst. H. Poincaré Anal. Non Linéaire 11 (1994) 37-90.
+    """
+
+    equilibrium: Equilibrium
+
+    @cached_property
+    def variation(self) -> SecondVariation:
+        """With the Casimirs, on the orbit modulo the flows of the integrals."""
+        return secular_variation(self.equilibrium)
+
+    @cached_property
+    def criterion(self) -> Criterion:
+        """It is positive definite; reduced to independent conditions.
+
+        Of a body that is recognised, in the standard axes.
+        """
+        if known := seen(self.equilibrium):
+            return replace(secular_of(known.equilibrium).criterion, modulo=known.modulo)
+        return independent(secular_criterion(self.variation), self.equilibrium)
+
+    @cached_property
+    def standard(self) -> "Secular":
+        """Of the equilibrium in the standard axes, where a body of revolution is recognised."""
+        known = seen(self.equilibrium)
+        return secular_of(known.equilibrium) if known else self
+
+    @cached_property
+    def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
+        """Where the criterion is not necessary: where one of the first vanishes the second variation is
+        degenerate, or the body is at rest and free to spin; where one of each of the others does, the damping
+        does not reach every motion of k. In normal form, () for what vanishes nowhere.
+        """
+        singular = self._coefficients[-1] if self._coefficients else S.One
+        values = (singular * self._rest if self.variation.modulo else singular, *self._torques)
+        signs = signs_over(self.equilibrium, values)
+        found = [signs.split(*signs.ring.fraction(value)) for value in values]
+        groups = [[signs.ring.expression(x) for x in (margin, *even)] for margin, even in found]
+        degenerate, *torques = (tuple(e for e in group if e == 0 or e.free_symbols) for group in groups)
+        return degenerate, *dict.fromkeys(torques)
+
+    @cached_property
+    def compared(self) -> tuple[str, ...]:
+        """Names in the criterion: without one of them there is no verdict."""
+        return names_needed(self.equilibrium, (self.criterion,))
+
+    @cached_property
+    def required(self) -> tuple[str, ...]:
+        """Names with which every verdict is answered: where the criterion fails, those of the motion."""
+        if () in self.criterion.alternatives:
+            return self.compared
+        return tuple(sorted({*self.compared, *names_of_motion(self.equilibrium)}))
+
+    def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
+        """The decision under internal damping at exact numbers, with the number of growing modes."""
+        known = seen(self.equilibrium) or seen_at(self.equilibrium, numbers)
+        if known is None:
+            found, modulo = self._decided(numbers, margins), self.criterion.modulo
+            return replace(found, modulo=modulo) if modulo else found
+        standard = secular_of(known.equilibrium)
+        if missing := _missing(standard.compared, numbers):
+            return undecided(known.worded(f"give {missing} to decide"))
+        found = standard._decided(numbers, margins)
+        return replace(found, reason=known.worded(found.reason), modulo=known.modulo)
+
+    def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
+        least = holds(self.criterion, numbers, margins)
+        if least:
+            return KEEPS
+        if least is None:
+            return undecided(NO_SIGN)
+        if missing := _missing(self._counted_by, numbers):
+            return undecided(f"give {missing} to decide")
+        negative = self._by_minors(numbers, margins)
+        if negative is None:
+            signs = [sign_of_constant(evaluate(c, numbers)) for c in self._coefficients]
+            if None in signs:
+                return undecided(NO_SIGN)
+            negative = _changes(signs) if all(signs[-1:]) else None
+        reached = not self._exceptional(numbers)
+        if negative and reached:
+            return lost(negative)
+        if missing := _missing(self.required, numbers):
+            return undecided(f"give {missing} to decide")
+        if (found := growing_at(self.equilibrium, numbers)).grows:
+            return lost(found.modes)
+        return undecided(OUT_OF_REACH) if negative else self._degenerate(numbers, reached)
+
+    @cached_property
+    def _counted_by(self) -> tuple[str, ...]:
+        """Names in what counts the negative squares, and in what tells whether the damping reaches all."""
+        minors = [e for block in self._minors for c in block for e in (c.margin, *c.degenerate)]
+        return names_in([*minors, *self._coefficients, *chain(*self.exceptions)])
+
+    def _by_minors(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
+        """The negative squares of the second variation; None where a minor vanishes, or is not decided."""
+        known = dict(margins)
+        blocks = [(times, [sign_at(minor, numbers, known) for minor in block])
+                  for block, times in self._minors.items()]
+        if all(all(signs) for _, signs in blocks):
+            return sum(times * _changes(signs) for times, signs in blocks)
+        return None
+
+    @cached_property
+    def _minors(self) -> Counter[tuple[Condition, ...]]:
+        """The leading minors of each block, from the first that may be negative on, and how often it occurs;
+        where none vanishes, their changes of sign are the negative squares (Jacobi). Across k trace and
+        determinant, whose changes are too.
+        """
+        eq = self.equilibrium
+        found = [(n, minor) for _, n, minor in across(self.variation) or of_stiffness(self.variation)
+                 ] or self.variation.block_minors
+        minors = [(n, eq.insert(minor)) for n, minor in found]
+        signs = Signs.over([minor for _, minor in minors], (*eq.existence(), *map(eq.insert, positive(eq))))
+        blocks: list[list[Condition]] = []
+        for n, minor in minors:
+            margin, even = signs.normal_form(minor)
+            blocks += [[]] if n == 1 else []
+            if blocks[-1] or margin != 1 or even:
+                blocks[-1].append(Condition(margin, True, f"minor {n}", even, eq.at))
+        return Counter(map(tuple, blocks))
+
+    @cached_property
+    def _coefficients(self) -> tuple[Expr, ...]:
+        """Of the characteristic polynomial of the second variation, or of its part across k, for −λ."""
+        eq, matrix = self.equilibrium, self.variation.matrix
+        if found := across(self.variation):
+            return tuple(eq.insert(x) for _, _, x in found)
+        return characteristic([[eq.insert(entry) for entry in row] for row in matrix.tolist()])
+
+    @cached_property
+    def _torques(self) -> tuple[Expr, ...]:
+        """What vanishes where k moves by itself: M × k, and the torque to first order in k."""
+        eq = self.equilibrium
+        potential = eq.system.potential
+        if potential is None:
+            return (S.One,)
+        pi, k = eq.point[:3], eq.point[3:]
+        momentum = [p + l for p, l in zip(pi, eq.system.body.gyrostatic_momentum)]
+        slopes = [eq.at_point(d) for d in potential.gradient()]
+        curved = [[eq.at_point(d) for d in row] for row in eq.system.energy_hessian.tolist()[3:]]
+        curved = [row[3:] for row in curved]
+        along = Add(*(d * x for d, x in zip(slopes, k))) / Add(*(x**2 for x in k))
+        for n in range(3):
+            curved[n][n] -= along
+        across = [cross(row, k) for row in curved]
+        both = [cross(column, k) for column in zip(*across)]
+        found = [*cross(momentum, k), *cross(slopes, k), *(e for row in both for e in row)]
+        return tuple(e for x in found if (e := lowest_terms(eq.insert(x))) != 0)
+
+    def _exceptional(self, numbers: Mapping[Symbol, Expr]) -> bool:
+        """Whether the damping may not reach every motion: k may move by itself, the body turning about it, or
+        it is at rest and may turn along a symmetry, at a rate that is constant to first order.
+        """
+        _, *torques = self.exceptions
+        if all(any(sign_of_constant(evaluate(e, numbers)) == 0 for e in torque) for torque in torques):
+            return True
+        return bool(self.variation.modulo) and sign_of_constant(evaluate(self._rest, numbers)) == 0
+
+    @property
+    def _rest(self) -> Expr:
+        """|π|², which vanishes at rest."""
+        return self.equilibrium.insert(Add(*(x**2 for x in self.equilibrium.point[:3])))
+
+    def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
+        """Where the second variation is degenerate beyond the symmetries: whether the energy is least."""
+        least, why = least_at(self.equilibrium, numbers)
+        if least is None or not least and not reached:
+            return undecided(why if least is None else OUT_OF_REACH)
+        return (settled(True, f"{KEPT}: {why}", Rung.LEADING_FORM, "secular", growing=0) if least
+                else settled(False, f"{LOST}: {why}", Rung.LEADING_FORM, "secular"))
+
+
+@once
+def secular_of(eq: Equilibrium) -> Secular:
+    """What internal damping makes of an equilibrium, derived once."""
+    return Secular(eq)
+
+
+def _missing(names: Sequence[str], numbers: Mapping[Symbol, Expr]) -> str:
+    return ", ".join(name for name in names if symbol(name) not in numbers)
+
+
+def _changes(signs: Sequence[int | None]) -> int:
+    """Changes of sign from 1 on: in the coefficients, the number of negative roots if all are real."""
+    left = [1, *filter(None, signs)]
+    return sum(a != b for a, b in zip(left, left[1:]))
+
+
+def lost(growing: int | None) -> Decision:
+    """The decision that damping destroys what is not least, with the number of modes that grow if counted."""
+    how_many = "" if growing is None else f", {growing} growing mode{'' if growing == 1 else 's'}"
+    return settled(False, f"{LOST}{how_many}", Rung.NEGATIVE_SQUARES, "secular", growing=growing)

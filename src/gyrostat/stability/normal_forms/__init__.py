@@ -1,0 +1,1 @@
+"""Stability normal_forms."""

@@ -1,0 +1,192 @@
+"""Birkhoff's normal form of a Hamiltonian of two degrees of freedom at a point where it oscillates.
+
+Numbers are balls or elements of the field of the eigenvalues.
+"""
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
+from math import factorial
+from typing import Any
+
+from flint import acb, fmpq
+
+from ..._cached import cached_property
+from ...algebra.reals.eigenvalues import Element
+from ...algebra.rings.series import Part, added, is_zero, substituted
+
+Rows = list[list[Any]]
+Mode = tuple[Any, list[Any], Any]                          # an eigenvalue, its vector, its norm
+Pairs = Sequence[tuple[int, int, Any]]                     # i, j and {Y_i, Y_j}
+ONES = tuple(1 << 4 * n for n in range(4))
+Z1, W1, Z2, W2 = ONES                                      # exponents of the variables, packed
+
+
+@dataclass(frozen=True)
+class Modes:
+    """The eigenvectors v_j of the linear motion, y = Σ z_j v_j + w_j v̄_j.
+
+    Parameters
+    ----------
+    values : tuple, shape (2,)
+        λ1, λ2 = iω1, iω2
+    vectors : tuple of list, shape (2, 4)
+    norms : tuple, shape (2,)
+        N_j = v̄_jᵀ 𝕁 v_j; h = −Σ λ_j N_j z_j w_j + …, and the action is −i N_j z_j w_j
+    """
+
+    values: tuple[Any, Any]
+    vectors: tuple[list[Any], list[Any]]
+    norms: tuple[Any, Any]
+
+    @cached_property
+    def forms(self) -> list[Part]:
+        """y in z1, w1, z2, w2."""
+        first, second = self.vectors
+        return in_columns([first, conjugate(first), second, conjugate(second)])
+
+    @cached_property
+    def brackets(self) -> Pairs:
+        """{z_j, w_j} = −1/N_j."""
+        return [(2 * j, 2 * j + 1, -1 / norm) for j, norm in enumerate(self.norms)]
+
+    def oriented(self) -> "Modes":
+        """Of numbers in balls, with ω_j of the sign that makes the action −i N_j z_j w_j positive."""
+        found = [(-value, conjugate(vector), -norm) if norm.imag < 0 else (value, vector, norm)
+                 for value, vector, norm in zip(self.values, self.vectors, self.norms)]
+        return _pair(*found)
+
+
+def linear_motion(quadratic: Part) -> Rows:
+    """A of y' = A y, 𝕁 D²h."""
+    S = [[quadratic.get(a + b, 0) * (2 if a == b else 1) for b in ONES] for a in ONES]
+    return [S[1], [-x for x in S[0]], S[3], [-x for x in S[2]]]
+
+
+def characteristic(A: Rows) -> tuple[Any, Any]:
+    """p and q of det(λ − A) = λ⁴ + p λ² + q."""
+    square = multiplied(A, A)
+    p = sum(square[n][n] for n in range(4)) / -2
+    return p, (p**2 - sum(multiplied(square, square)[n][n] for n in range(4)) / 2) / 2
+
+
+def modes(A: Rows, p: Any, values: tuple[Any, Any]) -> Modes:
+    """In the image of the adjugate of λ − A, A³ + λ A² + (λ² + p) A + λ (λ² + p).
+
+    ZeroDivisionError where none is proved to be an eigenvector.
+    """
+    square = multiplied(A, A)
+    cube = multiplied(square, A)
+    return _pair(*(_mode(A, square, cube, p, value) for value in values))
+
+
+def _pair(first: Mode, second: Mode) -> Modes:
+    return Modes((first[0], second[0]), (first[1], second[1]), (first[2], second[2]))
+
+
+def _mode(A: Rows, square: Rows, cube: Rows, p: Any, value: Any) -> Mode:
+    rest = value * value + p
+    # a vector is orthogonal to (1, t, t², t³) for three t at most, and there are two pairs of eigenvalues
+    for t in range(7):
+        v = [0 * value] * 4
+        for column, factor in enumerate([t**n for n in range(4) if t or not n]):
+            for i in range(4):
+                v[i] += (cube[i][column] + square[i][column] * value + A[i][column] * rest) * factor
+            v[column] += value * rest * factor
+        if not_zero(norm := symplectic(conjugate(v), v)):
+            return value, v, norm
+    raise ZeroDivisionError("no eigenvector is proved not to be 0")
+
+
+def normalised(parts: Sequence[Part], found: Modes, kept: Collection[int] = ()) -> list[Part]:
+    """The energy in z and w without the terms that can be removed; of the last degree what stays.
+
+    Each step is exp(ad W) where {h2, W} takes away the terms of one degree but for what has no rate.
+
+    Parameters
+    ----------
+    parts : sequence of dict
+        of degree 0 to n, in the coordinates of the modes
+    found : Modes
+    kept : collection of int
+        resonant terms, by their exponents
+    """
+    degree = len(parts) - 1
+    wanted = {*kept, *((Z1 + W1) * n + (Z2 + W2) * (degree // 2 - n) for n in range(degree // 2 + 1))}
+    h = [substituted(part, found.forms, wanted if n == degree else None) if n > 2 else {}
+         for n, part in enumerate(parts)]
+    divisors: dict[tuple[int, int], Any] = {}
+    for order in range(3, degree):
+        gone = {code: c for code, c in h[order].items()
+                if not (code in kept or _rate(code) == (0, 0) or is_zero(c))}
+        for rate in {_rate(code) for code in gone} - divisors.keys():
+            divisors[rate] = 1 / (found.values[0] * rate[0] + found.values[1] * rate[1])
+        W = {code: c * divisors[_rate(code)] for code, c in gone.items()}
+        # ad W once, twice, …, of h2 and of every other part
+        chains = [(order, 1, {code: -c for code, c in gone.items()}),
+                  *((n, 0, part) for n, part in enumerate(h) if n > 2)]
+        h = [dict(part) for part in h]
+        for at, times, part in chains:
+            while at <= degree:
+                if times:
+                    added(h[at], {code: c * fmpq(1, factorial(times)) for code, c in part.items()})
+                times, at = times + 1, at + order - 2
+                if at <= degree:
+                    part = bracket(part, W, found.brackets, wanted if at == degree else None)
+    return h
+
+
+def bracket(f: Part, g: Part, pairs: Pairs, wanted: Collection[int] | None = None) -> Part:
+    """{f, g}, or the wanted terms of it."""
+    total: Part = {}
+    for e, c in f.items():
+        for d, x in g.items():
+            for i, j, one in pairs:
+                factor = (e >> 4 * i & 15) * (d >> 4 * j & 15) - (e >> 4 * j & 15) * (d >> 4 * i & 15)
+                code = e + d - ONES[i] - ONES[j]
+                if factor and (wanted is None or code in wanted):
+                    term = c * x * one * factor
+                    total[code] = total[code] + term if code in total else term
+    return total
+
+
+def twist(part: Part, found: Modes) -> Any:
+    """D of the terms of degree 2m: their value at the actions (ω2, −ω1), where h2 vanishes."""
+    first, second = (found.values[1] / found.norms[0], -1 * found.values[0] / found.norms[1])
+    total = 0
+    for code, c in part.items():
+        if not any(_rate(code)):
+            total = c * first ** (code & 15) * second ** (code >> 8 & 15) + total
+    return total
+
+
+def in_columns(columns: Iterable[Sequence[Any]]) -> list[Part]:
+    """Σ Y_n columns[n], one linear form a component."""
+    return [{ONES[n]: x for n, x in enumerate(row) if not is_zero(x)} for row in zip(*columns)]
+
+
+def symplectic(x: Sequence[Any], y: Sequence[Any]) -> Any:
+    """xᵀ 𝕁 y."""
+    return x[0] * y[1] - x[1] * y[0] + x[2] * y[3] - x[3] * y[2]
+
+
+def conjugate(vector: Sequence[Any]) -> list[Any]:
+    """Of every component."""
+    return [x.conjugate() for x in vector]
+
+
+def multiplied(a: Rows, b: Rows) -> Rows:
+    """The product of two matrices."""
+    return [[sum(a[i][n] * b[n][j] for n in range(4)) for j in range(4)] for i in range(4)]
+
+
+def not_zero(x: Any) -> bool:
+    """Whether a number is proved not to be 0, for all eigenvalues it may stand for; of an array, most."""
+    if isinstance(x, Element):
+        return x.invertible()
+    if hasattr(x, "excludes_zero"):
+        return bool(2 * x.excludes_zero().sum() > x.middle.size)
+    return not (x.contains(0) if isinstance(x, acb) else is_zero(x))
+
+
+def _rate(code: int) -> tuple[int, int]:
+    """How often λ1 and λ2 are in the rate of a monomial."""
+    return (code & 15) - (code >> 4 & 15), (code >> 8 & 15) - (code >> 12)

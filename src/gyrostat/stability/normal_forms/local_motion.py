@@ -1,0 +1,173 @@
+"""The motion near an equilibrium of a body in a field, at exact numbers: two degrees of freedom."""
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from math import factorial
+from typing import Any
+
+from flint import acb, fmpq
+from sympy import Add, Expr, Mul, Pow, Rational, S, Symbol, preorder_traversal
+
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import Point, evaluate
+from ...algebra.rings.series import Part, Series, composed
+from ...mechanics.equilibrium.derived_once import once
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.scenes.potential import DIRECTIONS
+from ...notation import jet, jet_name, symbol
+from ..criteria.linearization import linearize
+from .birkhoff import Modes, characteristic, linear_motion, modes
+from .orbit_chart import energy_on_orbit
+
+Number = Callable[[Expr], Any]
+PRECISION = 128                                            # bits that decide nearly always
+
+
+@dataclass(frozen=True)
+class LocalMotion:
+    """What a body in a field is near an equilibrium on its coadjoint orbit; every number is exact.
+
+    Parameters
+    ----------
+    inverse : tuple of tuple of Expr, shape (3, 3)
+        of the tensor of inertia [1/(M L²)]
+    rotor, k, momentum : tuple of Expr, shape (3,)
+        l and M = π + l [M L²/T], and the direction
+    potential : Expr
+        U in k1, k2, k3; where only its derivatives are given, the polynomial of them
+    coefficients : callable
+        gives p and q of λ⁴ + p λ² + q [1/T², 1/T⁴], asked where balls do not decide
+    square_of_k : Expr
+        abs(k)², not 1 where M, k and h are of another scale
+    rough : bool
+        whether U has powers of 1 ∓ k3 at a pole that are not whole: normal forms ask for more derivatives
+    """
+
+    inverse: tuple[tuple[Expr, ...], ...]
+    rotor: tuple[Expr, ...]
+    k: tuple[Expr, ...]
+    momentum: tuple[Expr, ...]
+    potential: Expr
+    coefficients: Callable[[], tuple[Expr, Expr]]
+    square_of_k: Expr = S.One
+    rough: bool = False
+
+    @cached_property
+    def p(self) -> Expr:
+        """Of λ⁴ + p λ² + q."""
+        return self.coefficients()[0]
+
+    @cached_property
+    def q(self) -> Expr:
+        """Of λ⁴ + p λ² + q."""
+        return self.coefficients()[1]
+
+    @property
+    def entries(self) -> list[Expr]:
+        """Of the tensor and the vectors."""
+        return [*(x for row in self.inverse for x in row), *self.rotor, *self.k, *self.momentum]
+
+    @property
+    def names(self) -> set[Symbol]:
+        """What has no number."""
+        inside = {s for x in (*self.entries, *self.coefficients()) for s in x.free_symbols}
+        return inside | self.potential.free_symbols - set(DIRECTIONS)
+
+    @cached_property
+    def rational(self) -> bool:
+        """Whether every number is, and U is a fraction of polynomials with rational coefficients."""
+        nodes = list(preorder_traversal(self.potential))
+        return (all(isinstance(x, Rational) for x in self.entries)
+                and all(isinstance(x, Rational | Symbol | Add | Mul | Pow) for x in nodes)
+                and all(x.exp.is_Integer for x in nodes if isinstance(x, Pow)))
+
+    def energy(self, degree: int, number: Number) -> list[Part]:
+        """h on the orbit in canonical coordinates, homogeneous parts up to a degree, in a ring of numbers."""
+        upright = min(range(3), key=lambda n: _along(self.k[n]))
+
+        def potential(places: Sequence[Series]) -> Series:
+            return composed(self.potential, dict(zip(DIRECTIONS, places)), number)
+
+        inverse = [[number(x) for x in row] for row in self.inverse]
+        rotor, k, momentum = ([number(x) for x in vector] for vector in (self.rotor, self.k, self.momentum))
+        return energy_on_orbit(inverse, rotor, k, momentum, potential, upright, degree,
+                               number(self.square_of_k))
+
+    @cached_property
+    def first(self) -> tuple[list[Part], Modes]:
+        """To degree 4 in balls of 128 bits."""
+        with own_precision(PRECISION):
+            return self.in_balls(4, PRECISION)
+
+    def in_balls(self, degree: int, precision: int) -> tuple[list[Part], Modes]:
+        """The energy and the modes, each with a positive norm: h = Σ ω_j J_j + …, ω_j of either sign.
+
+        Inside own_precision.
+        """
+        parts = self.energy(degree, lambda x: ball(x, precision))
+        A = linear_motion(parts[2])
+        p, q = characteristic(A)
+        root = (p**2 - 4 * q).sqrt()
+        squares = (p + root) / 2, 2 * q / (p + root)
+        return parts, modes(A, p, (acb(0, squares[0].sqrt()), acb(0, squares[1].sqrt()))).oriented()
+
+
+def _along(x: Expr) -> float:
+    """How far along an axis a component of k is, the most where it has no number."""
+    return 1.0 if x.free_symbols else abs(float(ball(x, 64).mid()))
+
+
+def fraction(x: Expr) -> fmpq:
+    """A rational number in the ring of fractions."""
+    return fmpq(int(x.p), int(x.q))
+
+
+def local_motion(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -> LocalMotion | list[str]:
+    """At an equilibrium of a body in a field, k ≠ 0; or the names of what is missing.
+
+    Where U is unspecified, of its derivatives up to a degree too.
+    """
+    motion = motion_along(eq, numbers, degree)
+    return sorted(s.name for s in motion.names) or motion
+
+
+def motion_along(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -> LocalMotion:
+    """The same where names may be without a number."""
+    potential = eq.system.potential
+    assert potential is not None
+    known = Point({**numbers, **{name: evaluate(eq.insert(value), numbers) for name, value in eq.relations
+                                 if not jet(name.name)}})
+    slopes = {} if potential.given else _slopes(eq, degree)
+    data = data_of(eq)
+    inverse, l, pi, k, (p, q) = ([evaluate(x, known) for x in part] for part in data)
+    if potential.given:
+        U = potential.expression.xreplace({s: known[s] for s in potential.parameters if s in known})
+    else:
+        U = Add(*(evaluate(slope, known) * Mul(*((x - x0) ** n / factorial(n)
+                                                 for x, x0, n in zip(DIRECTIONS, k, orders)))
+                  for orders, slope in slopes.items()))
+    return LocalMotion(tuple(tuple(inverse[3 * i:3 * i + 3]) for i in range(3)), tuple(l), tuple(k),
+                       tuple(x + y for x, y in zip(pi, l)), U, lambda: (p, q), rough=eq.near_pole is not None)
+
+
+@once
+def data_of(eq: Equilibrium) -> tuple[list[Expr], ...]:
+    """The inverse of the tensor, the rotor, π, k, and p and q, on the family."""
+    body = eq.system.body
+    return tuple([eq.insert(x) for x in part] for part in (
+        body.inverse, body.gyrostatic_momentum, eq.point[:3], eq.point[3:],
+        linearize(eq).frequency_coefficients))
+
+
+def _slopes(eq: Equilibrium, degree: int) -> dict[tuple[int, ...], Expr]:
+    """The derivatives of U at the point by how often each of k1, k2, k3 is differentiated, on the family."""
+    potential = eq.system.potential
+    axial = potential is not None and potential.axial
+    found: dict[tuple[int, ...], Expr] = {}
+    for order in range(1, degree + 1):
+        for orders in ((a, b, order - a - b) for a in range(order + 1) for b in range(order + 1 - a)):
+            if not axial or orders[2] == order:
+                axes = "" if axial else "".join(axis * n for axis, n in zip("123", orders))
+                found[orders] = eq.insert(eq.at_point(symbol(jet_name(order, axes))))
+    return found

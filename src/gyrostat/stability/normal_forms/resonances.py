@@ -1,0 +1,189 @@
+"""What decides at a resonance of the second to the fourth order, where Arnold's theorem says nothing."""
+from collections.abc import Iterator
+from functools import partial
+from typing import Any
+
+from flint import acb, arb, fmpq
+
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.eigenvalues import Element, in_ratio
+from ...algebra.rings.series import Part, added, is_zero, substituted
+from ..decision import C1, Decision, Rung, settled, undecided
+from .birkhoff import (
+    ONES,
+    W1,
+    W2,
+    Z1,
+    Z2,
+    Rows,
+    bracket,
+    conjugate,
+    in_columns,
+    linear_motion,
+    modes,
+    multiplied,
+    normalised,
+    not_zero,
+    symplectic,
+    twist,
+)
+from .local_motion import LocalMotion, Number, fraction
+
+PRECISIONS = (128, 512, 2048)                              # bits, one after the other
+
+
+NOTION = "Lyapunov (Arnold-Moser)"
+OPEN = "what decides it is not proved to differ from 0"
+
+
+def second_order_resonance(motion: LocalMotion) -> Decision:
+    """1:1, p² = 4q: of the normal form ω S + ε |q|²/2 + 𝒜 (|p|²/2)² + …, ε𝒜 > 0 is stable.
+
+    Sokolskii, J. Appl. Math. Mech. 38 (1974) 741-749; Lerman & Markova, Regul. Chaotic Dyn. 14 (2009)
+    148-162.
+    """
+    said = "the frequencies are equal (1:1, Hamiltonian-Hopf)"
+    for number, value in _rings(motion, fmpq(2), 1):
+        parts = motion.energy(4, number)
+        product = _colliding(linear_motion(parts[2]), number(motion.p), value[0], parts)
+        if product is None:
+            continue                                       # in balls the next precision may prove one
+        if sign := sign_of(product):
+            stable, compared = sign > 0, "<>"[sign > 0]
+            return _settled(stable, f"{said}, ε𝒜 {compared} 0 (Sokolskii)")
+        if isinstance(product, fmpq):
+            return undecided(f"{said}, and ε𝒜 = 0: terms of higher degree decide")
+    if product is None:
+        return undecided(f"{said}, and the linear motion is semisimple, or nearly: not decided")
+    return undecided(f"{said}, and {OPEN}")
+
+
+def third_order_resonance(motion: LocalMotion) -> Decision:
+    """1:2, 4p² = 25q: unstable iff the coefficient b of z1 z2² is not 0; if it is, D4 ≠ 0 is stable.
+
+    Markeev, J. Appl. Math. Mech. 32 (1968) 766-772; Alfriend, Celest. Mech. 1 (1970) 351-359.
+    """
+    said = "resonance 1:2"
+    terms = Z1 + 2 * W2, W1 + 2 * Z2
+    for number, values in _rings(motion, fmpq(5), 2):
+        parts = motion.energy(4, number)
+        found = modes(linear_motion(parts[2]), number(motion.p), values)
+        b = substituted(parts[3], found.forms, terms).get(terms[0], 0)
+        if not_zero(b):
+            return _settled(False, f"{said}, the coefficient b of z1 z2² is not 0 (Markeev)")
+        if is_zero(b):
+            D = real(twist(normalised(parts, found, terms)[4], found))
+            if sign_of(D):
+                return _settled(True, f"{said} with b = 0, D4 = {decimals(D)} is not 0")
+            if isinstance(D, fmpq):
+                return undecided(f"{said}, b = 0 and D4 = 0: terms of higher degree decide")
+    return undecided(f"{said}, and {OPEN}")
+
+
+def fourth_order_resonance(motion: LocalMotion) -> Decision:
+    """1:3, 9p² = 100q: on h2 = 0 the normal form is D4 + R cos φ; stable iff abs(D4) > R, open at equality.
+
+    Markeev, J. Appl. Math. Mech. 32 (1968) 766-772; Cabral & Meyer, Nonlinearity 12 (1999) 1351-1362.
+    """
+    said = "resonance 1:3"
+    terms = Z1 + 3 * W2, W1 + 3 * Z2
+    for number, values in _rings(motion, fmpq(10), 3):
+        parts = motion.energy(4, number)
+        found = modes(linear_motion(parts[2]), number(motion.p), values)
+        quartic = normalised(parts, found, terms)[4]
+        r, D = quartic.get(terms[0], 0), real(twist(quartic, found))
+        actions = real(values[1] / found.norms[0]), real(values[0] / found.norms[1])
+        square = 4 * real(r * r.conjugate()) * abs(actions[0] * actions[1] ** 3) if not is_zero(r) else 0
+        if sign := sign_of(D**2 - square):
+            stable, compared = sign > 0, "<>"[sign > 0]
+            why = f"{said}, |D4| = {decimals(abs(D))} {compared} R = {decimals(arb(square).sqrt())}"
+            return _settled(stable, why)
+        if isinstance(D, fmpq):
+            return undecided(f"{said} with |D4| = R: terms of higher degree decide")
+    return undecided(f"{said}, and {OPEN}")
+
+
+def _settled(stable: bool, why: str) -> Decision:
+    """Stable on its level of C1, where alone the resonance holds; or unstable."""
+    if stable:
+        return settled(True, why, Rung.RESONANCE, NOTION, level=(C1,))
+    return settled(False, why, Rung.RESONANCE)
+
+
+def _rings(motion: LocalMotion, parts: fmpq, ratio: int) -> Iterator[tuple[Number, tuple[Any, Any]]]:
+    """Numbers and eigenvalues in a ratio, −p = parts λ2²: in balls, then exact at rational numbers."""
+    if motion.rational:
+        yield fraction, in_ratio(-fraction(motion.p) / parts, ratio)
+        return
+    for precision in PRECISIONS:
+        with own_precision(precision):
+            omega = (ball(motion.p, precision) / arb(parts)).sqrt()
+            yield partial(ball, precision=precision), (acb(0, ratio * omega), acb(0, omega))
+
+
+def _colliding(A: Rows, p: Any, value: Any, parts: list[Part]) -> Any:
+    """The sign of ε𝒜 is that of this number; None where no eigenvector is proved not to be 0.
+
+    v = adj(λ − A)e and u = adj'(λ)e with (A − λ)u = v; {Y_i, Y_j} is −Ω⁻¹, Ω_ij = v_iᵀ 𝕁 v_j; h3 is removed
+    by W with (λΔ + N) W = h3, N nilpotent.
+    """
+    square = multiplied(A, A)
+    cube = multiplied(square, A)
+    rest = value * value + p
+    for column in range(4):
+        v = [cube[i][column] + square[i][column] * value + A[i][column] * rest for i in range(4)]
+        v[column] += value * rest
+        u = [square[i][column] + A[i][column] * value * 2 for i in range(4)]
+        u[column] += value * value * 3 + p
+        if not_zero(symplectic(conjugate(v), u)):
+            break
+    else:
+        return None
+    # in the order z, w, z', w' of v, v̄, u, ū
+    g, h = symplectic(v, conjugate(u)), symplectic(u, conjugate(v))
+    b = symplectic(u, conjugate(u))
+    pairs = [(0, 1, -b / (g * h)), (0, 3, 1 / g), (2, 1, 1 / h)]
+    forms = in_columns([v, conjugate(v), u, conjugate(u)])
+    target = 2 * (ONES[0] + ONES[1])
+    cubic = substituted(parts[3], forms)
+    W: Part = {}
+    term = cubic
+    for _ in range(4):
+        term = {code: c / (value * _turns(code)) for code, c in term.items()}
+        added(W, term)
+        term = {code: -1 * c for code, c in _nilpotent(term).items()}
+    found = substituted(parts[4], forms, {target}).get(target, 0)
+    found = bracket(cubic, W, pairs, {target}).get(target, 0) * fmpq(1, 2) + found
+    return real(found) * real(symplectic(conjugate(u), v)) * -1
+
+
+def _turns(code: int) -> int:
+    return (code & 15) + (code >> 8 & 15) - (code >> 4 & 15) - (code >> 12)
+
+
+def _nilpotent(part: Part) -> Part:
+    """z' ∂/∂z + w' ∂/∂w."""
+    found: Part = {}
+    for code, c in part.items():
+        for n in (0, 1):
+            if times := code >> 4 * n & 15:
+                added(found, {code - ONES[n] + ONES[n + 2]: c * times})
+    return found
+
+
+def real(x: Any) -> Any:
+    """The real number that an element of the field, a complex ball or a number is."""
+    if isinstance(x, Element):
+        return x.rational()
+    return x.real if isinstance(x, acb) else x
+
+
+def sign_of(x: Any) -> int:
+    """Of a fraction or a ball; 0 where it is not proved to be another."""
+    return 1 if x > 0 else -1 if x < 0 else 0
+
+
+def decimals(x: Any) -> str:
+    """Six digits of a fraction or a ball."""
+    return str(arb(x).str(6, radius=False))

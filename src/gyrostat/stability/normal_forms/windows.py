@@ -1,0 +1,128 @@
+"""What decides where gyroscopic forces hold a maximum of the amended potential: Arnold's theorem."""
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from math import gcd
+from typing import Any
+
+from flint import fmpq
+
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import evaluate, sign_of_constant
+from ..decision import Decision, Rung, settled, undecided
+from .birkhoff import Modes, normalised, twist
+from .d4_by_averages import averages
+from .local_motion import PRECISION, LocalMotion, fraction
+from .resonances import (
+    NOTION,
+    PRECISIONS,
+    decimals,
+    fourth_order_resonance,
+    real,
+    second_order_resonance,
+    sign_of,
+    third_order_resonance,
+)
+
+ROUGH = "U has powers of 1 ∓ k3 there that are not whole, and normal forms ask for more derivatives"
+HELD = undecided("the amended potential has a maximum, held by gyroscopic forces: normal forms decide its "
+                 "points")
+LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Decision]] = {
+    (1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3): fourth_order_resonance}
+
+
+def along_stretch(decision: Decision) -> Decision:
+    """What a decision at one point of a stretch says of all, where the margins keep their signs."""
+    return replace(HELD, note=decision.note) if decision.pointwise else decision
+
+
+def between_resonances(decision: Decision) -> Decision:
+    """What a decision by D4 at one point says of all, where D4 is not 0 and no resonance holds."""
+    if not decision.stable:
+        return HELD
+    return replace(decision, pointwise=False, reason="the amended potential has a maximum, held by "
+                   "gyroscopic forces; D4 is not 0, no resonance to order 4 (Arnold)")
+
+
+def resonance_margin(p: Any, q: Any, first: int, second: int) -> Any:
+    """(m n)² p² − (m² + n²)² q, which is 0 where the frequencies are as m to n [1/T⁴]."""
+    return (first * second) ** 2 * p**2 - (first**2 + second**2) ** 2 * q
+
+
+def resonances_up_to(order: int) -> list[tuple[int, int]]:
+    """Pairs m ≤ n without a common factor, m + n at most the order."""
+    return [(m, n) for total in range(2, order + 1) for m in range(1, total // 2 + 1)
+            for n in (total - m,) if gcd(m, n) == 1]
+
+
+def decide_window(motion: LocalMotion) -> Decision:
+    """What normal forms decide where gyroscopic forces hold a maximum of the amended potential."""
+    found = undecided(ROUGH) if motion.rough else _decided(motion)
+    return replace(found, pointwise=True, reason="the amended potential has a maximum, held by gyroscopic "
+                   f"forces; {found.reason}")
+
+
+def _decided(motion: LocalMotion) -> Decision:
+    """Where the eigenvalues are imaginary, none 0, and the second variation is of both signs.
+
+    Resonances to order 4 are excluded exactly; then D4 ≠ 0 proves stability, and where D4 = 0 and there is
+    none to order 6, D6 ≠ 0.
+
+    References
+    ----------
+    Arnold, Sov. Math. Dokl. 2 (1961) 247-249; Moser, Mem. Am. Math. Soc. 81 (1968); Meyer, Hall & Offin,
+    Introduction to Hamiltonian Dynamical Systems and the N-Body Problem, chapter 13.
+    """
+    for pair in resonances_up_to(4):
+        holds = _resonant(motion, pair)
+        if holds is None:
+            return undecided(f"whether the frequencies are as {pair[0]} to {pair[1]} is not proved")
+        if holds:
+            return LOWEST[pair](motion)
+    for precision in PRECISIONS:
+        with own_precision(precision), suppress(ZeroDivisionError):
+            parts, found = motion.first if precision == PRECISION else motion.in_balls(4, precision)
+            D4 = real(twist(normalised(parts, found)[4], found))
+            if sign_of(D4):
+                rung = Rung.TWIST_POSITIVE if sign_of(D4) > 0 else Rung.TWIST_NEGATIVE
+                return settled(True, f"D4 = {decimals(D4)}, no resonance to order 4, the frequencies are "
+                               f"{signed(found)} (Arnold)", rung, NOTION)
+        if motion.rational and not _twist(motion):
+            break
+    return _sixth_order(motion)
+
+
+def signed(found: Modes) -> str:
+    """The frequencies, each with the sign of its energy."""
+    return ", ".join(decimals(value.imag).replace("-", "−") for value in found.values)
+
+
+def _sixth_order(motion: LocalMotion) -> Decision:
+    """D4 is 0, or nearly: D6 ≠ 0 proves stability whichever of the two does."""
+    for pair in resonances_up_to(6)[len(resonances_up_to(4)):]:
+        if (sign := _resonant(motion, pair)) is not False:
+            what = "is not excluded" if sign is None else "holds"
+            return undecided(f"D4 = 0, and the resonance {pair[0]}:{pair[1]} {what}")
+    for precision in PRECISIONS:
+        with own_precision(precision), suppress(ZeroDivisionError):
+            parts, found = motion.in_balls(6, precision)
+            if sign_of(D6 := real(twist(normalised(parts, found)[6], found))):
+                return settled(True, f"D4 = 0, D6 = {decimals(D6)}, no resonance to order 6, the "
+                               f"frequencies are {signed(found)} (Arnold)", Rung.SIXTH_ORDER, NOTION)
+    return undecided("D4 and D6 are not proved to differ from 0: terms of higher degree decide")
+
+
+def _twist(motion: LocalMotion) -> fmpq:
+    """D4 at rational numbers, a rational number."""
+    found = averages(motion.energy(4, fraction))
+    return found.top / found.bottom
+
+
+def _resonant(motion: LocalMotion, pair: tuple[int, int]) -> bool | None:
+    if not motion.rational:
+        with own_precision(PRECISION), suppress(ZeroDivisionError):
+            first, second = (-real(value**2) for value in motion.first[1].values)
+            if sign_of(resonance_margin(first + second, first * second, *pair)):
+                return False
+    sign = sign_of_constant(evaluate(resonance_margin(motion.p, motion.q, *pair), {}))
+    return None if sign is None else sign == 0

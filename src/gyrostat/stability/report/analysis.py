@@ -1,0 +1,44 @@
+"""The one call a newcomer needs."""
+from ...errors import ArgumentError
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.parallel_directions import parallel
+from ...mechanics.equilibrium.unit_vectors import in_any_direction
+from ...mechanics.scenes.system import System
+from .parallel_report import ParallelReport
+from .report import Report
+from .rotation_report import RotationReport
+
+
+def analyze(eq: Equilibrium) -> Report:
+    """The stability analysis of an equilibrium.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+
+    Returns
+    -------
+    Report
+        its parts are derived when they are first asked for
+
+    Raises
+    ------
+    ArgumentError
+        a scene is given, or anything else that is no equilibrium
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
+    >>> report.necessary.alternatives[0][0].margin == report.sufficient.alternatives[0][0].margin
+    True
+    """
+    if isinstance(eq, System):
+        raise ArgumentError("the equilibrium is a System, a scene: choose one of its equilibria, "
+                            "upright(scene), hanging(scene), inclined(scene), static_tilt(scene), "
+                            "principal_rotation(scene, axis) or equilibrium(scene, point)")
+    if not isinstance(eq, Equilibrium):
+        return Report(eq)                                  # which refuses it
+    if parallel(eq):
+        return ParallelReport(eq)
+    return RotationReport(eq) if in_any_direction(eq) else Report(eq)

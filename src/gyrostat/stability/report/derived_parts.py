@@ -1,0 +1,143 @@
+"""What is derived of one equilibrium without numbers: two matrices, their criteria, what decides between."""
+from dataclasses import dataclass, replace
+
+from ..._cached import cached_property
+from ..._display import Shown
+from ...errors import require
+from ...mechanics.equilibrium.derived_once import once
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.standard_axes import Seen, seen
+from ...notation import Stored, jet
+from ..criteria.conditions import Criterion, independent
+from ..criteria.energy_casimir import SecondVariation, second_variation
+from ..criteria.linearization import Linearization, linearize
+from ..criteria.numbers_asked import names_accepted, names_in, names_needed, names_of_motion
+from ..criteria.three_criteria import formal_criterion, spectral_criterion
+from ..damping.secular import Secular, secular_of
+from ..damping.secular_two_directions import SecularInFrame
+from ..decision import Between
+from ..theorems.boundary import Boundary, boundary_of
+from ..theorems.drift import Drift
+from ..theorems.given_integrals import integral_criterion
+from ..theorems.momentum_sphere import sphere_of
+from ..theorems.two_directions import may_lie_on_curve, open_between
+
+
+@dataclass(frozen=True, repr=False)
+class Derived(Shown, Stored):
+    """The parts of a report, each derived when it is first asked for."""
+
+    equilibrium: Equilibrium
+
+    def __post_init__(self) -> None:
+        require(self.equilibrium, Equilibrium, "the equilibrium")
+
+    @cached_property
+    def linearization(self) -> Linearization:
+        """The field on the tangent space of the coadjoint orbit."""
+        return linearize(self.equilibrium)
+
+    @cached_property
+    def second_variation(self) -> SecondVariation:
+        """With the Casimirs and the integrals of the scene."""
+        return second_variation(self.equilibrium)
+
+    @cached_property
+    def necessary(self) -> Criterion:
+        """Spectral criterion, reduced to independent conditions.
+
+        Modulo the same flows as the sufficient one: they are neutral directions, which a growing mode leaves.
+        """
+        if self.recognised:
+            return replace(kept_of(self.recognised.equilibrium).necessary, modulo=self.recognised.modulo)
+        return replace(independent(spectral_criterion(self.linearization), self.equilibrium),
+                       modulo=self.second_variation.modulo)
+
+    @cached_property
+    def sufficient(self) -> Criterion:
+        """Formal criterion with the Casimirs and the integrals, reduced to independent conditions."""
+        if self.recognised:
+            return replace(kept_of(self.recognised.equilibrium).sufficient, modulo=self.recognised.modulo)
+        found = formal_criterion(self.second_variation)
+        scene = self.equilibrium.system
+        if scene.given_integrals and not scene.coupled:    # of two degrees of freedom
+            more = integral_criterion(self.linearization).alternatives
+            found = replace(found, alternatives=(*found.alternatives, *more))
+        return independent(found, self.equilibrium)
+
+    @cached_property
+    def casimirs_only(self) -> Criterion:
+        """Formal criterion with the Casimirs alone, for comparison."""
+        if not self.equilibrium.system.integrals:
+            return self.sufficient
+        return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)),
+                           self.equilibrium)
+
+    @cached_property
+    def damped(self) -> Criterion:
+        """Secular criterion: what is stable, and stays so under internal damping.
+
+        Unlike casimirs_only: of positive sign, and modulo the flows of the integrals.
+        """
+        return self.secular.criterion
+
+    @cached_property
+    def secular(self) -> Secular:
+        """What internal damping makes of it."""
+        eq = self.equilibrium
+        return SecularInFrame(eq) if eq.system.coupled else secular_of(eq)
+
+    @cached_property
+    def boundary(self) -> Boundary | None:
+        """What decides where necessary holds and sufficient does not, for a body of revolution.
+
+        None for other scenes; about another axis than the third, of the equilibrium in the standard scene.
+        """
+        return boundary_of(self.recognised.equilibrium if self.recognised else self.equilibrium)
+
+    @property
+    def between(self) -> Between | None:
+        """What decides between the two criteria: the boundary, of a free body the momentum sphere."""
+        return self.boundary or sphere_of(self.equilibrium)
+
+    @cached_property
+    def recognised(self) -> Seen | None:
+        """The equilibrium in the axes of a body of revolution that is not entered in them, else None."""
+        return seen(self.equilibrium)
+
+    @cached_property
+    def drift(self) -> Drift:
+        """What moves near a tilted equilibrium along its orbit under the spin."""
+        return Drift(self.recognised.equilibrium if self.recognised else self.equilibrium)
+
+    @cached_property
+    def compared(self) -> tuple[str, ...]:
+        """Names in the two criteria: without one of them there is no verdict."""
+        return names_needed(self.equilibrium, (self.necessary, self.sufficient))
+
+    @cached_property
+    def required(self) -> tuple[str, ...]:
+        """Names with which every verdict is answered: those of the criteria and of what decides between them.
+
+        Of an unspecified U a boundary may need a derivative besides.
+        """
+        return tuple(sorted({*self.compared, *self._between_names()}))
+
+    def _between_names(self) -> tuple[str, ...]:
+        eq = self.equilibrium
+        if () in self.sufficient.alternatives or open_between(eq) and not may_lie_on_curve(eq):
+            return ()
+        if self.between is None:
+            return names_of_motion(eq)
+        return names_in(e for e in self.between.expressions() if not any(jet(s.name) for s in e.free_symbols))
+
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
+        return names_accepted(self.equilibrium, self.compared)
+
+
+@once
+def kept_of(eq: Equilibrium) -> Derived:
+    """Of an equilibrium in the standard axes, derived once."""
+    return Derived(eq)

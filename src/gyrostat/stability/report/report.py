@@ -1,0 +1,194 @@
+"""Report: the stability analysis of one equilibrium, and its verdicts at numbers."""
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import Expr
+
+from ...arguments import checked
+from ...errors import require
+from ..criteria.conditions import sources
+from ..criteria.number_notes import scene_note
+from ..criteria.numbers_asked import exact_values, refuse_any_direction
+from ..decision import Decision, undecided, with_margins
+from ..ladder import Ladder
+from ..normal_forms.d4_along_family import Window, window_of
+from ..normal_forms.normal_form import NormalForm, normal_form
+
+
+@dataclass(frozen=True, repr=False)
+class Report(Ladder):
+    """The stability analysis of one equilibrium; each part is derived when it is first asked for.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> report.required
+    ('I1', 'l', 'm0', 'pi3_0')
+    """
+
+    def verdict(self, values: Mapping[str, Any], damped: bool = False) -> Decision:
+        """The verdict at a point, exact, equality included.
+
+        Parameters
+        ----------
+        values : mapping of name to number
+            int, Fraction, Decimal, SymPy rational or algebraic number, a string such as "1/2", "0.1",
+            "sqrt(3)/2"; a float is the dyadic rational it is
+        damped : bool
+            whether the body loses energy inside: the secular verdict, with Decision.growing
+
+        Returns
+        -------
+        Decision
+            STABLE (Lyapunov, modulo what it says), UNSTABLE, or UNDECIDED on the boundary and wherever the
+            sign of a transcendental margin, or that the point is on the family, is not proved
+
+        Raises
+        ------
+        ValuesError
+            names are missing or unknown, a number is not finite, a moment is not positive, or the point is
+            not on the family
+
+        Examples
+        --------
+        >>> import gyrostat as gs
+        >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
+        >>> report.verdict({"I1": 1, "I3": "1/2", "l": 2, "pi3_0": 1, "dU": 2}).verdict
+        <Verdict.STABLE: 'a sufficient condition for stability is proved to hold'>
+        >>> spin = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat((3, 2, 1), (0, 0, 0))), 3))
+        >>> spin.verdict({"omega3_0": 1}).verdict.name, spin.verdict({"omega3_0": 1}, damped=True).growing
+        ('STABLE', 2)
+        """
+        if damped is not False and damped is not True:
+            require(damped, bool, "damped")
+        secular = self.secular if damped else None
+        numbers = exact_values(self.equilibrium, values, (secular or self).compared, self.parameters)
+        margins: dict[Expr, Expr] = {}
+        if numbers.doubt:
+            found = undecided(numbers.doubt)
+        else:
+            found = (secular or self).decide(numbers, margins)
+        return with_margins(found, margins, scene_note(self.equilibrium.system, numbers),
+                            sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
+
+    @checked
+    def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
+        """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
+
+        Parameters
+        ----------
+        values : mapping of name to number
+            as in verdict; where U is unspecified, its derivatives up to the degree
+        degree : int
+            4, or 6
+
+        Returns
+        -------
+        NormalForm
+            the signed frequencies, the coefficients of the actions, D4 and D6, the resonances; exact at
+            rational numbers
+
+        Raises
+        ------
+        ValuesError
+            as in verdict
+        ScopeError
+            a free body; an unstable or degenerate equilibrium, or equal frequencies; a resonance of lower
+            degree
+
+        References
+        ----------
+        Birkhoff, Dynamical Systems (1927), chapter III; Arnold, Sov. Math. Dokl. 2 (1961) 247-249, for D4.
+
+        Examples
+        --------
+        >>> import gyrostat as gs
+        >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+        >>> form = report.normal_form({"I1": 1, "I3": 1, "l": 0, "m0": 2, "pi3_0": 3})
+        >>> form.twists, form.resonances
+        ((12,), ((1, 2),))
+        """
+        numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
+        return normal_form(self.equilibrium, numbers, degree)
+
+    @checked
+    def window(self, values: Mapping[str, Any] | None = None) -> Window:
+        """D4 as the rational function of the names that have no number, and the conditions beside it.
+
+        Parameters
+        ----------
+        values : mapping of name to number
+            rational, any of the names of a verdict
+
+        Returns
+        -------
+        Window
+
+        Raises
+        ------
+        ValuesError
+            a name is unknown, or a number is not admissible
+        ScopeError
+            a free body; a field, a point or a number that is not rational; too many names
+
+        References
+        ----------
+        Arnold, Sov. Math. Dokl. 2 (1961) 247-249; averages gives the formula.
+
+        Examples
+        --------
+        >>> import gyrostat as gs
+        >>> scene = gs.assemble(gs.Gyrostat((5, 4, 3), (0, 0, 0)), gs.uniform_field())
+        >>> report = gs.analyze(gs.upright(scene))
+        >>> report.window({"m0": 1}).q
+        (pi3_0**2 + 9)*(2*pi3_0**2 + 9)/1620
+        >>> report.window({"m0": 1, "pi3_0": 9}).D4 == report.normal_form({"m0": 1, "pi3_0": 9}).twists[0]
+        True
+        """
+        refuse_any_direction(self.equilibrium)
+        return window_of(self.equilibrium, exact_values(self.equilibrium, values or {}, (), self.parameters))
+
+    @checked
+    def itself(self, values: Mapping[str, Any]) -> Decision:
+        """The decision on the point itself, where verdict speaks of it modulo a flow.
+
+        Otherwise the same as verdict. A tilted equilibrium that is stable modulo the spin is not Lyapunov
+        stable as a point: relative equilibria near it drift along its orbit (Drift). margins has D, which is
+        not 0 where the linearised flow grows too, by a Jordan block.
+
+        Parameters
+        ----------
+        values : mapping of name to number
+            as in verdict
+
+        Returns
+        -------
+        Decision
+            not modulo anything
+
+        Raises
+        ------
+        ValuesError
+            as in verdict
+
+        Examples
+        --------
+        >>> import gyrostat as gs
+        >>> report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
+        >>> values = {"I1": 4, "I3": 5, "l": 2, "omega": 1, "k3": 0, "d2U": 0}
+        >>> report.verdict(values).verdict.name, report.itself(values).verdict.name
+        ('STABLE', 'UNSTABLE')
+        """
+        numbers = exact_values(self.equilibrium, values, self.compared, self.parameters)
+        if numbers.doubt:
+            return self.verdict(values)
+        margins: dict[Expr, Expr] = {}
+        found = self.decide_point(numbers, margins)
+        return with_margins(found, margins, scene_note(self.equilibrium.system, numbers),
+                            sources(self.equilibrium, margins, (self.sufficient, self.necessary)))

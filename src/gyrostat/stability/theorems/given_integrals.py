@@ -1,0 +1,135 @@
+"""What integrals that are given prove where the second variation with the Casimirs alone is indefinite."""
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from flint import fmpq_mpoly
+from sympy import Expr, ImmutableMatrix, S, Symbol
+
+from ...algebra.reals.exact import evaluate
+from ...algebra.rings.matrices import multiply
+from ...algebra.rings.polynomials import Ring
+from ...algebra.solving.definite import definite_combination
+from ...algebra.solving.margins import Signs
+from ...errors import EquilibriumError
+from ...mechanics.equilibrium.coadjoint_orbit import critical_integrals, is_critical, orbit_tangent
+from ...mechanics.equilibrium.derivation_ring import rows_at_point
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.scenes.system import at_numbers, names_of_scene
+from ..criteria.conditions import Condition, Criterion
+from ..criteria.energy_casimir import restricted
+from ..criteria.linearization import Linearization
+from ..criteria.three_criteria import spectral_criterion
+from ..decision import C1, Decision, Rung, settled, undecided
+
+
+def integral_criterion(linearization: Linearization) -> Criterion:
+    """Sufficient for stability: for some α the second variation of h + α F is definite on the orbit.
+
+    F an integral given that is critical there. Where p, q and p² − 4q are positive the oscillations are two,
+    and the linearised flow of F, which commutes with that of h, A, is a A + b A³: α exists iff b ≠ 0, so that
+    α is eliminated. Where one of the three vanishes, and of what is conserved where C1 = 0 only, points are
+    decided by Report.verdict.
+
+    Parameters
+    ----------
+    linearization : Linearization
+        of a body in a field
+
+    Returns
+    -------
+    Criterion
+        of the notion "formal", an alternative for each F
+
+    References
+    ----------
+    Derived; Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116, for h + α F.
+    """
+    eq = linearization.equilibrium
+    used = [F for F in eq.system.given_integrals if F not in eq.system.level_only and is_critical(eq, F)]
+    if not used or critical_integrals(eq)[1] or len(linearization.coefficients) < 2:
+        return Criterion("formal", ())
+    p, q, discriminant = (replace(c, strict=True) for c in spectral_criterion(linearization).alternatives[0])
+    found = [_where_none(eq, F) for F in used]
+    return Criterion("formal", tuple((p, q, _with_factors(discriminant, factors)) for factors in found
+                                     if factors is not None))
+
+
+def _with_factors(condition: Condition, factors: tuple[Expr, ...]) -> Condition:
+    return replace(condition, degenerate=(*condition.degenerate, *factors))
+
+
+def _where_none(eq: Equilibrium, F: Expr) -> tuple[Expr, ...] | None:
+    """What vanishes where b = 0: the factors of tr A² tr A³B − tr A⁴ tr AB = 4 b q (p² − 4q).
+
+    None where that is 0 everywhere. A and B are the derivatives of both fields, 0 across the orbit.
+    """
+    space = eq.system.space
+    field = space.tensor * space.gradient(F)
+    rows = [[[eq.insert_field(entry) for entry in row] for row in rows_at_point(eq, matrix)]
+            for matrix in (eq.system.jet_jacobian, field.jacobian(space.coordinates))]
+    signs = Signs.over([entry for matrix in rows for row in matrix for entry in row], eq.existence())
+    ring = signs.ring
+    A, B = (ring.matrix(matrix)[0] for matrix in rows)
+    square = multiply(ring, A, A)
+    AB = multiply(ring, A, B)
+    value = (_trace(ring, square) * _trace(ring, multiply(ring, square, AB))
+             - _trace(ring, multiply(ring, square, square)) * _trace(ring, AB))
+    value = ring.reduce(value)
+    return tuple(map(ring.expression, signs.split(value**2, ring.one)[1])) if value else None
+
+
+def _trace(ring: Ring, matrix: list[Any]) -> fmpq_mpoly:
+    return sum((row[n] for n, row in enumerate(matrix)), ring.zero)
+
+
+def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Decision:
+    """Whether the second variation of h + Σ α F is definite on the orbit for some α: then it is stable.
+
+    F are the integrals given, critical there on the orbit. Where none is used, why is "" or says it.
+
+    References
+    ----------
+    Arnold, Sov. Math. Dokl. 6 (1965) 331-334; Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116.
+    """
+    if not eq.system.given_integrals:
+        return undecided("")
+    known = {s: evaluate(eq.insert(s), numbers) for s in names_of_scene(eq.system)}
+    if missing := sorted(s.name for s, value in known.items() if value.free_symbols):
+        return undecided(f"give {', '.join(missing)} to decide by the integrals")
+    here = _at(eq, known, numbers)
+    if here is None or critical_integrals(here)[1]:        # else a flow is to be divided out
+        return undecided("")
+    names = {F: f"F{n}" for n, F in enumerate(here.system.integrals, 1)}
+    on_level, idle, used = here.system.integrals_at(here.point), list[str](), list[Expr]()
+    for F in here.system.integrals:
+        if F not in on_level:
+            idle.append(f"{names[F]} is conserved where M·k = 0 only")
+        elif not is_critical(here, F):
+            idle.append(f"{names[F]} is not critical there on the orbit")
+        else:
+            used.append(F)
+    if not used:
+        return undecided(", ".join(idle))
+    variation = restricted(here, (orbit_tangent(here), ()), (*used, *here.system.space.casimirs))
+    others = [ImmutableMatrix(variation.matrix.diff(nu)) for nu in variation.free]
+    found = definite_combination(variation.matrix.xreplace(dict.fromkeys(variation.free, S.Zero)), others)
+    if found is None:
+        tried = "".join(f" + α {names[F]}" for F in used)
+        return undecided("; ".join([*idle, f"no h{tried} was found that is definite"]))
+    taken = [(F, a) for F, a in zip(used, found) if a]
+    terms = "".join(f" {'+' if a > 0 else '−'} {f'{abs(a)} ' if abs(a) != 1 else ''}{names[F]}"
+                    for F, a in taken)
+    level = (C1,) if any(F in here.system.level_only for F, _ in taken) else ()
+    return settled(True, f"the second variation of h{terms} is definite on the orbit, "
+                   + ", ".join(f"{names[F]} = {F}" for F, _ in taken), Rung.INTEGRAL, level=level,
+                   pointwise=True, certificate=tuple(taken))
+
+
+def _at(eq: Equilibrium, known: Mapping[Symbol, Expr], numbers: Mapping[Symbol, Expr]) -> Equilibrium | None:
+    """The equilibrium at numbers; None where it is not proved to be one."""
+    try:
+        return Equilibrium(eq.label, at_numbers(eq.system, known),
+                           tuple(evaluate(eq.insert(x), numbers) for x in eq.point))
+    except EquilibriumError:
+        return None

@@ -1,0 +1,109 @@
+"""Whether the energy is least on the orbit where its second variation is degenerate."""
+from collections.abc import Iterator, Mapping
+
+from sympy import Add, Expr, Rational, S, Symbol, factorial
+
+from ...algebra.reals.exact import evaluate, sign_of_constant
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.reduction import reducible
+from ...notation import jet_name, symbol
+from .amended_expansion import Amended
+from .momentum_sphere import extremum_at
+
+Least = tuple[bool | None, str]
+HIGHEST = 24                                               # the power of k3 up to which W is expanded
+NO_SIGN = "a sign is not proved"
+
+
+def least_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
+    """Whether h has a strict minimum on the orbit, modulo the symmetries; None if that is not proved.
+
+    And why.
+    """
+    if eq.system.potential is None:
+        return _on_sphere(eq, numbers)
+    if reducible(eq.system):
+        return _along_axis(eq, numbers)
+    values, which = Amended(eq, numbers).leading()
+    if values is None:
+        return None, which
+    what = f"the leading form of the amended potential, {which},"
+    if values == {1}:
+        return True, f"{what} is positive"
+    return (False, f"{what} takes negative values") if -1 in values else (None, f"{what} is positive or 0")
+
+
+def _on_sphere(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
+    """Of a free gyrostat: Δ = 0."""
+    found, why = extremum_at(eq, numbers)
+    if not found:
+        return found if found is None else False, why
+    return found == 1, f"to fourth order it is {'least' if found == 1 else 'greatest'}"
+
+
+def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
+    """Of a body of revolution: W(k3) = U + (C1 − l k3)²/(2 (I1 (1 − k3²) + I3 k3²)).
+
+    Its first term beside the point decides; at E1 and E2 on the one side that there is.
+    """
+    pole = eq.at**2 == 1
+    for power, term in _expanded(eq, numbers):
+        if power < (1 if pole else 2):
+            continue
+        if term.free_symbols:
+            missing = ", ".join(sorted(s.name for s in term.free_symbols))
+            return None, f"the second variation is degenerate, give {missing} to decide"
+        sign = sign_of_constant(term)
+        if sign is None:
+            return None, NO_SIGN
+        if sign:
+            what = f"the amended potential goes with the power {power} of the change of k3"
+            return (sign == 1 if pole else power % 2 == 0 and sign == 1), what
+    return None, f"up to the power {HIGHEST} of k3 the amended potential does not change"
+
+
+def _expanded(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[tuple[Rational, Expr]]:
+    """The powers of the change x of k3 in W with their coefficients; at a pole x = 1 ∓ k3."""
+    near, root = eq.near_pole, 1 if eq.near_pole is None else eq.near_pole.order
+    kinetic = _kinetic(eq, numbers)
+    for n in range(HIGHEST * root + 1):
+        whole, left = divmod(n, root)
+        slope = _slope(eq, whole, numbers) if near is None else _at(eq, near.coefficient(n) if n else S.Zero,
+                                                                    numbers)
+        yield Rational(n, root), evaluate(slope if left else next(kinetic) + slope, {})
+
+
+def _kinetic(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[Expr]:
+    """The coefficients of the powers of x in W − U."""
+    body, k3 = eq.system.body, evaluate(eq.insert(eq.at), numbers)
+    (I1, _, I3), l = ([evaluate(eq.insert(m), numbers) for m in body.moments],
+                      evaluate(eq.insert(body.gyrostatic_momentum[2]), numbers))
+    pi, k = ([evaluate(eq.insert(x), numbers) for x in vector] for vector in (eq.point[:3], eq.point[3:]))
+    # (C1 − l k3 − l x)², C1 − l k3 = π·k
+    rest, way = Add(*(p * x for p, x in zip(pi, k))), _way(eq)
+    above = [rest**2, -2 * way * rest * l, l**2]
+    below = [2 * (I1 + (I3 - I1) * k3**2), 4 * way * (I3 - I1) * k3, 2 * (I3 - I1)]
+    found: list[Expr] = []
+    while True:
+        n = len(found)
+        top = (above[n] if n < 3 else S.Zero) - Add(*(below[m] * found[n - m] for m in (1, 2) if m <= n))
+        found.append(evaluate(top / below[0], {}))
+        yield found[-1]
+
+
+def _slope(eq: Equilibrium, order: int, numbers: Mapping[Symbol, Expr]) -> Expr:
+    """The coefficient of a power of x in U, by its derivative at the point."""
+    if order == 0:
+        return S.Zero
+    return _at(eq, eq.at_point(symbol(jet_name(order))) * _way(eq) ** order / factorial(order), numbers)
+
+
+def _at(eq: Equilibrium, expression: Expr, numbers: Mapping[Symbol, Expr]) -> Expr:
+    """At the numbers, where they are enough."""
+    value = eq.insert(expression)
+    return evaluate(value, numbers) if value.free_symbols <= numbers.keys() else value
+
+
+def _way(eq: Equilibrium) -> Expr:
+    """Of k3 for x: at a pole away from it."""
+    return -eq.at if eq.at**2 == 1 else S.One

@@ -1,0 +1,167 @@
+"""What decides between the two criteria for a free body about a principal axis.
+
+The energy on the momentum sphere, to fourth order.
+"""
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from sympy import Expr, ImmutableMatrix, Matrix, S, Symbol, eye
+
+from ..._cached import cached_property
+from ...algebra.reals.exact import evaluate, sign_of_constant
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.scenes.body import Gyrostat
+from ..decision import Decision, Rung, settled, undecided
+
+DRIFTS = "the rotation lies on a circle of rotations, and those beside the circle drift along it"
+TO_FOURTH_ORDER = "to fourth order the energy is an extremum on the momentum sphere"
+BY_DISTANCE = ("the energy on the momentum sphere depends on the distance from the axis alone: it is an "
+               "extremum, or constant")
+NO_EXTREMUM = ("where rotations meet, the energy is no extremum on the momentum sphere: motions of the same "
+               "energy leave")
+
+
+class Extremum(NamedTuple):
+    """1 where the energy is a minimum on the momentum sphere, −1 where a maximum, 0 where neither, None where
+    that is not proved; and why.
+    """
+
+    sign: int | None
+    why: str
+
+    @property
+    def decision(self) -> Decision:
+        """Stable where it is an extremum."""
+        if self.sign is None:
+            return undecided(self.why)
+        return settled(self.sign != 0, self.why, Rung.FOURTH_ORDER)
+
+
+def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Extremum:
+    """Whether the energy of a free gyrostat is an extremum on the momentum sphere at a degenerate rotation.
+
+    D = I⁻¹ − ν with Δ = M·adj(D) M = 0. It is an extremum where adj(D) M = 0 and tr adj(D) > 0, that is, in
+    principal axes, Mᵢ = 0 = dᵢ and dⱼ dₖ > 0 (three rotations meet); and where adj(D) = 0, about the axis of
+    a body of revolution that carries l. Nowhere else (folds, umbilics).
+
+    Parameters
+    ----------
+    body : Gyrostat
+        with its numbers
+    M : sequence of Expr, shape (3,)
+        exact numbers
+    nu : Expr
+        ω = ν M
+
+    References
+    ----------
+    Derived: h − h₀ = e t²/2 + d_j d_k y⁴/(8 abs(M)² e) + …, e = (d_k M_j² + d_j M_k²)/abs(M)².
+    """
+    D, momentum = body.inverse - nu * eye(3), Matrix(M)
+    adjugate = D.adjugate()
+    signs = [_sign(x) for x in (*adjugate, *(adjugate * momentum), adjugate.trace(), D.trace())]
+    minors, moved, product, trace = signs[:9], signs[9:12], signs[12], signs[13]
+    if not any(minors):
+        along = _sign(momentum.dot(Matrix(body.gyrostatic_momentum)))
+        return Extremum(None if None in minors else along, BY_DISTANCE)
+    if None in signs:
+        return Extremum(None, "a sign is not proved")
+    if not any(moved) and product == 1:
+        return Extremum(trace, TO_FOURTH_ORDER)
+    return Extremum(0, NO_EXTREMUM)
+
+
+def extremum_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Extremum:
+    """The same of an equilibrium of a free gyrostat, M ≠ 0, at exact numbers."""
+    body = eq.system.body.changed(lambda x: evaluate(eq.insert(x), numbers))
+    pi = Matrix([evaluate(eq.insert(x), numbers) for x in eq.point])
+    M = [evaluate(p + l, {}) for p, l in zip(pi, body.gyrostatic_momentum)]
+    axis = next(n for n in range(3) if sign_of_constant(M[n]))
+    return extremum(body, M, (body.inverse * pi)[axis] / M[axis])
+
+
+def _sign(constant: Expr) -> int | None:
+    return sign_of_constant(evaluate(constant, {}))
+
+
+@dataclass(frozen=True)
+class MomentumSphere:
+    """The energy of a free body on abs(M) = R near its rotation about a principal axis a that carries l.
+
+    With M = (x, y, √(R² − x² − y²)) along the axes b, c, a, h = h₀ + f_b x²/(2 I_b R) + f_c y²/(2 I_c R) + l
+        (x² + y²)²/(8 I_a R³) + …,
+    f = R − I ω. Where one f is 0, the fourth order decides along its axis: an extremum, hence stable, where l
+        and the other f have one
+    sign; l = 0: a circle of equilibria, which drift: unstable. Where both are 0, h depends on x² + y² alone,
+        or is constant: stable.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+    axis : int
+        0, 1 or 2
+
+    References
+    ----------
+    Derived; the quadratic part, Hughes, Spacecraft Attitude Dynamics (1986), chapter 6.
+    """
+
+    equilibrium: Equilibrium
+    axis: int
+
+    @cached_property
+    def falls(self) -> tuple[Expr, Expr]:
+        """f_b and f_c [M L²/T]."""
+        eq, body = self.equilibrium, self.equilibrium.system.body
+        total = eq.point[self.axis] + body.gyrostatic_momentum[self.axis]
+        b, c = (eq.insert(total - moment * eq.point[self.axis] / body.moments[self.axis])
+                for n, moment in enumerate(body.moments) if n != self.axis)
+        return b, c
+
+    @cached_property
+    def rotor(self) -> Expr:
+        """l along the axis."""
+        return self.equilibrium.insert(self.equilibrium.system.body.gyrostatic_momentum[self.axis])
+
+    def ladder(self, limit: int | None = None) -> Iterator[Expr]:
+        """What decides where f_b f_c = 0: stable where the first that is not 0 is positive."""
+        either = sum(self.falls)                           # the one that is not 0
+        yield from (self.rotor * either, -(either**2), S.One)
+
+    def expressions(self) -> tuple[Expr, ...]:
+        """What falls off along both axes, and the rotor."""
+        return *self.falls, self.rotor
+
+    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
+        """The decision at numbers where f_b f_c = 0."""
+        values = {e: evaluate(e, numbers) for e in (*self.falls, self.rotor)}
+        first, second, rotor = (sign_of_constant(values[e]) for e in (*self.falls, self.rotor))
+        margins.update(values)
+        if first is None or second is None or rotor is None:
+            return undecided("a margin has no proved sign")
+        if first == second == 0:
+            return settled(True, BY_DISTANCE, Rung.FOURTH_ORDER)
+        if rotor == 0:
+            return settled(False, DRIFTS, Rung.DRIFT)
+        if rotor * (first or second) > 0:
+            return settled(True, TO_FOURTH_ORDER, Rung.FOURTH_ORDER)
+        return settled(False, "to fourth order the energy is no extremum on the momentum sphere: motions of "
+                       "the same energy leave", Rung.FOURTH_ORDER)
+
+
+def sphere_of(eq: Equilibrium) -> MomentumSphere | None:
+    """The sphere of a free body that rotates about a principal axis with l along it, None for anything else.
+    """
+    if eq.system.potential is not None or isinstance(eq.system.body.inertia, ImmutableMatrix):
+        return None
+    axes = [n for n, (pi, l) in enumerate(zip(eq.point, eq.system.body.gyrostatic_momentum)) if pi != 0
+            or l != 0]
+    return MomentumSphere(eq, axes[0]) if len(axes) == 1 else None
+
+
+def circle_in_words(axis: Sequence[Expr]) -> str:
+    """The circle of equilibria about an axis."""
+    if axis.count(S.Zero) == 2:
+        return f"the circle about axis {next(n for n, x in enumerate(axis, 1) if x != 0)}"
+    return f"the circle about the axis along ({', '.join(map(str, axis))})"

@@ -1,0 +1,83 @@
+"""What decides between the two criteria where there are two directions, or a coupling β."""
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from sympy import Expr, ImmutableMatrix, Symbol
+
+from ...algebra.reals.exact import evaluate, proved_sign
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.parallel_directions import parallel
+from ...mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
+from ...mechanics.families.orbital_precession import moving_axis
+from ..decision import Decision, Rung, settled, undecided
+
+HELD = ("gyroscopic forces hold it, the second variation has both signs: no theorem decides with three "
+        "degrees of freedom")
+COUPLED = "the point lies between the two criteria, which are what there is of a field with a coupling β"
+DEGENERATE = "the second variation is degenerate: terms of higher degree decide"
+ON_CURVE = settled(True, "the energy is least on a closed curve of equilibria, K positive across it",
+                   Rung.LEAST_ON_SET, locus="the closed curve of equilibria to which it belongs")
+AXIS = "the axis moves in the orbital frame as k of a spherical gyrostat in one field does: "
+
+
+def open_between(eq: Equilibrium) -> bool:
+    """Whether nothing decides between the two criteria of its report, whatever the numbers.
+
+    But where K is degenerate, if the satellite may lie on a closed curve (may_lie_on_curve).
+    """
+    return eq.system.coupled and not eq.system.linear_integrals and not parallel(eq)
+
+
+def may_lie_on_curve(eq: Equilibrium) -> bool:
+    """Whether it is a satellite in principal axes with a rotor along one of them (on_curve)."""
+    body = eq.system.body
+    along = [x for x in body.gyrostatic_momentum if x != 0]
+    return by_gradient_alone(eq.system) and not isinstance(body.inertia, ImmutableMatrix) and len(along) == 1
+
+
+def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate: bool,
+                    point_decided: Callable[[Equilibrium], Decision]) -> Decision:
+    """Of a symmetric satellite what its axis does; of any other undecided, with what is known of it.
+
+    The last argument says what is proved of a body in one direction, as a point. Its C1 is minus the momentum
+    along the axis of the satellite.
+    """
+    if axis := moving_axis(eq, lambda x: evaluate(x, numbers)):
+        found = point_decided(axis)
+        return replace(found, reason=f"{AXIS}{found.reason}", margins=(),
+                       level=found.level and eq.system.linear_integrals)
+    if degenerate:
+        curve = on_curve(eq, numbers)
+        return undecided(DEGENERATE) if curve is None else curve
+    return undecided(HELD if len(eq.point) == 9 else COUPLED)
+
+
+def on_curve(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Decision | None:
+    """The decision on a satellite on a closed curve of attitudes that is stable, else None.
+
+    With the rotor ω0 L along axis j, a = I_i − I_j, b = I_k − I_j and L² = 4ab the curve is I'_tt = 4 I'_rr,
+    I' = I − I_j, and I'_tn² = 4 (I'_nn I'_rr − I'_nr²) on it. So K has the invariants e3 = 0,
+    e1 = ω0² (5 I'_nn + 9 I'_rr) and e2 = ω0⁴ (9 I'_nn I'_rr + 4 I'_nn² + 27 I'_nr²), both positive where a
+    and b are, but where n is along axis j: the curve meets that where a = 4b or b = 4a. Else the energy has a
+    strict minimum on the curve, which is compact.
+
+    References
+    ----------
+    Derived.
+    """
+    if not may_lie_on_curve(eq):
+        return None
+    rate, moments, rotor, point = (
+        [evaluate(eq.insert(x), numbers) for x in given]
+        for given in ((orbital_rate(eq.system),), eq.system.body.moments, eq.system.body.gyrostatic_momentum,
+                      eq.point))
+    axis = next((i for i in range(3) if rotor[i] != 0), 0)
+    a, b = (moments[axis - i] - moments[axis] for i in (1, 2))
+    n, r = (ImmutableMatrix(point[i:i + 3]) for i in (3, 6))
+    above = ImmutableMatrix.diag(*(moment - moments[axis] for moment in moments))
+    t = n.cross(r)
+    for wanted, x in ((1, a), (1, b), (0, (rotor[axis] / rate[0])**2 - 4 * a * b),
+                      (0, t.dot(above * t) - 4 * r.dot(above * r))):
+        if proved_sign(evaluate(x, {})) != wanted:
+            return None
+    return ON_CURVE if proved_sign(a - 4 * b) and proved_sign(b - 4 * a) else None

@@ -1,0 +1,158 @@
+"""The motion of a free gyrostat, momentum and attitude, at any time.
+
+Constants once in enclosures, then time mod the period.
+"""
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from flint import arb
+
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.text.numbers import exact_number
+from ...errors import ScopeError, ValuesError, require
+from ...mechanics.scenes.system import System
+from ..periods import double
+from .polhodes import Polhode, meeting, polhode
+from .repeated import RepeatedTurn
+from .uniform import CONSTANT, Steady, Triple, decided, steady
+
+BLOCK = 16384                                              # times at once, so that they fit a cache
+
+
+def path_of(inertia: Triple, rotor: Triple, M: Triple) -> Steady | Polhode | RepeatedTurn:
+    """The motion of a gyrostat whose angular momentum is M at the time 0."""
+    if uniform := steady(inertia, rotor, M):
+        return uniform
+    distinct = all(decided(inertia[i] - inertia[j], "a difference of moments")
+                   for i, j in ((0, 1), (1, 2), (2, 0)))
+    if distinct and not any(decided(x, "l") for x in rotor):
+        return polhode(inertia, M)
+    return RepeatedTurn(inertia, rotor, M, meeting(inertia, rotor, M))
+
+
+class FreeMotion:
+    """A free gyrostat from a state on.
+
+    The momentum to any number of periods, and the attitude, M upwards in space.
+
+    Uniform turning at rest, at a permanent rotation, and for bodies of revolution with l on the axis;
+    Jacobi's functions for a free body of three moments; else, and for the attitude of that, a turn by Taylor
+    series, repeated.
+
+    Parameters
+    ----------
+    scene : System
+        without a potential, all numbers
+    start : (π1, π2, π3)
+        exact numbers
+
+    Raises
+    ------
+    ScopeError
+        the scene has a potential
+    ValuesError
+        it has symbols; or it is undecided which motion it is, of transcendental numbers
+    AccuracyError
+        the motion is too close to a separatrix
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> motion = FreeMotion(gs.assemble(gs.Gyrostat((3, 5, 9), (0, 0, 0))), (0, 2, "0.01"))
+    >>> motion.name, round(motion.period / 4, 10)
+    ('free body', 29.5277217616)
+    """
+
+    enclosed, recognised, axis, limits, spin = True, "", (0.0, 0.0, 1.0), None, None
+
+    def __init__(self, scene: System, start: Sequence[Any]):
+        require(scene, System, "the scene")
+        self._given = scene, tuple(start)
+        body = scene.body
+        if scene.potential is not None:
+            raise ScopeError(f"U = {scene.potential.expression}: a free gyrostat is in no field; leave the "
+                             "potential out")
+        if names := sorted({s.name for x in (*body.moments, *body.gyrostatic_momentum)
+                            for s in x.free_symbols}):
+            raise ValuesError(f"the body contains the names {', '.join(names)}: give numbers for them")
+        if len(start) != 3:
+            raise ValuesError(f"the state has {len(start)} components: give pi1, pi2, pi3")
+        self.rotor: Triple = tuple(body.gyrostatic_momentum)
+        M = tuple(exact_number(x, f"pi{i}") + y for i, (x, y) in enumerate(zip(start, self.rotor), 1))
+        self.path = path_of(tuple(body.moments), self.rotor, M)
+        self.size = math.hypot(*map(float, M)) + math.hypot(*map(float, self.rotor))
+        self.fastest = self.size / min(map(float, body.moments))
+        resting = isinstance(self.path, Steady) and self.path.about == 0
+        self.rotation: Steady | RepeatedTurn               # what knows the attitude
+        if isinstance(self.path, Polhode):
+            self.rotation = RepeatedTurn(tuple(body.moments), self.rotor, M, self.path)
+        else:
+            self.rotation = self.path
+        self.period = self.rotation.period                  # of M; None where it rests, and on a separatrix
+        self.name = "equilibrium" if resting else "free gyrostat" if any(self.rotor) else "free body"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FreeMotion, self._given                     # python-flint's balls are not pickled
+
+    def state(self, t: Array) -> Array:
+        """π at an array of times, along a last axis."""
+        return _in_blocks(self.path.values, t, (3,)) - self._rotor
+
+    @cached_property
+    def _rotor(self) -> Array:
+        """l in doubles."""
+        return np.array([double(ball(x, CONSTANT)) for x in self.rotor])
+
+    def attitude(self, t: Array) -> Array:
+        """R from body to space at an array of times, z along M.
+
+        Where M = 0, along ω. At the time 0 the Euler angle φ is 0.
+        """
+        return _in_blocks(self.rotation.attitude, t, (3, 3))
+
+    def ball_state(self, t: arb, bits: int) -> list[arb]:
+        """π at a time, enclosures of about so many bits; estimated ones where a turn is integrated."""
+        precision = bits + 64 + math.ceil(math.log2(1 + abs(float(t)) * self.fastest))
+        with own_precision(precision + 64):
+            return [x - ball(y, precision) for x, y in zip(self.path.at(t, bits, precision), self.rotor)]
+
+    def exact_period(self, bits: int) -> arb | None:
+        """Of M, to so many bits; None where it rests, and on a separatrix."""
+        if self.period is None:
+            return None
+        if not isinstance(self.rotation, Steady):
+            return self.rotation.path.period(bits)[0]
+        with own_precision(bits + 64):
+            return 2 * arb.pi() / abs(ball(self.rotation.about, bits + 64))
+
+    def exact_angles(self, _: int) -> tuple[float | None, None]:
+        """That about M, in doubles."""
+        return self.precession, None
+
+    @property
+    def precession(self) -> float | None:
+        """The angle gained about M in a period; where M rests, in a unit of time; None on a separatrix."""
+        return self.rotation.precession
+
+    @property
+    def nodes(self) -> int:
+        """Steps by which a turn of M is integrated; 0 for closed forms."""
+        return 0 if isinstance(self.path, Polhode) else self.path.nodes
+
+    @property
+    def error(self) -> float:
+        """Of π, estimated."""
+        return self.path.error * self.size
+
+
+def _in_blocks(values: Callable[[Array], Array], t: Array, shape: tuple[int, ...]) -> Array:
+    t = np.asarray(t, dtype=float)
+    found = np.empty((t.size, *shape))
+    for i in range(0, t.size, BLOCK):
+        found[i:i + BLOCK] = values(t.ravel()[i:i + BLOCK])
+    return found.reshape(*t.shape, *shape)

@@ -1,0 +1,123 @@
+"""The motion of a body of revolution in U(k3) in doubles.
+
+k3 by elliptic functions, the two angles by series, at any time.
+"""
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from flint import arb
+
+from ..._cached import cached_property
+from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.precision import own_precision
+from ..periods import double
+from .doubles import Doubles
+from .level import Level, enclosed, known
+from .precession import precession
+
+BLOCK = 8192                                               # times that a cache holds
+
+
+class AxialMotion:
+    """A body of revolution in U(k3) from a state on, a route of gyrostat.trajectories.motion.
+
+    Parameters
+    ----------
+    level : Level
+    bits : int
+        of the states in balls; 53 for doubles
+    """
+
+    enclosed, recognised, axis = True, "", (0.0, 0.0, 1.0)
+
+    def __init__(self, level: Level, bits: int = 53):
+        self.exact = precession(level, bits)
+        self._given = level, bits
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return AxialMotion, self._given                    # python-flint's balls are not pickled
+
+    @cached_property
+    def _doubles(self) -> Doubles:
+        return Doubles(self.exact)
+
+    def state(self, t: Array) -> Array:
+        """(π, k) at times of any shape, shape (..., 6)."""
+        return _in_blocks(self._doubles.state, t, (6,))
+
+    def attitude(self, t: Array) -> Array:
+        """R from body to space, shape (..., 3, 3)."""
+        return _in_blocks(self._doubles.attitude, t, (3, 3))
+
+    def ball_state(self, t: arb, _: int) -> list[arb]:
+        """(π, k) at a time, to as many bits as the motion was built for."""
+        return self.exact.state(t)
+
+    def exact_period(self, _: int) -> arb | None:
+        """Of the nutation, as exact as the motion was built."""
+        return self.exact.gains[0]
+
+    def exact_angles(self, _: int) -> tuple[arb, arb]:
+        """What precession and spin say, as exact as the motion was built."""
+        return self.exact.gains[1:]
+
+    @property
+    def period(self) -> float | None:
+        """Of the nutation [T]; None at rest and on a separatrix."""
+        return None if self.exact.gains[0] is None else double(self.exact.gains[0])
+
+    @property
+    def precession(self) -> float:
+        """What φ gains in a period, or its rate."""
+        return double(self.exact.gains[1])
+
+    @property
+    def spin(self) -> float:
+        """What ψ gains in a period, or its rate."""
+        return double(self.exact.gains[2])
+
+    @cached_property
+    def name(self) -> str:
+        """What kind of motion it is, or how it is computed."""
+        parts, level = self.exact.integrands, self.exact.integrands.level
+        if parts.path is None:
+            point = dict(zip(level.scene.space.coordinates, level.state))
+            rests = all(known(rate.xreplace(point)) == 0 for rate in level.scene.vector_field())
+            return "equilibrium" if rests else "steady precession"
+        roots = parts.path.roots
+        if any(roots.double):
+            return "separatrix"
+        return "elliptic" if roots.leading is not None and not parts.path.rest else "quadrature"
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Lowest and highest k3."""
+        return double(self.exact.integrands.lower), double(self.exact.integrands.upper)
+
+    @property
+    def nodes(self) -> int:
+        """Values of the integrands that were taken."""
+        return self.exact.integrals.nodes
+
+    @cached_property
+    def error(self) -> float:
+        """Of a state in doubles, estimated: the rounding of what turns within a period."""
+        parts = self.exact.integrands
+        with own_precision(self.exact.precision):
+            across = [abs(double(parts.profile.kinetic(end))) ** 0.5 for end in (parts.lower, parts.upper)]
+            largest = max(across + [abs(double(enclosed(x))) for x in parts.level.numbers[3:]])
+        fastest = max(across + [abs(double(x)) for x in parts.momenta]) / double(parts.I1)
+        return 2.0**-52 * (4 + (self.period or 0.0) * fastest) * max(1.0, largest)
+
+
+def _in_blocks(fill: Callable[[Array, Any], None], t: Array, shape: tuple[int, ...]) -> Array:
+    """What is filled in at times of any shape; one time is a number."""
+    found = np.empty((*t.shape, *shape))
+    if t.ndim == 0:
+        fill(found, t[()])
+        return found
+    rows, times = found.reshape(-1, *shape), t.ravel()
+    for first in range(0, times.size, BLOCK):
+        fill(rows[first:first + BLOCK], times[first:first + BLOCK])
+    return found
