@@ -64,7 +64,8 @@ def test_a_list_is_decided_as_each_of_its_points(reports, monkeypatch, name, thr
 def test_few_points_are_left_over(reports, monkeypatch, name):
     """Of ordinary columns none, with a period or sorted; with a huge number in one place that point alone."""
     left = []
-    monkeypatch.setattr(float_screening, "Decided", lambda report, points, backend: left.append(points.merged[1])
+    monkeypatch.setattr(float_screening, "Decided",
+                        lambda report, points, backend: left.append(points.merged[1])
                         or Decided(report, points, backend))
     source, n = np.random.default_rng(7), 2**14
     names = [x for x in reports[name].parameters if x != "dU" or name == "E1"]
@@ -110,7 +111,8 @@ def test_what_is_screened(reports):
 def test_high_degrees_leave_few_points_over(monkeypatch):
     """Their bound would be too wide with room for larger numbers."""
     left = []
-    monkeypatch.setattr(float_screening, "Decided", lambda report, points, backend: left.append(points.merged[1])
+    monkeypatch.setattr(float_screening, "Decided",
+                        lambda report, points, backend: left.append(points.merged[1])
                         or Decided(report, points, backend))
     report, source, n = gs.analyze(gs.inclined(axial(a * k3 + c * k3**40))), np.random.default_rng(7), 2**12
     given = {"k3": source.uniform(-0.9, 0.9, n), **{x: source.uniform(0.5, 2, n) for x in report.required
