@@ -1,0 +1,139 @@
+"""A permanent rotation of any body in a field: what decides it, and in which words."""
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import Expr, Matrix, Rational
+
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import evaluate, proved_sign
+from ...mechanics.scenes.system import System
+from ...stability.criteria.amended_form import amended_form
+from ...stability.decision import Decision, Rung, settled, undecided
+from ...stability.form import PRECISION, Form, Invariants
+from ...stability.normal_forms.local_motion import LocalMotion
+from ...stability.normal_forms.windows import decide_window
+from ...stability.theorems.momentum_sphere import circle_in_words
+from .heavy_data import Data, data_at, unreached
+
+LABEL = "permanent rotation"
+ACROSS = settled(False, "the rotation lies on a curve of rotations, and an eigenvalue has a positive "
+                 "real part", Rung.SPECTRUM, "spectral")
+ALONG = undecided("the rotation lies on a curve of rotations, along which the amended potential does not "
+                  "change")
+
+
+@dataclass(frozen=True)
+class HeavyForm(Form):
+    """Of a permanent rotation ω = omega k, k fixed in the body and in space: the amended potential across k.
+
+    Parameters
+    ----------
+    scene : System
+        at its numbers
+    k : tuple of Expr, shape (3,)
+        exact
+    omega : Expr
+        [1/T]
+    circle : tuple of Expr, shape (3,), or None
+        along the axis about which k may be turned, (0, 0, 0) for any: a continuum of equilibria
+    curve : Expr or None
+        of a continuum that is no circle a polynomial in k1, k2, k3 that vanishes on it, where abs(k) = 1
+    label : str
+    """
+
+    LEAST = settled(True, "the amended potential has a minimum", Rung.SECOND_VARIATION)
+    ODD = settled(False, "the amended potential has a saddle: an eigenvalue has a positive real part",
+                  Rung.SPECTRUM, "spectral")
+    LEAVES = settled(False, "the amended potential has a maximum, and the gyroscopic forces do not hold it: "
+                     "an eigenvalue has a positive real part", Rung.SPECTRUM, "spectral")
+    scene: System
+    k: tuple[Expr, ...]
+    omega: Expr
+    circle: tuple[Expr, ...] | None = None
+    curve: Expr | None = None
+    label: str = LABEL
+
+    @property
+    def place(self) -> dict[str, Expr | None]:
+        """k and omega."""
+        return {"k1": self.k[0], "k2": self.k[1], "k3": self.k[2], "omega": self.omega}
+
+    @cached_property
+    def point(self) -> tuple[Expr, ...]:
+        """π = omega Ik and k."""
+        along = self.scene.body.tensor * Matrix(self.k)
+        return (*(evaluate(self.omega * x, {}) for x in along), *self.k)
+
+    @property
+    def rates(self) -> dict[str, Expr]:
+        """About k."""
+        return {"omega": self.omega}
+
+    @property
+    def locus(self) -> str:
+        """A curve, a circle or the sphere of equilibria."""
+        if self.curve is not None:
+            return f"a curve, {self.curve} = 0"
+        if self.circle is None:
+            return ""
+        return circle_in_words(self.circle) if any(self.circle) else "the whole sphere"
+
+    @property
+    def rational(self) -> bool:
+        """At rational k and omega."""
+        return all(isinstance(x, Rational) for x in (*self.k, self.omega))
+
+    def invariants(self, precision: int | None) -> Invariants:
+        """Trace and determinant of the second variation across k; λ⁴ + p λ² + q."""
+        k, data, omega = (self.k, self._data, self.omega) if precision is None else self._balls(precision)
+        trace, determinant, p, q = amended_form(*data, k, omega)
+        return Invariants((trace, determinant), (1, p, q))
+
+    @cached_property
+    def _data(self) -> Data:
+        return data_at(self.scene, self.k)
+
+    def _balls(self, precision: int) -> tuple[list[Any], Data, Any]:
+        """k, what is of the scene there, and omega."""
+        inertia, rotor, gradient, curved = self._data
+        rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
+        k, *vectors = ([ball(e, precision) for e in vector] for vector in (self.k, rotor, gradient))
+        return k, Data(rows[0], vectors[0], vectors[1], rows[1]), ball(self.omega, precision)
+
+    def known(self) -> Decision | None:
+        """On a curve of rotations that is no circle."""
+        return None if self.curve is None else ACROSS if self.signs[1][0] == -1 else ALONG
+
+    def known_damped(self) -> Decision | None:
+        """The same."""
+        return None if self.curve is None else ALONG
+
+    def held(self) -> Decision | None:
+        """By normal forms."""
+        if self.scene.given_integrals:
+            return None
+        inertia, U = self.scene.body.inverse.tolist(), self.scene.potential
+        assert U is not None
+        rotor = self._data.rotor
+        momentum = tuple(evaluate(x + l, {}) for x, l in zip(self.point, rotor))
+        return decide_window(LocalMotion(tuple(map(tuple, inertia)), tuple(rotor), self.k, momentum,
+                                         U.expression, self._coefficients))
+
+    def _coefficients(self) -> tuple[Expr, Expr]:
+        """p and q, exact."""
+        _, p, q = self.invariants(None).spectrum
+        return evaluate(p, {}), evaluate(q, {})
+
+    @property
+    def reached(self) -> bool:
+        """M × k and the second variation of U across k are not both 0.
+
+        With M × k = 0 the torque is 0 too, ∇U × k = omega M × k.
+        """
+        with own_precision(PRECISION):
+            k, (inertia, rotor, gradient, curved), omega = self._balls(PRECISION)
+            if not all(x.contains(0) for x in unreached(inertia, rotor, gradient, curved, k, omega)):
+                return True
+        return any(proved_sign(evaluate(x, {})) for x in unreached(*self._data, self.k, self.omega))

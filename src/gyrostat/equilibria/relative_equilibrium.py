@@ -1,0 +1,163 @@
+"""RelativeEquilibrium: a motion in which nothing changes but the turn about the vertical, and what decides it."""
+from dataclasses import dataclass, replace
+
+from sympy import Expr, ImmutableMatrix
+
+from .._cached import cached_property
+from .._display import Shown
+from ..algebra.reals.exact import evaluate
+from ..algebra.rings.matrices import cross
+from ..mechanics.equilibrium.equilibrium import Equilibrium
+from ..mechanics.scenes.system import System
+from ..notation import Stored
+from ..stability.criteria.number_notes import noted
+from ..stability.decision import Decision
+from ..stability.damping.secular import KEEPS, lost
+from ..stability.form import Form
+from ..stability.report.report import Report
+
+
+@dataclass(frozen=True, repr=False)
+class RelativeEquilibrium(Shown, Stored):
+    """A motion in which the body turns at a constant rate, in any kind of scene, and what is decided of it.
+
+    Parameters
+    ----------
+    form : Form
+        where it lies, the second variation across its orbit and the spectrum: signs, index, frequencies
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
+    >>> for found in gs.relative_equilibria(scene, {"omega": 2})[:2]:
+    ...     print(found.label, found.decision.verdict.name, found.form.index)
+    permanent rotation STABLE 0
+    permanent rotation UNSTABLE 1
+    >>> satellite = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, 0, 0)), gs.circular_orbit(1))
+    >>> found = gs.relative_equilibria(satellite, {})
+    >>> len(found), sum(e.decision.stable for e in found)
+    (24, 4)
+    """
+
+    form: Form
+
+    @property
+    def label(self) -> str:
+        """E1, E2, E3 or precession of a body of revolution; permanent rotation; equilibrium in orbit."""
+        return self.form.label
+
+    @property
+    def scene(self) -> System:
+        """At its numbers."""
+        return self.form.scene
+
+    @property
+    def place(self) -> dict[str, Expr | None]:
+        """What tells it from others of its scene, by name; None of what takes every value.
+
+        Of a body of revolution k3, omega, sigma and pi3, in its axis; of a free body π; of another in a field
+        k and omega; of a satellite n and r.
+        """
+        return self.form.place
+
+    @cached_property
+    def point(self) -> tuple[Expr, ...]:
+        """In the coordinates of the scene; of a set of them, one of its points."""
+        return self.form.point
+
+    @property
+    def momentum(self) -> tuple[Expr, ...]:
+        """M = π + l, shape (3,) [M L²/T]."""
+        return tuple(evaluate(p + l, {}) for p, l in zip(self.point, self.scene.body.gyrostatic_momentum))
+
+    @property
+    def directions(self) -> tuple[tuple[Expr, ...], ...]:
+        """The unit vectors in the body: k; of a satellite n and r; none of a free body."""
+        return tuple(self.point[n:n + 3] for n in range(3, len(self.point), 3))
+
+    @cached_property
+    def attitude(self) -> ImmutableMatrix | None:
+        """From the body to the axes r, t, n of the orbit, shape (3, 3); None where the attitude turns."""
+        if len(self.directions) < 2:
+            return None
+        n, r = self.directions
+        return ImmutableMatrix([r, [evaluate(x, {}) for x in cross(n, r)], n])
+
+    @property
+    def rates(self) -> dict[str, Expr]:
+        """Of the rotation [1/T]: omega about k, or about M; sigma about the axis on top of it; omega0."""
+        return self.form.rates
+
+    @property
+    def locus(self) -> str:
+        """The set of equilibria to which it belongs, in words; "" of a point."""
+        return self.form.locus
+
+    @property
+    def equilibrium(self) -> Equilibrium:
+        """The same as a claimed point, for a report.
+
+        A regular precession is that of the scene whose rotor carries I3 sigma besides. Refused where M = 0
+        of a free body, a singular orbit.
+        """
+        return self.form.equilibrium
+
+    @cached_property
+    def energy(self) -> Expr:
+        """The Hamiltonian of the scene [M L²/T²]."""
+        return evaluate(self.scene.hamiltonian, dict(zip(self.scene.space.coordinates, self.point)))
+
+    @cached_property
+    def decision(self) -> Decision:
+        """The verdict; of a set of equilibria, and of a body of revolution, modulo the turn about its axis."""
+        return noted(self._decided(), self.scene)
+
+    def _decided(self) -> Decision:
+        form = self.form
+        if (known := form.known()) is not None:
+            return known
+        (*_, whole), spectrum = form.signs
+        if form.index == 0 or form.greatest and form.index == len(form.signs[0]):
+            return form.LEAST
+        if whole == -1:
+            return form.ODD
+        if form.index and -1 in spectrum:
+            return form.LEAVES
+        held = form.index and set(spectrum) == {1}
+        if (found := form.held() if held else form.degenerate()) is not None:
+            return found
+        found = Report(self.equilibrium).verdict({})
+        return replace(found, pointwise=found.pointwise or bool(found.certificate))
+
+    @cached_property
+    def damped(self) -> Decision | None:
+        """The verdict under internal damping; None of a precession, in which ω turns in the body."""
+        return None if self.form.turns else noted(self._decided_under_damping(), self.scene)
+
+    def _decided_under_damping(self) -> Decision:
+        form = self.form
+        if (known := form.known_damped()) is not None:
+            return known
+        if form.index is None or not form.reached:
+            return Report(self.equilibrium).verdict({}, damped=True)
+        return lost(form.index) if form.index else KEEPS
+
+    @cached_property
+    def itself(self) -> Decision | None:
+        """What holds of the point where the decision is modulo the flow of an integral; else None."""
+        if not self.decision.modulo:
+            return None
+        known = self.form.known_point()
+        return noted(Report(self.equilibrium).itself({}) if known is None else known, self.scene)
+
+    @property
+    def frequencies(self) -> tuple[Expr, ...]:
+        """Of the small motions, in increasing order [1/T]."""
+        return self.form.frequencies
+
+    @property
+    def growth_rate(self) -> Expr | None:
+        """The largest real part of an eigenvalue [1/T]; None where there is none that is positive."""
+        return self.form.growth_rate

@@ -1,0 +1,244 @@
+"""Form: the second variation at a relative equilibrium and its spectrum, which decide in every kind of scene."""
+from collections.abc import Sequence
+from contextlib import suppress
+from typing import Any, ClassVar, NamedTuple
+
+from flint import acb, acb_poly, arb
+from sympy import Expr, Float, S, sqrt
+
+from .._cached import cached_property
+from ..algebra.enclosures.precision import doubled, own_precision
+from ..algebra.reals.exact import evaluate, proved_sign
+from ..mechanics.equilibrium.claimed_point import equilibrium
+from ..mechanics.equilibrium.equilibrium import Equilibrium
+from ..mechanics.scenes.system import System
+from ..notation import Stored
+from .decision import Decision
+
+PRECISION, DIGITS = 128, 30                                # bits that decide; digits of a rate
+TIGHT = "1e-60"                                            # of λ², relative to the square of its scale
+Signs = tuple[int | None, ...]
+
+
+class Invariants(NamedTuple):
+    """What decides, in balls or exact.
+
+    Parameters
+    ----------
+    form : sequence
+        e1, …, em: the elementary symmetric functions of the eigenvalues of the second variation
+    spectrum : sequence
+        the coefficients of the characteristic polynomial in λ², that of the highest power, positive, first
+    """
+
+    form: Sequence[Any]
+    spectrum: Sequence[Any]
+
+
+class Form(Stored):
+    """The second variation of the energy at a relative equilibrium, and the spectrum of the motion near it.
+
+    A finder says for its kind of scene where the equilibrium lies, what the invariants are, in balls and
+    exactly, and the words of the reasons; signs, index, frequencies and growth rate follow here.
+
+    The index is the number of sign changes in 1, e1, …, em, which counts the negative eigenvalues of a
+    symmetric matrix that is not singular. Under damping that reaches every motion as many modes grow.
+
+    References
+    ----------
+    Chetaev, The Stability of Motion (1961), §§26-30; Descartes' rule, exact where all roots are real.
+    """
+
+    LEAST: ClassVar[Decision]                              # it is definite
+    ODD: ClassVar[Decision]                                # the index is odd
+    LEAVES: ClassVar[Decision]                             # it is even, and the spectrum grows
+    greatest: ClassVar[bool] = False                       # whether a maximum proves as a minimum does
+    label: str
+    scene: System
+
+    @property
+    def locus(self) -> str:
+        """The set of equilibria of which it is a point, in words; "" of a point alone."""
+        return ""
+
+    @property
+    def turns(self) -> bool:
+        """Whether ω turns in the body, as in a regular precession."""
+        return False
+
+    @property
+    def rational(self) -> bool:
+        """Whether the spectrum is solved exactly."""
+        return False
+
+    @property
+    def place(self) -> dict[str, Expr | None]:
+        """What tells it from others of its scene, by name."""
+        raise NotImplementedError
+
+    @property
+    def point(self) -> tuple[Expr, ...]:
+        """In the coordinates of the scene."""
+        raise NotImplementedError
+
+    @property
+    def rates(self) -> dict[str, Expr]:
+        """Of the rotation, by name [1/T]."""
+        raise NotImplementedError
+
+    @property
+    def reached(self) -> bool:
+        """Whether internal damping reaches every motion near it."""
+        raise NotImplementedError
+
+    @cached_property
+    def equilibrium(self) -> Equilibrium:
+        """As a claimed point."""
+        return equilibrium(self.scene, self.point, label=self.label)
+
+    def known(self) -> Decision | None:
+        """The decision where the invariants are not asked, as on a set of equilibria; else None."""
+        return None
+
+    def known_damped(self) -> Decision | None:
+        """The same under internal damping."""
+        return None
+
+    def known_point(self) -> Decision | None:
+        """The same of the point, where the decision is modulo a flow."""
+        return None
+
+    def held(self) -> Decision | None:
+        """The decision where the index is even, not 0, and the spectrum does not grow; None: as a report."""
+        return None
+
+    def degenerate(self) -> Decision | None:
+        """The decision where a sign is 0, or not proved; None: as a report."""
+        return None
+
+    def invariants(self, precision: int | None) -> Invariants:
+        """In balls of a precision; None: exact."""
+        raise NotImplementedError
+
+    @cached_property
+    def signs(self) -> tuple[Signs, Signs]:
+        """Of e1, …, em, and of what has to be positive for every λ² to be negative; None is not proved."""
+        for precision in doubled(PRECISION):
+            with own_precision(precision):
+                found = [_signs(x) for x in self._decisive(precision)]
+            if self.locus or None not in (*found[0], *found[1]):
+                return found[0], found[1]
+        exact = self._decisive(None)
+        form, spectrum = (tuple(proved_sign(evaluate(x, {})) if sign is None else sign
+                                for sign, x in zip(signs, values)) for signs, values in zip(found, exact))
+        return form, spectrum
+
+    def _decisive(self, precision: int | None) -> tuple[Sequence[Any], Sequence[Any]]:
+        form, spectrum = self.invariants(precision)
+        return form, conditions(spectrum)
+
+    @property
+    def index(self) -> int | None:
+        """The number of negative squares; None where the form is degenerate, or a sign is not proved."""
+        form, _ = self.signs
+        if None in form or not form[-1]:
+            return None
+        left = [s for s in (1, *form) if s]
+        return sum(a != b for a, b in zip(left, left[1:]))
+
+    @property
+    def frequencies(self) -> tuple[Expr, ...]:
+        """Of the small motions on the coadjoint orbit, in increasing order [1/T].
+
+        Exact where the spectrum has rational coefficients and at most two roots; else to 30 digits.
+        """
+        return self._rates[0]
+
+    @property
+    def growth_rate(self) -> Expr | None:
+        """The largest real part of an eigenvalue [1/T]; None where there is none that is positive."""
+        return self._rates[1]
+
+    @cached_property
+    def _rates(self) -> tuple[tuple[Expr, ...], Expr | None]:
+        """Of the roots λ² of the spectrum, without one that is 0."""
+        whole = 0 if self.locus else self.signs[0][-1]
+        if self.rational:
+            top, *spectrum = self.invariants(None).spectrum
+            return exact_rates([x / top for x in spectrum], whole, self.signs[1])
+        for precision in doubled(2 * PRECISION):
+            with own_precision(precision), suppress(ValueError):       # two roots are closer than told apart
+                spectrum = list(self.invariants(precision).spectrum)
+                found = squares(spectrum if whole else spectrum[:-1])
+                if all(x.rel_accuracy_bits() > 4 * DIGITS for x in found):
+                    break
+        with own_precision(2 * PRECISION):
+            slow = [(-x.real).sqrt() for x in found if x.real < 0 and x.imag.contains(0)]
+            grow = [x.sqrt().real for x in found if not (x.real < 0 and x.imag.contains(0))]
+            largest = max((x for x in grow if x > 0), key=lambda x: float(x.mid()), default=None)
+            return (tuple(_decimal(x) for x in sorted(slow, key=lambda x: float(x.mid()))),
+                    None if largest is None else _decimal(largest))
+
+
+def conditions(spectrum: Sequence[Any]) -> list[Any]:
+    """What has to be positive for all roots of a polynomial of degree 1 to 3 to be negative and apart.
+
+    But for the sign of the product of the roots, which is that of det of the second variation.
+    """
+    if len(spectrum) == 2:
+        return [spectrum[1]]
+    if len(spectrum) == 3:
+        d, p, q = spectrum
+        return [p, p**2 - 4 * d * q]
+    d, a, b, c = spectrum
+    return [a, b, c, a**2 * b**2 - 4 * d * b**3 - 4 * a**3 * c + 18 * d * a * b * c - 27 * d**2 * c**2]
+
+
+def exact_rates(spectrum: Sequence[Expr], whole: int | None, signs: Signs) -> tuple[tuple[Expr, ...],
+                                                                                     Expr | None]:
+    """Frequencies and growth rate of a monic spectrum with one or two roots λ².
+
+    By the sign of their product, 0 where one of them is 0, and those of its conditions.
+    """
+    if not whole:
+        spectrum = spectrum[:-1]
+    if not spectrum:
+        return (), None
+    if len(spectrum) == 1:
+        (x,) = spectrum
+        return ((sqrt(x),) if signs[0] == 1 else ()), sqrt(-x) if signs[0] == -1 else None
+    p, q = spectrum
+    half, root = p / 2, sqrt(abs(p**2 / 4 - q)) if signs[1] else S.Zero
+    if signs[1] == -1:
+        return (), sqrt((sqrt(half**2 + root**2) - half) / 2)
+    slow = (sqrt(half - root),) * (whole == signs[0] == 1)
+    fast = (sqrt(half + root),) * (whole == -1 or signs[0] == 1)
+    return slow + fast, sqrt(root - half) if -1 in (whole, signs[0]) else None
+
+
+def squares(spectrum: Sequence[arb]) -> list[acb]:
+    """The roots λ² of a spectrum in balls, of degree up to three; two that cannot be told apart are one."""
+    if len(spectrum) < 2:
+        return []
+    if len(spectrum) == 2:
+        return [acb(-spectrum[1] / spectrum[0])]
+    gap = conditions(spectrum)[-1]
+    if not gap.contains(0):
+        size = max((abs(x / spectrum[0]) for x in spectrum[1:]), key=lambda x: float(x.mid()))
+        return list(acb_poly(list(reversed(spectrum))).roots(arb(TIGHT) * size))
+    if len(spectrum) == 3:
+        d, p, _ = spectrum
+        return [acb(-p / (2 * d))] * 2
+    d, a, b, c = spectrum
+    if (apart := a**2 - 3 * b * d).contains(0):
+        return [acb(-a / (3 * d))] * 3
+    double = (9 * d * c - a * b) / (2 * apart)
+    return [acb(x) for x in (double, double, -a / d - 2 * double)]
+
+
+def _signs(values: Sequence[arb]) -> Signs:
+    return tuple(1 if x > 0 else -1 if x < 0 else None for x in values)
+
+
+def _decimal(x: arb) -> Expr:
+    return Float(x.mid().str(DIGITS, radius=False), DIGITS)
