@@ -62,7 +62,7 @@ class RelativeEquilibrium(Shown, Stored):
         """
         return self.form.place
 
-    @cached_property
+    @property
     def point(self) -> tuple[Expr, ...]:
         """In the coordinates of the scene; of a set of them, one of its points."""
         return self.form.point
@@ -75,7 +75,7 @@ class RelativeEquilibrium(Shown, Stored):
     @property
     def directions(self) -> tuple[tuple[Expr, ...], ...]:
         """The unit vectors in the body: k; of a satellite n and r; none of a free body."""
-        return tuple(self.point[n:n + 3] for n in range(3, len(self.point), 3))
+        return self.form.directions
 
     @cached_property
     def attitude(self) -> ImmutableMatrix | None:
@@ -118,14 +118,13 @@ class RelativeEquilibrium(Shown, Stored):
         form = self.form
         if (known := form.known()) is not None:
             return known
-        (*_, whole), spectrum = form.signs
-        if form.index == 0 or form.greatest and form.index == len(form.signs[0]):
+        if form.index == 0 or form.greatest and form.index == len(form.signs):
             return form.LEAST
-        if whole == -1:
+        if form.signs[-1] == -1:
             return form.ODD
-        if form.index and -1 in spectrum:
+        if form.index and -1 in form.spectral_signs:
             return form.LEAVES
-        held = form.index and set(spectrum) == {1}
+        held = form.index and set(form.spectral_signs) == {1}
         if (found := form.held() if held else form.degenerate()) is not None:
             return found
         found = Report(self.equilibrium).verdict({})
@@ -147,7 +146,7 @@ class RelativeEquilibrium(Shown, Stored):
     @cached_property
     def itself(self) -> Decision | None:
         """What holds of the point where the decision is modulo the flow of an integral; else None."""
-        if not self.decision.modulo:
+        if self.form.turns or not self.decision.modulo:
             return None
         known = self.form.known_point()
         return noted(Report(self.equilibrium).itself({}) if known is None else known, self.scene)

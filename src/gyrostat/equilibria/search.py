@@ -1,5 +1,5 @@
 """All relative equilibria of a scene, with their decisions: the one verb for every kind of scene."""
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from ..arguments import checked
@@ -7,21 +7,17 @@ from ..mechanics.equilibrium.reduction import reducible
 from ..mechanics.families.circular_orbit import in_orbit
 from ..mechanics.scenes.coupled import in_one_direction
 from ..mechanics.scenes.system import System
-from .finders.free import rotations_at
-from .finders.free_rotation import PermanentRotation
-from .finders.heavy import heavy_rotations
-from .finders.heavy_rotation import HeavyRotation
-from .finders.orbit import orbital_equilibria
-from .finders.orbital_equilibrium import OrbitalEquilibrium
-from .finders.precession_branch import Branch
+from ..stability.form import Form
+from .finders.free import free_forms
+from .finders.heavy import heavy_forms
+from .finders.orbit import orbit_forms
 from .finders.rate_level_tilt import asked_about
-from .finders.revolution import branches_at
+from .finders.revolution import revolution_forms
+from .relative_equilibrium import RelativeEquilibrium
 
 
 @checked
-def relative_equilibria(scene: System, values: Mapping[str, Any]
-                        ) -> list[Branch] | list[PermanentRotation] | list[HeavyRotation] | list[
-                            OrbitalEquilibrium]:
+def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[RelativeEquilibrium]:
     """Every relative equilibrium of a scene at given numbers, each with its decision.
 
     Of a body of revolution in U(k3): numbers for the moments, l and the parameters of U, and one of
@@ -62,7 +58,7 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
 
     Returns
     -------
-    list of Branch, of HeavyRotation, of PermanentRotation or of OrbitalEquilibrium
+    list of RelativeEquilibrium
         complete; of a body in a field in the order of k3 from E1 down to E2, then of omega, without a pole
         where U is infinite, of a circle of rotations a point, of another curve a point and its equation; of a
         free one by energy
@@ -86,18 +82,23 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> for b in gs.relative_equilibria(top, {"I1": 2, "I3": 1, "l": 0, "m0": 3, "k3": "1/2", "pi3_0": 6}):
-    ...     print(b.label, b.omega, b.decision.verdict.name)
+    ...     print(b.label, b.rates["omega"], b.decision.verdict.name)
     precession 3 - sqrt(6) STABLE
     precession sqrt(6) + 3 STABLE
     >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
     >>> [(b.momentum, b.decision.verdict.name) for b in gs.relative_equilibria(free, {"M": 1})[::2]]
     [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
     """
+    return [RelativeEquilibrium(form) for form in _finder(scene, values)(scene, values)]
+
+
+def _finder(scene: System, values: Mapping[str, Any]) -> Callable[[System, Mapping[str, Any]], Sequence[Form]]:
+    """What finds all of them in a scene of this kind."""
     if in_orbit(scene):
-        return orbital_equilibria(scene, values)
+        return orbit_forms
     in_one_direction(scene.potential, "relative_equilibria")
     if scene.potential is None:
-        return rotations_at(scene, values)
+        return free_forms
     if reducible(scene) or not scene.potential.given or asked_about(scene, values):
-        return branches_at(scene, values)
-    return heavy_rotations(scene, values)
+        return revolution_forms
+    return heavy_forms

@@ -101,7 +101,7 @@ def _marked(ax: Any, points: Sequence[CriticalPoint], eye: Array) -> list[Any]:
             style = line(point.rotation.decision.verdict)
             for curve in _continuum(point):
                 curve_on(ax, curve, eye, **style)
-            what = "circle" if point.rotation.curve is None else "curve"
+            what = "circle" if point.rotation.form.curve is None else "curve"
             handles.append(named(style, f"{what}, {point.rotation.decision.verdict.name.lower()}"))
     for kind, shape in SHAPES.items():
         for verdict in Verdict:
@@ -116,15 +116,15 @@ def _marked(ax: Any, points: Sequence[CriticalPoint], eye: Array) -> list[Any]:
 
 def _continuum(point: CriticalPoint) -> list[Array]:
     """The circle on which a critical point lies, or the pieces of another curve."""
-    if point.rotation.curve is not None:
-        return _level_curves(_Field.of(point.rotation.curve, {}), np.zeros(1))
-    k, axis = _place(point), np.array([float(x) for x in point.rotation.circle or ()])
+    if point.rotation.form.curve is not None:
+        return _level_curves(_Field.of(point.rotation.form.curve, {}), np.zeros(1))
+    k, axis = _place(point), np.array([float(x) for x in point.rotation.form.circle or ()])
     axis = axis / np.linalg.norm(axis)
     return [circle(axis, float(np.linalg.norm(np.cross(k, axis))), float(k @ axis))]
 
 
 def _place(point: CriticalPoint) -> Array:
-    return np.array([float(accurate(x, 60).mid()) for x in point.rotation.k])
+    return np.array([float(accurate(x, 60).mid()) for x in point.rotation.directions[0]])
 
 
 @dataclass(frozen=True)

@@ -96,7 +96,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     changes = [along(arc, np.array([float(x)])).k[0] for arc in moving for x in arc.boundaries]
     folds = [floats(end.k) for arc in moving for end in arc.ends if end.omega not in (0, oo, -oo)]
     rest = [floats(end.k) for arc in moving for end in arc.ends if end.omega == 0]
-    rest += [floats(arc.rotation(S.Zero).k) for arc in moving if isinstance(arc, GyrostatArc)
+    rest += [floats(arc.rotation(S.Zero).directions[0]) for arc in moving if isinstance(arc, GyrostatArc)
              and arc.low < 0 < arc.high]
     still = [floats(arc.ends[0].k) for arc in arcs if not moves(arc)]
     for points, style, name in ((changes, CHANGE, "change"), (folds, FOLD, "fold"),

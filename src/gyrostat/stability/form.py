@@ -1,5 +1,5 @@
 """Form: the second variation at a relative equilibrium and its spectrum, which decide in every kind of scene."""
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any, ClassVar, NamedTuple
 
@@ -62,6 +62,27 @@ class Form(Stored):
         return ""
 
     @property
+    def circle(self) -> tuple[Expr, ...] | None:
+        """Along the axis about which the point may be turned, (0, 0, 0) for any; None of no circle."""
+        return None
+
+    @property
+    def curve(self) -> Expr | None:
+        """Of a set that is no circle a polynomial that vanishes on it."""
+        return None
+
+    @property
+    def singular(self) -> bool:
+        """Whether the second variation is known to be degenerate: on a set of equilibria."""
+        return bool(self.locus)
+
+    @property
+    def described(self) -> tuple[tuple[str | Expr, Any], ...]:
+        """The same as place for a sentence: letters with vectors, names with numbers, None for every number.
+        """
+        raise NotImplementedError
+
+    @property
     def turns(self) -> bool:
         """Whether ω turns in the body, as in a regular precession."""
         return False
@@ -80,6 +101,11 @@ class Form(Stored):
     def point(self) -> tuple[Expr, ...]:
         """In the coordinates of the scene."""
         raise NotImplementedError
+
+    @property
+    def directions(self) -> tuple[tuple[Expr, ...], ...]:
+        """The unit vectors in the body, if any."""
+        return tuple(self.point[n:n + 3] for n in range(3, len(self.point), 3))
 
     @property
     def rates(self) -> dict[str, Expr]:
@@ -121,29 +147,31 @@ class Form(Stored):
         raise NotImplementedError
 
     @cached_property
-    def signs(self) -> tuple[Signs, Signs]:
-        """Of e1, …, em, and of what has to be positive for every λ² to be negative; None is not proved."""
+    def signs(self) -> Signs:
+        """Of e1, …, em; None is not proved."""
+        return self._proved(lambda found: found.form)
+
+    @cached_property
+    def spectral_signs(self) -> Signs:
+        """Of what has to be positive for every λ² to be negative, but for the sign of em."""
+        return self._proved(lambda found: conditions(found.spectrum))
+
+    def _proved(self, values: Callable[[Invariants], Sequence[Any]]) -> Signs:
         for precision in doubled(PRECISION):
             with own_precision(precision):
-                found = [_signs(x) for x in self._decisive(precision)]
-            if self.locus or None not in (*found[0], *found[1]):
-                return found[0], found[1]
-        exact = self._decisive(None)
-        form, spectrum = (tuple(proved_sign(evaluate(x, {})) if sign is None else sign
-                                for sign, x in zip(signs, values)) for signs, values in zip(found, exact))
-        return form, spectrum
-
-    def _decisive(self, precision: int | None) -> tuple[Sequence[Any], Sequence[Any]]:
-        form, spectrum = self.invariants(precision)
-        return form, conditions(spectrum)
+                found = tuple(1 if x > 0 else -1 if x < 0 else None
+                              for x in values(self.invariants(precision)))
+            if self.singular or None not in found:
+                return found
+        return tuple(proved_sign(evaluate(x, {})) if sign is None else sign
+                     for sign, x in zip(found, values(self.invariants(None))))
 
     @property
     def index(self) -> int | None:
         """The number of negative squares; None where the form is degenerate, or a sign is not proved."""
-        form, _ = self.signs
-        if None in form or not form[-1]:
+        if None in self.signs or not self.signs[-1]:
             return None
-        left = [s for s in (1, *form) if s]
+        left = [s for s in (1, *self.signs) if s]
         return sum(a != b for a, b in zip(left, left[1:]))
 
     @property
@@ -162,10 +190,10 @@ class Form(Stored):
     @cached_property
     def _rates(self) -> tuple[tuple[Expr, ...], Expr | None]:
         """Of the roots λ² of the spectrum, without one that is 0."""
-        whole = 0 if self.locus else self.signs[0][-1]
+        whole = 0 if self.singular else self.signs[-1]
         if self.rational:
             top, *spectrum = self.invariants(None).spectrum
-            return exact_rates([x / top for x in spectrum], whole, self.signs[1])
+            return exact_rates([x / top for x in spectrum], whole, self.spectral_signs)
         for precision in doubled(2 * PRECISION):
             with own_precision(precision), suppress(ValueError):       # two roots are closer than told apart
                 spectrum = list(self.invariants(precision).spectrum)
@@ -234,10 +262,6 @@ def squares(spectrum: Sequence[arb]) -> list[acb]:
         return [acb(-a / (3 * d))] * 3
     double = (9 * d * c - a * b) / (2 * apart)
     return [acb(x) for x in (double, double, -a / d - 2 * double)]
-
-
-def _signs(values: Sequence[arb]) -> Signs:
-    return tuple(1 if x > 0 else -1 if x < 0 else None for x in values)
 
 
 def _decimal(x: arb) -> Expr:

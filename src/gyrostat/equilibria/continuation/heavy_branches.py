@@ -24,10 +24,11 @@ from ...mechanics.scenes.system import System, names_of_scene
 from ...notation import symbol
 from ...stability.criteria.numbers_asked import unknown
 from ...stability.decision import Verdict
-from ..finders.heavy import heavy_rotations
+from ..finders.heavy import heavy_forms
 from ..finders.heavy_data import data_at
 from ..finders.heavy_polynomials import degree_in_k
-from ..finders.heavy_rotation import HeavyRotation
+from ..finders.heavy_form import HeavyForm
+from ..relative_equilibrium import RelativeEquilibrium
 from ..finders.rate_level_tilt import exact_point
 from .meeting_values import BifurcationPoint
 from .stations_at_rate import admissible, within
@@ -177,7 +178,7 @@ def _between(scene: System, name: str, values: Mapping[str, Any], a: Expr, b: Ex
     """Each rotation between two stations; there the values of sigma are simple and in a fixed order."""
     def found(t: Fraction, before: list[_Node]) -> list[_Node]:
         at = {**values, name: Rational(t.numerator, t.denominator)}
-        return _in_line([_node(t, r) for r in heavy_rotations(scene, at)], before)
+        return _in_line([_node(t, r) for r in heavy_forms(scene, at)], before)
 
     low, high = (fraction_of(ball(t, PRECISION).mid()) for t in (a, b))
     parts = [Fraction(x) for x in ((1 - np.cos(np.pi * np.arange(1, NODES) / NODES)) / 2).tolist()]
@@ -222,13 +223,13 @@ class _Node(NamedTuple):
     verdict: Verdict
 
 
-def _node(t: Fraction, rotation: HeavyRotation) -> _Node:
+def _node(t: Fraction, rotation: HeavyForm) -> _Node:
     k = np.array([float(accurate(x, 60).mid()) for x in rotation.k])
     inertia, rotor, _, _ = data = data_at(rotation.scene, (S.Zero,) * 3)
     I, l, c, Q = (np.array(x, float) for x in (inertia, rotor, data.gradient, data.hessian))
     omega = float(accurate(rotation.omega, 60).mid())
     sigma = float(k @ (c + Q @ k - omega * l - omega**2 * I @ k))
-    return _Node(t, sigma, tuple(k), rotation.decision.verdict)
+    return _Node(t, sigma, tuple(k), RelativeEquilibrium(rotation).decision.verdict)
 
 
 def _in_line(nodes: list[_Node], before: list[_Node]) -> list[_Node]:

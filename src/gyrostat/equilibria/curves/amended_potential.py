@@ -16,8 +16,8 @@ from ...mechanics.scenes.coupled import in_one_direction
 from ...mechanics.scenes.potential import DIRECTIONS
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import Stored
-from ..finders.heavy import heavy_rotations
-from ..finders.heavy_rotation import HeavyRotation
+from ..finders.heavy import heavy_forms
+from ..relative_equilibrium import RelativeEquilibrium
 from ..finders.rate_level_tilt import C1, exact_point, refuse_as_level
 
 
@@ -27,7 +27,7 @@ class CriticalPoint(Shown, Stored):
 
     Parameters
     ----------
-    rotation : HeavyRotation
+    rotation : RelativeEquilibrium
 
     Examples
     --------
@@ -40,12 +40,12 @@ class CriticalPoint(Shown, Stored):
     minimum of U_c = −3 at k = (−1/3, −2/3, −2/3), ω = 0: stable
     """
 
-    rotation: HeavyRotation
+    rotation: RelativeEquilibrium
 
     @cached_property
     def kind(self) -> str:
         """minimum, saddle or maximum; degenerate where the second variation is."""
-        trace, determinant, *_ = self.rotation.signs
+        trace, determinant = self.rotation.form.signs
         if not determinant:
             return "degenerate"
         return "saddle" if determinant == -1 else "minimum" if trace == 1 else "maximum"
@@ -53,10 +53,10 @@ class CriticalPoint(Shown, Stored):
     @cached_property
     def value(self) -> Expr:
         """U_c there, exact [M L²/T²]: U + omega² k·Ik/2."""
-        scene, k = self.rotation.scene, Matrix(self.rotation.k)
+        scene, k = self.rotation.scene, Matrix(self.rotation.directions[0])
         assert scene.potential is not None
         U = evaluate(scene.potential.expression, dict(zip(DIRECTIONS, k)))
-        return evaluate(U + self.rotation.omega**2 * k.dot(scene.body.tensor * k) / 2, {})
+        return evaluate(U + self.rotation.rates["omega"]**2 * k.dot(scene.body.tensor * k) / 2, {})
 
 
 @dataclass(frozen=True, repr=False)
@@ -128,7 +128,7 @@ class AmendedPotential(Shown, Stored):
             raise ScopeError("the scene is a body of revolution in a field along its axis, the critical "
                              "points are on circles: ask relative_equilibria with C1 and the momentum about "
                              "the axis, or reduce")
-        return [CriticalPoint(rotation) for rotation in heavy_rotations(self.scene, values)]
+        return [CriticalPoint(RelativeEquilibrium(form)) for form in heavy_forms(self.scene, values)]
 
 
 @checked

@@ -19,7 +19,8 @@ from ...mechanics.scenes.system import System
 from ...notation import Stored
 from ...stability.normal_forms.windows import along_stretch
 from ..finders.heavy import OMEGA
-from ..finders.heavy_rotation import HeavyRotation
+from ..finders.heavy_form import HeavyForm
+from ..relative_equilibrium import RelativeEquilibrium
 from .rate_curves import RateCurve, rate_curves
 from .staude_arcs import End, Piece
 
@@ -70,7 +71,7 @@ class GyrostatArc(Shown, Stored):
         """The rate at its end, oo where it has none [1/T]."""
         return self.strand.spans[-1].high
 
-    def rotation(self, at: Any) -> HeavyRotation:
+    def rotation(self, at: Any) -> RelativeEquilibrium:
         """The permanent rotation of a rate, exact.
 
         Parameters
@@ -80,7 +81,7 @@ class GyrostatArc(Shown, Stored):
 
         Returns
         -------
-        HeavyRotation
+        RelativeEquilibrium
 
         Raises
         ------
@@ -90,7 +91,8 @@ class GyrostatArc(Shown, Stored):
         if not isinstance(at := exact_number(at, "omega"), Rational):
             raise ValuesError(f"omega = {at}: give a rational rate, at which the rotation is found exactly")
         span = self._span(at)
-        return self._among_others(span, at) if at == span.high else self.curve.at(span.place, at)
+        return RelativeEquilibrium(self._among_others(span, at) if at == span.high
+                                   else self.curve.at(span.place, at))
 
     @checked
     def near(self, omega: Fraction) -> tuple[tuple[float, ...], float]:
@@ -120,7 +122,7 @@ class GyrostatArc(Shown, Stored):
         raise ValuesError(f"omega = {at}, and the arc goes from {self.low.evalf(6)} to {self.high.evalf(6)}: "
                           "give a rate between")
 
-    def _among_others(self, span: Span, at: Expr) -> HeavyRotation:
+    def _among_others(self, span: Span, at: Expr) -> HeavyForm:
         """Where roots meet: two rotations of one sigma have k_i of two signs, each that of its branch."""
         found = self.curve.all_at(at)
         level = found[span.place][0]
@@ -129,11 +131,11 @@ class GyrostatArc(Shown, Stored):
                     and all(proved_sign(x) in (0, sign) for x, sign in zip(rotation.k, signs)))
 
     @cached_property
-    def circles(self) -> tuple[HeavyRotation, ...]:
+    def circles(self) -> tuple[RelativeEquilibrium, ...]:
         """Where it crosses a circle of rotations of one rate: of a body with equal moments."""
         met = [self._among_others(span, span.high) for span in self.strand.spans[:-1]
                if span.high in self.curve.through]
-        return tuple(rotation for rotation in met if rotation.circle is not None)
+        return tuple(RelativeEquilibrium(form) for form in met if form.circle is not None)
 
     @cached_property
     def ends(self) -> tuple[End, End]:
@@ -158,7 +160,8 @@ class GyrostatArc(Shown, Stored):
         for span in self.strand.spans:
             inside = [x for x in self.curve.critical if _lies(x, span)]
             for low, high in pairwise([span.low, *inside, span.high]):
-                decision = along_stretch(self.curve.at(span.place, between(low, high)).decision)
+                decision = along_stretch(
+                    RelativeEquilibrium(self.curve.at(span.place, between(low, high))).decision)
                 if pieces and pieces[-1].decision == decision:
                     low = pieces.pop().low
                 pieces.append(Piece(low, high, decision))

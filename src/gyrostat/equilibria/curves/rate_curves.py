@@ -15,9 +15,10 @@ from ...errors import ScopeError
 from ...mechanics.scenes.system import System
 from ...notation import Stored
 from ...stability.criteria.amended_form import dot
-from ..finders.heavy import OMEGA, SIGMA, heavy_rotations
+from ...stability.form import conditions
+from ..finders.heavy import OMEGA, SIGMA, heavy_forms
 from ..finders.heavy_polynomials import DIRECTION
-from ..finders.heavy_rotation import HeavyRotation
+from ..finders.heavy_form import HeavyForm
 from .staude_arcs import TAU
 
 PRECISION = 192                                        # bits of roots that become doubles
@@ -64,22 +65,22 @@ class RateCurve(Stored):
         """k of a root of the equation, exact."""
         return tuple(evaluate(x, {OMEGA: omega, self.unknown: root}) for x in self.k)
 
-    def at(self, place: int, omega: Expr) -> HeavyRotation:
+    def at(self, place: int, omega: Expr) -> HeavyForm:
         """That of a root, counted from below, at an exact rate at which all roots are simple."""
         roots = real_roots(evaluate(self.equation, {OMEGA: omega}), self.unknown) or []
-        return HeavyRotation(self.scene, self.directed(omega, roots[place]), omega)
+        return HeavyForm(self.scene, self.directed(omega, roots[place]), omega)
 
-    def all_at(self, omega: Expr) -> list[tuple[Expr, HeavyRotation]]:
+    def all_at(self, omega: Expr) -> list[tuple[Expr, HeavyForm]]:
         """sigma and rotation of all with k_i = 0 where b_i is 0 at every omega, in the order of sigma."""
         found = []
-        for whole in heavy_rotations(self.scene, {"omega": omega}):
+        for whole in heavy_forms(self.scene, {"omega": omega}):
             for rotation in self._on_branches(whole):
                 if not any(proved_sign(x) for x, y in zip(rotation.k, self.b) if not y):
                     found.append((self.sigma(rotation), rotation))
         order = in_order([sigma for sigma, _ in found])
         return sorted(found, key=lambda pair: order.index(pair[0]))
 
-    def _on_branches(self, rotation: HeavyRotation) -> list[HeavyRotation]:
+    def _on_branches(self, rotation: HeavyForm) -> list[HeavyForm]:
         """The rotation; of a circle of them those two at which branches pass, along b."""
         if rotation.circle is None:
             return [rotation]
@@ -91,7 +92,7 @@ class RateCurve(Stored):
                                           for x, y, turns in zip(rotation.k, slopes, within)))
                 for side in (-scale, scale)]
 
-    def sigma(self, rotation: HeavyRotation) -> Expr:
+    def sigma(self, rotation: HeavyForm) -> Expr:
         """Of a rotation on it, exact."""
         k, at = rotation.k, rotation.omega
         return evaluate(dot(k, [evaluate(y, {OMEGA: at}) - at**2 * m * x
@@ -124,12 +125,12 @@ class RateCurve(Stored):
 
         With tau = sigma/omega², of which the polynomials are of lower degree in omega.
         """
-        form = HeavyRotation(self.scene, tuple(x.xreplace(SLOWER) for x in self.k), OMEGA).form
+        form = HeavyForm(self.scene, tuple(x.xreplace(SLOWER) for x in self.k), OMEGA).invariants(None)
         unknown = TAU if self.unknown == SIGMA else self.unknown
         curve = PlaneCurve(self.equation.xreplace(SLOWER), unknown, OMEGA, ends=())
         name = str(curve.whole.context().names()[curve.place[0]])
         found: dict[Expr, None] = {S.Zero: None}
-        for margin in (form.determinant, form.p**2 - 4 * form.q):
+        for margin in (form.form[-1], conditions(form.spectrum)[-1]):
             top = cancel(*curve.ring.fraction(margin))[0]
             part = curve.whole / curve.whole.gcd(top)
             found |= dict.fromkeys(real_roots(curve.ring.expression(part.resultant(top, name)), OMEGA) or ())

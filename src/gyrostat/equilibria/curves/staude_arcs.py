@@ -20,7 +20,8 @@ from ...stability.decision import Decision
 from ...stability.normal_forms.d4_along_family import cuts_in_windows
 from ...stability.normal_forms.local_motion import LocalMotion
 from ...stability.normal_forms.windows import HELD, between_resonances
-from ..finders.heavy_rotation import HeavyRotation
+from ..finders.heavy_form import HeavyForm
+from ..relative_equilibrium import RelativeEquilibrium
 
 TAU, RHO = symbol("tau"), symbol("rho")
 
@@ -83,7 +84,7 @@ class StaudeArc(Shown, Stored):
         """abs(n), in the parameter [1/T²]."""
         return sqrt(_squared(self.n))
 
-    def rotation(self, at: Any) -> HeavyRotation:
+    def rotation(self, at: Any) -> RelativeEquilibrium:
         """The permanent rotation at a value of the parameter, exact, of positive rate.
 
         That of −omega has the same verdict.
@@ -95,12 +96,13 @@ class StaudeArc(Shown, Stored):
 
         Returns
         -------
-        HeavyRotation
+        RelativeEquilibrium
         """
         at = exact_number(at, str(self.parameter))
         n = [evaluate(x, {self.parameter: at}) for x in self.n]
         length = sqrt(_squared(n))
-        return HeavyRotation(self.scene, tuple(evaluate(x / length, {}) for x in n), sqrt(length))
+        k = tuple(evaluate(x / length, {}) for x in n)
+        return RelativeEquilibrium(HeavyForm(self.scene, k, sqrt(length)))
 
     @cached_property
     def ends(self) -> tuple[End, End]:

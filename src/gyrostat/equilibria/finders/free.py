@@ -1,9 +1,7 @@
 """The permanent rotations of a free body or gyrostat: every equilibrium on a momentum sphere."""
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-from flint import arb, arb_mat
 from sympy import Add, Expr, ImmutableMatrix, Matrix, S, eye, sqrt
 
 from ...algebra.enclosures.balls import ball
@@ -11,25 +9,24 @@ from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.exact import proved_sign
 from ...algebra.solving.pencils import points_on_sphere
 from ...algebra.solving.roots import real_roots
-from ...mechanics.scenes.body import Gyrostat
 from ...mechanics.scenes.system import System, at_numbers
 from ...notation import symbol
-from ...stability.criteria.number_notes import inertia_note
-from ...stability.theorems.momentum_sphere import extremum
-from .free_rotation import ANYWHERE, AT_REST, EXTREMUM, SADDLE, PermanentRotation, on_circle
+from ...stability.criteria.amended_form import dot
+from ...stability.form import PRECISION
+from .free_form import FreeForm
 from .rate_level_tilt import LENGTH, numbers_of_rotations
 from .rotors_in_rpm import without_pi
 
 NU = symbol("nu")
-PRECISION = 128                                            # bits that put the rotations in order
 
-def rotations_at(scene: System, values: Mapping[str, Any]) -> list[PermanentRotation]:
+
+def free_forms(scene: System, values: Mapping[str, Any]) -> list[FreeForm]:
     """Every permanent rotation of a scene without a field, at numbers for its names and M = abs(π + l)."""
     numbers = numbers_of_rotations(scene, values)
-    return permanent_rotations(at_numbers(scene, numbers).body, numbers[LENGTH])
+    return rotations_on_sphere(at_numbers(scene, numbers), numbers[LENGTH])
 
 
-def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]:
+def rotations_on_sphere(scene: System, radius: Expr) -> list[FreeForm]:
     """Every equilibrium of a free gyrostat on abs(M) = radius, at numbers; complete, by energy.
 
     M (1 − ν I) = l: ν is a root of Σ l²/(1 − ν I)² = abs(M)², or 1/I of axes without a rotor. Δ > 0: the
@@ -39,8 +36,8 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
 
     Parameters
     ----------
-    body : Gyrostat
-        with its numbers
+    scene : System
+        at its numbers
     radius : Expr
         not negative
 
@@ -50,38 +47,33 @@ def permanent_rotations(body: Gyrostat, radius: Expr) -> list[PermanentRotation]
 
     Examples
     --------
-    >>> for rotation in permanent_rotations(Gyrostat((1, 2, 3), (0, 0, 0)), S.One)[::2]:
-    ...     print(rotation.momentum, rotation.energy, rotation.decision.verdict.name)
-    (0, 0, -1) 1/6 STABLE
-    (0, -1, 0) 1/4 UNSTABLE
-    (-1, 0, 0) 1/2 STABLE
+    >>> import gyrostat as gs
+    >>> for form in rotations_on_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), S.One)[::2]:
+    ...     print(form.M, form.signs, form.frequencies)
+    (0, 0, -1) (1, 1) (sqrt(2)/6,)
+    (0, -1, 0) (1, -1) ()
+    (-1, 0, 0) (-1, 1) (sqrt(3)/3,)
     """
-    note = inertia_note(body, {})
-    found = _by_energy(body, radius)
-    return [replace(r, decision=replace(r.decision, note=note)) for r in found] if note else found
-
-
-def _by_energy(body: Gyrostat, radius: Expr) -> list[PermanentRotation]:
-    """The same, without what is said of the body."""
     if proved_sign(radius) == 0:
-        return [PermanentRotation(body, (S.Zero,) * 3, None, AT_REST)]
+        return [FreeForm(scene, (S.Zero,) * 3, None)]
+    body = scene.body
     if isinstance(body.inertia, ImmutableMatrix):
         inside, size, unit = without_pi(Matrix(body.gyrostatic_momentum), radius)
-        found = [_rotation(body, nu, [unit * x for x in M], axis)
+        found = [FreeForm(scene, tuple(unit * x for x in M), nu, axis)
                  for nu, M, axis in points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)]
     else:
-        found = list(_about_axes(body, radius))
-    return [rotation for _, rotation in sorted(found, key=lambda pair: pair[0])]
+        found = list(_about_axes(scene, radius))
+    return sorted(found, key=_by_energy)
 
 
-def _about_axes(body: Gyrostat, radius: Expr) -> Iterator[tuple[list[float], PermanentRotation]]:
+def _about_axes(scene: System, radius: Expr) -> Iterator[FreeForm]:
     """In principal axes."""
-    inertia, rotor = body.moments, body.gyrostatic_momentum
+    inertia, rotor = scene.body.moments, scene.body.gyrostatic_momentum
     inside, size, _ = without_pi(Matrix(rotor), radius)
     secular = Add(*(l**2 / (1 - NU * moment) ** 2 for l, moment in zip(inside, inertia))) - size**2
     for nu in real_roots(secular, NU) or ():
         M = [l / (1 - nu * moment) if l else S.Zero for l, moment in zip(rotor, inertia)]
-        yield _rotation(body, nu, M, None)
+        yield FreeForm(scene, tuple(M), nu)
     for moment in dict.fromkeys(inertia):
         axes = [n for n in range(3) if inertia[n] == moment]
         if any(rotor[n] for n in axes):
@@ -93,27 +85,13 @@ def _about_axes(body: Gyrostat, radius: Expr) -> Iterator[tuple[list[float], Per
         about = tuple(S.Zero if n in axes else S.One for n in range(3)) if len(axes) > 1 else None
         for side in (1, -1) if about is None else (1,):
             M[axes[0]] = side * sqrt(rest)
-            yield _rotation(body, 1 / moment, M, about)
+            yield FreeForm(scene, tuple(M), 1 / moment, about)
 
 
-def _rotation(body: Gyrostat, nu: Expr, M: Sequence[Expr],
-              circle: tuple[Expr, ...] | None) -> tuple[list[float], PermanentRotation]:
-    """The rotation at M, with its place in the order; the axis about which it may be turned, 0 for any."""
+def _by_energy(form: FreeForm) -> list[float]:
+    """Energy and M."""
     with own_precision(PRECISION):
-        inverse = [[ball(e, PRECISION) for e in row] for row in body.inverse.tolist()]
-        m, rotor = ([ball(e, PRECISION) for e in vector] for vector in (M, body.gyrostatic_momentum))
-        pi, slope = [x - y for x, y in zip(m, rotor)], ball(nu, PRECISION)
-        energy = sum((x * inverse[i][j] * y for i, x in enumerate(pi) for j, y in enumerate(pi)), arb(0)) / 2
-        D = arb_mat([[x - slope * (i == j) for j, x in enumerate(row)] for i, row in enumerate(inverse)])
-        # adj(D) M·M = det(M Mᵀ + D) − det D
-        curvature = (D + arb_mat([[x * y for y in m] for x in m])).det() - D.det()
-    rotation = PermanentRotation(body, tuple(M), nu, EXTREMUM if curvature > 0 else SADDLE)
-    if circle and not any(circle):
-        rotation = replace(rotation, decision=ANYWHERE, sphere=True)
-    elif circle:
-        rotation = replace(rotation, circle=circle, decision=on_circle(circle))
-    elif curvature.contains(0):
-        sign = proved_sign(rotation.curvature)
-        met = extremum(body, M, nu).decision if sign == 0 else EXTREMUM if sign == 1 else SADDLE
-        rotation = replace(rotation, decision=met)
-    return [float(x.mid()) for x in (energy, *m)], rotation
+        inverse = [[ball(e, PRECISION) for e in row] for row in form.scene.body.inverse.tolist()]
+        M, pi = ([ball(e, PRECISION) for e in vector] for vector in (form.M, form.point))
+        energy = dot(pi, [dot(row, pi) for row in inverse])
+    return [float(x.mid()) for x in (energy, *M)]

@@ -13,16 +13,17 @@ from ...algebra.solving.roots import real_roots
 from ...errors import ScopeError, ValuesError
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
+from ...stability.form import PRECISION
 from .heavy_data import data_at
 from .heavy_levels import rates_on_level
 from .heavy_polynomials import DIRECTION, degree_in_k, directions_at_rate, rates_by_elimination
-from .heavy_rotation import PRECISION, HeavyRotation
+from .heavy_form import HeavyForm
 from .rate_level_tilt import C1, exact_point, refuse_as_level
 
 OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 
 
-def heavy_rotations(scene: System, values: Mapping[str, Any]) -> list[HeavyRotation]:
+def heavy_forms(scene: System, values: Mapping[str, Any]) -> list[HeavyForm]:
     """Every one at a rate omega, on a level C1, or in a direction k1, k2, k3; as relative_equilibria says."""
     needed = {s.name for s in names_of_scene(scene)}
     asked = {"omega", "C1", *map(str, DIRECTION)} - needed
@@ -43,27 +44,27 @@ def heavy_rotations(scene: System, values: Mapping[str, Any]) -> list[HeavyRotat
                       "rate about the vertical, or C1, the value of M·k, or k1, k2, k3, a direction")
 
 
-def _at_rate(scene: System, omega: Expr) -> Iterator[HeavyRotation]:
+def _at_rate(scene: System, omega: Expr) -> Iterator[HeavyForm]:
     """(omega² I − Q + sigma) k = c − omega l, where U = c·k + k·Qk/2; any other polynomial by elimination."""
     if degree_in_k(scene, "at a rate omega") > 2:
-        yield from (HeavyRotation(scene, *found) for found in directions_at_rate(scene, omega))
+        yield from (HeavyForm(scene, *found) for found in directions_at_rate(scene, omega))
         return
     linear, curved = _quadratic(scene)
     pencil = omega**2 * scene.body.tensor - curved + SIGMA * eye(3)
     vector = linear - omega * Matrix(scene.body.gyrostatic_momentum)
     for _, k, circle in points_on_sphere(pencil, vector, S.One, SIGMA):
-        yield HeavyRotation(scene, k, omega, circle)
+        yield HeavyForm(scene, k, omega, circle)
 
 
-def _on_level(scene: System, level: Expr) -> list[HeavyRotation]:
+def _on_level(scene: System, level: Expr) -> list[HeavyForm]:
     """By resultants where U = c·k + k·Qk/2 and they tell all rotations apart, else by elimination."""
     if degree_in_k(scene, "on a level of C1") < 3:
         linear, curved = _quadratic(scene)
         inertia, rotor = scene.body.tensor, Matrix(scene.body.gyrostatic_momentum)
         with contextlib.suppress(ScopeError):
-            return [HeavyRotation(scene, k, omega, circle)
+            return [HeavyForm(scene, k, omega, circle)
                     for omega, k, circle in rates_on_level(inertia, curved, linear, rotor, level)]
-    return [HeavyRotation(scene, *found) for found in rates_by_elimination(scene, level)]
+    return [HeavyForm(scene, *found) for found in rates_by_elimination(scene, level)]
 
 
 def _quadratic(scene: System) -> tuple[Matrix, Matrix]:
@@ -72,7 +73,7 @@ def _quadratic(scene: System) -> tuple[Matrix, Matrix]:
     return Matrix(linear), Matrix(curved)
 
 
-def _in_direction(scene: System, k: tuple[Expr, ...]) -> list[HeavyRotation]:
+def _in_direction(scene: System, k: tuple[Expr, ...]) -> list[HeavyForm]:
     """Where omega² Ik × k + omega l × k = ∇U × k."""
     length = evaluate(Add(*(x**2 for x in k)), {})
     if proved_sign(length - 1) != 0:
@@ -85,11 +86,11 @@ def _in_direction(scene: System, k: tuple[Expr, ...]) -> list[HeavyRotation]:
     if not (proper := [found for found in rates if found is not None]):
         raise ValuesError("in that direction every rate omega is that of a permanent rotation: give omega "
                           "too, to Report.verdict")
-    return [HeavyRotation(scene, k, omega) for omega in proper[0]
+    return [HeavyForm(scene, k, omega) for omega in proper[0]
             if all(proved_sign(evaluate(r, {OMEGA: omega})) == 0 for r in residuals)]
 
 
-def _place(rotation: HeavyRotation) -> list[float]:
+def _place(rotation: HeavyForm) -> list[float]:
     """From the upright one down."""
     k1, k2, k3 = (float(ball(x, PRECISION).mid()) for x in rotation.k)
     return [-k3, k1, k2]

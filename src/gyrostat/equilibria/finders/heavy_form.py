@@ -9,6 +9,7 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...mechanics.scenes.system import System
+from ...notation import symbol
 from ...stability.criteria.amended_form import amended_form
 from ...stability.decision import Decision, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
@@ -56,6 +57,11 @@ class HeavyForm(Form):
     label: str = LABEL
 
     @property
+    def described(self) -> tuple[tuple[str | Expr, Any], ...]:
+        """k and omega."""
+        return ("k", self.k), (symbol("omega"), self.omega)
+
+    @property
     def place(self) -> dict[str, Expr | None]:
         """k and omega."""
         return {"k1": self.k[0], "k2": self.k[1], "k3": self.k[2], "omega": self.omega}
@@ -65,6 +71,11 @@ class HeavyForm(Form):
         """π = omega Ik and k."""
         along = self.scene.body.tensor * Matrix(self.k)
         return (*(evaluate(self.omega * x, {}) for x in along), *self.k)
+
+    @property
+    def directions(self) -> tuple[tuple[Expr, ...], ...]:
+        """k."""
+        return (self.k,)
 
     @property
     def rates(self) -> dict[str, Expr]:
@@ -104,7 +115,7 @@ class HeavyForm(Form):
 
     def known(self) -> Decision | None:
         """On a curve of rotations that is no circle."""
-        return None if self.curve is None else ACROSS if self.signs[1][0] == -1 else ALONG
+        return None if self.curve is None else ACROSS if self.spectral_signs[0] == -1 else ALONG
 
     def known_damped(self) -> Decision | None:
         """The same."""

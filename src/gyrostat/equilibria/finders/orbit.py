@@ -13,13 +13,13 @@ from ...mechanics.families.circular_orbit import NORMAL, VERTICAL, by_gradient_a
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
 from .orbital_axial import along_an_axis, circles
-from .orbital_equilibrium import OrbitalEquilibrium
+from .orbital_form import OrbitalForm
 from .rate_level_tilt import exact_point
 
 N, R = (tuple(symbol(f"{x}{i}") for i in (1, 2, 3)) for x in (NORMAL, VERTICAL))
 
 
-def orbital_equilibria(scene: System, values: Mapping[str, Any]) -> list[OrbitalEquilibrium]:
+def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
     """All of them, as relative_equilibria says.
 
     n and r are unit vectors at right angles with t·Ir = 0, t·(ω0 In + l) = 0 and r·(4 ω0 In + l) = 0. With l
@@ -64,7 +64,7 @@ def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
     return same[0] if same else None
 
 
-def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalEquilibrium]:
+def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalForm]:
     """Where r is along no principal axis; the rotor is ω0 scale l."""
     I = scene.body.moments
     along = [moment * x for moment, x in zip(I, R)]
@@ -74,7 +74,7 @@ def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalEq
     quartic = scale**2 * level**2 - 16 * Add(*(x**2 for x in c))
     mean = Add(*(x * y for x, y in zip(along, R)))
     normal = [-4 * (a * Add(*(x**2 for x in R)) - mean * x) for a, x in zip(along, R)]
-    yield from (OrbitalEquilibrium(scene, place[3:].over(scale), place[:3])
+    yield from (OrbitalForm(scene, place[3:].over(scale), place[:3])
                 for place in _finite([cubic, quartic], R, level, normal))
 
 
@@ -89,7 +89,7 @@ def _finite(polynomials: Sequence[Expr], k: Sequence[Expr], but: Expr = S.One, o
 
 
 def _principal(scene: System, l: Sequence[Expr], scale: Expr, axis: int | None
-               ) -> Iterator[OrbitalEquilibrium]:
+               ) -> Iterator[OrbitalForm]:
     """Where r is along a principal axis across l: n on a circle, t·(ω0 In + l) = 0.
 
     With the scale a root, its square is taken, and of two opposite n one has the right sign.
@@ -108,4 +108,4 @@ def _principal(scene: System, l: Sequence[Expr], scale: Expr, axis: int | None
         for n in _finite([held, Add(*(x * y for x, y in zip(v, N)))], N):
             if scale == 1 or proved_sign(evaluate(own * given * scale, dict(zip(N, n)))) != 1:
                 for side in (S.One, S.NegativeOne):
-                    yield OrbitalEquilibrium(scene, n, tuple(side * x / length for x in v))
+                    yield OrbitalForm(scene, n, tuple(side * x / length for x in v))

@@ -5,14 +5,14 @@ from sympy import Expr, S, sqrt
 
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...mechanics.scenes.system import System
-from .orbital_equilibrium import OrbitalEquilibrium
+from .orbital_form import OrbitalForm
 
 CURVE = "a closed curve of equilibria, (l·r)² = 16 ω0² abs(r × Ir)²"
 SIDES = S.One, S.NegativeOne
 Vector = tuple[Expr, Expr, Expr]
 
 
-def along_an_axis(scene: System, axis: int, L: Expr) -> Iterator[OrbitalEquilibrium]:
+def along_an_axis(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
     """With the rotor ω0 L along an axis j that is none of symmetry; complete.
 
     n along j, r along another axis; or r along k, n in the plane of i and j, n_j = L/(I_i − I_j); or t along
@@ -26,28 +26,28 @@ def along_an_axis(scene: System, axis: int, L: Expr) -> Iterator[OrbitalEquilibr
     for i, k in (others, others[::-1]):
         for up in SIDES:
             for side in SIDES:
-                yield OrbitalEquilibrium(scene, _vector({axis: side}), _vector({k: up}))
+                yield OrbitalForm(scene, _vector({axis: side}), _vector({k: up}))
             for high, across in _tilts(L, beyond[i]):
-                yield OrbitalEquilibrium(scene, _vector({axis: high, i: across}), _vector({k: up}), locus)
+                yield OrbitalForm(scene, _vector({axis: high, i: across}), _vector({k: up}), locus)
             for high, across in _tilts(L, 4 * beyond[k]):
                 vertical = _vector({axis: -up * across, k: up * high})
-                yield OrbitalEquilibrium(scene, _vector({axis: high, k: across}), vertical, locus)
+                yield OrbitalForm(scene, _vector({axis: high, k: across}), vertical, locus)
 
 
-def circles(scene: System, axis: int, L: Expr) -> Iterator[OrbitalEquilibrium]:
+def circles(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
     """Of a body of revolution with the rotor ω0 L along its axis: the precessions, a point of each circle."""
     i, k = (n for n in range(3) if n != axis)
     beyond = scene.body.moments[i] - scene.body.moments[axis]
     circle = f"a circle of equilibria about axis {axis + 1}, "
     for side in SIDES:
-        yield OrbitalEquilibrium(scene, _vector({axis: side}), _vector({i: S.One}),
+        yield OrbitalForm(scene, _vector({axis: side}), _vector({i: S.One}),
                                  f"{circle}cylindrical precession")
         for high, across in _tilts(L, beyond)[:1]:
-            yield OrbitalEquilibrium(scene, _vector({axis: high, i: across}), _vector({k: side}),
+            yield OrbitalForm(scene, _vector({axis: high, i: across}), _vector({k: side}),
                                      f"{circle}hyperbolic precession")
         for high, across in _tilts(L, 4 * beyond)[:1]:
             vertical = _vector({axis: side * across, i: -side * high})
-            yield OrbitalEquilibrium(scene, _vector({axis: high, i: across}), vertical,
+            yield OrbitalForm(scene, _vector({axis: high, i: across}), vertical,
                                      f"{circle}conical precession")
 
 

@@ -4,11 +4,12 @@ from typing import Any
 
 from ...algebra.rings.matrices import adjugate, cross
 from ...stability.criteria.amended_form import dot, trace
+from ...stability.form import Invariants
 
 
 def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequence[Any], r: Sequence[Any],
-               rate: Any) -> tuple[Any, ...]:
-    """Of K its trace, second invariant and determinant; c2, c1, c0 of the sextic, times det I; and Δ.
+               rate: Any) -> Invariants:
+    """Of K its trace, second invariant and determinant; the sextic, a cubic in λ², times det I.
 
     In the basis (t, n, r): K = [[4ω0² (I_nn − I_rr) + ω0 l_n, −3ω0² I_tn, 0], [., 3ω0² (I_tt − I_rr),
     3ω0² I_nr], [0, ., ω0² (I_nn − I_tt) + ω0 l_n]], g = (−ω0 I_tn, ω0 (I_tt + I_rr − I_nn) − l_n, 2ω0 I_nr).
@@ -23,7 +24,7 @@ def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequenc
 
     Returns
     -------
-    tuple, shape (7,)
+    Invariants
     """
     frame = cross(n, r), n, r
     I = [[dot(a, [dot(row, b) for row in tensor]) for b in frame] for a in frame]
@@ -37,9 +38,7 @@ def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequenc
     d = dot(I[0], cross(I[1], I[2]))
     a = sum((dot(x, y) for x, y in zip(adjugate(I), K)), 0 * square) + dot(g, [dot(row, g) for row in I])
     b = sum((dot(x, y) for x, y in zip(minors, I)), 0 * square) + dot(g, [dot(row, g) for row in K])
-    c = whole
-    discriminant = a**2 * b**2 - 4 * d * b**3 - 4 * a**3 * c + 18 * d * a * b * c - 27 * d**2 * c**2
-    return trace(K), trace(minors), whole, a, b, c, discriminant
+    return Invariants((trace(K), trace(minors), whole), (d, a, b, whole))
 
 
 def unreached(tensor: Sequence[Sequence[Any]], n: Sequence[Any], r: Sequence[Any]) -> tuple[Any, Any]:

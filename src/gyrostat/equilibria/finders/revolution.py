@@ -6,29 +6,31 @@ from typing import Any
 
 from sympy import Expr, Integer, Pow, S, Symbol, sqrt
 
+from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.reals.exact import Point, evaluate, proved_sign, sign_of_constant
 from ...algebra.solving.roots import real_roots
 from ...errors import ValuesError
 from ...mechanics.equilibrium.claimed_point import equilibrium
+from ...mechanics.equilibrium.recognition import UNITS, Recognition
 from ...mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce, reducible
 from ...mechanics.families.family import Family
 from ...mechanics.families.named_families import E3, E3_AT_REST, POLES
 from ...mechanics.scenes.body import symmetric_gyrostat
 from ...mechanics.scenes.potential import Potential
-from ...mechanics.scenes.system import System, assemble
+from ...mechanics.scenes.system import System, assemble, at_numbers, names_of_scene
 from ...notation import symbol
 from ...stability.decision import Verdict
 from ...stability.report.analysis import analyze
 from ...stability.report.report import Report
-from .precession_branch import PRECESSION, Branch, in_axes_of
 from .rate_level_tilt import C1, PI3, asked_about, asked_for
+from .revolution_form import PRECESSION, RevolutionForm
 
 DU = symbol("dU")
 _MOMENTS = frozenset(map(symbol, ("I1", "I2", "I3")))
 
 
-def branches_at(scene: System, values: Mapping[str, Any]) -> list[Branch]:
+def revolution_forms(scene: System, values: Mapping[str, Any]) -> list[RevolutionForm]:
     """Every relative equilibrium of a body of revolution in U(k3); as relative_equilibria says."""
     if (
         not reducible(scene)
@@ -37,22 +39,25 @@ def branches_at(scene: System, values: Mapping[str, Any]) -> list[Branch]:
         and (turned := asked_about(scene, values))
     ):
         found, own = turned
-        return [in_axes_of(found, branch) for branch in branches_at(found.standard, own)]
-    asked, numbers = asked_for(scene, values)
-    here = SceneAtNumbers(scene, numbers)
-    if asked == ("omega",):
+        return _asked_of(SceneAtNumbers(found.standard, *asked_for(found.standard, own), found))
+    return _asked_of(SceneAtNumbers(scene, *asked_for(scene, values)))
+
+
+def _asked_of(here: "SceneAtNumbers") -> list[RevolutionForm]:
+    numbers = here.numbers
+    if here.asked == ("omega",):
         return here.at_rate(numbers[OMEGA])
-    if asked == ("pi3_0", "C1"):
+    if here.asked == ("pi3_0", "C1"):
         return here.on_level(numbers[PI3], numbers[C1])
-    if asked == ("k3",):
+    if here.asked == ("k3",):
         return here.at_tilt(numbers[K3])
     return here.at_tilt(numbers[K3], numbers[PI3])
 
 
-def pole_at(scene: System, s: int, values: Mapping[str, Any]) -> Branch | None:
+def pole_at(scene: System, s: int, values: Mapping[str, Any]) -> RevolutionForm | None:
     """E1 (s = 1) or E2 (s = −1) at values with omega; None where U is infinite."""
-    here = SceneAtNumbers(scene, numbers := asked_for(scene, values)[1])
-    return next(iter(here.pole(s, s * here.I3 * numbers[OMEGA])), None)
+    here = SceneAtNumbers(scene, *asked_for(scene, values))
+    return next(iter(here.pole(s, s * here.I3 * here.numbers[OMEGA])), None)
 
 
 def critical_tilt(scene: System, k3: Expr, values: Mapping[str, Any]) -> Verdict:
@@ -68,10 +73,10 @@ def critical_tilt(scene: System, k3: Expr, values: Mapping[str, Any]) -> Verdict
     values : mapping of name to number
         as in relative_equilibria, with omega
     """
-    here = SceneAtNumbers(scene, numbers := asked_for(scene, values)[1])
-    report = _report(here.potential, E3_AT_REST if sign_of_constant(numbers[OMEGA]) == 0 else E3)
+    here = SceneAtNumbers(scene, *asked_for(scene, values))
+    report = _report(here.potential, E3_AT_REST if sign_of_constant(here.numbers[OMEGA]) == 0 else E3)
     assert report.boundary is not None
-    return report.boundary.decide(Point({**here.known, K3: k3, OMEGA: numbers[OMEGA]}), {}).verdict
+    return report.boundary.decide(Point({**here.known, K3: k3, OMEGA: here.numbers[OMEGA]}), {}).verdict
 
 
 @lru_cache(maxsize=256)
@@ -89,8 +94,10 @@ def _report(potential: Potential, family: Family) -> Report:
 class SceneAtNumbers:
     """A scene at numbers: what is asked of it in different ways."""
 
-    def __init__(self, scene: System, numbers: Point):
+    def __init__(self, scene: System, asked: tuple[str, ...], numbers: Point,
+                 found: Recognition | None = None):
         assert scene.potential is not None
+        self.asked, self.numbers, self._scene, self._found = asked, numbers, scene, found
         self.I1, _, self.I3 = (evaluate(m, numbers) for m in scene.body.moments)
         self.l = evaluate(scene.body.gyrostatic_momentum[2], numbers)
         body = {symbol("I1"): self.I1, symbol("I3"): self.I3, symbol("l"): self.l}
@@ -106,26 +113,26 @@ class SceneAtNumbers:
         self.motion = reduce(assemble(symmetric_gyrostat(), self.potential))
         self.slope = self.motion.precession().xreplace({DU: self.potential.value(DU)})
 
-    def at_rate(self, omega: Expr) -> list[Branch]:
+    def at_rate(self, omega: Expr) -> list[RevolutionForm]:
         tilts = self._solved(self.slope.xreplace({P: symbol("I3") * OMEGA * K3 + symbol("l")}),
                              {OMEGA: omega}, K3)
         found = (
             [self.tilted(k3, omega, S.Zero) for k3 in reversed(tilts)]
             if tilts is not None
-            else [self.continuum(omega, omega, S.Zero)]
+            else [self.tilted(S.Zero, omega, S.Zero, "k3")]
         )
         return [*self.pole(1, self.I3 * omega), *found, *self.pole(-1, -self.I3 * omega)]
 
-    def on_level(self, pi3: Expr, c1: Expr) -> list[Branch]:
+    def on_level(self, pi3: Expr, c1: Expr) -> list[RevolutionForm]:
         level = {P: pi3 + self.l, V: c1}
         tilts = self._solved(self.slope.xreplace({OMEGA: self.motion.rate}), level, K3)
         first, last = ([b for b in self.pole(s, pi3) if proved_sign(c1 - s * level[P]) == 0] for s in (1, -1))
         if tilts is None:
-            return [*first, self.continuum(None, c1 / self.I1, pi3 / self.I3), *last]
+            return [*first, self.tilted(S.Zero, c1 / self.I1, pi3 / self.I3, "omega"), *last]
         rates = [(self.motion.rate.xreplace({**self.known, **level, K3: k3}), k3) for k3 in reversed(tilts)]
         return [*first, *(self.tilted(k3, omega, pi3 / self.I3 - omega * k3) for omega, k3 in rates), *last]
 
-    def at_tilt(self, k3: Expr, pi3: Expr | None = None) -> list[Branch]:
+    def at_tilt(self, k3: Expr, pi3: Expr | None = None) -> list[RevolutionForm]:
         if not self._defined(k3):
             raise ValuesError(f"U = {self.potential.expression} is not defined at k3 = {k3}: choose "
                               "another tilt")
@@ -138,33 +145,31 @@ class SceneAtNumbers:
         sigma = [S.Zero if pi3 is None else pi3 / self.I3 - omega * k3 for omega in rates]
         return [self.tilted(k3, omega, spin) for omega, spin in zip(rates, sigma)]
 
-    def pole(self, s: int, pi3: Expr) -> list[Branch]:
+    @cached_property
+    def found(self) -> Recognition:
+        """The scene at its numbers, and the axis."""
+        if self._found is not None:
+            return self._found
+        own = names_of_scene(self._scene)
+        here = at_numbers(self._scene, {s: x for s, x in self.numbers.items() if s in own})
+        return Recognition(here, UNITS[2], here)
+
+    def pole(self, s: int, pi3: Expr) -> list[RevolutionForm]:
         """E1 or E2, none where U is infinite."""
         if not self._defined(Integer(s)):
             return []
         report = _report(self.potential, POLES[s])
-        asked = self._asked(report, {"pi3_0": pi3})
-        return [Branch(POLES[s].label, Integer(s), s * pi3 / self.I3, S.Zero, pi3, report.verdict(asked),
-                       damped=report.verdict(asked, damped=True))]
+        return [RevolutionForm(POLES[s].label, self.found, Integer(s), s * pi3 / self.I3, S.Zero, pi3, report,
+                               self._asked(report, {"pi3_0": pi3}))]
 
-    def tilted(self, k3: Expr, omega: Expr, sigma: Expr) -> Branch:
+    def tilted(self, k3: Expr, omega: Expr, sigma: Expr, every: str = "") -> RevolutionForm:
         """E3, or the precession that is E3 with the rotor l + I3 σ."""
         rest = proved_sign(omega) == 0
         report = _report(self.potential, E3_AT_REST if rest else E3)
         given = {"k3": k3, "l": self.l + self.I3 * sigma} if rest else {"k3": k3, "omega": omega}
-        asked, pi3 = self._asked(report, given), self.I3 * (omega * k3 + sigma)
-        if proved_sign(sigma) == 0:
-            return Branch(E3.label, k3, omega, sigma, pi3, report.verdict(asked), report.itself(asked),
-                          damped=report.verdict(asked, damped=True))
-        return Branch(PRECESSION, k3, omega, sigma, pi3, report.verdict(asked))
-
-    def continuum(self, omega: Expr | None, rate: Expr, sigma: Expr) -> Branch:
-        """Every tilt is an equilibrium: the margin has one sign on all of them, that at k3 = 0."""
-        middle = self.tilted(S.Zero, rate, sigma)
-        if omega is None:
-            return Branch(PRECESSION, None, None, None, None, middle.decision)
-        return Branch(E3.label, None, omega, sigma, None, middle.decision, middle.itself,
-                      damped=middle.damped)
+        label = E3.label if proved_sign(sigma) == 0 and every != "omega" else PRECESSION
+        return RevolutionForm(label, self.found, k3, omega, sigma, self.I3 * (omega * k3 + sigma), report,
+                              self._asked(report, given), every)
 
     def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
         """The numbers that a report takes, but for the name that its family expresses by the others."""

@@ -8,7 +8,7 @@ from ...algebra.rings.readable import readable
 from ...equilibria.curves.gyrostat_arcs import GyrostatArc
 from ...equilibria.curves.staude import StaudeCone
 from ...equilibria.curves.staude_arcs import End, Piece, StaudeArc
-from ...equilibria.finders.heavy_rotation import HeavyRotation
+from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...notation import symbol
 from ..blocks import Block, Display, Word, equations, listed, sentence
 from .interval_ends import number
@@ -45,9 +45,9 @@ def gyrostat_arc_blocks(arc: GyrostatArc) -> list[Block]:
             *_verdicts(OMEGA, arc.pieces), *map(_crossed, arc.circles)]
 
 
-def _crossed(rotation: HeavyRotation) -> Block:
-    return sentence("Where ", *equations([(OMEGA, number(rotation.omega))]), " every direction of ",
-                    rotation.locus, ", through ", VECTOR, " = (", *listed(map(number, rotation.k)),
+def _crossed(rotation: RelativeEquilibrium) -> Block:
+    return sentence("Where ", *equations([(OMEGA, number(rotation.rates["omega"]))]), " every direction of ",
+                    rotation.locus, ", through ", VECTOR, " = (", *listed(map(number, rotation.directions[0])),
                     "), is that of a permanent rotation")
 
 

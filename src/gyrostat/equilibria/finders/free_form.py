@@ -1,0 +1,134 @@
+"""A permanent rotation of a free body or gyrostat: what decides it, and in which words."""
+from dataclasses import dataclass, replace
+
+from typing import Any
+
+from sympy import Add, Expr, S, sqrt
+
+from ...algebra.enclosures.balls import ball
+from ...algebra.reals.exact import evaluate
+from ...algebra.rings.matrices import adjugate
+from ...mechanics.scenes.system import System
+from ...notation import symbol
+from ...stability.criteria.amended_form import dot, trace
+from ...stability.damping.secular import KEEPS, lost
+from ...stability.decision import Decision, Rung, settled
+from ...stability.form import Form, Invariants
+from ...stability.theorems.momentum_sphere import DRIFTS, circle_in_words, extremum
+
+ANYWHERE = settled(True, "M stays where it is: all moments are equal, and there is no rotor",
+                   Rung.SECOND_VARIATION)
+AT_REST = settled(True, "M = 0 is the whole orbit", Rung.WHOLE_ORBIT)
+
+
+@dataclass(frozen=True)
+class FreeForm(Form):
+    """Of a rotation about an axis fixed in the body and in space: the energy on the sphere of M = I ω + l.
+
+    With ω = ν M, D = I⁻¹ − ν and Δ = M·adj(D) M the invariants, times abs(M)², are tr D abs(M)² − M·DM and Δ;
+    the eigenvalues are ±√−Δ.
+
+    Parameters
+    ----------
+    scene : System
+        at its numbers
+    M : tuple of Expr, shape (3,)
+        exact [M L²/T]
+    nu : Expr or None
+        ν [1/(M L²)]; None where M = 0
+    circle : tuple of Expr, shape (3,), or None
+        along the axis about which the point may be turned: a circle of equilibria; (0, 0, 0) for any axis
+    """
+
+    LEAST = settled(True, "the energy is an extremum on the momentum sphere", Rung.SECOND_VARIATION)
+    ODD = settled(False, "the energy is a saddle on the momentum sphere: an eigenvalue has a positive real "
+                  "part", Rung.SPECTRUM, "spectral")
+    greatest = True
+    label = "permanent rotation"
+    scene: System
+    M: tuple[Expr, ...]
+    nu: Expr | None
+    circle: tuple[Expr, ...] | None = None
+
+    @property
+    def described(self) -> tuple[tuple[str | Expr, Any], ...]:
+        """M."""
+        return (("M", self.M),)
+
+    @property
+    def place(self) -> dict[str, Expr | None]:
+        """π."""
+        return dict(zip(("pi1", "pi2", "pi3"), self.point))
+
+    @property
+    def point(self) -> tuple[Expr, ...]:
+        """π = M − l."""
+        return tuple(m - l for m, l in zip(self.M, self.scene.body.gyrostatic_momentum))
+
+    @property
+    def rates(self) -> dict[str, Expr]:
+        """About M, negative against it."""
+        return {} if self.nu is None else {"omega": evaluate(self.nu * sqrt(Add(*(m**2 for m in self.M))), {})}
+
+    @property
+    def locus(self) -> str:
+        """A circle, or the sphere."""
+        if self.circle is None:
+            return ""
+        return circle_in_words(self.circle) if any(self.circle) else "the whole sphere"
+
+    @property
+    def rational(self) -> bool:
+        """Δ is one number."""
+        return True
+
+    reached = True
+
+    def invariants(self, precision: int | None) -> Invariants:
+        """In principal axes Δ = M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν."""
+        if self.nu is None:
+            return Invariants((S.Zero, S.Zero), (S.One, S.Zero))
+        rows, M, nu = self.scene.body.inverse.tolist(), self.M, self.nu
+        if precision is not None:
+            rows = [[ball(x, precision) for x in row] for row in rows]
+            M, nu = tuple(ball(m, precision) for m in self.M), ball(self.nu, precision)
+        D = [[x - nu if i == j else x for j, x in enumerate(row)] for i, row in enumerate(rows)]
+        along, across = ([dot(row, M) for row in matrix] for matrix in (D, adjugate(D)))
+        curvature = dot(M, across)
+        return Invariants((trace(D) * dot(M, M) - dot(M, along), curvature), (1, curvature))
+
+    def known(self) -> Decision | None:
+        """M = 0, a circle and the whole sphere."""
+        if self.nu is None:
+            return AT_REST
+        if self.circle is None:
+            return None
+        return on_circle(self.circle) if any(self.circle) else ANYWHERE
+
+    def known_damped(self) -> Decision | None:
+        """The same; on a circle modulo the turns about its axis."""
+        if self.nu is None:
+            return replace(AT_REST, notion="secular", growing=0)
+        if self.circle is None:
+            return None
+        falling = self.signs[0] != 1
+        found = lost(1 if any(self.circle) else 2) if falling else KEEPS
+        known = self.known()
+        assert known is not None
+        return replace(found, modulo=known.modulo)
+
+    def known_point(self) -> Decision | None:
+        """On a circle others drift along it."""
+        return settled(False, DRIFTS, Rung.DRIFT)
+
+    def degenerate(self) -> Decision | None:
+        """To fourth order."""
+        assert self.nu is not None
+        return extremum(self.scene.body, self.M, self.nu).decision
+
+
+def on_circle(axis: tuple[Expr, ...]) -> Decision:
+    """The decision on a circle of rotations about an axis, modulo the turns about it."""
+    along = Add(*(x * symbol(f"pi{n}") for n, x in enumerate(axis, 1)))
+    return settled(True, "the momentum along the axis of the circle is conserved, and on its level nothing "
+                   "else moves", Rung.SECOND_VARIATION, modulo=(along,))

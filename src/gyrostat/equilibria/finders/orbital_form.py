@@ -1,0 +1,122 @@
+"""An attitude in which a satellite rests in the frame of its circular orbit: what decides it, in words too."""
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb
+from sympy import Expr
+
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.precision import doubled, own_precision
+from ...algebra.reals.exact import evaluate, proved_sign
+from ...algebra.solving.real_fields import FieldNumbers
+from ...mechanics.families.circular_orbit import orbital_rate, resting_at
+from ...mechanics.scenes.system import System
+from ...stability.decision import Decision, Rung, settled, undecided
+from ...stability.form import PRECISION, Form, Invariants
+from ...stability.report.report import Report
+from ...stability.theorems.two_directions import HELD, on_curve
+from .orbital_invariants import invariants, unreached
+
+OPEN = undecided(HELD)
+
+
+@dataclass(frozen=True)
+class OrbitalForm(Form):
+    """Of a satellite at rest in the frame of its orbit, ω = ω0 n: the stiffness K of its orientation.
+
+    Parameters
+    ----------
+    scene : System
+        at its numbers
+    n, r : sequence of Expr, shape (3,)
+        the normal of the orbit and the vertical, outwards, in body axes, exact
+    locus : str
+        "" for a point, else the curve of equilibria to which it belongs, in words; of a body of revolution
+        the circle, and the verdict is modulo the turn about its axis
+    """
+
+    LEAST = settled(True, "the energy has a minimum: K is positive definite", Rung.SECOND_VARIATION)
+    ODD = settled(False, "K has an odd number of negative squares: an eigenvalue has a positive real part",
+                  Rung.SPECTRUM, "spectral")
+    LEAVES = settled(False, "K has two negative squares, and the gyroscopic forces do not hold it: an "
+                     "eigenvalue has a positive real part", Rung.SPECTRUM, "spectral")
+    label = "equilibrium in orbit"
+    scene: System
+    n: Sequence[Expr]
+    r: Sequence[Expr]
+    locus: str = ""
+
+    @cached_property
+    def directions(self) -> tuple[tuple[Expr, ...], ...]:
+        """n and r."""
+        return tuple(self.n), tuple(self.r)
+
+    @property
+    def described(self) -> tuple[tuple[str | Expr, Any], ...]:
+        """n and r."""
+        n, r = self.directions
+        return ("n", n), ("r", r)
+
+    @property
+    def place(self) -> dict[str, Expr | None]:
+        """n and r."""
+        n, r = self.directions
+        return dict(zip(("n1", "n2", "n3", "r1", "r2", "r3"), (*n, *r)))
+
+    @cached_property
+    def point(self) -> tuple[Expr, ...]:
+        """π = ω0 In, n and r."""
+        return tuple(evaluate(x, {}) for x in resting_at(self.scene, *self.directions))
+
+    @property
+    def rates(self) -> dict[str, Expr]:
+        """Of the orbit."""
+        return {"omega0": orbital_rate(self.scene)}
+
+    def invariants(self, precision: int | None) -> Invariants:
+        """Of K, and of the sextic."""
+        body, rate = self.scene.body, orbital_rate(self.scene)
+        given = *body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r
+        if precision is None:
+            *tensor, rotor, n, r = given[:4] + self.directions
+            return invariants(tensor, rotor, n, r, rate)
+        *tensor, rotor, n, r = (balls(x, precision) for x in given)
+        return invariants(tensor, rotor, n, r, ball(rate, precision))
+
+    def known(self) -> Decision | None:
+        """Where an integral is found by its report; on a curve, along which K is degenerate."""
+        if self.scene.linear_integrals:
+            return Report(self.equilibrium).verdict({})
+        if not self.locus:
+            return None
+        found = self.LEAVES if -1 in self.spectral_signs else on_curve(self.equilibrium, {})
+        return undecided(self.locus) if found is None else found
+
+    def known_damped(self) -> Decision | None:
+        """The same."""
+        return Report(self.equilibrium).verdict({}, damped=True) if self.scene.linear_integrals else None
+
+    def held(self) -> Decision:
+        """No theorem decides."""
+        return OPEN
+
+    @property
+    def reached(self) -> bool:
+        """t·In and n·In − r·Ir do not both vanish."""
+        rows = self.scene.body.tensor.tolist()
+        for precision in doubled(PRECISION):
+            with own_precision(precision):
+                found = unreached([balls(row, precision) for row in rows], balls(self.n, precision),
+                                  balls(self.r, precision))
+                if any(not x.contains(0) for x in found):
+                    return True
+        return any(proved_sign(evaluate(x, {})) for x in unreached(rows, *self.directions))
+
+
+def balls(numbers: Sequence[Expr], precision: int) -> list[arb]:
+    """Enclosures, of numbers in a field without their expressions."""
+    if isinstance(numbers, FieldNumbers):
+        return numbers.balls(precision)
+    return [ball(x, precision) for x in numbers]

@@ -1,0 +1,162 @@
+"""A relative equilibrium of a body of revolution in U(k3), in the axes of its scene: what decides it."""
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from sympy import Expr, ImmutableMatrix, S, sqrt
+
+from ..._cached import cached_property
+from ...algebra.reals.exact import evaluate, proved_sign
+from ...mechanics.equilibrium.claimed_point import equilibrium
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.recognition import Recognition
+from ...mechanics.scenes.system import System, assemble
+from ...notation import symbol
+from ...stability.decision import Decision
+from ...stability.form import Form, Invariants
+from ...stability.report.report import Report
+from .heavy_form import HeavyForm
+
+# the label of a regular precession that is none of E3
+PRECESSION = "precession"
+
+
+@dataclass(frozen=True)
+class RevolutionForm(Form):
+    """Of ω = omega k + sigma c, c the axis: E1, E2, E3 (sigma = 0), or a regular precession.
+
+    That is a periodic orbit of the Lie-Poisson field, and E3 of the body whose rotor carries l + I3 sigma.
+    The decision is that of the report of its family at these numbers.
+
+    Parameters
+    ----------
+    label : str
+        "E1", "E2", "E3" or PRECESSION
+    found : Recognition
+        the scene at its numbers, and the axis
+    k3 : Expr
+        k·c; of a continuum 0
+    omega, sigma : Expr
+        rate about the vertical, and about the axis on top of it [1/T]
+    pi3 : Expr
+        axial momentum of the locked body [M L²/T]
+    report : Report
+        of the family, in the standard scene
+    asked : mapping of name to number
+        at which it is asked
+    every : str
+        of a continuum what takes every value beside k3: "" of none, "k3", or "omega" where the rates vary too
+    """
+
+    label: str
+    found: Recognition
+    k3: Expr
+    omega: Expr
+    sigma: Expr
+    pi3: Expr
+    report: Report
+    asked: Mapping[str, Any] = field(hash=False)
+    every: str = ""
+
+    @property
+    def scene(self) -> System:  # type: ignore[override]
+        """At its numbers."""
+        return self.found.scene
+
+    @property
+    def described(self) -> tuple[tuple[str | Expr, Any], ...]:
+        """k·c, omega and sigma; None of what takes every value."""
+        rates = (None, None) if self.every == "omega" else (self.omega, self.sigma)
+        return ((self.found.along(self.scene.space.coordinates[3:]), None if self.every else self.k3),
+                *zip((symbol("omega"), symbol("sigma")), rates))
+
+    @property
+    def place(self) -> dict[str, Expr | None]:
+        """k3, omega, sigma and pi3; of a scene in other axes its point."""
+        _, (_, omega), (_, sigma) = self.described
+        if self.found.scene is self.found.standard:
+            k3, pi3 = (None, None) if self.every else (self.k3, self.pi3)
+            return {"k3": k3, "omega": omega, "sigma": sigma, "pi3": pi3}
+        names = map(str, self.scene.space.coordinates)
+        return dict(zip(names, () if self.every else self.point)) | {"omega": omega, "sigma": sigma}
+
+    @cached_property
+    def point(self) -> tuple[Expr, ...]:
+        """π and k, k across axis 2 of the standard scene."""
+        k1 = S.Zero if self.k3**2 == 1 else sqrt(1 - self.k3**2)
+        pi = self.found.standard.body.moments[0] * self.omega * k1, S.Zero, self.pi3
+        return tuple(x for v in (pi, (k1, S.Zero, self.k3)) for x in self.found.rotation.T * ImmutableMatrix(v))
+
+    @property
+    def rates(self) -> dict[str, Expr]:
+        """About the vertical, and about the axis on top of it."""
+        return {"omega": self.omega, "sigma": self.sigma}
+
+    @property
+    def locus(self) -> str:
+        """Every tilt."""
+        return f"every {self.found.name} from −1 to 1" if self.every else ""
+
+    @property
+    def singular(self) -> bool:
+        """A tilt may be turned about the axis."""
+        return self.k3**2 != 1
+
+    @property
+    def turns(self) -> bool:
+        """Where sigma is not 0."""
+        return self.label == PRECESSION
+
+    @cached_property
+    def _spin(self) -> tuple[Expr, ...]:
+        """I3 sigma along the axis."""
+        return tuple(evaluate(self.found.standard.body.moments[2] * self.sigma * x, {}) for x in self.found.axis)
+
+    @cached_property
+    def held_scene(self) -> System:
+        """That of which it is an equilibrium: its rotor carries I3 sigma besides."""
+        if proved_sign(self.sigma) == 0:
+            return self.scene
+        body = self.scene.body
+        rotor = tuple(l + x for l, x in zip(body.gyrostatic_momentum, self._spin))
+        return assemble(replace(body, gyrostatic_momentum=rotor), self.scene.potential)
+
+    @cached_property
+    def equilibrium(self) -> Equilibrium:
+        """As a claimed point."""
+        pi = (p - x for p, x in zip(self.point, self._spin))
+        return equilibrium(self.held_scene, (*pi, *self.point[3:]), label=self.label)
+
+    @cached_property
+    def _heavy(self) -> HeavyForm:
+        """As a permanent rotation of a body in a field."""
+        return HeavyForm(self.held_scene, self.point[3:], self.omega)
+
+    @property
+    def rational(self) -> bool:
+        """At rational k and omega."""
+        return self._heavy.rational
+
+    def invariants(self, precision: int | None) -> Invariants:
+        """As those of a permanent rotation of a body in a field."""
+        return self._heavy.invariants(precision)
+
+    def known(self) -> Decision | None:
+        """By the report of the family."""
+        return self._in_axes(self.report.verdict(self.asked))
+
+    def known_damped(self) -> Decision | None:
+        """The same."""
+        return self._in_axes(self.report.verdict(self.asked, damped=True))
+
+    def known_point(self) -> Decision | None:
+        """The same."""
+        return self._in_axes(self.report.itself(self.asked))
+
+    def _in_axes(self, decision: Decision) -> Decision:
+        """In the axes of the scene; the margins, in the names of the standard one, go."""
+        found = self.found
+        if found.scene is found.standard:
+            return decision
+        return replace(decision, modulo=decision.modulo and (found.modulo,), margins=(),
+                       reason=f"{found.sentence}: {found.worded(decision.reason)}")
