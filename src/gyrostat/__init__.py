@@ -28,10 +28,7 @@ if TYPE_CHECKING:
     from .equilibria.curves.gyrostat_arcs import GyrostatArc
     from .equilibria.curves.staude import StaudeCone, staude_cone
     from .equilibria.curves.staude_arcs import StaudeArc
-    from .equilibria.finders.free_rotation import PermanentRotation
-    from .equilibria.finders.heavy_rotation import HeavyRotation
-    from .equilibria.finders.orbital_equilibrium import OrbitalEquilibrium
-    from .equilibria.finders.precession_branch import Branch
+    from .equilibria.relative_equilibrium import RelativeEquilibrium
     from .equilibria.search import relative_equilibria
     from .mechanics.equilibrium.claimed_point import equilibrium
     from .mechanics.equilibrium.coadjoint_orbit import orbit_tangent, symplectic_slice
@@ -86,21 +83,21 @@ _Shown.plain = lambda shown: import_module("gyrostat.printing.formats.text").pla
 
 __all__ = [
     "__version__", "amended_potential", "AmendedPotential", "analyze", "assemble", "augmented_hessian",
-    "axial_potential", "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch",
-    "Case", "charts", "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
+    "axial_potential", "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Case",
+    "charts", "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
     "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "earth_pointing",
     "earth_pointing_gyrostat", "energy_sink_criterion", "Equilibrium", "equilibrium", "errors",
     "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging",
-    "HeavyContinuation", "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval",
-    "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field",
-    "NormalForm", "NOTATION", "orbit_tangent", "orbital_precession", "OrbitalEquilibrium", "own_precision",
-    "parallel_directions", "permanent_rotation", "PermanentRotation", "plotting", "Potential",
-    "principal_rotation", "published", "reduce", "relative_equilibria", "release", "Report",
+    "HeavyContinuation", "ideal_fluid", "inclined", "independent", "Interval", "lie_poisson",
+    "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field",
+    "NormalForm", "NOTATION", "orbit_tangent", "orbital_precession", "own_precision",
+    "parallel_directions", "permanent_rotation", "plotting", "Potential", "principal_rotation",
+    "published", "reduce", "relative_equilibria", "RelativeEquilibrium", "release", "Report",
     "RotationContinuation", "Rotor", "Rung", "second_variation", "SecondVariation", "secular_criterion",
-    "secular_variation", "Solution", "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum",
-    "spectrum", "stabilizing_set", "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "steady_motion",
-    "stereographic", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex",
-    "trajectories", "underwater_vehicle", "uniform_field", "upright", "Verdict", "Window",
+    "secular_variation", "Solution", "solve_condition", "SolvedCondition", "spectral_criterion",
+    "Spectrum", "spectrum", "stabilizing_set", "static_tilt", "staude_cone", "StaudeArc", "StaudeCone",
+    "steady_motion", "stereographic", "symbol", "symmetric_gyrostat", "symplectic_slice", "System",
+    "to_latex", "trajectories", "underwater_vehicle", "uniform_field", "upright", "Verdict", "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -142,10 +139,7 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.report.analysis": "analyze",
     "stability.report.report": "Report",
     "equilibria.search": "relative_equilibria",
-    "equilibria.finders.free_rotation": "PermanentRotation",
-    "equilibria.finders.heavy_rotation": "HeavyRotation",
-    "equilibria.finders.orbital_equilibrium": "OrbitalEquilibrium",
-    "equilibria.finders.precession_branch": "Branch",
+    "equilibria.relative_equilibrium": "RelativeEquilibrium",
     "equilibria.continuation.continuation": "Continuation continuation",
     "equilibria.continuation.free_branches": "RotationContinuation",
     "equilibria.continuation.heavy_branches": "HeavyContinuation",

@@ -1,4 +1,4 @@
-"""RelativeEquilibrium: a motion in which nothing changes but the turn about the vertical, and what decides it."""
+"""RelativeEquilibrium: a motion in which nothing changes but the turn about the vertical; its decisions."""
 from dataclasses import dataclass, replace
 
 from sympy import Expr, ImmutableMatrix
@@ -11,8 +11,8 @@ from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.scenes.system import System
 from ..notation import Stored
 from ..stability.criteria.number_notes import noted
-from ..stability.decision import Decision
 from ..stability.damping.secular import KEEPS, lost
+from ..stability.decision import Decision
 from ..stability.form import Form
 from ..stability.report.report import Report
 
@@ -111,7 +111,7 @@ class RelativeEquilibrium(Shown, Stored):
 
     @cached_property
     def decision(self) -> Decision:
-        """The verdict; of a set of equilibria, and of a body of revolution, modulo the turn about its axis."""
+        """The verdict; of a set, and of a body of revolution, modulo the turn about its axis."""
         return noted(self._decided(), self.scene)
 
     def _decided(self) -> Decision:

@@ -92,7 +92,8 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Relati
     return [RelativeEquilibrium(form) for form in _finder(scene, values)(scene, values)]
 
 
-def _finder(scene: System, values: Mapping[str, Any]) -> Callable[[System, Mapping[str, Any]], Sequence[Form]]:
+def _finder(scene: System, values: Mapping[str, Any]
+            ) -> Callable[[System, Mapping[str, Any]], Sequence[Form]]:
     """What finds all of them in a scene of this kind."""
     if in_orbit(scene):
         return orbit_forms

@@ -7,8 +7,9 @@ from sympy import Expr
 
 from ..algebra.enclosures.precision import own_precision
 from ..arguments import checked
-from ..equilibria.finders.orbital_equilibrium import OrbitalEquilibrium, balls
-from ..equilibria.search import relative_equilibria
+from ..equilibria.finders.orbit import orbit_forms
+from ..equilibria.finders.orbital_form import balls
+from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..errors import ScopeError
 from ..mechanics.families.circular_orbit import in_orbit
 from ..mechanics.scenes.system import System
@@ -66,24 +67,24 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
     """
     if not in_orbit(scene):
         raise ScopeError("attitudes are those of a satellite in orbit: assemble(body, circular_orbit())")
-    found = [e for e in relative_equilibria(scene, values or {}) if isinstance(e, OrbitalEquilibrium)]
+    found = [(form, RelativeEquilibrium(form).decision) for form in orbit_forms(scene, values or {})]
     ax = axes_of(ax, three=True)
     eye = stage(ax, 1.0, [label(f"r{i}") for i in (1, 2, 3)])
     for axis in np.eye(3):
         curve_on(ax, circle(axis, 1.0), eye, color=GREY, linewidth=0.5)
     looks: dict[Verdict, dict[str, Any]] = {}
     for verdict in Verdict:
-        some = [e for e in found if e.decision.verdict is verdict]
+        some = [form for form, decision in found if decision.verdict is verdict]
         if not some:
             continue
         looks[verdict] = {**marker(verdict), **kwargs}
         r, n = (np.array(list(map(_doubles, parts))) for parts in (
-            [e.vertical for e in some], [e.normal for e in some]))
+            [form.r for form in some], [form.n for form in some]))
         ends = np.stack([r, r + LENGTH * n, np.full_like(r, np.nan)], axis=1).reshape(-1, 3)
         curve_on(ax, ends, eye, color=looks[verdict]["color"], linewidth=1.1)
         dots_on(ax, r, eye, color=GREY, marker=".", linestyle="none", markersize=4)
         dots_on(ax, r + LENGTH * n, eye, **looks[verdict])
-    decisions = [e.decision for e in found]
+    decisions = [decision for _, decision in found]
     legend(ax, [*(named(look, meaning(verdict, decisions)) for verdict, look in looks.items()),
                 named({"color": GREY, "linewidth": 1.1}, f"{label('n')} from {label('r')}")],
            title=heading(ax, *of_scene(scene, values or {})))

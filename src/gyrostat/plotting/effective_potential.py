@@ -11,9 +11,9 @@ from ..algebra.reals.exact import evaluate, sign_of_constant
 from ..algebra.solving.roots import between, in_order, real_roots
 from ..algebra.text.numbers import exact_number
 from ..arguments import checked
-from ..equilibria.finders.precession_branch import Branch
 from ..equilibria.finders.rate_level_tilt import names_of
-from ..equilibria.finders.revolution import branches_at
+from ..equilibria.finders.revolution import revolution_forms
+from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..errors import ValuesError
 from ..mechanics.classical.lagrangian import effective_potential
 from ..mechanics.equilibrium.reduction import ENERGY, K3, P, V, reduce
@@ -36,7 +36,7 @@ class Well:
     ----------
     theta, height : arrays, shape (n,)
         V at angles inside (0, π), close together beside what is special; NaN where U is infinite
-    equilibria : list of (theta, V, Branch)
+    equilibria : list of (theta, V, RelativeEquilibrium)
     turning_points : list of Expr
         exact k3 at which V is the energy
     reach : list of (Expr, Expr)
@@ -47,7 +47,7 @@ class Well:
 
     theta: Array
     height: Array
-    equilibria: list[tuple[float, float, Branch]]
+    equilibria: list[tuple[float, float, RelativeEquilibrium]]
     turning_points: list[Expr]
     reach: list[tuple[Expr, Expr]]
     level: bool
@@ -83,15 +83,15 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     motion = reduce(scene)
     field = scene.potential.expression.xreplace(dict(numbers))  # type: ignore[union-attr]
     infinite = real_roots(together(field).as_numer_denom()[1], K3, S.NegativeOne, S.One) or []
-    branches = branches_at(scene, scenes | level)
+    forms = revolution_forms(scene, scenes | level)
     found = []
-    for branch in branches:
-        if branch.k3 is not None:
+    for form in forms:
+        if not form.every:
             # there (p_φ − p_ψ cos θ)²/sin² θ is 0/0, with the limit 0
-            pole = branch.k3**2 == 1
+            pole = form.k3**2 == 1
             at = motion.axial + motion.system.potential.expression if pole else motion.effective_potential()  # type: ignore[union-attr]
-            height = in_floats(at.xreplace({**numbers, K3: branch.k3}), np, {})
-            found.append((float(np.arccos(float(branch.k3))), float(height), branch))
+            height = in_floats(at.xreplace({**numbers, K3: form.k3}), np, {})
+            found.append((float(np.arccos(float(form.k3))), float(height), RelativeEquilibrium(form)))
     turning_points, reach = [], []
     if energy is not None:
         g = motion.square().xreplace(dict(numbers)).xreplace({ENERGY: exact_number(energy, "energy")})
@@ -108,7 +108,7 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
         place = np.searchsorted(theta, at_pole)
         place += int(place < len(theta) and theta[place] == at_pole)
         theta, height = np.insert(theta, place, at_pole), np.insert(height, place, np.nan)
-    return Well(theta, height, found, turning_points, reach, any(branch.k3 is None for branch in branches))
+    return Well(theta, height, found, turning_points, reach, any(form.every for form in forms))
 
 
 def _angles(n: int, special: Sequence[float]) -> Array:

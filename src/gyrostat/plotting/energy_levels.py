@@ -6,7 +6,7 @@ import numpy as np
 from sympy import Expr
 
 from ..algebra.enclosures.floats import Array, in_floats
-from ..equilibria.finders.free_rotation import PermanentRotation
+from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..mechanics.scenes.body import Gyrostat
 from ..mechanics.scenes.system import System, assemble
 from ..stability.decision import Verdict
@@ -23,14 +23,14 @@ def floats(numbers: Sequence[Expr]) -> Array:
     return np.array([float(in_floats(number, np, {})) for number in numbers])
 
 
-def energies_between(body: Gyrostat, points: Sequence[PermanentRotation], count: int) -> Array:
+def energies_between(body: Gyrostat, points: Sequence[RelativeEquilibrium], count: int) -> Array:
     """Energies for level curves.
 
     Count in each band between the critical ones, as far from each other on the sphere, along the shortest arc
     from an equilibrium at one end of the band to one at the other.
     """
     inertia, rotor = floats(body.moments), floats(body.gyrostatic_momentum)
-    levels: dict[float, list[PermanentRotation]] = {}
+    levels: dict[float, list[RelativeEquilibrium]] = {}
     for point in points:
         levels.setdefault(float(point.energy), []).append(point)
     part, found = np.arange(1, count + 1) / (count + 1), []
@@ -45,12 +45,12 @@ def energies_between(body: Gyrostat, points: Sequence[PermanentRotation], count:
     return np.concatenate(found) if found else np.empty(0)
 
 
-def _nearest(point: PermanentRotation, to: Array) -> Array:
+def _nearest(point: RelativeEquilibrium, to: Array) -> Array:
     """The equilibrium, of a circle of them that which is nearest to another point."""
     at = floats(point.momentum)
-    if point.circle is None:
+    if point.form.circle is None:
         return at
-    axis = floats(point.circle)
+    axis = floats(point.form.circle)
     aside = to - to @ axis * axis
     if not aside.any():
         return at
@@ -58,7 +58,7 @@ def _nearest(point: PermanentRotation, to: Array) -> Array:
     return height + np.linalg.norm(at - height) / np.linalg.norm(aside) * aside
 
 
-def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: float, energy: float) -> Array:
+def level_curve(body: Gyrostat, points: Sequence[RelativeEquilibrium], radius: float, energy: float) -> Array:
     """The curve of an energy on the momentum sphere, shape (n, 3), NaN between its pieces, each of which ends
     where it begins.
 
@@ -70,7 +70,7 @@ def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: flo
     ----------
     body : Gyrostat
         with its numbers
-    points : of permanent_rotations
+    points : of relative_equilibria
     radius, energy : float
 
     Examples
@@ -84,10 +84,10 @@ def level_curve(body: Gyrostat, points: Sequence[PermanentRotation], radius: flo
     scene, inertia, rotor = assemble(body), floats(body.moments), floats(body.gyrostatic_momentum)
     values = [float(point.energy) for point in points]
     near = SHIFT * (max(values) - min(values))
-    isolated = [(point, value) for point, value in zip(points, values) if point.circle is None]
+    isolated = [(point, value) for point, value in zip(points, values) if point.form.circle is None]
     passed = [point for point, value in isolated
               if point.decision.verdict is Verdict.UNSTABLE and abs(value - energy) <= near]
-    if any(point.curvature == 0 for point in passed):
+    if any(point.form.signs[-1] == 0 for point in passed):
         near *= FLAT / SHIFT
     around = [floats(point.momentum) for point, _ in isolated
               if point.decision.verdict is not Verdict.UNSTABLE]

@@ -10,8 +10,8 @@ import numpy as np
 from ..algebra.enclosures.floats import Array, in_floats, row
 from ..arguments import checked
 from ..equilibria.curves.critical_values import EnergyMomentum, critical_values
-from ..equilibria.finders.precession_branch import Branch
 from ..equilibria.finders.rate_level_tilt import names_of
+from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..errors import optional
 from ..mechanics.equilibrium.reduction import K3, V
 from ..mechanics.scenes.system import System
@@ -157,7 +157,7 @@ def _inside(momentum: Any, energy: Any, window: Sequence[float]) -> bool:
     return bool(np.any((left <= momentum) & (momentum <= right) & (low <= energy) & (energy <= high)))
 
 
-def _focus(branch: Branch) -> bool:
+def _focus(branch: RelativeEquilibrium) -> bool:
     """Whether E1 or E2, below the critical spin, is a focus-focus point of (C1, h).
 
     Its eigenvalues are a complex quadruple.

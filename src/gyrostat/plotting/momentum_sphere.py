@@ -8,9 +8,10 @@ from ..algebra.enclosures.floats import Array, row
 from ..algebra.reals.exact import sign_of_constant
 from ..algebra.text.numbers import exact_number
 from ..arguments import checked
-from ..equilibria.finders.free import permanent_rotations
+from ..equilibria.finders.free import rotations_on_sphere
+from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..errors import ScopeError, ValuesError
-from ..mechanics.scenes.system import System
+from ..mechanics.scenes.system import System, assemble
 from ..stability.decision import Verdict
 from .energy_levels import energies_between, floats, level_curve
 from .globe import circle, curve_on, dots_on, stage
@@ -82,8 +83,9 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
     body, radius = body_at(scene, numbers_of(scene, values or {})), exact_number(momentum, "momentum")
     if sign_of_constant(radius) != 1:
         raise ValuesError(f"momentum = {momentum} is not the radius of a sphere: give a positive number")
-    points, size = permanent_rotations(body, radius), float(radius)
-    if points[0].sphere:
+    points = [RelativeEquilibrium(form) for form in rotations_on_sphere(assemble(body), radius)]
+    size, about = float(radius), points[0].form.circle
+    if about is not None and not any(about):
         raise ScopeError(f"inertia = {body.moments} and l = 0: every point of the sphere is an equilibrium; "
                          "give different moments, or a rotor")
     least, most = (f(float(p.energy) for p in points) for f in (min, max))
@@ -99,20 +101,21 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
     chosen = energies_between(body, points, BAND) if energies is None else given or []
     curve_on(ax, _joined([level_curve(body, points, size, energy) for energy in chosen]), eye, **style)
     handles = [named(style, "polhode")]
-    saddles = {float(p.energy) for p in points if p.decision.verdict is Verdict.UNSTABLE and p.circle is None}
+    saddles = {float(p.energy) for p in points
+               if p.decision.verdict is Verdict.UNSTABLE and p.form.circle is None}
     if saddles:
         heavy = {"color": DARK, "linewidth": 2.0}
         curve_on(ax, _joined([level_curve(body, points, size, energy) for energy in saddles]), eye, **heavy)
         handles.append(named(heavy, "separatrix"))
     for point in points:
-        if point.circle is not None:
-            axis, at = floats(point.circle), floats(point.momentum)
+        if point.form.circle is not None:
+            axis, at = floats(point.form.circle), floats(point.momentum)
             height = float(at @ axis)
             curve_on(ax, circle(axis, float(np.sqrt(size**2 - height**2)), height), eye,
                      **line(Verdict.STABLE))
             handles.append(named(line(Verdict.STABLE), "equilibria, stable modulo the spin"))
     for verdict in Verdict:
-        places = [floats(p.momentum) for p in points if p.decision.verdict is verdict and p.circle is None]
+        places = [floats(p.momentum) for p in points if p.decision.verdict is verdict and p.form.circle is None]
         if places:
             dots_on(ax, np.array(places), eye, **marker(verdict))
             handles.append(named(marker(verdict), verdict.name.lower()))

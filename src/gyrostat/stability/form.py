@@ -12,7 +12,7 @@ from ..algebra.reals.exact import evaluate, proved_sign
 from ..mechanics.equilibrium.claimed_point import equilibrium
 from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.scenes.system import System
-from ..notation import Stored
+from ..notation import Stored, symbol
 from .decision import Decision
 
 PRECISION, DIGITS = 128, 30                                # bits that decide; digits of a rate
@@ -75,6 +75,16 @@ class Form(Stored):
     def singular(self) -> bool:
         """Whether the second variation is known to be degenerate: on a set of equilibria."""
         return bool(self.locus)
+
+    @property
+    def heading(self) -> str:
+        """What a document calls it."""
+        return f"{self.label}s on {self.locus}" if self.locus else self.label
+
+    @property
+    def at(self) -> Expr:
+        """What k3 is in conditions of it: a number at a pole."""
+        return symbol("k3")
 
     @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:

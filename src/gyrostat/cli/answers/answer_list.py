@@ -31,9 +31,18 @@ def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
 
 
 def _listed(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
-    return {"equilibria": [a.data() if isinstance(a, Missing) else
-        {"label": a.label} | {name: number_data(x) for name, x in a.place.items()}
-                           | {name: rate_data(x) for name, x in a.rates.items()}
-                           | {"decision": decision_data(a.decision),
-                              "damped_decision": None if a.damped is None else damped_data(a.damped)}
-        | ({"itself": decision_data(a.itself)} if a.itself is not None else {}) for a in answers]}
+    return {"equilibria": [a.data() if isinstance(a, Missing) else _data(a) for a in answers]}
+
+
+def _data(answer: Answer) -> dict[str, Any]:
+    """The same keys for every kind of scene; frequencies and growth rate of what was found among all."""
+    found, damped, itself = answer.found, answer.damped, answer.itself
+    return {"label": answer.label if found is None else found.label,
+            "locus": "" if found is None else found.locus,
+            "place": {name: number_data(x) for name, x in answer.place.items()},
+            "frequencies": None if found is None else [rate_data(x) for x in found.frequencies],
+            "growth_rate": (None if found is None or found.growth_rate is None
+                            else rate_data(found.growth_rate)),
+            "decision": decision_data(answer.decision),
+            "damped_decision": None if damped is None else damped_data(damped),
+            "itself": None if itself is None else decision_data(itself)}

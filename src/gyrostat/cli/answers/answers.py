@@ -5,16 +5,14 @@ from dataclasses import dataclass, field
 from sympy import Expr
 
 from ...algebra.reals.exact import sign_of_constant
-from ...equilibria.finders.free_rotation import PermanentRotation
-from ...equilibria.finders.heavy_rotation import HeavyRotation
-from ...equilibria.finders.orbital_equilibrium import OrbitalEquilibrium
-from ...equilibria.finders.precession_branch import Branch
-from ...equilibria.finders.revolution import branches_at, pole_at
+from ...equilibria.finders.orbital_form import OrbitalForm
+from ...equilibria.finders.revolution import pole_at
+from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...equilibria.search import relative_equilibria
 from ...errors import ScopeError, ValuesError
 from ...mechanics.equilibrium.reduction import reducible
 from ...mechanics.families.circular_orbit import in_orbit
-from ...mechanics.families.named_families import E3, EARTH_POINTING, FAMILIES, POLES
+from ...mechanics.families.named_families import E3, EARTH_POINTING, POLES
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
 from ...stability.decision import Decision
@@ -54,8 +52,17 @@ class Answer:
     decision: Decision
     damped: Decision | None
     itself: Decision | None
+    found: RelativeEquilibrium | None = None
     place: dict[str, Expr | None] = field(default_factory=dict)
-    rates: dict[str, Expr] = field(default_factory=dict)
+
+    @property
+    def rates(self) -> dict[str, Expr]:
+        """Frequencies and growth rate by name."""
+        if self.found is None:
+            return {}
+        rates = {f"frequency_{n}": x for n, x in enumerate(self.found.frequencies, 1)}
+        growth = self.found.growth_rate
+        return rates if growth is None else rates | {"growth_rate": growth}
 
 
 def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
@@ -77,8 +84,7 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
         if given and (_level(scene, numbers).keys() - own) & set().union(*MOTION) in MOTION:
             return _all_found(scene, _level(scene, numbers), None)
     elif _asks_for_all(scene, numbers):
-        here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
-        return [_one_of_all(here, found) for found in relative_equilibria(scene, numbers)]
+        return [_found(found) for found in relative_equilibria(scene, numbers)]
     return _of_labels(asked, numbers)
 
 
@@ -142,15 +148,15 @@ def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) ->
     At a rate at which those of a tilt are not found, E1 and E2, and why.
     """
     try:
-        return [_found(branch) for branch in branches_at(scene, numbers)
-                if label in (None, branch.label)]
+        return [_found(found) for found in relative_equilibria(scene, numbers)
+                if label in (None, found.label)]
     except ScopeError as error:
         if label is not None or "omega" not in numbers:
             raise
         poles = [pole for s in POLES if (pole := pole_at(scene, s, numbers)) is not None]
         if not poles:
             raise
-        return [*map(_found, poles), Missing(E3.label, str(error))]
+        return [*(_found(RelativeEquilibrium(pole)) for pole in poles), Missing(E3.label, str(error))]
 
 
 def _level(scene: System, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
@@ -169,64 +175,18 @@ def _answer(asked: Asked, label: str, numbers: Mapping[str, Expr]) -> Answer:
 def _decided(report: Report, numbers: Mapping[str, Expr]) -> Answer:
     decision, damped = both_verdicts(report, numbers)
     return Answer(report.equilibrium.label, report.equilibrium.at, decision, damped,
-                  report.itself(numbers) if decision.modulo else None, rates=_librations(report, numbers))
+                  report.itself(numbers) if decision.modulo else None, _librations(report, numbers))
 
 
-def _librations(report: Report, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
-    """The frequencies of an Earth-pointing satellite, every name of which has a number."""
+def _librations(report: Report, numbers: Mapping[str, Expr]) -> RelativeEquilibrium | None:
+    """An Earth-pointing satellite, every name of which has a number, as one of all its attitudes."""
     eq, known = report.equilibrium, {symbol(name): x for name, x in numbers.items()}
     if eq.label != EARTH_POINTING.label or not names_of_scene(eq.system) <= known.keys():
-        return {}
-    return _orbital(OrbitalEquilibrium(at_numbers(eq.system, known), eq.point[3:6], eq.point[6:])).rates
+        return None
+    return RelativeEquilibrium(OrbitalForm(at_numbers(eq.system, known), eq.point[3:6], eq.point[6:]))
 
 
-def _found(branch: Branch) -> Answer:
-    """A relative equilibrium that was found."""
-    place = {"k3": branch.k3, "omega": branch.omega, "sigma": branch.sigma, "pi3": branch.pi3}
-    at_pole = branch.k3 is not None and branch.label in FAMILIES and FAMILIES[branch.label].pole
-    at = branch.k3 if at_pole else symbol("k3")
-    return Answer(branch.label, at, branch.decision, branch.damped, branch.itself, place)
-
-
-def _recognised(scene: System, branch: Branch) -> Answer:
-    """One of a body of revolution about another axis, at its point."""
-    place = dict(zip(map(str, scene.space.coordinates), branch.point or ()))
-    return Answer(branch.label, symbol("k3"), branch.decision, branch.damped, branch.itself,
-                  place | {"omega": branch.omega, "sigma": branch.sigma})
-
-
-def _rotation(scene: System, found: PermanentRotation) -> Answer:
-    """One of a free body at numbers, at its π = M − l."""
-    label = f"permanent rotations on {found.locus}" if found.locus else "permanent rotation"
-    rotor = scene.body.gyrostatic_momentum
-    place = {str(x): M - l for x, M, l in zip(scene.space.coordinates, found.momentum, rotor)}
-    rates = {"Delta": found.curvature, "frequency": found.frequency, "growth_rate": found.growth_rate}
-    return Answer(label, symbol("k3"), found.decision, found.damped, found.itself, place,
-                  {name: x for name, x in rates.items() if x is not None and found.nu is not None})
-
-
-def _one_of_all(here: System, found: Branch | PermanentRotation | HeavyRotation | OrbitalEquilibrium
-                ) -> Answer:
-    if isinstance(found, PermanentRotation):
-        return _rotation(here, found)
-    if isinstance(found, OrbitalEquilibrium):
-        return _orbital(found)
-    return _heavy(found) if isinstance(found, HeavyRotation) else _recognised(here, found)
-
-
-def _orbital(found: OrbitalEquilibrium) -> Answer:
-    """One of a satellite in orbit."""
-    place = {str(x): value for x, value in zip(found.scene.space.coordinates[3:], (*found.n, *found.r))}
-    return Answer(found.locus or "equilibrium in orbit", symbol("r3"), found.decision, found.damped,
-                  found.itself, place, {f"frequency_{n}": x for n, x in enumerate(found.frequencies, 1)})
-
-
-def _heavy(found: HeavyRotation) -> Answer:
-    """One of a body in a field that is not of revolution."""
-    label = f"permanent rotations on {found.locus}" if found.locus else "permanent rotation"
-    place = {str(x): k for x, k in zip(found.scene.space.coordinates[3:], found.k)}
-    rates = {f"frequency_{n}": x for n, x in enumerate(found.frequencies, 1)}
-    if found.growth_rate is not None:
-        rates["growth_rate"] = found.growth_rate
-    place["omega"] = found.omega
-    return Answer(label, symbol("k3"), found.decision, found.damped, found.itself, place, rates)
+def _found(found: RelativeEquilibrium) -> Answer:
+    """One that was found."""
+    return Answer(found.form.heading, found.form.at, found.decision, found.damped, found.itself, found,
+                  found.place)

@@ -69,5 +69,6 @@ def _circles(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
     """Those that an arc crosses, if any."""
     if not isinstance(arc, GyrostatArc) or not arc.circles:
         return {}
-    return {"circles": [{"k": [number_data(x) for x in circle.k], "omega": number_data(circle.omega),
+    return {"circles": [{"k": [number_data(x) for x in circle.directions[0]],
+                         "omega": number_data(circle.rates["omega"]),
                          "locus": circle.locus} for circle in arc.circles]}

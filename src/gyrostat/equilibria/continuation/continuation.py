@@ -20,7 +20,7 @@ from ...mechanics.equilibrium.reduction import reducible
 from ...mechanics.families.named_families import E3, POLES
 from ...mechanics.scenes.coupled import in_one_direction
 from ...mechanics.scenes.system import System
-from ..finders.revolution import branches_at
+from ..finders.revolution import revolution_forms
 from .free_branches import RotationContinuation, followed_rotations
 from .heavy_branches import HeavyContinuation, followed_heavy
 from .piece_and_mark import Mark, Piece, Span
@@ -124,11 +124,11 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
 def _span(scene: System, values: Mapping[str, Any], name: str, curve: PlaneCurve, a: Expr,
           b: Expr) -> Span:
     middle = between(a, b)
-    found = branches_at(scene, {**values, name: middle})
-    tilts = tuple(branch.decision.verdict for branch in reversed(found) if branch.label == E3.label)
+    found = revolution_forms(scene, {**values, name: middle})
+    tilts = tuple(form.known().verdict for form in reversed(found) if form.label == E3.label)
     if len(tilts) != len(curve.roots(middle)):
         raise ScopeError(f"at {name} = {middle} there are {len(tilts)} tilts, and "
                          f"{len(curve.roots(middle))} branches were followed: "
                          "write the numbers as fractions")
-    return Span(a, b, tilts, {s: x.decision.verdict for s, family in POLES.items()
+    return Span(a, b, tilts, {s: x.known().verdict for s, family in POLES.items()
                               for x in found if x.label == family.label})

@@ -16,12 +16,13 @@ from ...algebra.solving.roots import in_order
 from ...algebra.solving.stations import between
 from ...errors import ValuesError
 from ...mechanics.scenes.body import Gyrostat
-from ...mechanics.scenes.system import System, at_numbers
+from ...mechanics.scenes.system import System, assemble, at_numbers
 from ...notation import symbol
 from ...stability.decision import Verdict
-from ..finders.free import permanent_rotations
-from ..finders.free_rotation import PermanentRotation
+from ..finders.free import rotations_on_sphere
+from ..finders.free_form import FreeForm
 from ..finders.rate_level_tilt import LENGTH, numbers_of_rotations
+from ..relative_equilibrium import RelativeEquilibrium
 from .free_meetings import body_at, rotation_curve
 from .meeting_values import BifurcationPoint, bifurcation_points
 from .stations_at_rate import admissible, within
@@ -102,16 +103,17 @@ def _between(curve: PlaneCurve, body: Gyrostat, radius: Expr, a: Expr, b: Expr) 
     here = curve.roots(middle)
     samples = [_sample(curve, body, radius, t, len(here)) for t in nodes]
     parameter = np.array([float(a), *map(float, nodes[1:-1]), float(b)])
-    groups: dict[int, list[PermanentRotation]] = {}
+    groups: dict[int, list[FreeForm]] = {}
     at = Point({curve.t: Rational(middle.numerator, middle.denominator)})
-    for rotation in permanent_rotations(body_at(body, at), evaluate(radius, at)):
+    for rotation in rotations_on_sphere(assemble(body_at(body, at)), evaluate(radius, at)):
         apart = [abs(root - ball(rotation.nu, PRECISION)) for root in here]
         groups.setdefault(min(range(len(here)), key=lambda n: float(apart[n].mid())), []).append(rotation)
     for n, rotations in groups.items():
-        at_pole = 3 if rotations[0].sphere else 2 if rotations[0].circle else len(rotations) - 1
+        about = rotations[0].circle
+        at_pole = len(rotations) - 1 if about is None else 2 if any(about) else 3
         nu, momenta = np.array([sample.nu[n] for sample in samples]), _momenta(samples, n, at_pole)
         for rotation, M in zip(rotations, momenta):
-            yield RotationPiece(parameter, nu, M, rotation.decision.verdict)
+            yield RotationPiece(parameter, nu, M, RelativeEquilibrium(rotation).decision.verdict)
 
 
 @dataclass(frozen=True)

@@ -26,10 +26,10 @@ from ...stability.criteria.numbers_asked import unknown
 from ...stability.decision import Verdict
 from ..finders.heavy import heavy_forms
 from ..finders.heavy_data import data_at
-from ..finders.heavy_polynomials import degree_in_k
 from ..finders.heavy_form import HeavyForm
-from ..relative_equilibrium import RelativeEquilibrium
+from ..finders.heavy_polynomials import degree_in_k
 from ..finders.rate_level_tilt import exact_point
+from ..relative_equilibrium import RelativeEquilibrium
 from .meeting_values import BifurcationPoint
 from .stations_at_rate import admissible, within
 

@@ -14,7 +14,7 @@ from ...algebra.solving.stations import Place, Station, beside
 from ...mechanics.families.named_families import E3, POLES
 from ...mechanics.scenes.system import System
 from ...stability.decision import Verdict
-from ..finders.revolution import branches_at, critical_tilt, pole_at
+from ..finders.revolution import critical_tilt, pole_at, revolution_forms
 from .bifurcation_kinds import AT_RATE, defined, kind_of, precessions_leave
 from .piece_and_mark import INFINITE, Mark, Piece, Span
 from .stations_at_rate import Critical
@@ -56,7 +56,7 @@ class Followed:
         verdicts = {span.poles.get(s) for span in self.spans if t in (span.low, span.high)}
         if t in self.critical.poles[s]:
             here = pole_at(self.scene, s, self.at(t))
-            verdicts.add(here.decision.verdict if here else None)
+            verdicts.add(here.known().verdict if here else None)
         return None if None in verdicts else len(verdicts) > 1
 
     def tilts(self) -> list[Piece]:
@@ -123,10 +123,10 @@ class Followed:
         """Every tilt at one value."""
         found = []
         for t in self.critical.lines:
-            for branch in branches_at(self.scene, self.at(t)):
-                if branch.label == E3.label and branch.k3 is None:
+            for form in revolution_forms(self.scene, self.at(t)):
+                if form.label == E3.label and form.every:
                     found.append(Piece(E3.label, np.full(2, float(t)), np.array([-1.0, 1.0]),
-                                       branch.decision.verdict))
+                                       form.known().verdict))
         return found
 
     def isolated(self) -> list[Piece]:
@@ -143,9 +143,9 @@ class Followed:
             return critical_tilt(self.scene, place.x, self.at(station.t))
         if sides := self.sides(station, place):
             return sides[0]
-        alone = [branch for branch in branches_at(self.scene, self.at(station.t))
-                 if branch.k3 is not None]
-        return min(alone, key=lambda branch: abs(float(branch.k3 - place.x))).decision.verdict
+        alone = [form for form in revolution_forms(self.scene, self.at(station.t))
+                 if not form.every]
+        return min(alone, key=lambda form: abs(float(form.k3 - place.x))).known().verdict
 
     def sides(self, station: Station, place: Place) -> list[Verdict]:
         """Verdicts of the branches that come to a place."""

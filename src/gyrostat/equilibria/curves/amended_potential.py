@@ -17,8 +17,8 @@ from ...mechanics.scenes.potential import DIRECTIONS
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import Stored
 from ..finders.heavy import heavy_forms
-from ..relative_equilibrium import RelativeEquilibrium
 from ..finders.rate_level_tilt import C1, exact_point, refuse_as_level
+from ..relative_equilibrium import RelativeEquilibrium
 
 
 @dataclass(frozen=True, repr=False)

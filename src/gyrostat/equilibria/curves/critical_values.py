@@ -17,7 +17,7 @@ from ...mechanics.equilibrium.reduction import K3, OMEGA, P, Reduction, V, reduc
 from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.decision import Verdict
-from ..finders.precession_branch import Branch
+from ..relative_equilibrium import RelativeEquilibrium
 from ..finders.rate_level_tilt import refuse_as_level
 from .precessions import Precessions
 
@@ -48,7 +48,7 @@ class EnergyMomentum:
     Parameters
     ----------
     curves : list of CriticalCurve
-    poles : list of (C1, h, Branch)
+    poles : list of (C1, h, RelativeEquilibrium)
         E1 and E2
     cusps : list of (C1, h)
         where stability changes along the curves: two precessions fold on a level
@@ -57,7 +57,7 @@ class EnergyMomentum:
     """
 
     curves: list[CriticalCurve]
-    poles: list[tuple[float, float, Branch]]
+    poles: list[tuple[float, float, RelativeEquilibrium]]
     cusps: list[tuple[float, float]]
     potential: Expr
 

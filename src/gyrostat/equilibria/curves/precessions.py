@@ -19,8 +19,8 @@ from ...mechanics.equilibrium.reduction import K3, OMEGA, P, Reduction
 from ...mechanics.families.named_families import POLES
 from ...mechanics.scenes.system import System
 from ...stability.decision import Verdict
-from ..finders.precession_branch import Branch
-from ..finders.revolution import branches_at
+from ..finders.revolution import revolution_forms
+from ..relative_equilibrium import RelativeEquilibrium
 
 # between two cuts; towards an end at which C1 is infinite
 NODES, DECADES = 480, 13
@@ -124,10 +124,9 @@ class Precessions:
         found = []
         for a, b in pairwise(cuts):
             middle = between(*_inside(a, b))
-            branches = branches_at(self.scene,
-                                           {**self.given, "C1": self.I1
-                                            * Rational(middle.numerator, middle.denominator)})
-            (verdict,) = [x.decision.verdict for x in branches if x.k3 == 0]
+            level = self.I1 * Rational(middle.numerator, middle.denominator)
+            forms = revolution_forms(self.scene, {**self.given, "C1": level})
+            (verdict,) = [x.known().verdict for x in forms if x.k3 == 0 and not x.every]
             rates = _rates(a, b)
             found.append(Arc(np.zeros_like(rates), rates, verdict, (a, b), n))
         return found
@@ -139,8 +138,8 @@ class Precessions:
 
     def _verdict(self, k3: Fraction, omega: float) -> Verdict:
         """Of the precession at a tilt whose rate is that, in doubles; the rates there are simple."""
-        found = branches_at(self.scene, {**self.given, "k3": k3})
-        return min(found, key=lambda branch: abs(float(branch.omega or 0) - omega)).decision.verdict
+        found = revolution_forms(self.scene, {**self.given, "k3": k3})
+        return min(found, key=lambda form: abs(float(form.omega) - omega)).known().verdict
 
     def ends_at(self, arc: Arc, omega: Expr, k3: Expr) -> bool:
         """Whether an arc has its end at a precession where stability may change."""
@@ -155,17 +154,18 @@ class Precessions:
         root, below = (sign_of_constant(evaluate(e, at)) for e in (2 * a * OMEGA + b, b))
         return root in (0, -arc.side if below == -1 else arc.side)
 
-    def poles(self, motion: Reduction) -> list[tuple[float, float, Branch]]:
+    def poles(self, motion: Reduction) -> list[tuple[float, float, RelativeEquilibrium]]:
         """E1 and E2 with their values."""
         found = []
         assert self.scene.potential is not None
         for side, family in POLES.items():
-            for branch in branches_at(self.scene, {**self.given, "C1": side * self.total}):
-                if branch.label == family.label:
+            for form in revolution_forms(self.scene, {**self.given, "C1": side * self.total}):
+                if form.label == family.label:
                     at = (motion.axial + self.scene.potential.expression).xreplace(
                         {K3: S(side), **self.numbers}
                     )
-                    found.append((float(side * self.total), float(in_floats(at, np, {})), branch))
+                    found.append((float(side * self.total), float(in_floats(at, np, {})),
+                                  RelativeEquilibrium(form)))
         return found
 
 

@@ -17,8 +17,8 @@ from ...notation import Stored
 from ...stability.criteria.amended_form import dot
 from ...stability.form import conditions
 from ..finders.heavy import OMEGA, SIGMA, heavy_forms
-from ..finders.heavy_polynomials import DIRECTION
 from ..finders.heavy_form import HeavyForm
+from ..finders.heavy_polynomials import DIRECTION
 from .staude_arcs import TAU
 
 PRECISION = 192                                        # bits of roots that become doubles

@@ -1,6 +1,5 @@
 """A permanent rotation of a free body or gyrostat: what decides it, and in which words."""
 from dataclasses import dataclass, replace
-
 from typing import Any
 
 from sympy import Add, Expr, S, sqrt
@@ -68,7 +67,9 @@ class FreeForm(Form):
     @property
     def rates(self) -> dict[str, Expr]:
         """About M, negative against it."""
-        return {} if self.nu is None else {"omega": evaluate(self.nu * sqrt(Add(*(m**2 for m in self.M))), {})}
+        if self.nu is None:
+            return {}
+        return {"omega": evaluate(self.nu * sqrt(Add(*(m**2 for m in self.M))), {})}
 
     @property
     def locus(self) -> str:

@@ -1,4 +1,4 @@
-"""An attitude in which a satellite rests in the frame of its circular orbit: what decides it, in words too."""
+"""An attitude in which a satellite rests in the frame of its orbit: what decides it, and in which words."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,6 +13,7 @@ from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.solving.real_fields import FieldNumbers
 from ...mechanics.families.circular_orbit import orbital_rate, resting_at
 from ...mechanics.scenes.system import System
+from ...notation import symbol
 from ...stability.decision import Decision, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.report.report import Report
@@ -52,6 +53,16 @@ class OrbitalForm(Form):
     def directions(self) -> tuple[tuple[Expr, ...], ...]:
         """n and r."""
         return tuple(self.n), tuple(self.r)
+
+    @property
+    def heading(self) -> str:
+        """The curve in words, if any."""
+        return self.locus or self.label
+
+    @property
+    def at(self) -> Expr:
+        """The vertical along axis 3."""
+        return symbol("r3")
 
     @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:

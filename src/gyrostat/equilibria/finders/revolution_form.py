@@ -64,6 +64,16 @@ class RevolutionForm(Form):
         return self.found.scene
 
     @property
+    def heading(self) -> str:
+        """E1, E2, E3 or a precession."""
+        return self.label
+
+    @property
+    def at(self) -> Expr:
+        """A number at E1 and E2."""
+        return self.k3 if self.found.scene is self.found.standard and self.k3**2 == 1 else symbol("k3")
+
+    @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:
         """k·c, omega and sigma; None of what takes every value."""
         rates = (None, None) if self.every == "omega" else (self.omega, self.sigma)
@@ -85,7 +95,8 @@ class RevolutionForm(Form):
         """π and k, k across axis 2 of the standard scene."""
         k1 = S.Zero if self.k3**2 == 1 else sqrt(1 - self.k3**2)
         pi = self.found.standard.body.moments[0] * self.omega * k1, S.Zero, self.pi3
-        return tuple(x for v in (pi, (k1, S.Zero, self.k3)) for x in self.found.rotation.T * ImmutableMatrix(v))
+        return tuple(x for v in (pi, (k1, S.Zero, self.k3))
+                     for x in self.found.rotation.T * ImmutableMatrix(v))
 
     @property
     def rates(self) -> dict[str, Expr]:
@@ -110,7 +121,8 @@ class RevolutionForm(Form):
     @cached_property
     def _spin(self) -> tuple[Expr, ...]:
         """I3 sigma along the axis."""
-        return tuple(evaluate(self.found.standard.body.moments[2] * self.sigma * x, {}) for x in self.found.axis)
+        moment = self.found.standard.body.moments[2]
+        return tuple(evaluate(moment * self.sigma * x, {}) for x in self.found.axis)
 
     @cached_property
     def held_scene(self) -> System:
@@ -141,7 +153,7 @@ class RevolutionForm(Form):
         """As those of a permanent rotation of a body in a field."""
         return self._heavy.invariants(precision)
 
-    def known(self) -> Decision | None:
+    def known(self) -> Decision:
         """By the report of the family."""
         return self._in_axes(self.report.verdict(self.asked))
 

@@ -17,10 +17,7 @@ from ...equilibria.curves.amended_potential import AmendedPotential, CriticalPoi
 from ...equilibria.curves.gyrostat_arcs import GyrostatArc
 from ...equilibria.curves.staude import StaudeCone
 from ...equilibria.curves.staude_arcs import StaudeArc
-from ...equilibria.finders.free_rotation import PermanentRotation
-from ...equilibria.finders.heavy_rotation import HeavyRotation
-from ...equilibria.finders.orbital_equilibrium import OrbitalEquilibrium
-from ...equilibria.finders.precession_branch import Branch
+from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...mechanics.equilibrium.reduction import Reduction
 from ...notation import symbol
 from ...parameters.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
@@ -36,9 +33,7 @@ from .boundary import ladder, rung_display, squared_rate
 from .critical_points import (
     amended_potential,
     critical_point,
-    free_rotation,
-    heavy_rotation,
-    orbital_equilibrium,
+    relative_equilibrium,
 )
 from .drift import drift_displays
 from .inequalities import existence
@@ -187,18 +182,6 @@ def _vanishing(rung: Expr) -> Expr:
 
 
 @result_blocks.register
-def _branch(branch: Branch) -> list[Block]:
-    place = [(branch.along, branch.k3), (symbol("omega"), branch.omega), (symbol("sigma"), branch.sigma)]
-    given = [(name, number(value)) for name, value in place if value is not None]
-    parts = equations(given)
-    if branch.k3 is None and given:
-        parts = (*parts, ", every ", branch.along)
-    elif branch.k3 is None:
-        parts = ("every ", branch.along)
-    return [sentence(f"{branch.label} at ", *parts, f": {branch.decision.verdict.name.lower()}")]
-
-
-@result_blocks.register
 def _bifurcation(b: Bifurcation) -> list[Block]:
     return [sentence(f"{b.kind} ({KINDS[b.kind]}):"),
             *(Display(readable(e), S.Zero, b.at) for e in b.equations)]
@@ -224,11 +207,10 @@ def _reduction(motion: Reduction) -> list[Block]:
 
 
 _OF_TYPE: dict[type, Callable[[Any], list[Block]]] = {
-    PermanentRotation: free_rotation, HeavyRotation: heavy_rotation,
-    OrbitalEquilibrium: orbital_equilibrium, AmendedPotential: amended_potential,
+    RelativeEquilibrium: relative_equilibrium, AmendedPotential: amended_potential,
     CriticalPoint: critical_point, NormalForm: form_blocks, StaudeCone: cone_blocks, StaudeArc: arc_blocks,
     GyrostatArc: gyrostat_arc_blocks, Drift: drift_displays, Window: window_blocks}
 for _type, _blocks in _OF_TYPE.items():
     result_blocks.register(_type, _blocks)
 
-RESULTS = (*_OF_TYPE, Solution, Branch, Bifurcation, BifurcationPoint, Boundary, Reduction)
+RESULTS = (*_OF_TYPE, Solution, Bifurcation, BifurcationPoint, Boundary, Reduction)

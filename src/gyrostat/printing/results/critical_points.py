@@ -1,38 +1,25 @@
-"""Permanent rotations and the amended potential of which they are critical points; satellites in orbit."""
-from sympy import Add, Expr
+"""Relative equilibria, and the amended potential of which permanent rotations are critical points."""
+from typing import Any
+
+from sympy import Add
 
 from ...algebra.rings.readable import readable
 from ...equilibria.curves.amended_potential import AmendedPotential, CriticalPoint
-from ...equilibria.finders.free_rotation import PermanentRotation
-from ...equilibria.finders.heavy_rotation import HeavyRotation
-from ...equilibria.finders.orbital_equilibrium import OrbitalEquilibrium
 from ...equilibria.finders.rate_level_tilt import C1
+from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...notation import symbol
 from ...registry import Letters
-from ..blocks import Block, Display, Word, equations, listed, sentence
+from ..blocks import Block, Display, Word, joined, listed, sentence
 from ..letters import letters_of, word
 from .interval_ends import number
 
-DIRECTION, MOMENTUM = Word("k", "⟨vector_k⟩"), Word("M", "⟨vector_M⟩")
-NORMAL, VERTICAL = Word("n", "n"), Word("r", "r")
+VECTORS = {"k": Word("k", "⟨vector_k⟩"), "M": Word("M", "⟨vector_M⟩"), "n": Word("n", "n"),
+           "r": Word("r", "r")}
 
 
-def free_rotation(rotation: PermanentRotation) -> list[Block]:
-    """Of a free body: where it is, and its verdict."""
-    place = listed(map(number, rotation.momentum))
-    return [sentence("permanent rotation at ", MOMENTUM, " = (", *place, f"){_ended(rotation)}")]
-
-
-def heavy_rotation(rotation: HeavyRotation) -> list[Block]:
-    """Of a body in a field: the direction and the rate, and its verdict."""
-    return [sentence("permanent rotation at ", *_place(rotation), _ended(rotation))]
-
-
-def orbital_equilibrium(found: OrbitalEquilibrium) -> list[Block]:
-    """Of a satellite: the normal of the orbit and the vertical, and its verdict."""
-    n, r = (listed(map(number, direction)) for direction in (found.n, found.r))
-    return [sentence("equilibrium in orbit at ", NORMAL, " = (", *n, "), ", VERTICAL, " = (", *r,
-                     f"){_ended(found)}")]
+def relative_equilibrium(found: RelativeEquilibrium) -> list[Block]:
+    """Where it lies, on which set of others, and its verdict."""
+    return [sentence(f"{found.label} at ", *_place(found), _ended(found))]
 
 
 def critical_point(point: CriticalPoint) -> list[Block]:
@@ -57,11 +44,15 @@ def _amended(letters: Letters) -> Word:
     return word(letters, "⟨U⟩_c", "⟨U⟩_{c}")
 
 
-def _place(rotation: HeavyRotation) -> tuple[Word | Expr | str, ...]:
-    rate = equations([(symbol("omega"), number(rotation.omega))])
-    return (DIRECTION, " = (", *listed(map(number, rotation.k)), "), ", *rate)
+def _place(found: RelativeEquilibrium) -> tuple[Any, ...]:
+    """Vectors and names with their numbers, then the name that takes every value."""
+    clauses = [(VECTORS[name], " = (", *listed(map(number, value)), ")") if isinstance(name, str)
+               else (name, " = ", number(value))
+               for name, value in found.form.described if value is not None]
+    every, value = found.form.described[0]
+    return joined(", ", clauses if value is not None else [*clauses, ("every ", every)])
 
 
-def _ended(rotation: HeavyRotation | PermanentRotation | OrbitalEquilibrium) -> str:
-    circle = f", and on {rotation.locus}" if rotation.locus else ""
-    return f"{circle}: {rotation.decision.verdict.name.lower()}"
+def _ended(found: RelativeEquilibrium) -> str:
+    on = f", and on {found.locus}" if found.locus and found.form.described[0][1] is not None else ""
+    return f"{on}: {found.decision.verdict.name.lower()}"

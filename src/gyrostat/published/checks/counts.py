@@ -2,7 +2,7 @@
 from typing import Any
 
 from ..._cached import cached_property
-from ...equilibria.finders.orbital_equilibrium import OrbitalEquilibrium
+from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...equilibria.search import relative_equilibria
 from ...errors import PublishedError
 from ..independent.counterexample import Values
@@ -38,19 +38,18 @@ class Counted:
     """The equilibria of a satellite, by their index."""
 
     def __init__(self, found: list[Any]):
-        self.found: list[OrbitalEquilibrium] = found
+        self.found: list[RelativeEquilibrium] = found
 
     def of(self, name: str) -> int | str:
         """How many there are, or why that is no number."""
-        if any(e.locus or not e.signs[2] for e in self.found):
+        if any(e.locus or not e.form.signs[-1] for e in self.found):
             return CURVE
         return len(self.found) if name == "equilibria" else self.indices.count(name)
 
     @cached_property
     def indices(self) -> list[str]:
         """Of each the number of negative squares of K."""
-        return [f"index {sum(a != b for a, b in zip((1, *signs), signs))}"
-                for signs in ([s for s in e.signs[:3] if s] for e in self.found)]
+        return [f"index {e.form.index}" for e in self.found]
 
 
 def count_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
