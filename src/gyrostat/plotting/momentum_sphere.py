@@ -115,7 +115,8 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
                      **line(Verdict.STABLE))
             handles.append(named(line(Verdict.STABLE), "equilibria, stable modulo the spin"))
     for verdict in Verdict:
-        places = [floats(p.momentum) for p in points if p.decision.verdict is verdict and p.form.circle is None]
+        places = [floats(p.momentum) for p in points
+                  if p.decision.verdict is verdict and p.form.circle is None]
         if places:
             dots_on(ax, np.array(places), eye, **marker(verdict))
             handles.append(named(marker(verdict), verdict.name.lower()))

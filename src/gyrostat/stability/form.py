@@ -1,4 +1,4 @@
-"""Form: the second variation at a relative equilibrium and its spectrum, which decide in every kind of scene."""
+"""Form: the second variation at a relative equilibrium and its spectrum, for every kind of scene."""
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any, ClassVar, NamedTuple

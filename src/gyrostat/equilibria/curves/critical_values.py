@@ -17,8 +17,8 @@ from ...mechanics.equilibrium.reduction import K3, OMEGA, P, Reduction, V, reduc
 from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.decision import Verdict
-from ..relative_equilibrium import RelativeEquilibrium
 from ..finders.rate_level_tilt import refuse_as_level
+from ..relative_equilibrium import RelativeEquilibrium
 from .precessions import Precessions
 
 

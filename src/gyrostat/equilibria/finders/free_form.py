@@ -107,16 +107,12 @@ class FreeForm(Form):
         return on_circle(self.circle) if any(self.circle) else ANYWHERE
 
     def known_damped(self) -> Decision | None:
-        """The same; on a circle modulo the turns about its axis."""
+        """M = 0; on a circle modulo the turns about its axis."""
         if self.nu is None:
             return replace(AT_REST, notion="secular", growing=0)
-        if self.circle is None:
+        if self.circle is None or not any(self.circle):
             return None
-        falling = self.signs[0] != 1
-        found = lost(1 if any(self.circle) else 2) if falling else KEEPS
-        known = self.known()
-        assert known is not None
-        return replace(found, modulo=known.modulo)
+        return replace(KEEPS if self.signs[0] == 1 else lost(1), modulo=on_circle(self.circle).modulo)
 
     def known_point(self) -> Decision | None:
         """On a circle others drift along it."""

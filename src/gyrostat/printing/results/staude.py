@@ -47,7 +47,8 @@ def gyrostat_arc_blocks(arc: GyrostatArc) -> list[Block]:
 
 def _crossed(rotation: RelativeEquilibrium) -> Block:
     return sentence("Where ", *equations([(OMEGA, number(rotation.rates["omega"]))]), " every direction of ",
-                    rotation.locus, ", through ", VECTOR, " = (", *listed(map(number, rotation.directions[0])),
+                    rotation.locus, ", through ", VECTOR, " = (",
+                    *listed(map(number, rotation.directions[0])),
                     "), is that of a permanent rotation")
 
 
