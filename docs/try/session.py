@@ -30,7 +30,7 @@ from gyrostat.mechanics.families.named_families import (
 from gyrostat.mechanics.families.scene_tables import SceneTable
 from gyrostat.mechanics.scenes.system import System, names_of_scene
 from gyrostat.notation import jet
-from gyrostat.printing.formats.names import Names
+from gyrostat.printing.formats.latex_names import Names
 from gyrostat.printing.results.boundary import undecided
 from gyrostat.printing.results.decision import damped_block, decision_blocks, reason_block
 from gyrostat.printing.results.document import conditions_blocks, point_blocks, report_blocks, whole_blocks

@@ -43,9 +43,9 @@ if TYPE_CHECKING:
     from .mechanics.families.holding_rotor import earth_pointing_gyrostat
     from .mechanics.families.orbital_precession import orbital_precession
     from .mechanics.families.permanent_rotation import permanent_rotation
-    from .mechanics.families.principal import principal_rotation
+    from .mechanics.families.principal_rotation import principal_rotation
     from .mechanics.families.release import release
-    from .mechanics.families.steady import steady_motion
+    from .mechanics.families.steady_motion import steady_motion
     from .mechanics.families.tilted import inclined, static_tilt
     from .mechanics.families.vertical import hanging, upright
     from .mechanics.scenes.body import Gyrostat, symmetric_gyrostat
@@ -61,7 +61,7 @@ if TYPE_CHECKING:
     from .parameters.sets import Case, Interval, Solution, SolvedCondition
     from .parameters.solve import solve_condition
     from .parameters.spectra import Spectrum, spectrum
-    from .parameters.stabilizing import stabilizing_set
+    from .parameters.stabilizing_set import stabilizing_set
     from .printing.formats.article import to_latex
     from .stability.criteria.conditions import Condition, Criterion, independent
     from .stability.criteria.energy_casimir import (
@@ -125,9 +125,9 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.families.holding_rotor": "earth_pointing_gyrostat",
     "mechanics.families.orbital_precession": "orbital_precession",
     "mechanics.families.permanent_rotation": "permanent_rotation",
-    "mechanics.families.principal": "principal_rotation",
+    "mechanics.families.principal_rotation": "principal_rotation",
     "mechanics.families.release": "release",
-    "mechanics.families.steady": "steady_motion",
+    "mechanics.families.steady_motion": "steady_motion",
     "mechanics.families.tilted": "inclined static_tilt",
     "mechanics.families.vertical": "hanging upright",
     "stability.criteria.conditions": "Condition Criterion independent",
@@ -158,7 +158,7 @@ __getattr__, __dir__ = _later(__name__, {
     "parameters.sets": "Case Interval Solution SolvedCondition",
     "parameters.solve": "solve_condition",
     "parameters.spectra": "Spectrum spectrum",
-    "parameters.stabilizing": "stabilizing_set",
+    "parameters.stabilizing_set": "stabilizing_set",
     "printing.formats.article": "to_latex",
     "notation": "NOTATION symbol",
 })

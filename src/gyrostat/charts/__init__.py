@@ -17,15 +17,16 @@ from .._lazy import later
 from ..printing.files import save_netcdf
 
 if TYPE_CHECKING:
-    from .boxes.boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
+    from .boxes.certified_boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
     from .chart import stability_chart
-    from .signs.arrays import verdicts
-    from .signs.numeric import CompiledMargin, compile_margin
+    from .signs.compiled_margins import CompiledMargin, compile_margin
+    from .signs.verdict_arrays import verdicts
 
 __all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "compile_margin",
            "CompiledMargin", "save_netcdf", "stability_chart", "verdicts"]
 
 __getattr__, __dir__ = later(__name__, {
-    "signs.arrays": "verdicts", "boxes.boxes": "BoxDecision CertifiedChart certified_chart certify_box",
-    "chart": "stability_chart", "signs.numeric": "CompiledMargin compile_margin",
+    "signs.verdict_arrays": "verdicts", "chart": "stability_chart",
+    "signs.compiled_margins": "CompiledMargin compile_margin",
+    "boxes.certified_boxes": "BoxDecision CertifiedChart certified_chart certify_box",
 })

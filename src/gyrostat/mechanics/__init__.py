@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from .classical.lagrangian import angular_momentum, effective_potential, lagrangian, momenta
     from .equilibrium.reduced_series import expansion
     from .equilibrium.reduction import Reduction
-    from .scenes.axes import principal_axes
+    from .scenes.principal_axes import principal_axes
 
 __all__ = ["angle_rates", "angular_momentum", "angular_velocity",
            "effective_potential", "expansion", "free_precession", "FreePrecession", "lagrangian", "momenta",
@@ -36,7 +36,7 @@ __all__ = ["angle_rates", "angular_momentum", "angular_velocity",
 
 __getattr__, __dir__ = later(__name__, {
     "classical.attitude": "angle_rates angular_velocity rotation",
-    "scenes.axes": "principal_axes",
+    "scenes.principal_axes": "principal_axes",
     "classical.free_body": "momentum_limits polhode_period torque_equations",
     "classical.lagrangian": "angular_momentum effective_potential lagrangian momenta",
     "classical.free_precession": "FreePrecession free_precession", "equilibrium.reduced_series": "expansion",

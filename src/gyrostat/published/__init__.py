@@ -9,7 +9,7 @@ Newton and Euler's equations (`independent`, in the names of `independent_names`
 `independent_oscillations` in `independent_series`). `listing`, `typesetting` and `errata` show what was
 found.
 """
-from .checks.checks import Finding, check
+from .checks.findings import Finding, check
 from .sources import SOURCES, Source, load
 from .statements import Counterexample, Outcome, Statement
 

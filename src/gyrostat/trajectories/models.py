@@ -13,14 +13,14 @@ from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError, br
 from ..mechanics.equilibrium.reduction import reducible
 from ..mechanics.scenes.system import System, at_numbers
 from ..stability.criteria.numbers_asked import check_names
-from .digits import bits_of
 from .free.free_motion import FreeMotion
 from .integrated.integrated_motion import Integration
 from .motion import Motion
 from .route import Route
+from .states_in_digits import bits_of
 from .top.level import Level
 from .top.top_motion import AxialMotion
-from .turned import of_revolution, turned_free, turned_top
+from .turned_motion import of_revolution, turned_free, turned_top
 
 MOST_DIGITS = 10_000
 

@@ -2,7 +2,7 @@
 import argparse
 
 from ...notation import symbol
-from ...parameters.stabilizing import inserted
+from ...parameters.stabilizing_set import inserted
 from ...printing.blocks import Heading
 from ...printing.formats.json_data import conditions_data, criterion_data, json_text
 from ...printing.formats.tables import conditions_table

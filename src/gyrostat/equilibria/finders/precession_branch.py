@@ -6,7 +6,7 @@ from sympy import Expr, ImmutableMatrix, S, sqrt
 from ..._display import Shown
 from ...mechanics.equilibrium.recognition import Recognition
 from ...mechanics.equilibrium.reduction import K3
-from ...mechanics.scenes.spherical import lowest
+from ...mechanics.scenes.functions_on_sphere import lowest
 from ...notation import Stored
 from ...stability.decision import Decision
 

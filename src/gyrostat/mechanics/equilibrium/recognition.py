@@ -15,9 +15,9 @@ from ..._cached import cached_property
 from ...errors import PotentialError
 from ..scenes.body import Gyrostat
 from ..scenes.entered_potential import axial_potential
+from ..scenes.functions_on_sphere import along_third, lowest, vanishes
 from ..scenes.lie_poisson import hat
 from ..scenes.potential import DIRECTIONS, Potential
-from ..scenes.spherical import along_third, lowest, vanishes
 from ..scenes.system import System, system_of
 from .reduction import reducible
 

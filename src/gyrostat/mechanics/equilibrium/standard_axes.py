@@ -11,7 +11,7 @@ from ...algebra.reals.exact import Point, evaluate, sign_of_constant
 from ...algebra.solving.margins import Signs
 from ...errors import EquilibriumError
 from ...notation import jet
-from ..scenes.spherical import lowest, vanishes
+from ..scenes.functions_on_sphere import lowest, vanishes
 from ..scenes.system import System, at_numbers, names_of_scene
 from .derived_once import once
 from .equilibrium import Equilibrium

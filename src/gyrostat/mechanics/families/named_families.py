@@ -36,7 +36,7 @@ E3 = Family("E3", "inclined", "precessing about the vertical, inclined",
 E3_AT_REST = Family("E3 at rest", "at rest at a tilt", "tilted, without rotation",
                     partial(_made, "tilted", "static_tilt"), "eliminate")
 PRINCIPAL = tuple(Family(f"rotation about axis {n}", "principal rotation", "",
-                         partial(_made, "principal", "principal_rotation", axis=n), where="free",
+                         partial(_made, "principal_rotation", "principal_rotation", axis=n), where="free",
                          asked_for=f"axis {n}", source="Hughes 1986, chapter 6") for n in (1, 2, 3))
 PERMANENT = Family("permanent rotation", "permanent-rotation",
                    "turning about the vertical, k fixed in the body",

@@ -12,7 +12,7 @@ from ..._display import Shown
 from ...algebra.rings.polynomials import Ring
 from ...algebra.rings.subexpressions import occurring
 from ...algebra.text import magnitudes
-from ...algebra.text.parts import BITS, enclosure, immoderate
+from ...algebra.text.bounded_parts import BITS, enclosure, immoderate
 from ...arguments import checked
 from ...errors import PotentialError, ValuesError, brief
 from ...notation import Stored, jet, jet_name, symbol

@@ -26,7 +26,7 @@ from ..criteria.numbers_asked import names_in, names_needed, names_of_motion
 from ..criteria.three_criteria import across, of_stiffness, positive, secular_criterion
 from ..criteria.truth import holds, sign_at
 from ..decision import Decision, Rung, settled, undecided
-from ..theorems.minima import least_at
+from ..theorems.minimum_on_orbit import least_at
 from .growing_modes import growing_at
 
 KEPT = "damping takes energy, which has a strict minimum on the orbit"
