@@ -1,15 +1,10 @@
 """The verdict over ranges of parameters.
 
-A margin becomes a program ordered by the axes of a grid (`straightline`), with a proved bound of its
-`rounding` error; it runs over the blocks of a grid (`entries`, `grids`, `tiles`, `kernels`, `writing`,
-`numeric`; `labels` guards what arrays carry); `constants` are put into long margins first. `signs` and
-`deciding` decide every point, exactly where floats do not (`dyadic`), what gyroscopic forces hold together
-(`held`, in `ball_arrays`), a list after one look at its columns (`screens`), and `arrays` asks them. Over
-boxes it runs in `intervals` and `enclosures`: `regions`, `proofs`, `paving` and `boxes` cover them by
-bisection; `answers` are three-valued, `codes` stand for verdicts. `contours` follow the curves between
-verdicts by their `crossings` of edges, `window_curves` those inside windows; a `chart` is all of it, a
-`request` as one labelled dataset (`datasets`), larger than memory in `stores` (`frame`, `marks`), with a bar
-of `progress`.
+A `chart` answers a `request`: `grids` names the numbers, from which `labels` refuses what has other labels or
+masks, `signs` decides at every point of them, exactly where floats do not, and `codes` stand for the
+verdicts. `curves` follows the boundaries between verdicts, `datasets` describes the result, and `stores`
+keeps what is larger than memory, with a bar of `progress`. `boxes` proves a verdict for all points of a box
+at once.
 """
 from typing import TYPE_CHECKING
 

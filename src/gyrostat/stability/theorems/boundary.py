@@ -118,10 +118,8 @@ class Boundary(Shown, Stored):
     def decisive(self) -> Iterator[Rung]:
         """The ladder with the coefficient of x² below it, which is 0 where the criteria are those of g.
 
-        They may leave more open.
-
-        So where π is fixed, whatever the axis, or numbers stand in the scene whose relations the criteria do
-        not see.
+        It starts at x², because the criteria can be weaker than g: for example if π is fixed, whatever the
+        axis, or if the scene holds numbers whose relations the criteria do not see.
         """
         yield self.rung(2)
         yield from self.rungs()
