@@ -8,6 +8,7 @@ from ...algebra.solving.margins import Signs
 from ...arguments import checked
 from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.scenes.kind import Kind
 from .amended_form import amended_form, dot
 from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian, blocks
@@ -171,7 +172,7 @@ def across(variation: SecondVariation) -> list[Minor]:
     """
     eq = variation.equilibrium
     system, body, k = eq.system, eq.system.body, eq.point[3:]
-    if not system.potential or system.coupled or system.linear_integrals or sum(x != 0 for x in k) < 2:
+    if system.potential is None or system.coupled or system.linear_integrals or sum(x != 0 for x in k) < 2:
         return []
     if len(blocks(variation.matrix.tolist())) > 1:
         return []
@@ -210,7 +211,7 @@ def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:
     """
     eq = variation.equilibrium
     M = [p + l for p, l in zip(eq.point, eq.system.body.gyrostatic_momentum)]
-    if eq.system.potential or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
+    if eq.system.kind is not Kind.FREE or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
         return ()
     A = augmented_hessian(eq, eq.system.space.casimirs)
     M = Matrix(M)
