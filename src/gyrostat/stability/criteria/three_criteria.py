@@ -49,7 +49,8 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> ((p, q, discriminant),) = gs.spectral_criterion(gs.linearize(gs.upright(top))).alternatives
+    >>> linear = gs.derivation.linearize(gs.upright(top))
+    >>> ((p, q, discriminant),) = gs.derivation.spectral_criterion(linear).alternatives
     >>> discriminant.margin, discriminant.degenerate
     (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
     """
@@ -106,8 +107,8 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> variation = gs.second_variation(gs.upright(top))
-    >>> gs.formal_criterion(variation).alternatives[0][0].margin
+    >>> variation = gs.derivation.second_variation(gs.upright(top))
+    >>> gs.derivation.formal_criterion(variation).alternatives[0][0].margin
     -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
     """
     if invariants := _on_sphere(variation):
@@ -150,7 +151,8 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     --------
     >>> import gyrostat as gs
     >>> spin = gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))), 3)
-    >>> print(gs.independent(gs.secular_criterion(gs.secular_variation(spin)), spin))
+    >>> criterion = gs.derivation.secular_criterion(gs.derivation.secular_variation(spin))
+    >>> print(gs.derivation.independent(criterion, spin))
     I₃ > I₁ and I₃ > I₂
     """
     minors = across(variation) or of_stiffness(variation)
