@@ -148,7 +148,7 @@ def verbs():
         (p.draw_smelt_plane, {"rotor": 0, "bodies": {"pole": (60, 70, 35)}, "ax": flat}),
         (p.draw_staude_cone, {"scene": k.heavy, "values": {}, "ax": space}),
         (p.draw_staude_plane, {"scene": k.heavy, "values": {}, "omega": (-2, 2), "ax": flat}),
-        (p.save_animation, {"animation": p.animate_top(k.motion, [0, 1], space()),
+        (p.save_animation, {"animation": as_shown(p.animate_top(k.motion, [0, 1], space())),
                             "path": folder() + "/a.gif", "fps": 25}),
         (p.view_motion, {"motion": k.motion, "times": [0, 1]}),
         (d.check, {"sources": ("AR",), "progress": None}), (d.load, {"source": "AR"}),
@@ -221,7 +221,14 @@ def called(function, given):
         for parameter in inspect.signature(function).parameters.values():
             if parameter.kind is parameter.POSITIONAL_ONLY:
                 positions.append(names.pop(parameter.name))
-    return function(*positions, **names)
+    return as_shown(function(*positions, **names))
+
+
+def as_shown(result):
+    """An animation that is not shown warns when it is thrown away, in whatever test that is."""
+    if hasattr(result, "_draw_was_started"):
+        result._draw_was_started = True
+    return result
 
 
 def calls():

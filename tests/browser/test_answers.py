@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 import session
-from driving import AGREE, picked, pixels
+from browser.driving import AGREE, picked, pixels
 
 from gyrostat import trajectories
 from gyrostat.algebra.text.numbers import exact_number

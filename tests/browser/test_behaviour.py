@@ -4,7 +4,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 import pytest
-from driving import picked, shown, typed
+from browser.driving import picked, shown, typed
 from fuzz_texts import drawn
 
 WORST = ["(" * 2500, "k3^" * 1600 + "2", "9" * 4900, "2^(2^(2^(2^k3)))", "k3**10**10**10",

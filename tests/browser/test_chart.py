@@ -8,7 +8,7 @@ from random import Random
 
 import pytest
 import session
-from driving import AGREE, picked, pixels, shown, typed
+from browser.driving import AGREE, picked, pixels, shown, typed
 from mpmath import mp, mpf
 
 EXAMPLES = json.loads((Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))

@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 import pytest
-from driving import SLOW, shown, typed
+from browser.driving import SLOW, shown, typed
 
 FOLDER = Path(os.environ["GYROSTAT_PAGE"])
 FILES = ["files.json", *json.loads((FOLDER / "files.json").read_text(encoding="utf-8"))]

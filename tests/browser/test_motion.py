@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 import session
-from driving import picked, typed
+from browser.driving import picked, typed
 from programs import steps_to
 
 import gyrostat as gs

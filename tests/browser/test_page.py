@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 import session
-from driving import latex, picked, shown, typed
+from browser.driving import latex, picked, shown, typed
 
 EXAMPLES = json.loads((Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))
 TWO_NUMBERS = "input => { input.value = %s; input.dispatchEvent(new Event('input')); }"

@@ -3,8 +3,8 @@ import json
 
 import pytest
 import session
-from drawn_scenes import drawn_scene
-from driving import latex, picked, shown, typed
+from browser.drawn_scenes import drawn_scene
+from browser.driving import latex, picked, shown, typed
 
 TITLES = {"satellite": "Satellite in a circular orbit, Earth-pointing", "every": "Free gyrostat, every",
           "point": "A point of one's own", "asymmetric": "Heavy asymmetric body, upright"}

@@ -4,8 +4,8 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from checked_arrays import axial
-from stored_charts import GRID
+from charts.checked_arrays import axial
+from charts.stored_charts import GRID
 from sympy import chebyshevt, cos, exp, log, pi, sqrt
 
 import gyrostat as gs

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from grid_points import points
+from charts.grid_points import points
 from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Integer, Rational, S, exp, pi, sqrt

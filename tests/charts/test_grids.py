@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from grid_points import points
+from charts.grid_points import points
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays

@@ -10,7 +10,7 @@ import re
 import numpy as np
 import pytest
 from commands import decide
-from textbook_scenes import DATA, GREEK_NAMES, asked, energy, expected, numbers, rows, valued
+from published.textbook_scenes import DATA, GREEK_NAMES, asked, energy, expected, numbers, rows, valued
 
 import gyrostat as gs
 from gyrostat.algebra.text.grammar import parse

@@ -3,7 +3,7 @@ from fractions import Fraction as F
 
 import numpy as np
 import pytest
-from units import Units
+from stability.units import Units
 
 import gyrostat as gs
 

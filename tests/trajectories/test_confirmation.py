@@ -8,11 +8,11 @@ from fractions import Fraction
 import draw
 import numpy as np
 import pytest
-from confirming import LARGE, one_direction
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from slow import slow
 from sympy import ImmutableMatrix, Rational
+from trajectories.confirming import LARGE, one_direction
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError

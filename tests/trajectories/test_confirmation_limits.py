@@ -1,7 +1,7 @@
 """What a confirmation says where the motion is too slow, too steep or not enough to tell."""
 import pytest
-from confirming import LARGE, one_direction
 from sympy import Rational
+from trajectories.confirming import LARGE, one_direction
 
 import gyrostat as gs
 from gyrostat.stability.criteria.numbers_asked import exact_values

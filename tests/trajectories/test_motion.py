@@ -4,8 +4,8 @@ from fractions import Fraction as F
 import mpmath
 import numpy as np
 import pytest
-from heavy_top import NUMBERS, STATE, TOP
 from sympy import Rational, cos, pi, sin, sqrt
+from trajectories.heavy_top import NUMBERS, STATE, TOP
 
 import gyrostat as gs
 from gyrostat.errors import ValuesError

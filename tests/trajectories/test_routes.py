@@ -1,8 +1,8 @@
 """The route that each motion takes, what is integrated, and what is refused."""
 import numpy as np
 import pytest
-from heavy_top import NUMBERS, STATE, TOP
 from sympy import Rational, atan, exp, pi
+from trajectories.heavy_top import NUMBERS, STATE, TOP
 
 import gyrostat as gs
 from gyrostat.errors import ArgumentError, GyrostatError, ScopeError, ValuesError

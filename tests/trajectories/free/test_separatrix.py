@@ -5,10 +5,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from flint import arb, ctx
-from free_motions import REST, SADDLE, distance, free, middles
 from free_reference import motion as integrated
 from slow import slow
 from sympy import sqrt
+from trajectories.free_motions import REST, SADDLE, distance, free, middles
 
 
 @pytest.mark.slow

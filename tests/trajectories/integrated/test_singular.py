@@ -3,8 +3,8 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from integrations import FIELD, INERTIA, KINDS, ROTOR, exact, scene
 from sympy import Rational, log, sqrt
+from trajectories.integrations import FIELD, INERTIA, KINDS, ROTOR, exact, scene
 
 import gyrostat as gs
 from gyrostat.errors import AccuracyError, ValuesError

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from slow import slow
 from sympy import lambdify
-from tops import BODY, CASES, MOTIONS, SEPARATRICES, F, as_mpf, moving, plain, theirs
+from trajectories.tops import BODY, CASES, MOTIONS, SEPARATRICES, F, as_mpf, moving, plain, theirs
 
 from gyrostat.mechanics.classical.attitude import ANGLES, rotation
 

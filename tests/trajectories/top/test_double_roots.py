@@ -6,7 +6,7 @@ import pytest
 from flint import ctx
 from slow import slow
 from sympy import Rational, Symbol, exp, lambdify, log, sin
-from tops import F, off
+from trajectories.tops import F, off
 
 import gyrostat as gs
 from gyrostat.trajectories import motion

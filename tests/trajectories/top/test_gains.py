@@ -3,7 +3,7 @@ import mpmath
 import numpy as np
 import pytest
 from slow import slow
-from tops import BODY, CASES, MANY, MOTIONS, TILTED, F, about, as_mpf, moving, theirs
+from trajectories.tops import BODY, CASES, MANY, MOTIONS, TILTED, F, about, as_mpf, moving, theirs
 
 from gyrostat.errors import ValuesError
 

@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 from slow import slow
-from tops import BODY, MOTIONS, SEPARATRICES, moving
+from trajectories.tops import BODY, MOTIONS, SEPARATRICES, moving
 
 from gyrostat.algebra.text.numbers import exact_number
 

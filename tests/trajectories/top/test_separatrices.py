@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from slow import slow
 from sympy import Rational, exp, solve, sqrt, symbols
-from tops import BODY, SEPARATRICES, TILTED, F, about, moving, off, theirs
+from trajectories.tops import BODY, SEPARATRICES, TILTED, F, about, moving, off, theirs
 
 import gyrostat as gs
 from gyrostat.algebra.text.numbers import exact_number

@@ -1,7 +1,7 @@
 """Motions at constant k3: vertical rotations, inclined equilibria, steady precessions."""
 import numpy as np
 import pytest
-from tops import BODY, F, about, moving, off, theirs
+from trajectories.tops import BODY, F, about, moving, off, theirs
 
 UNIT = {"E1": ("0", "0", "3/2", "0", "0", "1"), "E2": ("0", "0", "-3/2", "0", "0", "-1"),
         "E2 of length 2": ("0", "0", "1", "0", "0", "-2")}

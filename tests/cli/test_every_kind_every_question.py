@@ -1,0 +1,136 @@
+"""Every kind of scene that a scene file can hold, by every way to ask from outside Python: one answer."""
+import json
+from fractions import Fraction
+
+import pytest
+import session
+from commands import run
+from scene_kinds import CASES
+
+import gyrostat as gs
+from gyrostat.charts.codes import CODE_OF
+from gyrostat.errors import GyrostatError
+from gyrostat.printing.formats.json_data import damped_data, decision_data
+
+FILED = [name for name, case in CASES.items() if case.table is not None]
+
+
+@pytest.fixture(params=FILED)
+def case(request):
+    """One kind of scene."""
+    return CASES[request.param]
+
+
+@pytest.fixture
+def file(case, tmp_path):
+    """The scene as a file; of a point its coordinates are named on the command line."""
+    def written(value):
+        if isinstance(value, dict):
+            return "{ " + ", ".join(f"{name} = {written(x)}" for name, x in value.items()) + " }"
+        return json.dumps(value)
+
+    table = case.table | {"values": case.values}
+    path = tmp_path / "scenes.toml"
+    path.write_text("[scene.one]\n" + "\n".join(f"{name} = {written(x)}" for name, x in table.items()))
+    return f"{path}#one"
+
+
+def answers(decision, damped):
+    """As JSON has them, without what depends on how the equilibrium was named."""
+    return [{name: x for name, x in data.items() if name not in ("reason", "margins")}
+            for data in (decision_data(decision), damped_data(damped))]
+
+
+def told(entry):
+    """The same of an entry of a document."""
+    return [{name: x for name, x in entry[key].items() if name not in ("reason", "margins")}
+            for key in ("decision", "damped_decision")]
+
+
+def test_decide_says_the_same(case, file, capsys):
+    """As data and as text, and the point itself where the verdict is modulo a flow."""
+    report = case.report
+    decision, damped = report.verdict(case.values), report.verdict(case.values, damped=True)
+    status, out, _ = run(capsys, "--scene", file, "--format", "json", verb="decide")
+    (found,) = json.loads(out)["equilibria"]
+    assert status == 0 and told(found) == answers(decision, damped)
+    assert ("itself" in found) == bool(decision.modulo)
+    if decision.modulo:
+        assert found["itself"]["verdict"] == report.itself(case.values).verdict.name
+    text = " ".join(run(capsys, "--scene", file, verb="decide")[1].split())
+    assert f"; {decision.proved}." in text
+    if decision.notion and decision.scope:
+        assert decision.scope.partition(" ")[0] in text.partition("Reason")[0]
+
+
+def test_a_batch_says_the_same(case, file, capsys, tmp_path):
+    """A line of it."""
+    lines = tmp_path / "lines.jsonl"
+    lines.write_text(json.dumps(case.values) + "\n")
+    status, out, _ = run(capsys, "--scene", file, "--batch", str(lines), verb="decide")
+    (found,) = json.loads(out)["equilibria"]
+    assert status == 0 and told(found) == answers(case.report.verdict(case.values),
+                                                  case.report.verdict(case.values, damped=True))
+
+
+def test_the_page_says_the_same(case):
+    """Its verdicts, and the sentence that says what is proved."""
+    decision, damped = case.report.verdict(case.values), case.report.verdict(case.values, damped=True)
+    scene = case.table | {"values": case.values}
+    found = json.loads(session.answer(json.dumps({"want": "decided", "scene": scene})))
+    assert (found["verdict"], found["damped"]) == (decision.verdict.name, damped.verdict.name)
+    assert decision.proved in json.dumps(found["blocks"], ensure_ascii=False)
+
+
+def test_latex_says_the_same(case):
+    """The verdict with its notion and what is divided out."""
+    decision = case.report.verdict(case.values)
+    latex = gs.to_latex(decision)
+    assert latex.startswith(rf"\text{{{decision.verdict.name.lower()}")
+    assert decision.notion in latex
+    for words, parts in (("modulo the flow of", decision.modulo), ("on its level of", decision.level),
+                         ("as a set", decision.locus)):
+        assert (words in latex) == bool(parts and decision.notion)
+
+
+def test_arrays_and_boxes_say_the_same(case):
+    """At these numbers, and in a box of one point: what a box claims is the verdict."""
+    report = case.report
+    given = {name: case.values[name] for name in (*report.required, *case.jets)}
+    if not given or not all(_dyadic(x) for x in given.values()):
+        return
+    decision = report.verdict(given)
+    doubles = {n: float(Fraction(x)) for n, x in given.items()}
+    assert gs.charts.verdicts(report, doubles) == CODE_OF[decision.verdict]
+    name = next(iter(given))
+    try:
+        box = gs.charts.certify_box(report, given | {name: (given[name], given[name])})
+    except GyrostatError as refused:
+        assert len(str(refused)) > 30
+    else:
+        assert box.verdict.name in (decision.verdict.name, "UNDECIDED")
+
+
+def _dyadic(text):
+    """Whether a double is the same number."""
+    try:
+        return Fraction(float(Fraction(text))) == Fraction(text)
+    except ValueError:
+        return False
+
+
+def test_sets_say_the_same(case):
+    """A value is in the stabilising set where it is stable, in what is left open where it is undecided."""
+    report = case.report
+    for name in report.required:
+        others = {n: x for n, x in case.values.items() if n in (*report.required, *case.jets) and n != name}
+        decision = report.verdict(case.values)
+        try:
+            found = gs.stabilizing_set(report, name, {n: x for n, x in others.items() if n not in case.jets})
+        except GyrostatError as refused:
+            assert len(str(refused)) > 30
+            continue
+        if (inside := found.contains({**others, name: case.values[name]})) is not None:
+            assert inside == decision.stable, name
+        elif any(part.meaning == "undecided" for part in found.parts):
+            assert decision.verdict == "UNDECIDED", name
