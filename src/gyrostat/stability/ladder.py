@@ -12,6 +12,7 @@ from ..algebra.solving.margins import Signs
 from ..mechanics.equilibrium.derived_once import once
 from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.equilibrium.standard_axes import Seen, placed, seen_at
+from ..mechanics.scenes.kind import Kind
 from ..notation import symbol
 from .criteria.numbers_asked import names_in, names_of_motion
 from .criteria.truth import holds
@@ -248,7 +249,7 @@ RUNGS = (
     Step("missing names", "nothing is guessed", lambda s: s.missing,
          lambda s: s.own(undecided(f"the point lies between the two criteria; give {s.missing} to decide"))),
     Step("two directions", "derived", lambda s: s.eq.system.coupled, _in_frame),
-    Step("fourth order", "derived", lambda s: s.eq.system.potential is None,
+    Step("fourth order", "derived", lambda s: s.eq.system.kind is Kind.FREE,
          lambda s: s.own(loaded(f"{THEOREMS}.momentum_sphere:extremum_at")(s.eq, s.numbers).decision)),
     Step("integrals", "Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116",
          lambda s: s.eq.system.given_integrals and s.by_integrals.stable, lambda s: s.own(s.by_integrals)),

@@ -7,9 +7,9 @@ from ...stability.criteria.conditions import Criterion
 from ..statements import Doubt, Outcome
 from .comparisons import comparisons
 from .criteria import DAMPED, K3, Claim, agree, criterion, free_symbols
+from .failing_points import suspects
 from .readings import Reading
 from .sampling import K
-from .search import suspects
 
 AT_EQUALITY = "sufficient as printed; necessary only with equality allowed"
 NOT_NECESSARY = "sufficient as printed, and not necessary: gyroscopic forces hold other rotations"

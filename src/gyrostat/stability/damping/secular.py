@@ -219,7 +219,7 @@ class Secular:
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
         """Where the second variation is degenerate beyond the symmetries: whether the energy is least."""
-        least, why = loaded("stability.theorems.minima:least_at")(self.equilibrium, numbers)
+        least, why = loaded("stability.theorems.minimum_on_orbit:least_at")(self.equilibrium, numbers)
         if least is None or not least and not reached:
             return undecided(why if least is None else OUT_OF_REACH)
         return (settled(True, f"{KEPT}: {why}", Rung.LEADING_FORM, "secular", growing=0) if least

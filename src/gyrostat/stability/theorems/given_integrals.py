@@ -9,7 +9,7 @@ from sympy import Expr, ImmutableMatrix, S, Symbol
 from ...algebra.reals.exact import evaluate
 from ...algebra.rings.matrices import multiply
 from ...algebra.rings.polynomials import Ring
-from ...algebra.solving.definite import definite_combination
+from ...algebra.solving.definite_combination import definite_combination
 from ...algebra.solving.margins import Signs
 from ...errors import EquilibriumError
 from ...mechanics.equilibrium.coadjoint_orbit import critical_integrals, is_critical, orbit_tangent
