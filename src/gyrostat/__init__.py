@@ -60,7 +60,7 @@ if TYPE_CHECKING:
     from .printing.formats.article import to_latex
     from .stability.criteria.conditions import Condition, Criterion
     from .stability.damping.energy_sink import energy_sink_criterion
-    from .stability.decision import Decision, Rung, Verdict
+    from .stability.decision import Decision, Notion, Rung, Verdict
     from .stability.normal_forms.d4_along_family import Window
     from .stability.normal_forms.normal_form import NormalForm
     from .stability.report.analysis import analyze
@@ -78,7 +78,7 @@ __all__ = [
     "earth_pointing_gyrostat", "energy_sink_criterion", "Equilibrium", "equilibrium", "errors",
     "general_potential", "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging",
     "HeavyContinuation", "ideal_fluid", "inclined", "Interval", "lie_poisson", "LiePoisson", "mechanics",
-    "newtonian_field", "NormalForm", "NOTATION", "orbital_precession", "parallel_directions",
+    "newtonian_field", "NormalForm", "NOTATION", "Notion", "orbital_precession", "parallel_directions",
     "permanent_rotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
     "relative_equilibria", "RelativeEquilibrium", "release", "Report", "RotationContinuation", "Rotor",
     "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
@@ -113,7 +113,7 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.families.tilted": "inclined static_tilt",
     "mechanics.families.vertical": "hanging upright",
     "stability.criteria.conditions": "Condition Criterion",
-    "stability.decision": "Decision Rung Verdict",
+    "stability.decision": "Decision Notion Rung Verdict",
     "stability.normal_forms.d4_along_family": "Window",
     "stability.normal_forms.normal_form": "NormalForm",
     "stability.damping.energy_sink": "energy_sink_criterion",

@@ -16,7 +16,7 @@ from ..mechanics.scenes.kind import Kind
 from ..notation import symbol
 from .criteria.numbers_asked import names_in, names_of_motion
 from .criteria.truth import holds
-from .decision import Decision, Rung, settled, undecided
+from .decision import Decision, Notion, Rung, settled, undecided
 from .report.derived_parts import Derived
 
 DEFINITE = "the second variation is definite on the symplectic slice"
@@ -239,7 +239,7 @@ RUNGS = (
     Step("second variation", "Lagrange (1788), Dirichlet (1846); Arnold, J. Mécanique 5 (1966) 29-43",
          lambda s: s.sufficient, _definite),
     Step("spectrum", "Lyapunov (1892)", lambda s: s.necessary is False,
-         lambda s: settled(False, GROWS, Rung.SPECTRUM, "spectral", modulo=s.ladder.sufficient.modulo)),
+         lambda s: settled(False, GROWS, Rung.SPECTRUM, Notion.SPECTRAL, modulo=s.ladder.sufficient.modulo)),
     Step("another scene", "derived: a body of revolution about any axis, a satellite's axis",
          lambda s: s.other, _by_another),
     Step("no sign", "nothing is guessed", lambda s: None in (s.sufficient, s.necessary),

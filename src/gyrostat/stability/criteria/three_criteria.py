@@ -9,6 +9,7 @@ from ...arguments import checked
 from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.kind import Kind
+from ..decision import Notion
 from .amended_form import amended_form, dot
 from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian, blocks
@@ -70,7 +71,7 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
         square = ring.one, tuple(e for e in factors if not e.is_constant())
         discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
         items.append(Item(*discriminant, False, "p² − 4q"))
-    return Criterion("spectral", (tuple(condition_of(ring, item, eq) for item in items),))
+    return Criterion(Notion.SPECTRAL, (tuple(condition_of(ring, item, eq) for item in items),))
 
 
 def _of_sextic(linearization: Linearization) -> Criterion:
@@ -78,7 +79,7 @@ def _of_sextic(linearization: Linearization) -> Criterion:
     factors = factors_in_squares(linearization.coefficients)
     signs = signs_over(eq, [c for factor in factors for c in factor])
     items = items_of_factors(factors, signs)
-    return Criterion("spectral", (tuple(condition_of(signs.ring, item, eq) for item in items),))
+    return Criterion(Notion.SPECTRAL, (tuple(condition_of(signs.ring, item, eq) for item in items),))
 
 
 @checked
@@ -113,9 +114,9 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     """
     if invariants := _on_sphere(variation):
         signs = signs_over(variation.equilibrium, invariants)
-        return _definite(variation, "formal", _minors([(2, invariants[1])]), signs, (1,))
+        return _definite(variation, Notion.FORMAL, _minors([(2, invariants[1])]), signs, (1,))
     if found := across(variation) or of_stiffness(variation):
-        return _definite(variation, "formal", found, _signs(variation, found), (1,))
+        return _definite(variation, Notion.FORMAL, found, _signs(variation, found), (1,))
     # one multiplier is eliminated, any value of the others may be chosen
     others = dict.fromkeys(variation.free[1:], S.Zero)
     minors = _minors([(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)])
@@ -123,7 +124,7 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
         signs = _signs(variation, minors)                  # k·Ik is positive, whatever it looks like
     else:
         signs = signs_over(variation.equilibrium, [minor for _, _, minor in minors])
-    return _definite(variation, "formal", minors, signs, (1, -1))
+    return _definite(variation, Notion.FORMAL, minors, signs, (1, -1))
 
 
 @checked
@@ -157,7 +158,7 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     """
     minors = across(variation) or of_stiffness(variation)
     minors = minors or _minors([(2, e) for e in _on_sphere(variation)] or variation.block_minors)
-    return _definite(variation, "secular", minors, _signs(variation, minors), (1,))
+    return _definite(variation, Notion.SECULAR, minors, _signs(variation, minors), (1,))
 
 
 def positive(eq: Equilibrium) -> tuple[Expr, ...]:
@@ -229,7 +230,7 @@ def _signs(variation: SecondVariation, minors: Sequence[Minor]) -> Signs:
     return Signs.over([minor for _, _, minor in minors], (*eq.domain, *positive(eq)))
 
 
-def _definite(variation: SecondVariation, notion: str, minors: Sequence[Minor], signs: Signs,
+def _definite(variation: SecondVariation, notion: Notion, minors: Sequence[Minor], signs: Signs,
               allowed: Sequence[int]) -> Criterion:
     """Definite of a sign that is allowed, by minors with their names and orders."""
     ring = signs.ring

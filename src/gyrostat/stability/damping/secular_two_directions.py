@@ -13,7 +13,7 @@ from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.lie_poisson import hat
 from ..criteria.orientation_form import orientation_form, rests_in_frame
 from ..criteria.three_criteria import stiffness
-from ..decision import Decision, undecided
+from ..decision import Decision, Notion, undecided
 from ..theorems.two_directions import on_curve
 from .secular import Secular
 
@@ -54,7 +54,7 @@ class SecularInFrame(Secular):
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
         found = on_curve(self.equilibrium, numbers)
-        return undecided(DEGENERATE) if found is None else replace(found, notion="secular", growing=0)
+        return undecided(DEGENERATE) if found is None else replace(found, notion=Notion.SECULAR, growing=0)
 
 
 def _torques_in_orbit(eq: Equilibrium) -> tuple[Expr, ...]:

@@ -17,7 +17,7 @@ from ..criteria.linearization import Linearization, linearize
 from ..criteria.numbers_asked import names_accepted, names_in, names_needed, names_of_motion
 from ..criteria.three_criteria import formal_criterion, spectral_criterion
 from ..damping.secular import Secular, secular_of
-from ..decision import Between
+from ..deciders import Between
 
 if TYPE_CHECKING:
     from ..theorems.boundary import Boundary
