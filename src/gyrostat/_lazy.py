@@ -1,4 +1,4 @@
-"""The names of a package that are loaded when they are used for the first time."""
+"""What is loaded when it is used for the first time: the names of a package, a theorem."""
 import sys
 from collections.abc import Callable, Mapping
 from importlib import import_module
@@ -30,3 +30,15 @@ def later(package: str, homes: Mapping[str, str]) -> tuple[Callable[[str], Any],
         return list(sys.modules[package].__all__)
 
     return found, listed
+
+
+def loaded(home: str) -> Any:
+    """What is named module:name, below the package; the module is loaded when this is asked.
+
+    Examples
+    --------
+    >>> loaded("errors:ValuesError").__name__
+    'ValuesError'
+    """
+    module, name = home.split(":")
+    return getattr(import_module(f"{__package__}.{module}"), name)

@@ -1,28 +1,32 @@
-"""The ladder of criteria and theorems that decides an equilibrium at exact numbers."""
+"""The ladder: the criteria and theorems that decide an equilibrium at exact numbers, in their order."""
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
-from sympy import Expr
+from sympy import Expr, Mul
 
 from .._cached import cached_property
-from ..algebra.reals.exact import Point
+from .._lazy import loaded
+from ..algebra.reals.exact import Point, sign
+from ..algebra.solving.margins import Signs
 from ..mechanics.equilibrium.derived_once import once
 from ..mechanics.equilibrium.equilibrium import Equilibrium
-from ..mechanics.equilibrium.standard_axes import placed, seen_at
+from ..mechanics.equilibrium.standard_axes import Seen, placed, seen_at
 from ..notation import symbol
+from .criteria.numbers_asked import names_in, names_of_motion
 from .criteria.truth import holds
-from .decision import Decider, Decision, Rung, settled, undecided
+from .decision import Decision, Rung, settled, undecided
 from .report.derived_parts import Derived
-from .theorems.degenerate import Elementary
-from .theorems.drift import Drift, drifts_along
-from .theorems.given_integrals import decide_by_integrals
 
 DEFINITE = "the second variation is definite on the symplectic slice"
 GROWS = "an eigenvalue has a positive real part"
+THEOREMS, NORMAL_FORMS = "stability.theorems", "stability.normal_forms"
+DEGREE = 4                                                 # of U, where only its derivatives are given
 
 
 @dataclass(frozen=True, repr=False)
 class Ladder(Derived):
-    """What decides an equilibrium: its two criteria, then the theorems for what they leave open.
+    """What decides an equilibrium: the first of RUNGS that applies.
 
     A scene that has more symmetry at the numbers is decided as such, and so is one that another scene
     decides. What the other scene divides out is carried over where it is a symmetry of this one; where it is
@@ -42,26 +46,8 @@ class Ladder(Derived):
         -------
         Decision
         """
-        modulo = self.sufficient.modulo
-        sufficient = holds(self.sufficient, numbers, margins)
-        if sufficient:
-            return self._definite(numbers)
-        necessary = holds(self.necessary, numbers, margins)
-        if necessary is False:
-            return settled(False, GROWS, Rung.SPECTRUM, "spectral", modulo=modulo)
-        if known := seen_at(self.equilibrium, numbers):
-            standard = kept(known.equilibrium)
-            if missing := ", ".join(name for name in standard.compared if symbol(name) not in numbers):
-                return undecided(known.worded(f"give {missing} to decide"))
-            found = standard.decide(numbers, margins)
-            return replace(found, reason=known.worded(found.reason), modulo=found.modulo and known.modulo)
-        if None in (sufficient, necessary):
-            return undecided("a margin has no proved sign")
-        decider: Decider | None = self.between
-        found = decider.decide(numbers, margins) if decider else self._elementary.decide(numbers)
-        if self.recognised:
-            found = replace(found, reason=self.recognised.worded(found.reason))
-        return replace(found, modulo=modulo) if modulo and not found.modulo else found
+        standing = Standing(self, numbers, margins)
+        return next(step for step in RUNGS if step.applies(standing)).decides(standing)
 
     def decide_point(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
         """The decision on the point itself, not modulo the flow of an integral.
@@ -82,27 +68,195 @@ class Ladder(Derived):
         margins.clear()
         known = self.recognised or seen_at(self.equilibrium, numbers)
         if known:
-            drift = Drift(known.equilibrium).decide(numbers, margins)
+            drift = loaded(f"{THEOREMS}.drift:Drift")(known.equilibrium).decide(numbers, margins)
             return replace(drift, reason=known.worded(drift.reason))
         if self.boundary:
             return self.drift.decide(numbers, margins)
-        return drifts_along(placed(self.equilibrium, numbers), found)
+        drifts: Decision = loaded(f"{THEOREMS}.drift:drifts_along")(placed(self.equilibrium, numbers), found)
+        return drifts
 
     @cached_property
-    def _stable(self) -> Decision:
+    def stable(self) -> Decision:
+        """Where the second variation is definite."""
         return settled(True, DEFINITE, Rung.SECOND_VARIATION, modulo=self.sufficient.modulo)
 
-    def _definite(self, numbers: Point) -> Decision:
-        """Where the sufficient criterion holds: with the Casimirs, or with integrals that are given."""
-        if not self.equilibrium.system.given_integrals or holds(self.casimirs_only, numbers, {}):
-            return self._stable
-        certified = decide_by_integrals(self.equilibrium, numbers)
-        return replace(certified, pointwise=False) if certified.stable else self._stable
+    @cached_property
+    def determinant(self) -> tuple[Expr, tuple[str, ...]]:
+        """What vanishes where the second variation is degenerate, the determinant of the linearised field
+        without factors that are positive; and the names in it.
+        """
+        determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
+        margin, even = Signs.over([determinant], self.equilibrium.existence()).normal_form(determinant)
+        factors = (margin, *even)
+        return Mul(*factors), names_in(factors)
+
+
+@dataclass(frozen=True)
+class Standing:
+    """What stands on a rung: the report of an equilibrium, at numbers; each answer is found when it is asked.
+    """
+
+    ladder: Ladder
+    numbers: Point
+    margins: dict[Expr, Expr]
+
+    @property
+    def eq(self) -> Equilibrium:
+        """The equilibrium."""
+        return self.ladder.equilibrium
 
     @cached_property
-    def _elementary(self) -> Elementary:
-        return Elementary(self.equilibrium, self.linearization, lambda eq: kept(eq).decide(Point({}), {}),
-                          lambda eq: kept(eq).decide_point(Point({}), {}))
+    def sufficient(self) -> bool | None:
+        """Whether the second variation is definite; None where a margin has no proved sign."""
+        return holds(self.ladder.sufficient, self.numbers, self.margins)
+
+    @cached_property
+    def necessary(self) -> bool | None:
+        """Whether no eigenvalue grows; the same."""
+        return holds(self.ladder.necessary, self.numbers, self.margins)
+
+    @cached_property
+    def other(self) -> Seen | None:
+        """The scene that decides instead, if any."""
+        return seen_at(self.eq, self.numbers)
+
+    @cached_property
+    def degenerate(self) -> bool:
+        """Whether the second variation is proved to be degenerate."""
+        determinant, names = self.ladder.determinant
+        return not self._missing(names) and sign(determinant, self.numbers) == 0
+
+    @cached_property
+    def missing(self) -> str:
+        """Names without a number that the theorems need."""
+        eq, (_, names) = self.eq, self.ladder.determinant
+        missing = self._missing(names)
+        if not self.ladder.open_between or self.degenerate and self.ladder.may_lie_on_curve:
+            missing += self._missing(names_of_motion(eq))
+        return ", ".join(dict.fromkeys(missing))
+
+    def _missing(self, names: tuple[str, ...]) -> list[str]:
+        return [name for name in names if symbol(name) not in self.numbers]
+
+    @cached_property
+    def by_integrals(self) -> Decision:
+        """What integrals that are given decide."""
+        found: Decision = loaded(f"{THEOREMS}.given_integrals:decide_by_integrals")(self.eq, self.numbers)
+        return found
+
+    @cached_property
+    def torque_free(self) -> Any:
+        """The equilibrium without its field, if that exerts no torque."""
+        return loaded(f"{THEOREMS}.no_torque:torque_free")(self.eq, self.numbers)
+
+    def own(self, found: Decision) -> Decision:
+        """In the axes of the scene, modulo what the criteria divide out."""
+        recognised, modulo = self.ladder.recognised, self.ladder.sufficient.modulo
+        if recognised:
+            found = replace(found, reason=recognised.worded(found.reason))
+        return replace(found, modulo=modulo) if modulo and not found.modulo else found
+
+    def after_integrals(self, found: Decision) -> Decision:
+        """The same, with the reason why the integrals do not decide before it."""
+        why = self.by_integrals.reason if self.eq.system.given_integrals else ""
+        return self.own(replace(found, reason=f"{why}; {found.reason}") if why else found)
+
+
+@dataclass(frozen=True)
+class Step:
+    """A rung of the ladder.
+
+    Parameters
+    ----------
+    name : str
+    source : str
+        of the theorem
+    applies, decides : callable
+        of a Standing: whether it is decided here, and the decision; what a theorem needs is loaded then
+    """
+
+    name: str
+    source: str
+    applies: Callable[[Standing], Any]
+    decides: Callable[[Standing], Decision]
+
+
+def _definite(s: Standing) -> Decision:
+    """With the Casimirs, or with integrals that are given."""
+    ladder = s.ladder
+    if not s.eq.system.given_integrals or holds(ladder.casimirs_only, s.numbers, {}):
+        return ladder.stable
+    return replace(s.by_integrals, pointwise=False) if s.by_integrals.stable else ladder.stable
+
+
+def _by_another(s: Standing) -> Decision:
+    """What another scene decides, in the axes of this one."""
+    known = s.other
+    assert known is not None
+    standard = kept(known.equilibrium)
+    if missing := ", ".join(name for name in standard.compared if symbol(name) not in s.numbers):
+        return undecided(known.worded(f"give {missing} to decide"))
+    found = standard.decide(s.numbers, s.margins)
+    return replace(found, reason=known.worded(found.reason), modulo=found.modulo and known.modulo)
+
+
+def _between(s: Standing) -> Decision:
+    """By the reduced motion, or on the momentum sphere."""
+    decider = s.ladder.between
+    assert decider is not None
+    return s.own(decider.decide(s.numbers, s.margins))
+
+
+def _in_frame(s: Standing) -> Decision:
+    """Of two directions."""
+    decide = loaded(f"{THEOREMS}.two_directions:decide_in_frame")
+    return s.own(decide(s.eq, s.numbers, s.degenerate, lambda eq: kept(eq).decide_point(Point({}), {})))
+
+
+def _window(s: Standing) -> Decision:
+    """Where gyroscopic forces hold a maximum of the amended potential."""
+    motion = loaded(f"{NORMAL_FORMS}.local_motion:local_motion")(s.eq, s.numbers, DEGREE)
+    if isinstance(motion, list):
+        return s.after_integrals(undecided("the amended potential has a maximum, held by gyroscopic forces; "
+                                           f"give {', '.join(motion)} to decide"))
+    return s.after_integrals(loaded(f"{NORMAL_FORMS}.windows:decide_window")(motion))
+
+
+def _without_torque(s: Standing) -> Decision:
+    """As the free body."""
+    return s.after_integrals(s.torque_free.decide(lambda eq: kept(eq).decide(Point({}), {})))
+
+
+def _leading(s: Standing) -> Decision:
+    """By the leading form of the amended potential; where p > 0 there are imaginary eigenvalues beside 0."""
+    p = s.eq.insert(s.ladder.linearization.coefficients[0])
+    amended = loaded(f"{THEOREMS}.amended_expansion:Amended")(s.eq, s.numbers)
+    return s.after_integrals(amended.decide(sign(p, s.numbers) == 1))
+
+
+RUNGS = (
+    Step("second variation", "Lagrange (1788), Dirichlet (1846); Arnold, J. Mécanique 5 (1966) 29-43",
+         lambda s: s.sufficient, _definite),
+    Step("spectrum", "Lyapunov (1892)", lambda s: s.necessary is False,
+         lambda s: settled(False, GROWS, Rung.SPECTRUM, "spectral", modulo=s.ladder.sufficient.modulo)),
+    Step("another scene", "derived: a body of revolution about any axis, a satellite's axis",
+         lambda s: s.other, _by_another),
+    Step("no sign", "nothing is guessed", lambda s: None in (s.sufficient, s.necessary),
+         lambda s: undecided("a margin has no proved sign")),
+    Step("reduced motion, momentum sphere", "derived; Hughes (1986), chapter 6",
+         lambda s: s.ladder.between, _between),
+    Step("missing names", "nothing is guessed", lambda s: s.missing,
+         lambda s: s.own(undecided(f"the point lies between the two criteria; give {s.missing} to decide"))),
+    Step("two directions", "derived", lambda s: s.eq.system.coupled, _in_frame),
+    Step("fourth order", "derived", lambda s: s.eq.system.potential is None,
+         lambda s: s.own(loaded(f"{THEOREMS}.momentum_sphere:extremum_at")(s.eq, s.numbers).decision)),
+    Step("integrals", "Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116",
+         lambda s: s.eq.system.given_integrals and s.by_integrals.stable, lambda s: s.own(s.by_integrals)),
+    Step("normal forms", "Arnold, Sov. Math. Dokl. 2 (1961) 247-249", lambda s: not s.degenerate, _window),
+    Step("no torque", "derived: M·k, |M|² and |k|² are conserved", lambda s: s.torque_free,
+         _without_torque),
+    Step("leading form", "Lagrange, Dirichlet; Chetaev (1934)", lambda s: True, _leading),
+)
 
 
 @once

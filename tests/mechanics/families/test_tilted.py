@@ -4,7 +4,7 @@ from sympy import Rational, cos, exp, simplify
 
 import gyrostat as gs
 from gyrostat.errors import EquilibriumError, ScopeError
-from gyrostat.mechanics.families.tilted import solved_tilt
+from gyrostat.printing.results.document import solved_tilt
 
 m0, m1, l, omega, k3, I1, I3 = map(gs.symbol, ("m0", "m1", "l", "omega", "k3", "I1", "I3"))
 

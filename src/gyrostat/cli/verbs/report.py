@@ -1,11 +1,9 @@
 """gyrostat report: the derivation as text, LaTeX or JSON."""
 import argparse
-from typing import Any
 
+from ..._lazy import loaded
 from ...notation import symbol
 from ...printing.blocks import Block
-from ...printing.formats.article import article, document
-from ...printing.formats.json_data import damped_data, decision_data, json_text, report_data, scene_data
 from ...printing.formats.text import text
 from ...printing.results.decision import damped_block, decision_blocks
 from ...printing.results.document import report_blocks, whole_blocks
@@ -13,7 +11,6 @@ from ...stability.criteria.number_notes import scene_note
 from ...stability.decision import Decision
 from ...stability.report.report import Report
 from ..answers.equilibria import both_verdicts, enough, its_own, known_names, labels_of, of_each, reports_of
-from ..options.latex_options import paper_of
 from ..options.options import numbers_of
 from ..options.scene_files import with_scene
 from ..options.scene_texts import asked_of, scene_of
@@ -44,14 +41,15 @@ def run(given: argparse.Namespace, out: Output) -> int:
     missing = missing + others
     after = [block for m in missing for block in m.blocks()]
     if given.format == "json":
-        equilibria = [report_data(report) | _data(decisions.get(report.equilibrium.label))
-                      for report in reports]
-        out(json_text(scene_data(scene) | {"equilibria": equilibria + [m.data() for m in missing]}))
+        write = loaded("printing.formats.json_data:reports_text")
+        out(write(scene, reports, decisions, [m.data() for m in missing]))
         return 0
     decided_blocks = [_blocks(report, decisions.get(report.equilibrium.label)) for report in reports]
     if given.format == "latex":
-        out(document(reports, decided_blocks, paper_of(given), after) if reports
-            else article(TITLE, whole_blocks(scene, after), paper_of(given)))
+        paper = loaded("cli.options.latex_options:paper_of")(given)
+        article = loaded("printing.formats.article:" + ("document" if reports else "article"))
+        out(article(reports, decided_blocks, paper, after) if reports
+            else article(TITLE, whole_blocks(scene, after), paper))
     else:
         blocks: list[Block] = []
         for report, its in zip(reports, decided_blocks):
@@ -66,11 +64,3 @@ def _blocks(report: Report, decisions: tuple[Decision, Decision] | None) -> list
         return []
     decision, damped = decisions
     return [*decision_blocks(decision, report.equilibrium.at), damped_block(decision, damped)]
-
-
-def _data(decisions: tuple[Decision, Decision] | None) -> dict[str, Any]:
-    """The same for JSON."""
-    if decisions is None:
-        return {}
-    decision, damped = decisions
-    return {"decision": decision_data(decision), "damped_decision": damped_data(damped)}

@@ -6,7 +6,7 @@ from ...arguments import checked
 from ...errors import EquilibriumError, ScopeError
 from ...notation import symbol
 from ..equilibrium.equilibrium import Equilibrium
-from ..equilibrium.relations import affine, solved_for
+from ..equilibrium.relations import solved_for
 from ..scenes.coupled import in_one_direction
 from ..scenes.system import System
 from .named_families import E3, E3_AT_REST
@@ -108,15 +108,3 @@ def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Eq
     )
     domain = [1 - K3**2] + ([pivot**2] if pivot.free_symbols else [])
     return Equilibrium(label, scene, point, tuple(relations), tuple(domain), (name,) if name else ())
-
-
-def solved_tilt(eq: Equilibrium) -> Expr | None:
-    """k3 of a tilted family in closed form, where its relation is affine in k3 and another name was
-    eliminated.
-    """
-    potential = eq.system.potential
-    slopes = [value for name, value in eq.relations if name == DU]
-    if not slopes or not potential or not potential.given or "k3" in eq.eliminated:
-        return None
-    solved = affine(slopes[0] - potential.value(DU), K3)
-    return solved and solved[0]

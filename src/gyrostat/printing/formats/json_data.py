@@ -4,7 +4,7 @@ Expressions are strings in the grammar of the command line.
 """
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -16,7 +16,6 @@ from ...stability.criteria.conditions import Condition, Criterion
 from ...stability.criteria.orientation_form import orientation_form, rests_in_frame
 from ...stability.decision import Decision
 from ...stability.report.report import Report
-from ...stability.report.rotation_report import RotationReport
 from ...stability.theorems.drift import Drift
 from ...version import DOCUMENT_FORMAT
 from ..results.boundary import ladder, undecided
@@ -40,7 +39,7 @@ def report_data(report: Report) -> dict[str, Any]:
     drift = {} if report.boundary is None or report.boundary.pole else {"drift": drift_data(report.drift)}
     relations = {str(name): str(value) for name, value in eq.relations}
     place: dict[str, Any] = {"point": strings(eq.point), "relations": relations}
-    if isinstance(report, RotationReport):
+    if report.closed is not None:
         return family | criteria | place | {"tangent_basis": None, "matrix": None,
                                             "characteristic_polynomial": "lamda**4 + lamda**2*p + q"}
     linear = report.linearization
@@ -58,7 +57,7 @@ def conditions_data(report: Report) -> dict[str, Any]:
     """Where an equilibrium exists, and what decides there."""
     eq = report.equilibrium
     definitions = {}
-    if isinstance(report, RotationReport):
+    if report.closed is not None:
         definitions = {"definitions": {str(name): str(value) for name, value in report.closed.definitions}}
     eliminated = eq.eliminated[0] if len(eq.eliminated) == 1 else list(eq.eliminated) or None
     return {"label": eq.label, "positive": strings(eq.existence()), "eliminated": eliminated,
@@ -134,6 +133,17 @@ def double(number: Expr) -> float | None:
     enclosed = accurate(number, 60)                        # of nested roots sooner than evalf
     value = float(enclosed.mid() if enclosed.is_finite() else number.evalf(17))
     return value if math.isfinite(value) else None
+
+
+def reports_text(scene: System, reports: Sequence[Report],
+                 decisions: Mapping[str, tuple[Decision, Decision]], missing: list[Any]) -> str:
+    """The document of a scene, with its reports, and their decisions where there are numbers."""
+    equilibria = []
+    for report in reports:
+        both = decisions.get(report.equilibrium.label)
+        decided = both and {"decision": decision_data(both[0]), "damped_decision": damped_data(both[1])}
+        equilibria.append(report_data(report) | (decided or {}))
+    return json_text(scene_data(scene) | {"equilibria": equilibria + missing})
 
 
 def json_text(data: Mapping[str, Any]) -> str:

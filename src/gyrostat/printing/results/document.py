@@ -7,14 +7,13 @@ from sympy import Expr, ImmutableMatrix, Pow, S, Symbol
 
 from ...algebra.rings.readable import entries, readable, split
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.relations import affine
 from ...mechanics.families.named_families import FAMILIES
-from ...mechanics.families.tilted import solved_tilt
 from ...mechanics.scenes.system import System
 from ...notation import jet, symbol
 from ...stability.criteria.linearization import Linearization
 from ...stability.criteria.orientation_form import rests_in_frame
 from ...stability.report.report import Report
-from ...stability.report.rotation_report import RotationReport
 from ...typesetting import typeset
 from ..blocks import Block, Display, Heading, Word, equations, joined, listed, sentence
 from ..letters import letter, letters_of, word
@@ -56,7 +55,7 @@ def report_blocks(report: Report) -> list[Block]:
     title = eq.label[0].upper() + eq.label[1:]
     title += f": {family.title}" if family and family.title else ""
     blocks: list[Block] = [Heading(title, label=eq.label), *point_blocks(eq), *parallel_blocks(report)]
-    if isinstance(report, RotationReport):
+    if report.closed is not None:
         blocks += [Heading("Second variation and characteristic polynomial", 2), *definition_blocks(report)]
     elif rests_in_frame(eq):
         blocks += [*frame_blocks(report), *(_second_variation(report) if eq.system.linear_integrals else ())]
@@ -110,6 +109,18 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
         blocks += [sentence("Solved for the tilt:"), Display(symbol("k3"), readable(tilt)),
                    sentence("which exists where:"), existence(1 - tilt**2, eq.at)]
     return blocks
+
+
+def solved_tilt(eq: Equilibrium) -> Expr | None:
+    """k3 of a tilted family in closed form, where its relation is affine in k3 and another name was
+    eliminated.
+    """
+    potential, slope = eq.system.potential, symbol("dU")
+    slopes = [value for name, value in eq.relations if name == slope]
+    if not slopes or not potential or not potential.given or "k3" in eq.eliminated:
+        return None
+    solved = affine(slopes[0] - potential.value(slope), symbol("k3"))
+    return solved and solved[0]
 
 
 def _slope(eq: Equilibrium, name: Symbol) -> Any:

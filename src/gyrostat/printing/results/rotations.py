@@ -3,13 +3,13 @@ from sympy import S
 
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.unit_vectors import in_any_direction
-from ...mechanics.families.permanent_rotation import OMEGA, SIGMA
+from ...notation import symbol
 from ...stability.report.report import Report
-from ...stability.report.rotation_report import RotationReport
 from ..blocks import Block, Display, sentence
 from ..letters import letter, letters_of, word
 from .inequalities import polynomial_of
 
+OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 _EQUATION = ("∇⟨U⟩ = ω² ⟨vector_I⟩ ⟨vector_k⟩ + ω ⟨vector_l⟩ + σ ⟨vector_k⟩",
              r"\nabla ⟨U⟩ = ⟨omega⟩^2 ⟨vector_I⟩ ⟨vector_k⟩ + ⟨omega⟩ ⟨vector_l⟩ + ⟨sigma⟩ ⟨vector_k⟩")
 _AMENDED = ("⟨U⟩ + (⟨C1⟩ − ⟨vector_l⟩·⟨vector_k⟩)²/(2 ⟨vector_k⟩·⟨vector_I⟩⟨vector_k⟩)",
@@ -32,7 +32,7 @@ def family_blocks(eq: Equilibrium) -> list[Block]:
 
 def definition_blocks(report: Report) -> list[Block]:
     """The names in which the conditions in any direction are written; nothing of another report."""
-    if not isinstance(report, RotationReport):
+    if report.closed is None:
         return []
     letters, own = letters_of(report.equilibrium.system), report.closed.named
     return [sentence("Here ", letter(letters, "K"), " is the second variation of the amended potential ",

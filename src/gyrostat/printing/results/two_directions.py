@@ -10,7 +10,6 @@ from ...notation import symbol
 from ...registry import Letters
 from ...stability.criteria.orientation_form import orientation_form
 from ...stability.criteria.sextic import factors_in_squares
-from ...stability.report.parallel_report import ParallelReport
 from ...stability.report.report import Report
 from ..blocks import Block, Display, Heading, Word, equations, listed, sentence
 from ..letters import letter, letters_of, word
@@ -92,7 +91,7 @@ def frame_blocks(report: Report) -> list[Block]:
 
 def parallel_blocks(report: Report) -> list[Block]:
     """Where the directions are parallel: of which motions the matrices and the conditions are."""
-    if not isinstance(report, ParallelReport):
+    if report.along is None:
         return []
     return [sentence("The directions are parallel there, and the coadjoint orbit is singular. Directions "
                      "that are parallel once stay so: the matrices are those of such motions, and what is "

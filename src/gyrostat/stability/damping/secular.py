@@ -11,6 +11,7 @@ from itertools import chain
 from sympy import Add, Expr, S, Symbol
 
 from ..._cached import cached_property
+from ..._lazy import loaded
 from ...algebra.reals.exact import Point, evaluate, sign_of_constant
 from ...algebra.rings.matrices import characteristic, cross
 from ...algebra.rings.polynomials import lowest_terms
@@ -26,8 +27,6 @@ from ..criteria.numbers_asked import names_in, names_needed, names_of_motion
 from ..criteria.three_criteria import across, of_stiffness, positive, secular_criterion
 from ..criteria.truth import holds, sign_at
 from ..decision import Decision, Rung, settled, undecided
-from ..theorems.minima import least_at
-from .growing_modes import growing_at
 
 KEPT = "damping takes energy, which has a strict minimum on the orbit"
 LOST = "damping takes energy, which is not least on the orbit: it is lost"
@@ -138,7 +137,7 @@ class Secular:
             return lost(negative)
         if missing := _missing(self.required, numbers):
             return undecided(f"give {missing} to decide")
-        if (found := growing_at(self.equilibrium, numbers)).grows:
+        if (found := loaded("stability.damping.growing_modes:growing_at")(self.equilibrium, numbers)).grows:
             return lost(found.modes)
         return undecided(OUT_OF_REACH) if negative else self._degenerate(numbers, reached)
 
@@ -220,7 +219,7 @@ class Secular:
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
         """Where the second variation is degenerate beyond the symmetries: whether the energy is least."""
-        least, why = least_at(self.equilibrium, numbers)
+        least, why = loaded("stability.theorems.minima:least_at")(self.equilibrium, numbers)
         if least is None or not least and not reached:
             return undecided(why if least is None else OUT_OF_REACH)
         return (settled(True, f"{KEPT}: {why}", Rung.LEADING_FORM, "secular", growing=0) if least

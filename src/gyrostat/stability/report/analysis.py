@@ -1,12 +1,11 @@
 """The one call a newcomer needs."""
+from ..._lazy import loaded
 from ...errors import ArgumentError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.parallel_directions import parallel
 from ...mechanics.equilibrium.unit_vectors import in_any_direction
 from ...mechanics.scenes.system import System
-from .parallel_report import ParallelReport
 from .report import Report
-from .rotation_report import RotationReport
 
 
 def analyze(eq: Equilibrium) -> Report:
@@ -39,6 +38,9 @@ def analyze(eq: Equilibrium) -> Report:
                             "principal_rotation(scene, axis) or equilibrium(scene, point)")
     if not isinstance(eq, Equilibrium):
         return Report(eq)                                  # which refuses it
+    kind: type[Report] = Report
     if parallel(eq):
-        return ParallelReport(eq)
-    return RotationReport(eq) if in_any_direction(eq) else Report(eq)
+        kind = loaded("stability.report.parallel_report:ParallelReport")
+    elif in_any_direction(eq):
+        kind = loaded("stability.report.rotation_report:RotationReport")
+    return kind(eq)

@@ -1,11 +1,14 @@
 """What is derived of one equilibrium without numbers: two matrices, their criteria, what decides between."""
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from ..._cached import cached_property
 from ..._display import Shown
+from ..._lazy import loaded
 from ...errors import require
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.reduction import reducible
 from ...mechanics.equilibrium.standard_axes import Seen, seen
 from ...notation import Stored, jet
 from ..criteria.conditions import Criterion, independent
@@ -14,13 +17,11 @@ from ..criteria.linearization import Linearization, linearize
 from ..criteria.numbers_asked import names_accepted, names_in, names_needed, names_of_motion
 from ..criteria.three_criteria import formal_criterion, spectral_criterion
 from ..damping.secular import Secular, secular_of
-from ..damping.secular_two_directions import SecularInFrame
 from ..decision import Between
-from ..theorems.boundary import Boundary, boundary_of
-from ..theorems.drift import Drift
-from ..theorems.given_integrals import integral_criterion
-from ..theorems.momentum_sphere import sphere_of
-from ..theorems.two_directions import may_lie_on_curve, open_between
+
+if TYPE_CHECKING:
+    from ..theorems.boundary import Boundary
+    from ..theorems.drift import Drift
 
 
 @dataclass(frozen=True, repr=False)
@@ -61,7 +62,8 @@ class Derived(Shown, Stored):
         found = formal_criterion(self.second_variation)
         scene = self.equilibrium.system
         if scene.given_integrals and not scene.coupled:    # of two degrees of freedom
-            more = integral_criterion(self.linearization).alternatives
+            criterion = loaded("stability.theorems.given_integrals:integral_criterion")
+            more = criterion(self.linearization).alternatives
             found = replace(found, alternatives=(*found.alternatives, *more))
         return independent(found, self.equilibrium)
 
@@ -85,20 +87,30 @@ class Derived(Shown, Stored):
     def secular(self) -> Secular:
         """What internal damping makes of it."""
         eq = self.equilibrium
-        return SecularInFrame(eq) if eq.system.coupled else secular_of(eq)
+        if not eq.system.coupled:
+            return secular_of(eq)
+        found: Secular = loaded("stability.damping.secular_two_directions:SecularInFrame")(eq)
+        return found
 
     @cached_property
-    def boundary(self) -> Boundary | None:
+    def boundary(self) -> "Boundary | None":
         """What decides where necessary holds and sufficient does not, for a body of revolution.
 
         None for other scenes; about another axis than the third, of the equilibrium in the standard scene.
         """
-        return boundary_of(self.recognised.equilibrium if self.recognised else self.equilibrium)
+        eq = self.recognised.equilibrium if self.recognised else self.equilibrium
+        if not reducible(eq.system):
+            return None
+        found: Boundary | None = loaded("stability.theorems.boundary:boundary_of")(eq)
+        return found
 
     @property
     def between(self) -> Between | None:
         """What decides between the two criteria: the boundary, of a free body the momentum sphere."""
-        return self.boundary or sphere_of(self.equilibrium)
+        if self.boundary or self.equilibrium.system.potential is not None:
+            return self.boundary
+        found: Between | None = loaded("stability.theorems.momentum_sphere:sphere_of")(self.equilibrium)
+        return found
 
     @cached_property
     def recognised(self) -> Seen | None:
@@ -106,9 +118,23 @@ class Derived(Shown, Stored):
         return seen(self.equilibrium)
 
     @cached_property
-    def drift(self) -> Drift:
+    def drift(self) -> "Drift":
         """What moves near a tilted equilibrium along its orbit under the spin."""
-        return Drift(self.recognised.equilibrium if self.recognised else self.equilibrium)
+        eq = self.recognised.equilibrium if self.recognised else self.equilibrium
+        found: Drift = loaded("stability.theorems.drift:Drift")(eq)
+        return found
+
+    @cached_property
+    def open_between(self) -> bool:
+        """Whether nothing decides between the two criteria, whatever the numbers: of two directions."""
+        return self.equilibrium.system.coupled and bool(
+            loaded("stability.theorems.two_directions:open_between")(self.equilibrium))
+
+    @cached_property
+    def may_lie_on_curve(self) -> bool:
+        """Whether it may lie on a closed curve of attitudes of a satellite."""
+        return self.equilibrium.system.coupled and bool(
+            loaded("stability.theorems.two_directions:may_lie_on_curve")(self.equilibrium))
 
     @cached_property
     def compared(self) -> tuple[str, ...]:
@@ -125,7 +151,7 @@ class Derived(Shown, Stored):
 
     def _between_names(self) -> tuple[str, ...]:
         eq = self.equilibrium
-        if () in self.sufficient.alternatives or open_between(eq) and not may_lie_on_curve(eq):
+        if () in self.sufficient.alternatives or self.open_between and not self.may_lie_on_curve:
             return ()
         if self.between is None:
             return names_of_motion(eq)

@@ -1,10 +1,11 @@
 """Report: the stability analysis of one equilibrium, and its verdicts at numbers."""
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sympy import Expr
 
+from ..._lazy import loaded
 from ...arguments import checked
 from ...errors import require
 from ..criteria.conditions import sources
@@ -12,8 +13,11 @@ from ..criteria.number_notes import scene_note
 from ..criteria.numbers_asked import exact_values, refuse_any_direction
 from ..decision import Decision, undecided, with_margins
 from ..ladder import Ladder
-from ..normal_forms.d4_along_family import Window, window_of
-from ..normal_forms.normal_form import NormalForm, normal_form
+
+if TYPE_CHECKING:
+    from ..criteria.closed_form import ClosedForm
+    from ..normal_forms.d4_along_family import Window
+    from ..normal_forms.normal_form import NormalForm
 
 
 @dataclass(frozen=True, repr=False)
@@ -31,6 +35,16 @@ class Report(Ladder):
     >>> report.required
     ('I1', 'l', 'm0', 'pi3_0')
     """
+
+    @property
+    def closed(self) -> "ClosedForm | None":
+        """Of permanent rotations in any direction the names in which the conditions are."""
+        return None
+
+    @property
+    def along(self) -> "Report | None":
+        """Where directions are parallel, that of the motions in which they stay so."""
+        return None
 
     def verdict(self, values: Mapping[str, Any], damped: bool = False) -> Decision:
         """The verdict at a point, exact, equality included.
@@ -78,7 +92,7 @@ class Report(Ladder):
                             sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
 
     @checked
-    def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> NormalForm:
+    def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> "NormalForm":
         """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
 
         Parameters
@@ -115,10 +129,12 @@ class Report(Ladder):
         ((12,), ((1, 2),))
         """
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
-        return normal_form(self.equilibrium, numbers, degree)
+        found: NormalForm = loaded("stability.normal_forms.normal_form:normal_form")(
+            self.equilibrium, numbers, degree)
+        return found
 
     @checked
-    def window(self, values: Mapping[str, Any] | None = None) -> Window:
+    def window(self, values: Mapping[str, Any] | None = None) -> "Window":
         """D4 as the rational function of the names that have no number, and the conditions beside it.
 
         Parameters
@@ -152,7 +168,9 @@ class Report(Ladder):
         True
         """
         refuse_any_direction(self.equilibrium)
-        return window_of(self.equilibrium, exact_values(self.equilibrium, values or {}, (), self.parameters))
+        numbers = exact_values(self.equilibrium, values or {}, (), self.parameters)
+        found: Window = loaded("stability.normal_forms.d4_along_family:window_of")(self.equilibrium, numbers)
+        return found
 
     @checked
     def itself(self, values: Mapping[str, Any]) -> Decision:
