@@ -52,9 +52,9 @@ def listed(moments, rotor, rate):
 
 def missing(found, moments, rotor, rate, seed, starts):
     """How many that the search ends at are not in the list, and whether the indices are not balanced."""
-    here = np.array([[float(x) for x in (*e.n, *e.r)] for e in found])
+    here = np.array([[float(x) for v in e.directions for x in v] for e in found])
     apart = [np.abs(here - place).max(1).min() for place in search(moments, rotor, rate, starts, seed)]
-    odd = sum(1 if e.signs[2] > 0 else -1 for e in found)  # the sign of det K
+    odd = sum(1 if e.form.signs[-1] > 0 else -1 for e in found)  # the sign of det K
     return sum(x > 1e-8 for x in apart), odd != 0
 
 

@@ -119,7 +119,7 @@ def counted(data, rotations, on_level):
     inertia, rotor, c, Q = data
     count = 0
     for found in rotations:
-        k, omega = np.array(found.k, float), float(found.omega)
+        k, omega = np.array(found.directions[0], float), float(found.rates["omega"])
         gradient = c + Q @ k - omega * rotor - omega**2 * inertia @ k
         if np.abs(np.cross(gradient, k)).max() > 1e-9 * (1 + np.abs(gradient).max()):
             return None

@@ -71,7 +71,7 @@ def results():
     found = {
         "AmendedPotential": gs.amended_potential(k.gyrostat), "Bifurcation": gs.bifurcations(k.top)[0],
         "BifurcationPoint": gs.bifurcation_points(k.top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})[0],
-        "Branch": gs.relative_equilibria(k.top, numbers)[0], "Case": first.cases[0],
+        "Case": first.cases[0],
         "Condition": k.report.sufficient.alternatives[0][0],
         "Continuation": gs.continuation(k.top, "omega", (1, 3), {"I1": 2, "I3": 1, "l": 0, "m0": 1}),
         "CoupledPotential": gs.circular_orbit(), "Criterion": k.report.sufficient,
@@ -79,11 +79,15 @@ def results():
         "Decision": k.report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 3}), "Equilibrium": k.upright,
         "Gyrostat": k.free.body, "GyrostatArc": gs.staude_cone(k.gyrostat).arcs({})[4],
         "HeavyContinuation": gs.continuation(k.heavy, "omega", (1, 2), {}),
-        "HeavyRotation": gs.relative_equilibria(k.heavy, {"omega": 2})[0],
         "Interval": first.cases[0].intervals[0], "LiePoisson": k.top.space,
+<<<<<<< HEAD
         "Linearization": gs.derivation.linearize(k.upright), "NormalForm": gs.analyze(spin).normal_form({}),
         "OrbitalEquilibrium": gs.relative_equilibria(k.satellite, {})[0],
         "PermanentRotation": gs.relative_equilibria(k.free, {"M": 1})[0], "Potential": k.top.potential,
+=======
+        "Linearization": gs.linearize(k.upright), "NormalForm": gs.analyze(spin).normal_form({}),
+        "Potential": k.top.potential, "RelativeEquilibrium": gs.relative_equilibria(k.top, numbers)[0],
+>>>>>>> onetests
         "Report": k.report, "RotationContinuation": gs.continuation(k.spun, "l", (0, 1), {"M": 1}),
         "Rotor": k.wheel, "SecondVariation": gs.derivation.second_variation(k.upright), "Solution": solution,
         "SolvedCondition": first, "System": k.top,

@@ -74,13 +74,11 @@ class Case:
     def _is(self, e):
         """Whether it is the same, up to the symmetries of a body of revolution; the sphere of a ball is."""
         point = self.at_numbers.point
-        if isinstance(e, gs.Branch):
-            along = e.along.subs(dict(zip(self.equilibrium.system.space.coordinates, point)))
-            return e.k3 is not None and abs(float(along - e.k3)) < 1e-12
-        if isinstance(e, gs.PermanentRotation):
-            place = [m - l for m, l in zip(e.momentum, e.body.gyrostatic_momentum)]
-            return e.sphere or _near(place, point)
-        return _near(e.point, point)
+        if "sigma" in e.rates:
+            along, k3 = e.form.described[0]
+            place = along.subs(dict(zip(self.equilibrium.system.space.coordinates, point)))
+            return k3 is not None and abs(float(place - k3)) < 1e-12
+        return e.locus == "the whole sphere" or _near(e.point, point)
 
 
 def _near(one, other):

@@ -77,7 +77,7 @@ def test_the_axes_of_roll_pitch_and_yaw(capsys, axes, moments):
                     "--set", "l=0", "--format", "json", verb="decide")
     (found,) = json.loads(out)["equilibria"]
     assert found["damped_decision"]["growing"] == 2
-    rates = [found[f"frequency_{n}"]["decimal"] for n in (1, 2, 3)]
+    rates = [rate["decimal"] for rate in found["frequencies"]]
     assert rates == pytest.approx([1 / 2, 4 / 5, (75 / 32)**0.5], rel=1e-15)
 
 
@@ -87,7 +87,8 @@ def test_all_attitudes(capsys, file):
     _, out, _ = run(capsys, "--scene", f"{file}#all", "--format", "json", verb="decide")
     found = json.loads(out)["equilibria"]
     assert len(found) == 16 and sum(e["decision"]["verdict"] == "STABLE" for e in found) == 2
-    assert {"n1", "n2", "n3", "r1", "r2", "r3", "frequency_1"} <= found[0].keys()
+    assert list(found[0]["place"]) == ["n1", "n2", "n3", "r1", "r2", "r3"]
+    assert len(found[0]["frequencies"]) + 3 * (found[0]["growth_rate"] is not None) >= 3
 
 
 def test_a_symmetric_satellite(capsys):

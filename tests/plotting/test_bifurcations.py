@@ -49,7 +49,7 @@ def test_every_branch_is_there_with_its_verdict(followed):
         exact = relative_equilibria(scene, {**values, name: float(x)})
         ours = at(pieces, x)
         # a chord between two nodes
-        np.testing.assert_allclose([k3 for k3, _ in ours], [float(b.k3) for b in exact], atol=2e-3)
+        np.testing.assert_allclose([k3 for k3, _ in ours], [float(b.place["k3"]) for b in exact], atol=2e-3)
         assert [verdict for _, verdict in ours] == [b.decision.verdict for b in exact]
 
 

@@ -83,7 +83,7 @@ def test_poles(found):
     _, values, U, diagram = found
     for side, (v, h, branch) in zip((1, -1), diagram.poles):
         P = values["p_psi"]
-        assert (v, branch.k3) == (side * P, side)
+        assert (v, branch.place["k3"]) == (side * P, side)
         assert h == pytest.approx((P - values["l"]) ** 2 / (2 * values["I3"]) + oracle.polynomial(U, side),
                                   rel=1e-14)
         assert (branch.decision.verdict is gs.Verdict.STABLE) == (

@@ -45,8 +45,8 @@ def test_every_rotation_is_there_with_its_verdict(case):
 def apart(piece, x, rotation, M):
     """From a chord between two nodes; of a circle in ν alone."""
     at = [np.interp(x, piece.parameter, values) for values in (piece.nu, *piece.momentum.T)]
-    gaps = np.abs(np.array(at) - [float(rotation.nu), *M])
-    return gaps[0] if rotation.circle else gaps.max()
+    gaps = np.abs(np.array(at) - [float(rotation.form.nu), *M])
+    return gaps[0] if rotation.locus else gaps.max()
 
 
 @pytest.mark.slow

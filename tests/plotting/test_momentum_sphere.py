@@ -9,7 +9,6 @@ from matplotlib.figure import Figure
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.equilibria.finders.free import permanent_rotations
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.plotting import draw_momentum_sphere
 from gyrostat.plotting.energy_levels import energies_between, floats, level_curve
@@ -18,6 +17,10 @@ from gyrostat.plotting.looks import BLUE
 CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1),
          ((2, 1, "3/2"), ("1/5", "1/10", "1/8"), 1),
          ((3, 2, 1), (0, "1/4", 1), 2), ((2, 3, 3), ("1/3", 0, 0), "3/2")]
+
+
+def rotations(body, radius):
+    return gs.relative_equilibria(gs.assemble(body), {"M": radius})
 
 
 def drawn(inertia, rotor, radius, energies=None, **kwargs):
@@ -34,7 +37,7 @@ def test_polhodes_lie_on_sphere_and_level(inertia, rotor, radius):
     """
     body, R = gs.Gyrostat(inertia, rotor), float(Rational(radius))
     I, l = floats(body.inertia), floats(body.gyrostatic_momentum)
-    points = permanent_rotations(body, Rational(radius))
+    points = rotations(body, radius)
     for energy in energies_between(body, points, 2):
         M = level_curve(body, points, R, energy)
         M0 = M[np.isfinite(M[:, 0])]
@@ -54,7 +57,7 @@ def test_separatrices_lie_on_sphere_and_level(inertia, rotor, radius):
     """To rounding at the saddle too, where the gradient vanishes."""
     body, R = gs.Gyrostat(inertia, rotor), float(Rational(radius))
     I, l = floats(body.inertia), floats(body.gyrostatic_momentum)
-    points = permanent_rotations(body, Rational(radius))
+    points = rotations(body, radius)
     for energy in {float(p.energy) for p in points if p.decision.verdict is gs.Verdict.UNSTABLE}:
         M = level_curve(body, points, R, energy)
         M = M[np.isfinite(M[:, 0])]
@@ -65,7 +68,7 @@ def test_separatrices_lie_on_sphere_and_level(inertia, rotor, radius):
 def test_beside_a_saddle_both_curves_are_there():
     """Closer to each other than the chords are long."""
     body = gs.Gyrostat((2, 1, 3), (0, 0, 0))
-    M = level_curve(body, permanent_rotations(body, Rational(1)), 1.0, 0.25 - 1e-5)
+    M = level_curve(body, rotations(body, 1), 1.0, 0.25 - 1e-5)
     gap = np.flatnonzero(np.isnan(M[:, 0]))
     assert len(gap) == 1 and np.sign(M[0, 2]) == -np.sign(M[-1, 2])
     assert (np.diff(np.sign(M[np.isfinite(M[:, 0]), 2])) != 0).sum() == 1
@@ -74,7 +77,7 @@ def test_beside_a_saddle_both_curves_are_there():
 def test_energies_lie_between_the_critical_ones():
     """As many in each band, none at its ends."""
     body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
-    chosen = energies_between(body, permanent_rotations(body, Rational(1)), 4)
+    chosen = energies_between(body, rotations(body, 1), 4)
     assert ((chosen > 1 / 6) & (chosen < 1 / 4)).sum() == ((chosen > 1 / 4) & (chosen < 1 / 2)).sum() == 4
 
 
@@ -173,7 +176,7 @@ def polhodes_are_complete(inertia, rotor, radius, part, seed):
     Every great circle is crossed as often by the drawn curves as the level meets it.
     """
     body = gs.Gyrostat(inertia, rotor)
-    points = permanent_rotations(body, Rational(radius))
+    points = rotations(body, radius)
     I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
     heights = sorted(float(p.energy) for p in points)
     energy = heights[0] + part * (heights[-1] - heights[0])
@@ -232,8 +235,8 @@ def test_separatrices_meet_the_saddles_and_are_complete(inertia, rotor, radius):
     """
     body = gs.Gyrostat(inertia, rotor)
     I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
-    saddles = [p for p in permanent_rotations(body, Rational(radius))
-               if p.decision.verdict is gs.Verdict.UNSTABLE and p.circle is None]
+    saddles = [p for p in rotations(body, radius)
+               if p.decision.verdict is gs.Verdict.UNSTABLE and not p.locus]
     curves = [c for c in energy_curves(drawn(inertia, rotor, radius, []), "#1f2933")
               if np.abs(np.linalg.norm(c, axis=1) - R).max() < 1e-9]
     elevation, azimuth = np.radians([22, 40])

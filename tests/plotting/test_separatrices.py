@@ -6,7 +6,6 @@ from slow import slow
 from sympy import sympify
 
 import gyrostat as gs
-from gyrostat.equilibria.finders.free import permanent_rotations
 from gyrostat.plotting import draw_momentum_sphere
 from gyrostat.plotting.energy_levels import floats, level_curve
 
@@ -18,8 +17,8 @@ from gyrostat.plotting.energy_levels import floats, level_curve
 def test_where_rotations_meet_the_separatrix_passes(inertia, rotor, radius):
     """Through two pitchforks and an umbilic that are unstable: on sphere and level, and to the rotation."""
     body = gs.Gyrostat(inertia, rotor)
-    points = permanent_rotations(body, sympify(radius))
-    (met,) = [p for p in points if p.curvature == 0]
+    points = gs.relative_equilibria(gs.assemble(body), {"M": radius})
+    (met,) = [p for p in points if p.form.signs[-1] == 0]
     assert met.decision.verdict is gs.Verdict.UNSTABLE
     I, l, M0 = map(floats, (body.inertia, body.gyrostatic_momentum, met.momentum))
     M = level_curve(body, points, float(sympify(radius)), float(met.energy))

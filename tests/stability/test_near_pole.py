@@ -170,5 +170,5 @@ def test_a_name_in_an_exponent(text):
         gs.hanging(whole)).verdict(values).verdict
     found, wanted = (gs.relative_equilibria(s, v | {"I1": 2, "I3": 1, "l": 0, "omega": 3})
                      for s, v in ((scene, {"a": 2}), (whole, {})))
-    assert [(b.label, b.k3, b.decision.verdict) for b in found] == [
-        (b.label, b.k3, b.decision.verdict) for b in wanted]
+    assert [(b.label, b.place["k3"], b.decision.verdict) for b in found] == [
+        (b.label, b.place["k3"], b.decision.verdict) for b in wanted]

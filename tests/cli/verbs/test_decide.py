@@ -39,7 +39,9 @@ def test_decide_as_data(capsys):
     _, out, _ = decide(capsys, "--equilibrium", "E1", *HEAVY, *settings(I1=1, I3=9, l=0, m0=1, pi3_0=3),
                        "--format", "json")
     (e1,) = json.loads(out)["equilibria"]
-    assert set(e1) == {"label", "decision", "damped_decision"}
+    assert set(e1) == {"label", "locus", "place", "frequencies", "growth_rate", "decision",
+                       "damped_decision", "itself"}
+    assert e1["place"] == {} and e1["frequencies"] is e1["growth_rate"] is e1["itself"] is None
     assert set(e1["decision"]) == {"verdict", "notion", "modulo", "level", "locus", "rung", "proved",
                                    "reason", "margins", "certificate", "note"}
     assert e1["decision"]["verdict"] == "STABLE" and "no rigid body" in e1["decision"]["note"]
@@ -63,13 +65,25 @@ def test_decide_every_tilt(capsys):
              *settings(I1=2, I3=1, l=1, m0="1/2", a="1/3")]
     _, out, _ = decide(capsys, *cubic, "--set", "omega=1", "--format", "json")
     (e3,) = json.loads(out)["equilibria"]
-    assert e3["k3"] == {"exact": "-1/2 + sqrt(3)/2", "decimal": 0.36602540378443865}
-    assert e3["omega"]["exact"] == "1"
+    assert e3["place"]["k3"] == {"exact": "-1/2 + sqrt(3)/2", "decimal": 0.36602540378443865}
+    assert e3["place"]["omega"]["exact"] == "1"
     assert e3["decision"]["modulo"] == ["pi3"] and e3["itself"]["verdict"] == "UNSTABLE"
     _, out, _ = decide(capsys, *cubic, "--set", "k3=1/10")
     assert out.count("Verdict") == 2 and out.count("The point itself") == 2 and "k₃ = 1/10 ≈ 0.1" in out
     status, out, _ = decide(capsys, "--equilibrium", "E3", *HEAVY, *settings(I1=2, I3=1, l=1, m0=9, omega=1))
     assert status == 0 and out.strip() == "No such relative equilibrium exists at these numbers."
+
+
+def test_frequencies_change_along_a_continuum(capsys):
+    """U = k3²/4, I = (1, 1, 3), ω = 1/2: every tilt rests, with λ² = −3/4 at k3 = 0 and −57/100 at 3/5."""
+    body = ["--potential", "k3^2/4", *settings(I1=1, I3=3, l=0, omega="1/2")]
+    _, out, _ = decide(capsys, *body, "--format", "json")
+    e1, every, e2 = json.loads(out)["equilibria"]
+    assert (every["label"], every["locus"]) == ("E3", "every k3 from −1 to 1")
+    assert every["place"]["k3"] is every["frequencies"] is every["growth_rate"] is None
+    assert e1["frequencies"] and e2["frequencies"]
+    _, out, _ = decide(capsys, *body)
+    assert out.count("frequency₁ = 1/2") == out.count("frequency") == 2 and "k₃ = any" in out
 
 
 def test_decide_all_that_the_numbers_allow(capsys):
@@ -132,5 +146,5 @@ def test_a_rate_with_pi_in_a_quartic_field(capsys):
     answers = json.loads(capsys.readouterr().out)["equilibria"]
     assert status == 0 and [a["label"] for a in answers] == ["E1", "E3", "E2"]
     assert [a["decision"]["verdict"] for a in answers] == ["STABLE"] * 3
-    k3, rate = answers[1]["k3"]["decimal"], 2 * math.pi
+    k3, rate = answers[1]["place"]["k3"]["decimal"], 2 * math.pi
     assert 4 * k3**3 - k3 + rate * (2 * rate * k3 - 1 - rate * k3) == pytest.approx(0, abs=1e-13)

@@ -139,9 +139,9 @@ def test_stability_at_a_fold(quintic, kind, values, name):
         value, step = near(point.value), Fraction(1, 10**8)
         sides = sorted((tilts(quintic, values | {name: value + s * step}) for s in (1, -1)), key=len)
         assert len(sides[1]) == len(sides[0]) + 2
-        pair = sorted(sides[1], key=lambda b: abs(b.k3.evalf(30) - point.k3.evalf(30)))[:2]
+        pair = sorted(sides[1], key=lambda b: abs(b.place["k3"].evalf(30) - point.k3.evalf(30)))[:2]
         # of the order of the root of the step
-        assert all(abs(b.k3.evalf(30) - point.k3.evalf(30)) < 1e-2 for b in pair)
+        assert all(abs(b.place["k3"].evalf(30) - point.k3.evalf(30)) < 1e-2 for b in pair)
         verdicts = {b.decision.verdict.name for b in pair}
         assert verdicts == {"STABLE", "UNSTABLE"} if kind == "level" else len(verdicts) == 1
         others = [b.decision.verdict for b in sides[1] if b not in pair]
@@ -158,7 +158,7 @@ def test_what_vanishes_at_a_fold_on_a_level_is_the_margin(quintic, field):
     found = tilts(quintic, values)
     for branch in found:
         numbers = {gs.symbol(n): Rational(x.numerator, x.denominator)
-                   for n, x in values.items()} | {k3: branch.k3, omega: branch.omega}
+                   for n, x in values.items()} | {k3: branch.place["k3"], omega: branch.rates["omega"]}
         jets = {gs.symbol(jet_name(n)): FIELD.diff(k3, n) for n in (1, 2)}
         first, second = (e.xreplace(jets).xreplace({gs.symbol("p_psi"): gs.symbol("pi3_0") + gs.symbol("l")})
                          for e in b.equations)

@@ -40,7 +40,7 @@ def test_where_a_tilt_leaves_a_pole_the_pole_keeps_its_stability(quintic, e1, e2
             found = relative_equilibria(quintic, values | {"l": exact + step})
             pole, beside = (found[0], found[1:2]) if s == 1 else (found[-1], found[-2:-1])
             assert pole.decision.verdict.name == "STABLE"
-            if beside and abs(beside[0].k3.evalf(30) - s) < 1e-5:
+            if beside and abs(beside[0].place["k3"].evalf(30) - s) < 1e-5:
                 assert beside[0].label == "E3" and beside[0].decision.verdict.name == "STABLE"
 
 

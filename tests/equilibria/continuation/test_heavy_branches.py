@@ -38,8 +38,8 @@ def test_folds_and_a_pitchfork_in_a_plane_of_symmetry():
         exact = gs.relative_equilibria(PLANE, {"omega": 1, "l3": l3})
         for piece in here:
             k = [np.interp(l3, piece.parameter, column) for column in piece.k.T]
-            near = min(exact, key=lambda r: sum((float(x) - y) ** 2 for x, y in zip(r.k, k)))
-            assert np.abs(np.array(k) - [float(x) for x in near.k]).max() < 0.05
+            near = min(exact, key=lambda r: sum((float(x) - y) ** 2 for x, y in zip(r.directions[0], k)))
+            assert np.abs(np.array(k) - [float(x) for x in near.directions[0]]).max() < 0.05
             assert near.decision.verdict is piece.verdict
 
 

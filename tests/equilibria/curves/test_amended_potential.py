@@ -22,7 +22,7 @@ def test_its_critical_points_are_the_rotations():
     counted, value = [], lambdify(k, U)
     for point in found:
         rotation = point.rotation
-        place = np.array([float(x) for x in rotation.k])
+        place = np.array([float(x) for x in rotation.directions[0]])
         assert np.abs(np.cross(slope(*place), place)).max() < 1e-9
         across = np.linalg.svd(place[None])[2][1:]
         form = np.zeros((2, 2))
@@ -44,7 +44,7 @@ def test_a_degenerate_point():
     U = gs.general_potential(lambda k1, k2, k3: k3)
     body = gs.Gyrostat((2, 4, 3), (0, 0, 0))
     points = gs.amended_potential(gs.assemble(body, U)).critical_points({"C1": 3})
-    (upright,) = [p for p in points if p.rotation.k == (0, 0, 1)]
+    (upright,) = [p for p in points if p.rotation.directions[0] == (0, 0, 1)]
     assert upright.kind == "degenerate" and upright.value == 1 + Rational(3, 2)
     assert str(upright).startswith("degenerate point of U_c = 5/2 at k = (0, 0, 1), ω = 1: ")
 

@@ -47,7 +47,8 @@ def check(rng, arcs, inertia, c, rotor, rates=3):
     for _ in range(rates):
         omega = Rational(rng.randint(-4000, 4000), 1009)
         data = floats(inertia, rotor, c, NOTHING, omega)
-        here = [(arc, np.array(arc.rotation(omega).k, float)) for arc in arcs if arc.low < omega < arc.high]
+        here = [(arc, np.array(arc.rotation(omega).directions[0], float))
+                for arc in arcs if arc.low < omega < arc.high]
         for _, k in here:
             assert abs(k @ k - 1) < 1e-9
             assert np.abs(np.cross(omega**2 * data[0] @ k + omega * data[1] - data[2], k)).max() < 1e-9
@@ -150,12 +151,12 @@ def test_where_branches_cross(arcs):
     for arc in arcs:
         for omega in (-2, 0, 2):
             if arc.low < omega < arc.high:
-                k = np.array(arc.rotation(omega).k, float)
+                k = np.array(arc.rotation(omega).directions[0], float)
                 for side in (-1, 1):
                     beside = np.array(arc.near(omega + side * Fraction(1, 10**8))[0])
                     assert np.abs(k - beside).max() < 1e-6, omega
                 assert np.abs(np.array(arc.near(Fraction(omega))[0]) - k).max() < 1e-12
-    still = [arc.rotation(0).k for arc in arcs if arc.low < 0 < arc.high]
+    still = [arc.rotation(0).directions[0] for arc in arcs if arc.low < 0 < arc.high]
     assert set(still) == {tuple(s * x / sqrt(14) for x in (1, -2, 3)) for s in (1, -1)}
 
 
@@ -163,14 +164,15 @@ def test_a_circle_of_one_rate_is_named():
     """b = c − omega l vanishes across axis 2 at omega = 2, where k2 = −1/4: two arcs cross it, along l."""
     arcs = arcs_of(*SPECIAL["a circle at one rate"])
     met = [(arc, circle) for arc in arcs for circle in arc.circles]
-    assert [circle.omega for _, circle in met] == [2, 2]
-    assert {circle.k for _, circle in met} == {
+    assert [circle.rates["omega"] for _, circle in met] == [2, 2]
+    assert {circle.directions[0] for _, circle in met} == {
         (side * sqrt(3) / 4, Rational(-1, 4), side * sqrt(3) / 2) for side in (1, -1)}
     for arc, circle in met:
-        assert circle.locus == "the circle about axis 2" and arc.rotation(2).k == circle.k
+        assert circle.locus == "the circle about axis 2"
+        assert arc.rotation(2).directions == circle.directions
         for side in (-1, 1):
             beside = np.array(arc.near(2 + side * Fraction(1, 10**8))[0])
-            assert np.abs(np.array(circle.k, float) - beside).max() < 1e-6
+            assert np.abs(np.array(circle.directions[0], float) - beside).max() < 1e-6
         assert "Where ω = 2 every direction of the circle about axis 2, through k = (" in " ".join(
             str(arc).split())
     assert not any(arc.circles for arc in arcs_of(*SPECIAL["no circle at that rate"]))

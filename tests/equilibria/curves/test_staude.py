@@ -167,8 +167,9 @@ def test_a_published_example():
     U = (k1 + k2 + k3) / sqrt(3)
     arcs = gs.staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(U))).arcs({})
     rotation = arcs[1].rotation(Rational(-5, 2))
-    assert f"{float(rotation.omega)**2:.11f}" == "1.67774098562"
-    assert [f"{float(x) * 19**0.5:.6f}" for x in rotation.k] == ["-1.000000", "-3.000000", "3.000000"]
+    assert f"{float(rotation.rates['omega'])**2:.11f}" == "1.67774098562"
+    (k,) = rotation.directions
+    assert [f"{float(x) * 19**0.5:.6f}" for x in k] == ["-1.000000", "-3.000000", "3.000000"]
     low, high, decision = next(p for p in arcs[1].pieces if p.low < Rational(-5, 2) < p.high)
     assert low == -3 and f"{float(high):.6f}" == "-2.384336" and decision.verdict.name == "STABLE"
     assert "−3 < τ < −2.3843359" in str(arcs[1]) and r"\omega\to\infty" in gs.to_latex(arcs[1])

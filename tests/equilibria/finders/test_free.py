@@ -8,12 +8,16 @@ from hypothesis import assume, given, settings
 from sympy import Rational, pi
 
 import gyrostat as gs
-from gyrostat.equilibria.finders.free import permanent_rotations
 from gyrostat.errors import ScopeError, ValuesError
 
 CASES = [((1, 2, 3), (0, 0, 0), 1), ((1, 2, 3), (0, 0, "0.55"), 1),
          ((2, 1, "3/2"), ("1/5", "1/10", "1/8"), 1),
          ((3, 2, 1), (0, "1/4", 1), 2), ((2, 3, 3), ("1/3", 0, 0), "3/2")]
+
+
+def rotations(body, radius):
+    """All on a momentum sphere."""
+    return gs.relative_equilibria(gs.assemble(body), {"M": radius})
 
 
 def doubles(vector):
@@ -24,14 +28,14 @@ def doubles(vector):
 def test_momentum_and_velocity_are_parallel(inertia, rotor, radius):
     """M × ω = 0 on abs(M) = R; the extrema less the saddles are two, Euler's number of the sphere."""
     body = gs.Gyrostat(inertia, rotor)
-    points = permanent_rotations(body, Rational(radius))
+    points = rotations(body, radius)
     for point in points:
         M = doubles(point.momentum)
         field = oracle.free_field(M - doubles(body.gyrostatic_momentum), doubles(body.inertia),
                                   doubles(body.gyrostatic_momentum))
         np.testing.assert_allclose(field, 0, atol=1e-14)               # round-off of the exact numbers
         assert np.linalg.norm(M) == pytest.approx(float(Rational(radius)), rel=1e-15)
-    if all(point.circle is None for point in points):
+    if all(not point.locus for point in points):
         assert sum(1 if point.decision.verdict is gs.Verdict.STABLE else -1 for point in points) == 2
 
 
@@ -42,7 +46,7 @@ def test_the_verdict_is_that_of_the_library(I1, I2, I3, l, spin):
     M = I3 * spin + l
     assume(M and len({I1, I2, I3}) == 3)
     body = gs.Gyrostat((I1, I2, I3), (0, 0, l))
-    (point,) = [p for p in permanent_rotations(body, Rational(abs(M))) if p.momentum == (0, 0, Rational(M))]
+    (point,) = [p for p in rotations(body, abs(M)) if p.momentum == (0, 0, Rational(M))]
     report = gs.analyze(gs.principal_rotation(gs.assemble(body), 3))
     assert point.decision.verdict is report.verdict({"omega3_0": spin}).verdict
 
@@ -53,7 +57,7 @@ def test_verdict_at_a_general_point_is_that_of_the_spectrum():
     """
     body = gs.Gyrostat((2, 1, "3/2"), ("1/5", "1/10", "1/8"))
     I, l = doubles(body.inertia), doubles(body.gyrostatic_momentum)
-    points = permanent_rotations(body, Rational(1))
+    points = rotations(body, 1)
     assert {p.decision.verdict.name for p in points} == {"STABLE", "UNSTABLE"} and len(points) in (4, 6)
     for point in points:
         J = oracle.jacobian(lambda x: oracle.free_field(x, I, l), doubles(point.momentum) - l,
@@ -67,15 +71,13 @@ def test_circles_of_equilibria():
 
     The circle is stable; a point of it drifts along it.
     """
-    (circle,) = [p for p in permanent_rotations(gs.Gyrostat((1, 1, 2), (0, 0, "-1/5")), Rational(1))
-                 if p.circle is not None]
-    assert circle.circle == (0, 0, 1)
+    (circle,) = [p for p in rotations(gs.Gyrostat((1, 1, 2), (0, 0, "-1/5")), 1) if p.locus]
+    assert circle.form.circle == (0, 0, 1)
     assert circle.momentum[2] == Rational(1, 5)
     assert circle.decision.stable and circle.decision.scope == "modulo the flow of pi3"
     assert circle.itself.unstable and circle.itself.scope == ""
-    (circle,) = [p for p in permanent_rotations(gs.Gyrostat((3, 2, 2), (0, 0, 0)), Rational(1))
-                 if p.circle is not None]
-    assert circle.circle == (1, 0, 0) and circle.momentum[0] == 0
+    (circle,) = [p for p in rotations(gs.Gyrostat((3, 2, 2), (0, 0, 0)), 1) if p.locus]
+    assert circle.form.circle == (1, 0, 0) and circle.momentum[0] == 0
 
 
 @pytest.mark.parametrize("spin", ["-1/2", "-1"])
@@ -83,17 +85,18 @@ def test_a_degenerate_point_is_decided_to_fourth_order(spin):
     """Where rotations meet at the pole, f2 = l + (I3 − I2) ω = 0 or f1 = 0, as Report.verdict decides."""
     inertia, l = (1, 2, 3), Rational(1, 2)
     l, radius = (l, 1) if spin == "-1/2" else (Rational(2), 1)
-    south = next(p for p in permanent_rotations(gs.Gyrostat(inertia, (0, 0, l)), Rational(radius))
+    south = next(p for p in rotations(gs.Gyrostat(inertia, (0, 0, l)), radius)
                  if p.momentum == (0, 0, 3 * Rational(spin) + l))
     report = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat(inertia, (0, 0, l))), 3))
-    assert south.curvature == 0
+    assert south.form.signs[-1] == 0
     assert south.decision.verdict is report.verdict({"omega3_0": spin}).verdict
 
 
 def test_all_moments_equal_and_no_rotor():
     """M is constant: the sphere is one stable set of equilibria."""
-    (anywhere,) = permanent_rotations(gs.Gyrostat((2, 2, 2), (0, 0, 0)), Rational(3))
-    assert anywhere.sphere and anywhere.energy == Rational(9, 4) and anywhere.frequency is None
+    (anywhere,) = rotations(gs.Gyrostat((2, 2, 2), (0, 0, 0)), 3)
+    assert anywhere.form.circle == (0, 0, 0) and anywhere.energy == Rational(9, 4)
+    assert anywhere.locus == "the whole sphere" and anywhere.frequencies == ()
     assert anywhere.decision.verdict is gs.Verdict.STABLE
     assert str(anywhere) == "permanent rotation at M = (3, 0, 0), and on the whole sphere: stable"
 
@@ -102,7 +105,7 @@ def test_no_momentum():
     """M = 0: a point that is its orbit."""
     (rest,) = gs.relative_equilibria(gs.assemble(gs.Gyrostat((1, 2, 3), (1, 0, "1/2"))), {"M": 0})
     assert rest.momentum == (0, 0, 0) and rest.energy == Rational(1, 2) + Rational(1, 24)
-    assert rest.decision.verdict is gs.Verdict.STABLE and rest.nu is None and rest.growth_rate is None
+    assert rest.decision.verdict is gs.Verdict.STABLE and rest.form.nu is None and rest.growth_rate is None
 
 
 @pytest.mark.parametrize("inertia, rotor, radius", [CASES[0], CASES[1], ((1, 2, 3), (0, "1/2", 0), 2)])
@@ -112,7 +115,7 @@ def test_the_one_verb_finds_them_and_the_report_agrees(inertia, rotor, radius):
     values = dict(zip(("I1", "I2", "I3"), inertia)) | {"M": radius}
     found = gs.relative_equilibria(scene, values)
     body = gs.Gyrostat(inertia, rotor)
-    assert found == permanent_rotations(body, Rational(radius))
+    assert found == rotations(body, radius)
     free = gs.assemble(body)
     for rotation in found:
         point = [m - l for m, l in zip(rotation.momentum, body.gyrostatic_momentum)]
@@ -131,7 +134,7 @@ def test_a_wheel_in_rpm_and_a_momentum_with_pi(inertia):
     plain = gs.assemble(gs.Gyrostat(inertia, (1, 2, 2)))
     turned = gs.assemble(gs.Gyrostat(inertia, ("pi", "2*pi", "2*pi")))
     found, expected = (gs.relative_equilibria(s, {"M": M}) for s, M in ((turned, "30*pi"), (plain, 30)))
-    assert len(found) > 2 and [x.nu for x in found] == [x.nu for x in expected]
+    assert len(found) > 2 and [x.form.nu for x in found] == [x.form.nu for x in expected]
     for x, y in zip(found, expected):
         np.testing.assert_allclose(doubles(x.momentum), np.pi * doubles(y.momentum), rtol=1e-14)
         assert x.decision == y.decision and x.damped == y.damped

@@ -12,7 +12,7 @@ from slow import sampled
 from sympy import Matrix, Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.equilibria.finders.heavy_rotation import HeavyRotation
+from gyrostat.equilibria.finders.heavy_form import HeavyForm
 from gyrostat.errors import ValuesError
 from gyrostat.stability.criteria.amended_form import amended_form
 
@@ -25,8 +25,8 @@ def check(rng, quadratic):
     found = gs.relative_equilibria(scene_of(inertia, rotor, c, Q), {"omega": omega})
     data = floats(inertia, rotor, c, Q, omega)
     wanted = heavy.directions(*data)
-    places = [np.array([float(x) for x in rotation.k]) for rotation in found]
-    assert len(found) % 2 == 0 or min(abs(float(r.form.determinant)) for r in found) < 1e-6
+    places = [np.array([float(x) for x in rotation.directions[0]]) for rotation in found]
+    assert len(found) % 2 == 0 or min(abs(float(r.form.invariants(None).form[-1])) for r in found) < 1e-6
     for k in wanted:
         assert min(np.abs(k - place).max() for place in places) < 1e-6, (data, k, places)
     for rotation, k in zip(found, places):
@@ -91,7 +91,7 @@ def test_frequencies_and_growth_rates():
         slopes = [sum(x * y for x, y in zip(row, k)) for row in Q]
         c = [omega**2 * m * x + omega * l + sigma * x - y for m, l, x, y in zip(inertia, rotor, k, slopes)]
         found = gs.relative_equilibria(scene_of(inertia, rotor, c, Q), dict(zip(("k1", "k2", "k3"), k)))
-        (rotation,) = [r for r in found if r.omega == omega]
+        (rotation,) = [r for r in found if r.rates["omega"] == omega]
         whole = heavy.eigenvalues(np.diag(inertia), rotor, [x + y for x, y in zip(c, slopes)], Q,
                                   omega, k)
         moving = [x for x in whole if abs(x) > 1e-9]
@@ -115,8 +115,8 @@ def test_in_a_direction(inertia, k, rotor, slopes, p, q):
     U = sum(Rational(x) * y for x, y in zip(slopes, DIRECTION))
     scene = gs.assemble(gs.Gyrostat(inertia, rotor), gs.general_potential(U))
     found = gs.relative_equilibria(scene, {f"k{n}": Rational(x, 3) for n, x in enumerate(k, 1)})
-    (rotation,) = [r for r in found if r.omega == -1]
-    assert (rotation.form.p, rotation.form.q) == (Rational(p), Rational(q))
+    (rotation,) = [r for r in found if r.rates["omega"] == -1]
+    assert rotation.form.invariants(None).spectrum == (1, Rational(p), Rational(q))
     assert rotation.decision.notion == "Lyapunov (Arnold-Moser)" and "maximum" in rotation.decision.reason
     assert rotation.damped.growing == 2
     assert gs.analyze(rotation.equilibrium).verdict({}).reason == rotation.decision.reason
@@ -127,10 +127,10 @@ def test_staude():
     U = (k1 + k2 + k3) / sqrt(3)
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(U))
     found = gs.relative_equilibria(scene, {"k1": -1 / sqrt(19), "k2": -3 / sqrt(19), "k3": 3 / sqrt(19)})
-    assert [f"{float(r.omega):.9f}" for r in found] == ["-1.295276413", "1.295276413"]
-    form = found[1].form
-    assert f"{float(form.p):.11f} {float(form.q):.11f}" == "2.28113905939 0.68680961663"
-    assert f"{float(form.determinant):.11f} {float(form.trace):.11f}" == "1.70209339775 3.35164274701"
+    assert [f"{float(r.rates['omega']):.9f}" for r in found] == ["-1.295276413", "1.295276413"]
+    form, (_, *spectrum) = found[1].form.invariants(None)
+    assert [f"{float(x):.11f}" for x in spectrum] == ["2.28113905939", "0.68680961663"]
+    assert [f"{float(x):.11f}" for x in form] == ["3.35164274701", "1.70209339775"]
     assert not gs.relative_equilibria(scene, {"k1": 1 / sqrt(19), "k2": 3 / sqrt(19), "k3": -3 / sqrt(19)})
 
 
@@ -150,8 +150,8 @@ def test_in_any_axes(quadratic, cases):
         found, wanted = (gs.relative_equilibria(s, {"omega": omega}) for s in (there, scene))
         assert len(found) == len(wanted)
         for rotation in wanted:
-            place = np.array((R * Matrix(rotation.k)).evalf(20).tolist(), float).ravel()
-            (same,) = [r for r in found if np.abs(np.array([float(x) for x in r.k]) - place).max() < 1e-9]
+            place = np.array((R * Matrix(rotation.directions[0])).evalf(20).tolist(), float).ravel()
+            (same,) = [r for r in found if np.abs(np.array(r.directions[0], float) - place).max() < 1e-9]
             for one, other in ((same.decision, rotation.decision), (same.damped, rotation.damped)):
                 assert replace(one, note="") == replace(other, note="") and bool(one.note) is bool(other.note)
 
@@ -161,10 +161,10 @@ def test_principal_axes_carry_every_rate_that_is_an_eigenvalue():
     U = k1**2 / 2 + k2**2 + 3 * k3**2 / 2
     scene = gs.assemble(gs.Gyrostat((1, 2, 4), (0, 0, 0)), gs.general_potential(U))
     found = gs.relative_equilibria(scene, {"omega": 2})
-    assert sorted(r.k for r in found) == sorted(
+    assert sorted(r.directions[0] for r in found) == sorted(
         tuple(s * (n == m) for m in range(3)) for n in range(3) for s in (1, -1))
-    (circle, *_) = [r for r in gs.relative_equilibria(scene, {"omega": 1}) if r.circle]
-    assert circle.locus == "the circle about axis 3" and circle.k[2] == 0
+    (circle, *_) = [r for r in gs.relative_equilibria(scene, {"omega": 1}) if r.locus]
+    assert circle.locus == "the circle about axis 3" and circle.directions[0][2] == 0
 
 
 def test_what_is_refused():
@@ -183,5 +183,6 @@ def test_what_is_refused():
 def test_two_frequencies_that_are_equal():
     """The sleeping top at its critical spin, (I3 omega)² = 4 I1 m0: p² = 4q exactly, no ball tells."""
     scene = gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, 0)), gs.general_potential(k3))
-    assert HeavyRotation(scene, (0, 0, 1), sqrt(8)).signs == (-1, 1, 1, 0)
-    assert HeavyRotation(scene, (0, 0, 1), sqrt(8) + Rational(1, 10**50)).signs == (-1, 1, 1, 1)
+    critical, beyond = (HeavyForm(scene, (0, 0, 1), sqrt(8) + x) for x in (0, Rational(1, 10**50)))
+    assert critical.signs == beyond.signs == (-1, 1)
+    assert critical.spectral_signs == (1, 0) and beyond.spectral_signs == (1, 1)

@@ -21,10 +21,11 @@ def check(rng, kind):
     """Nothing missing, nothing wrong; what was counted."""
     *data, k = drawn(rng, kind)
     found = gs.relative_equilibria(scene_of(*data[:4]), {"omega": data[4]})
-    points, circles = [r for r in found if r.circle is None], {r.circle for r in found if r.circle}
+    points = [r for r in found if not r.locus]
+    circles = {r.form.circle for r in found if r.locus}
     counted = heavy_exact.count(*data)
     assert counted in (None, (len(points), len(circles))), (kind, data, counted)
-    places = [np.array([float(x) for x in r.k]) for r in points]
+    places = [np.array([float(x) for x in r.directions[0]]) for r in points]
     exact, seen = floats(*data), Counter(scenes=1, circles=len(circles))
     wanted = [np.array(k, float), *(heavy.directions(*exact) if not circles and kind != "fold" else ())]
     for direction in wanted:
@@ -37,9 +38,9 @@ def check(rng, kind):
 
 def on_circle(found, k):
     for r in found:
-        if r.circle:
-            axis = np.array([float(x) for x in r.circle])
-            at = np.array([float(x) for x in r.k])
+        if r.form.circle:
+            axis = np.array([float(x) for x in r.form.circle])
+            at = np.array([float(x) for x in r.directions[0]])
             if abs((k - at) @ axis) < 1e-9 * np.abs(axis).max():
                 return True
     return False
@@ -48,7 +49,7 @@ def on_circle(found, k):
 def decided(kind, data, k, rotation, place):
     """The verdict of a rotation: in fractions if it is that of the scene, else at 50 digits."""
     if np.abs(place - np.array(k, float)).max() < 1e-9:
-        assert [Fraction(int(x.p), int(x.q)) for x in rotation.k] == k
+        assert [Fraction(int(x.p), int(x.q)) for x in rotation.directions[0]] == k
         numbers, zero = (*data, k), 0
     else:
         fine = heavy_exact.polished(*data, place)

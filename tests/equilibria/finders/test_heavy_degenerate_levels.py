@@ -12,7 +12,7 @@ from sympy import Rational, sqrt
 
 import gyrostat as gs
 from gyrostat.algebra.enclosures.balls import ball
-from gyrostat.equilibria.finders.heavy import heavy_rotations
+from gyrostat.equilibria.finders.heavy import heavy_forms
 
 
 def exact(x):
@@ -25,13 +25,14 @@ def digits(x):
 
 def on_continuum(rotation, k):
     """Whether k lies on the circle, or the other curve, of a rotation."""
-    if rotation.curve is not None:
-        scale = sum(abs(float(c)) for c in rotation.curve.as_coefficients_dict().values())
-        return abs(float(rotation.curve.subs(dict(zip(DIRECTION, map(float, k)))))) < 1e-4 * scale
-    if rotation.circle is None:
+    if rotation.form.curve is not None:
+        scale = sum(abs(float(c)) for c in rotation.form.curve.as_coefficients_dict().values())
+        return abs(float(rotation.form.curve.subs(dict(zip(DIRECTION, map(float, k)))))) < 1e-4 * scale
+    if rotation.form.circle is None:
         return False
-    axis = np.array([float(x) for x in rotation.circle])
-    return abs(axis @ (k - np.array([float(x) for x in rotation.k]))) < 1e-4 * (1 + np.linalg.norm(axis))
+    axis = np.array([float(x) for x in rotation.form.circle])
+    place = np.array([float(x) for x in rotation.directions[0]])
+    return abs(axis @ (k - place)) < 1e-4 * (1 + np.linalg.norm(axis))
 
 
 def check(kind, seed):
@@ -41,10 +42,10 @@ def check(kind, seed):
         return 0
     U = sum(exact(c) * k1**a * k2**b * k3**n for (a, b, n), c in terms.items())
     scene = gs.assemble(gs.Gyrostat(tuple(inertia), tuple(rotor)), gs.general_potential(U))
-    found = heavy_rotations(scene, {name: exact(x) for name, x in asked.items()})
+    found = gs.relative_equilibria(scene, {name: exact(x) for name, x in asked.items()})
     with mpmath.workdps(60):
-        places = [[digits(x) for x in r.k] for r in found]
-        rates = [digits(r.omega) for r in found]
+        places = [[digits(x) for x in r.directions[0]] for r in found]
+        rates = [digits(r.rates["omega"]) for r in found]
     near = [np.array([float(x) for x in k]) for k in places]
     body = np.diag([float(x) for x in inertia]), np.array([float(x) for x in rotor])
     level, rate = (None if (x := asked.get(name)) is None else float(x) for name in ("C1", "omega"))
@@ -83,14 +84,14 @@ def directions(U, inertia, values, rotor=(0, 0, 0)):
 def test_at_rest_without_a_rotor(U, count):
     """C1 = 0 and l = 0: omega = 0, and k·Ik = 0 is a curve without real points."""
     found = directions(U, (1, 2, 3), {"C1": 0})
-    assert len(found) == count and all(r.omega == 0 and not r.locus for r in found)
-    assert {tuple(r.k) for r in found} >= {(0, 0, 1), (0, 0, -1)}
+    assert len(found) == count and all(r.rates["omega"] == 0 and not r.locus for r in found)
+    assert {tuple(r.directions[0]) for r in found} >= {(0, 0, 1), (0, 0, -1)}
 
 
 def test_a_complex_curve_beside_the_principal_axes():
     """U = k·Ik on C1 = 1: where 2 (k·Ik)² = 1 every complex k is a rotation, no real one."""
     found = directions(k1**2 + 2 * k2**2 + 3 * k3**2, (1, 2, 3), {"C1": 1})
-    assert {(r.k, r.omega) for r in found} == {
+    assert {(r.directions[0], r.rates["omega"]) for r in found} == {
         (tuple(side * (m == n) for m in range(3)), Rational(1, n + 1)) for n in range(3) for side in (1, -1)}
 
 
@@ -98,25 +99,25 @@ def test_a_curve_of_rotations_is_named():
     """U = k·Ik on C1 = 3: omega = √2 and k·Ik = 3/√2 on a curve that is no circle."""
     found = directions(k1**2 + 2 * k2**2 + 3 * k3**2, (1, 2, 3), {"C1": 3})
     (r,) = [r for r in found if r.locus]
-    assert abs(float(r.omega) - 2**0.5) < 1e-12 and len(found) == 7
-    J = sum(n * float(x)**2 for n, x in enumerate(r.k, 1))
+    assert abs(float(r.rates["omega"]) - 2**0.5) < 1e-12 and len(found) == 7
+    J = sum(n * float(x)**2 for n, x in enumerate(r.directions[0], 1))
     assert abs(J - 3 / 2**0.5) < 1e-12 and r.locus.startswith("a curve, ") and r.locus.endswith(" = 0")
     other = dict(zip(DIRECTION, (0, sqrt(3 - 3 / sqrt(2)), sqrt(3 / sqrt(2) - 2))))
-    assert abs(float(r.curve.subs(other))) < 1e-12
+    assert abs(float(r.form.curve.subs(other))) < 1e-12
     assert r.decision.verdict is gs.Verdict.UNDECIDED and "a curve of rotations" in r.decision.reason
 
 
 def test_circles_of_a_field_of_higher_degree():
     """U = (2 k3² − 1)² at rest: both poles, the equator and two circles, each by a point."""
     found = directions((2 * k3**2 - 1)**2, (1, 2, 3), {"omega": 0})
-    assert sorted((r.k[2], r.locus) for r in found) == [
+    assert sorted((r.directions[0][2], r.locus) for r in found) == [
         (-1, ""), (-sqrt(2) / 2, "the circle about axis 3"), (0, "the circle about axis 3"),
         (sqrt(2) / 2, "the circle about axis 3"), (1, "")]
-    assert all(r.decision.verdict is gs.Verdict.UNSTABLE for r in found if r.k[2] in (0, 1, -1))
+    assert all(r.decision.verdict is gs.Verdict.UNSTABLE for r in found if r.directions[0][2] in (0, 1, -1))
 
 
 def test_every_direction():
     """U = (k·k)² of a ball: constant on the sphere."""
-    (r,) = heavy_rotations(gs.assemble(gs.Gyrostat((2, 2, 2), (0, 0, 0)), gs.general_potential(
+    (r,) = heavy_forms(gs.assemble(gs.Gyrostat((2, 2, 2), (0, 0, 0)), gs.general_potential(
         (k1**2 + k2**2 + k3**2)**2 + k1 - k1)), {"omega": 0})
     assert r.locus == "the whole sphere"

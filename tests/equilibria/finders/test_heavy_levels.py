@@ -19,14 +19,14 @@ def check(rng, quadratic):
         return 0
     found = gs.relative_equilibria(scene_of(inertia, rotor, c, Q), {"C1": level})
     data = floats(inertia, rotor, c, Q, level)
-    places = [np.array([float(x) for x in r.k]) for r in found]
+    places = [np.array([float(x) for x in r.directions[0]]) for r in found]
     for k, omega in heavy.on_level(*data):
         near = min(range(len(found)), key=lambda n: np.abs(k - places[n]).max())
         assert np.abs(k - places[near]).max() < 1e-6, (data, k)
-        assert abs(omega - float(found[near].omega)) < 1e-6 * (1 + abs(omega))
+        assert abs(omega - float(found[near].rates["omega"])) < 1e-6 * (1 + abs(omega))
     count = 0
     for r, k in zip(found, places):
-        omega = float(r.omega)
+        omega = float(r.rates["omega"])
         growth, form = heavy.growth(*data[:4], omega, k), heavy.squares(*data[:4], omega, k)
         least = np.abs(form).min() / np.abs(form).max()
         if least > 1e-6 and (growth > 1e-4 or growth < 1e-7):
@@ -56,7 +56,7 @@ def test_at_rest():
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(k1 + 2 * k2 + 2 * k3))
     found = gs.relative_equilibria(scene, {"C1": 0})
     third = Rational(1, 3)
-    assert [(r.k, r.omega) for r in found] == [((third, 2 * third, 2 * third), 0),
+    assert [(r.directions[0], r.rates["omega"]) for r in found] == [((third, 2 * third, 2 * third), 0),
                                                ((-third, -2 * third, -2 * third), 0)]
     assert [r.decision.verdict.name for r in found] == ["UNSTABLE", "STABLE"]
 
@@ -77,7 +77,7 @@ def test_in_a_plane_of_symmetry_and_off_it():
     found = gs.relative_equilibria(scene, {"C1": 6})
     data = np.diag([2.5, 1, 2]), np.array(rotor, float), np.array(c, float), np.zeros((3, 3)), 6.0
     wanted = heavy.on_level(*data)
-    rates = sorted(float(r.omega) for r in found)
+    rates = sorted(float(r.rates["omega"]) for r in found)
     assert np.allclose(rates, sorted(omega for _, omega in wanted), atol=1e-7)
     kinds = [r.decision.reason for r in found]
     assert sum(-1 if "saddle" in why else 1 for why in kinds) == 2
@@ -93,7 +93,7 @@ def test_what_is_found_rests_on_the_level(U, slope, least):
     found = gs.relative_equilibria(scene, {"C1": 3})
     assert len(found) >= least
     for rotation in found:
-        k, omega = np.array([float(x) for x in rotation.k]), float(rotation.omega)
+        k, omega = np.array([float(x) for x in rotation.directions[0]]), float(rotation.rates["omega"])
         M = omega * inertia @ k + rotor
         np.testing.assert_allclose(np.cross(M, omega * k) + np.cross(k, slope(k)), 0, atol=1e-10)
         assert M @ k == pytest.approx(3, abs=1e-10) and k @ k == pytest.approx(1, abs=1e-12)

@@ -39,12 +39,12 @@ def check(rng, degree, asked):
     floats = {e: float(c) for e, c in terms.items()}
     data = np.diag(np.array(inertia, float)), np.array(rotor, float), floats, float(number)
     slope = (heavy.at_rate if asked == "omega" else heavy.amended)(*data)
-    places = [np.array([double(x) for x in r.k]) for r in found]
+    places = [np.array([double(x) for x in r.directions[0]]) for r in found]
     for k in heavy.critical(slope):
         assert min(np.abs(k - place).max() for place in places) < 1e-6, (data, k)
     assert sum(heavy.index(slope, k) for k in places) == 2, data
     for r, k in zip(found, places):
-        omega = double(r.omega)
+        omega = double(r.rates["omega"])
         assert asked == "omega" or np.abs(omega * k @ data[0] @ k + data[1] @ k - data[3]) < 1e-9
         (g,), (Q,) = heavy.jet(floats, np.array([k]))
         whole = data[0], data[1], g - Q @ k, Q, omega, k
@@ -75,8 +75,8 @@ def test_the_number_of_critical_points():
     for degree, count in ((3, 14), (4, 26)):
         U = gs.general_potential(k1**degree + k2**degree + k3**degree)
         found = gs.relative_equilibria(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U), {"omega": 0})
-        squares = {tuple(x**2 for x in r.k) for r in found}
-        assert len(found) == count == len({r.k for r in found})
+        squares = {tuple(x**2 for x in r.directions[0]) for r in found}
+        assert len(found) == count == len({r.directions[0] for r in found})
         assert squares == {tuple(Rational(n in on, len(on)) for n in range(3)) for on in (
             (0,), (1,), (2,), (0, 1), (0, 2), (1, 2), (0, 1, 2))}
 
@@ -86,8 +86,8 @@ def test_several_rotations_of_one_rate_on_a_level():
     third = Rational(1, 3)
     U = -third * k1 + 2 * third * k2 + k3
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (1, 1, 1)), gs.general_potential(U))
-    (r,) = [r for r in gs.relative_equilibria(scene, {"C1": 11 * third}) if r.omega == 1]
-    assert r.k == (2 * third, third, 2 * third)
+    (r,) = [r for r in gs.relative_equilibria(scene, {"C1": 11 * third}) if r.rates["omega"] == 1]
+    assert r.directions[0] == (2 * third, third, 2 * third)
 
 
 @pytest.mark.slow
@@ -104,8 +104,8 @@ def test_equal_moments_and_circles(inertia, rotor, c, Q, level, count):
     wanted = heavy.on_level(*data)
     assert len(found) == len(wanted) == count
     for k, omega in wanted:
-        assert any(np.abs(k - [double(x) for x in r.k]).max() < 1e-7 and abs(omega - double(r.omega)) < 1e-7
-                   for r in found)
+        assert any(np.abs(k - [double(x) for x in r.directions[0]]).max() < 1e-7
+                   and abs(omega - double(r.rates["omega"])) < 1e-7 for r in found)
 
 
 def test_what_is_refused():

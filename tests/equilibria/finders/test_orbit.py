@@ -11,7 +11,7 @@ from sympy import Rational, sqrt
 
 import gyrostat as gs
 from gyrostat.algebra.enclosures.balls import ball
-from gyrostat.equilibria.finders.orbital_equilibrium import balls as enclosures
+from gyrostat.equilibria.finders.orbital_form import balls as enclosures
 
 RIGID = (1, "5/4", "8/5")
 
@@ -23,7 +23,7 @@ def found(moments, rotor, rate=1):
 
 def places(equilibria):
     """(n, r) in floats."""
-    return np.array([[float(ball(x, 128).mid()) for x in (*e.n, *e.r)] for e in equilibria])
+    return np.array([[float(ball(x, 128).mid()) for v in e.directions for x in v] for e in equilibria])
 
 
 def check(moments, rotor, rate, seed):
@@ -32,19 +32,13 @@ def check(moments, rotor, rate, seed):
     Where two meet, K singular, it converges slowly, and they count as none or as more.
     """
     equilibria = found(moments, rotor, rate)
-    here, meet = places(equilibria), [e.signs[2] == 0 for e in equilibria]
+    here, meet = places(equilibria), [e.form.signs[-1] == 0 for e in equilibria]
     for place in search(moments, rotor, rate, seed=seed):
         apart = np.abs(here - place).max(1)
         assert apart.min() < (1e-4 if meet[apart.argmin()] else 1e-8), (moments, rotor)
     assert len({tuple(np.round(p, 7)) for p in here}) == len(here)
-    assert any(meet) or sum((-1) ** squares(e) for e in equilibria) == 0
+    assert any(meet) or sum((-1) ** e.form.index for e in equilibria) == 0
     return equilibria
-
-
-def squares(e):
-    """Negative squares of K: changes of sign of its invariants."""
-    signs = [1, *filter(None, e.signs[:3])]
-    return sum(a != b for a, b in zip(signs, signs[1:]))
 
 
 @pytest.mark.parametrize(("rotor", "count"), [
@@ -54,7 +48,7 @@ def test_counts(rotor, count):
     equilibria = found(RIGID, rotor)
     assert len(equilibria) == count
     if rotor == (0, 0, 0):
-        assert [sum(squares(e) == n for e in equilibria) for n in range(4)] == [4, 8, 8, 4]
+        assert [sum(e.form.index == n for e in equilibria) for n in range(4)] == [4, 8, 8, 4]
         assert sum(e.decision.verdict is gs.Verdict.STABLE for e in equilibria) == 4
         assert sum(e.decision.verdict is gs.Verdict.UNSTABLE for e in equilibria) == 20
 
@@ -75,7 +69,7 @@ def test_a_component_of_the_rotor_of_the_size_of_a_rounding(small):
 
 def balls(equilibria):
     """(n, r) in floats, without their expressions."""
-    return np.array([[float(x.mid()) for part in (e.normal, e.vertical) for x in enclosures(part, 2000)]
+    return np.array([[float(x.mid()) for part in (e.form.n, e.form.r) for x in enclosures(part, 2000)]
                      for e in equilibria])
 
 
@@ -113,7 +107,7 @@ def test_a_rotor_along_an_axis(l):
     ((F(25, 16), 1, F(9, 8)), (F(2, 5), F(2, 5), F(21, 16)))])
 def test_frequencies_to_thirty_digits(moments, squares):
     """In DeBra and Delp's region, and on its boundary, where two are the same."""
-    e = next(e for e in found(moments, (0, 0, 0)) if e.n == (0, 1, 0) and e.r == (0, 0, 1))
+    e = next(e for e in found(moments, (0, 0, 0)) if e.directions == ((0, 1, 0), (0, 0, 1)))
     for x, square in zip(e.frequencies, squares, strict=True):
         assert abs(x**2 / Rational(square.numerator, square.denominator) - 1) < 1e-28
 
@@ -122,7 +116,8 @@ def on_circles(moments, rotor, rate, seed):
     """Newton's method ends on none but the circles found: the axis in (t, n, r) is that of one."""
     equilibria = found(moments, rotor, rate)
     axis = next(i for i in range(3) if moments[i - 1] == moments[i - 2])
-    here = np.array([[float(ball(x[axis], 128).mid()) for x in (e.t, e.n, e.r)] for e in equilibria])
+    here = np.array([[float(ball(e.attitude[row, axis], 128).mid()) for row in (1, 2, 0)]
+                     for e in equilibria])
     assert len({tuple(np.round(z, 7)) for z in here}) == len(here)
     for place in search(moments, rotor, rate, starts=100, seed=seed):
         z = np.array([np.cross(place[:3], place[3:])[axis], place[axis], place[3 + axis]])

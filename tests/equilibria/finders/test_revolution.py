@@ -28,11 +28,11 @@ def residual(branch, I1, I3, l, potential):
     with mpmath.workdps(60):
         A, C, rotor, slope = real(I1), real(I3), real(l), [real(c)
                                                            for c in oracle.slope([Fraction(0), *potential])]
-        z, W, sigma = map(digits, (branch.k3, branch.omega, branch.sigma))
+        z, W, sigma = map(digits, (branch.place["k3"], branch.place["omega"], branch.place["sigma"]))
         k1 = mpmath.sqrt(1 - z * z)
         x = [A * W * k1, mpmath.mpf(0), C * (W * z + sigma), k1, mpmath.mpf(0), z]
         turned = [-x[1], x[0], 0, -x[4], x[3], 0]
-        assert abs(x[2] - digits(branch.pi3)) < mpmath.mpf(10) ** -45
+        assert abs(x[2] - digits(branch.place["pi3"])) < mpmath.mpf(10) ** -45
         return max(abs(f + sigma * r) for f, r in zip(oracle.axial_field(x, A, C, rotor, slope), turned))
 
 
@@ -42,7 +42,7 @@ def decided(branch, I1, I3, l, potential):
     The sign of d(I1 (1 − z²)² V')/dz on the level of the branch.
     """
     with mpmath.workdps(60):
-        z, W, pi3 = map(digits, (branch.k3, branch.omega, branch.pi3))
+        z, W, pi3 = map(digits, (branch.place["k3"], branch.place["omega"], branch.place["pi3"]))
         P = pi3 + real(l)
         v = real(I1) * W * (1 - z * z) + P * z
         value = oracle.polynomial(
@@ -54,7 +54,7 @@ def decided(branch, I1, I3, l, potential):
 
 def in_their_order(branches):
     """From E1 down to E2."""
-    keys = [(ORDER[b.label], -b.k3.evalf(40)) for b in branches]
+    keys = [(ORDER[b.label], -b.place["k3"].evalf(40)) for b in branches]
     return keys == sorted(keys) and len(set(keys)) == len(keys)
 
 
@@ -72,19 +72,20 @@ def test_all_at_a_rate(polynomial, I1, I3, l, omega, potential):
     found = relative_equilibria(polynomial, values)
     assert [found[0].label, found[-1].label] == ["E1", "E2"] and in_their_order(found)
     assert {b.label for b in found[1:-1]} <= {"E3"} and len(found) == 2 + oracle.count_roots(f, -1, 1)
-    assert all(b.sigma == 0 and b.omega == Rational(omega.numerator, omega.denominator) for b in found[1:-1])
+    rates = {"omega": Rational(omega.numerator, omega.denominator), "sigma": 0}
+    assert all(b.rates == rates for b in found[1:-1])
     for b in found:
         assert residual(b, I1, I3, l, potential) < mpmath.mpf(10) ** -40       # of 60 digits
     assert all(s in (0, sign) for s, sign in zip([decided(b, I1, I3, l, potential) for b in found[1:-1]],
                                                  signs(found[1:-1])))
     for b, s in ((found[0], 1), (found[-1], -1)):
-        assert b.k3 == s and b.sigma == 0
+        assert b.place["k3"] == s and b.place["sigma"] == 0
         slope = oracle.polynomial(oracle.slope([Fraction(0), *potential]), Fraction(s))
         expected = oracle.verdict_vertical(I1, l, s * I3 * omega, s, slope)
-        assert b.pi3 == s * Rational(*(I3 * omega).as_integer_ratio())
+        assert b.place["pi3"] == s * Rational(*(I3 * omega).as_integer_ratio())
         assert (expected == 0 or signs([b]) == [expected])
     mirrored = relative_equilibria(polynomial, values | {"omega": -omega, "l": -l})
-    assert [(b.label, b.k3) for b in mirrored] == [(b.label, b.k3) for b in found]
+    assert [(b.label, b.place["k3"]) for b in mirrored] == [(b.label, b.place["k3"]) for b in found]
     assert signs(mirrored) == signs(found)
 
 
@@ -106,9 +107,9 @@ def test_all_on_a_level(polynomial, I1, I3, l, pi3, v, pole, potential):
     assert in_their_order(found) and len(tilted(found)) == oracle.count_roots(f, -1, 1)
     assert [b.label for b in found if b.label in ("E1", "E2")] == ["E1"] * (v == P) + ["E2"] * (v == -P)
     for b in found:
-        assert sign_of_constant(b.pi3 - Rational(pi3.numerator, pi3.denominator)) == 0
+        assert sign_of_constant(b.place["pi3"] - Rational(pi3.numerator, pi3.denominator)) == 0
         assert residual(b, I1, I3, l, potential) < mpmath.mpf(10) ** -40
-        assert (b.label == "precession") == (sign_of_constant(b.sigma) != 0)
+        assert (b.label == "precession") == (sign_of_constant(b.place["sigma"]) != 0)
     between, expected = signs(found), [decided(b, I1, I3, l, potential) for b in tilted(found)]
     # elsewhere V has a point of inflexion; Report.boundary has its own tests
     assume(all(expected))
@@ -134,13 +135,13 @@ def test_rational_precessions_are_exact(polynomial, I1, I3, l, tilt, rate, poten
     P = u1 / rate + I1 * z * rate
     values = {"I1": I1, "I3": I3, "l": l, "k3": z, "pi3_0": P - l} | named(potential)
     found = relative_equilibria(polynomial, values)
-    assert [fraction(b.omega) for b in found] == sorted({rate, u1 / (I1 * z * rate)})
+    assert [fraction(b.place["omega"]) for b in found] == sorted({rate, u1 / (I1 * z * rate)})
     for b in found:
-        W, sigma = fraction(b.omega), fraction(b.sigma)
+        W, sigma = fraction(b.place["omega"]), fraction(b.place["sigma"])
         x = [I1 * W * k1, Fraction(0), I3 * (W * z + sigma), k1, Fraction(0), z]
         turned = [-x[1], x[0], 0, -x[4], x[3], 0]
         xdot = oracle.axial_field(x, I1, I3, l, oracle.slope([Fraction(0), *potential]))
-        assert xdot == [-sigma * r for r in turned] and fraction(b.pi3) == x[2] == P - l
+        assert xdot == [-sigma * r for r in turned] and fraction(b.place["pi3"]) == x[2] == P - l
         assert b.label == ("precession" if sigma else "E3")
     assert all(decided(b, I1, I3, l, potential) in (0, sign) for b, sign in zip(found, signs(found)))
 
@@ -159,15 +160,15 @@ def test_rational_tilts_are_exact(polynomial, I1, I3, tilt, omega, l, potential)
     potential = [a, *rest[1:]]
     values = {"I1": I1, "I3": I3, "l": l} | named(potential)
     (b,) = [b for b in relative_equilibria(polynomial, values | {"omega": omega})
-            if b.k3 == Rational(z.numerator, z.denominator)]
+            if b.place["k3"] == Rational(z.numerator, z.denominator)]
     x = [I1 * omega * k1, Fraction(0), I3 * omega * z, k1, Fraction(0), z]
     assert oracle.axial_field(x, I1, I3, l, oracle.slope([Fraction(0), *potential])) == [0] * 6
-    assert (b.label, fraction(b.pi3)) == ("E3", x[2]) and decided(b, I1, I3, l, potential) in (0, *signs([b]))
+    assert (b.label, fraction(b.place["pi3"])) == ("E3", x[2])
+    assert decided(b, I1, I3, l, potential) in (0, *signs([b]))
     # the rates of a tilt are the roots of (I1 − I3) k3 ω² − l ω + U' = 0
     other = l / ((I1 - I3) * z) - omega
-    assert [fraction(b.omega) for b in relative_equilibria(polynomial, values | {"k3": z})] == sorted(
-        {omega, other}
-    )
+    found = relative_equilibria(polynomial, values | {"k3": z})
+    assert [fraction(b.place["omega"]) for b in found] == sorted({omega, other})
 
 
 @pytest.mark.slow
@@ -186,13 +187,14 @@ def test_decisions_are_those_of_the_reports(e1, e2, e3, at_rest, polynomial, I1,
         if not any(oracle.rate_slope(I1, I3, l, Fraction(w), [Fraction(0), *potential])):
             continue
         for b in relative_equilibria(polynomial, body | {"omega": w} | named(potential)):
-            jets = {"dU": U.diff(k3).subs(k3, b.k3), "d2U": U.diff(k3, 2).subs(k3, b.k3),
-                    "d3U": U.diff(k3, 3).subs(k3, b.k3)}
+            z = b.place["k3"]
+            jets = {"dU": U.diff(k3).subs(k3, z), "d2U": U.diff(k3, 2).subs(k3, z),
+                    "d3U": U.diff(k3, 3).subs(k3, z)}
             jets |= {"d4U": 0, "d5U": 0, "d6U": 0, "d7U": 0}
             if b.label != "E3":
-                report, at = (e1 if b.label == "E1" else e2), {"pi3_0": b.pi3}
+                report, at = (e1 if b.label == "E1" else e2), {"pi3_0": b.place["pi3"]}
             else:
-                report, at = (e3, {"omega": b.omega, "k3": b.k3}) if w else (at_rest, {"k3": b.k3})
+                report, at = (e3, {"omega": b.place["omega"], "k3": z}) if w else (at_rest, {"k3": z})
                 jets.pop("dU")
             theirs = report.verdict({**{n: x for n, x in body.items() if n in report.parameters}, **at,
                                      **jets})

@@ -26,13 +26,14 @@ def test_rates_of_goldstein(top):
     """
     values = {"I1": 2, "I3": 1, "l": 0, "m0": 3, "k3": "1/2", "pi3_0": 6}
     slow, fast = relative_equilibria(top, values)
-    assert (slow.omega, fast.omega) == (3 - sqrt(6), 3 + sqrt(6)) and signs([slow, fast]) == [1, 1]
-    assert [round(float(b.omega), 10) for b in (slow, fast)] == [0.5505102572, 5.4494897428]
+    rates = [b.rates["omega"] for b in (slow, fast)]
+    assert rates == [3 - sqrt(6), 3 + sqrt(6)] and signs([slow, fast]) == [1, 1]
+    assert [round(float(omega), 10) for omega in rates] == [0.5505102572, 5.4494897428]
     (level,) = [b for b in relative_equilibria(top,
                                                {"I1": 2, "I3": 1, "l": 0, "m0": 3, "pi3_0": 6,
                                                 "C1": "3/2*(3 - sqrt(6)) + 3"})
-                if sign_of_constant(b.k3 - S.Half) == 0]
-    assert sign_of_constant(level.omega - slow.omega) == 0
+                if sign_of_constant(b.place["k3"] - S.Half) == 0]
+    assert sign_of_constant(level.rates["omega"] - rates[0]) == 0
 
 
 @given(I1=moments, I3=moments, l=numbers, m0=nonzero, tilt=tilts, P=numbers)
@@ -51,12 +52,12 @@ def test_steady_precessions_of_the_lagrange_top(top, I1, I3, l, m0, tilt, P):
         assert len(found) == ((1 if total else 0) if z == 0 else 1 + (margin > 0) - (margin < 0))
         assert all(s == 1 for s in signs(found))
         if z == 0 and total:
-            assert fraction(found[0].omega) == m0 / total
+            assert fraction(found[0].place["omega"]) == m0 / total
     z, rate = tilt[1], P                               # P² = 4 I1 m0 cos θ, the two rates in one
     if z and rate:
         (one,) = relative_equilibria(top, {"I1": I1, "I3": I3, "l": l, "m0": I1 * z * rate**2, "k3": z,
                                            "pi3_0": 2 * I1 * z * rate - l})
-        assert fraction(one.omega) == rate and signs([one]) == [1]
+        assert fraction(one.place["omega"]) == rate and signs([one]) == [1]
 
 
 def test_rates_need_a_large_momentum(top):
@@ -80,14 +81,16 @@ def test_every_tilt_turns_alike(top):
                    {"I1": 1, "I3": 1, "l": -1, "m0": 1, "omega": -1},
                    {"I1": 1, "I3": 1, "l": 0, "m0": 0, "omega": 3}):
         found = relative_equilibria(top, values)
-        assert [(b.label, b.k3, b.sigma, b.pi3) for b in found[1:-1]] == [("E3", None, 0, None)]
+        (every,) = found[1:-1]
+        assert every.label == "E3" and every.locus == "every k3 from −1 to 1"
+        assert every.place == {"k3": None, "omega": values["omega"], "sigma": 0, "pi3": None}
         body = {n: values[n] for n in ("I1", "I3", "m0", "omega")}
         points = [report.verdict(body | {"k3": z}).verdict for z in ("-9/10", "-1/3", 0, "1/2", "99/100")]
         assert points == [found[1].decision.verdict] * 5
     # U' = −ω² k3 (I1 − I3) with a1 = ω, l = 0
     U = (k3**2 * (gs.symbol("I3") - gs.symbol("I1")) * a1**2) / 2
     assert [
-        b.k3
+        b.place["k3"]
         for b in relative_equilibria(in_field(U), {"I1": 1, "I3": 3, "l": 0, "a1": "1/2", "omega": "-1/2"})
     ] == [1, None, -1]
 
@@ -141,10 +144,10 @@ def test_each_inclined_equilibrium_is_decided_as_a_point_too():
     flat = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(a * k3**2 + b * k3**4))
     found = [x for x in relative_equilibria(flat, {"I1": 2, "I3": 1, "l": 1, "a": 1, "b": 1, "omega": 0})
              if x.label == "E3"]
-    assert [(x.k3, x.decision.verdict.name, x.itself.verdict.name) for x in found] == [
+    assert [(x.place["k3"], x.decision.verdict.name, x.itself.verdict.name) for x in found] == [
         (0, "STABLE", "UNSTABLE")
     ]
     (sphere,) = (x for x in relative_equilibria(top, {"I1": 1, "I3": 1, "l": 0, "m0": 0, "omega": 1})
                  if x.label == "E3")
     # every tilt; the one exception
-    assert sphere.k3 is None and sphere.itself.verdict.name == "STABLE"
+    assert sphere.place["k3"] is None and sphere.itself.verdict.name == "STABLE"

@@ -35,14 +35,14 @@ def _listed(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
 
 
 def _data(answer: Answer) -> dict[str, Any]:
-    """The same keys for every kind of scene; frequencies and growth rate of what was found among all."""
+    """The same keys for every kind of scene; frequencies and growth rate of what was found at a point."""
     found, damped, itself = answer.found, answer.damped, answer.itself
-    return {"label": answer.label if found is None else found.label,
+    at_point, growth = answer.at_point, answer.rates.get("growth_rate")
+    return {"label": found.label if found is not None and answer.place else answer.label,
             "locus": "" if found is None else found.locus,
             "place": {name: number_data(x) for name, x in answer.place.items()},
-            "frequencies": None if found is None else [rate_data(x) for x in found.frequencies],
-            "growth_rate": (None if found is None or found.growth_rate is None
-                            else rate_data(found.growth_rate)),
+            "frequencies": None if at_point is None else [rate_data(x) for x in at_point.frequencies],
+            "growth_rate": None if growth is None else rate_data(growth),
             "decision": decision_data(answer.decision),
             "damped_decision": None if damped is None else damped_data(damped),
             "itself": None if itself is None else decision_data(itself)}

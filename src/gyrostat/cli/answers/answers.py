@@ -55,12 +55,17 @@ class Answer:
     place: dict[str, Expr | None] = field(default_factory=dict)
 
     @property
+    def at_point(self) -> RelativeEquilibrium | None:
+        """What was found, unless the place takes every value: the frequencies change along it."""
+        return None if None in self.place.values() else self.found
+
+    @property
     def rates(self) -> dict[str, Expr]:
         """Frequencies and growth rate by name."""
-        if self.found is None:
+        if self.at_point is None:
             return {}
-        rates = {f"frequency_{n}": x for n, x in enumerate(self.found.frequencies, 1)}
-        growth = self.found.growth_rate
+        rates = {f"frequency_{n}": x for n, x in enumerate(self.at_point.frequencies, 1)}
+        growth = self.at_point.growth_rate
         return rates if growth is None else rates | {"growth_rate": growth}
 
 
