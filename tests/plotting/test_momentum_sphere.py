@@ -235,19 +235,17 @@ def test_separatrices_meet_the_saddles_and_are_complete(inertia, rotor, radius):
     """
     body = gs.Gyrostat(inertia, rotor)
     I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
-    saddles = [p for p in rotations(body, radius)
-               if p.decision.verdict is gs.Verdict.UNSTABLE and not p.locus]
+    saddles = [p for p in rotations(body, radius) if p.decision.unstable and not p.locus]
     curves = [c for c in energy_curves(drawn(inertia, rotor, radius, []), "#1f2933")
               if np.abs(np.linalg.norm(c, axis=1) - R).max() < 1e-9]
     elevation, azimuth = np.radians([22, 40])
-    eye = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth),
-                    np.sin(elevation)])
-    curves = [c for c in curves if np.ptp(c @ eye) > 1e-3]             # without the outline
+    eye = np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)
+    curves = [c for c in curves if np.ptp(c @ np.array(eye)) > 1e-3]   # without the outline
     for saddle in saddles:
         assert min(np.linalg.norm(c - floats(saddle.momentum), axis=1).min() for c in curves) < 0.02 * R
     for normal in np.random.default_rng(2).normal(size=(8, 3)):
         normal /= np.linalg.norm(normal)
-        counts = [on_circle(I, l, R, energy, normal)
-                  for energy in {round(float(s.energy), 12): float(s.energy) for s in saddles}.values()]
+        energies = {round(float(s.energy), 12): float(s.energy) for s in saddles}
+        counts = [on_circle(I, l, R, energy, normal) for energy in energies.values()]
         if None not in counts:
             assert sum(int(((c[1:] @ normal) * (c[:-1] @ normal) < 0).sum()) for c in curves) == sum(counts)

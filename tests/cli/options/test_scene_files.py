@@ -1,6 +1,4 @@
 """--scene FILE#NAME: the tables that verify reads, in the place of options, and options before them."""
-import json
-
 import pytest
 from commands import run
 from slow import slow
@@ -192,8 +190,7 @@ def test_a_batch_of_a_scene(capsys, file, tmp_path):
     lines.write_text('{"w": 1}\n{"equilibrium": "E2", "pi3_0": 6, "w": 0}\n')
     status, out, _ = run(capsys, "--scene", f"{file}#general", "--batch", str(lines), verb="decide")
     first, second = out.splitlines()
-    (found,) = json.loads(first)["equilibria"]
-    assert (found["label"], found["decision"]["verdict"]) == ("E", "UNSTABLE")
+    assert '"label": "E"' in first and '"decision": {"verdict": "UNSTABLE"' in first
     assert status == 2 and "E2 has no parameter w" in second
 
 

@@ -1,0 +1,40 @@
+"""What is loaded when it is used: each name is there, stands below, and is not loaded before."""
+import re
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from test_layout import FLOORS, SRC, loaded
+
+WORDS = {"{THEOREMS}": "stability.theorems", "{NORMAL_FORMS}": "stability.normal_forms"}
+
+
+def named():
+    """(module that asks, module:name) of every call of loaded in the library."""
+    for path in SRC.rglob("*.py"):
+        for home in re.findall(r'\bloaded\(\s*f?"([^"]+)"', path.read_text(encoding="utf-8")):
+            for word, meaning in WORDS.items():
+                home = home.replace(word, meaning)
+            yield pytest.param(path.relative_to(SRC), home, id=f"{path.stem}-{home}")
+
+
+@pytest.mark.parametrize(("asking", "home"), list(named()))
+def test_what_is_loaded_by_its_name_is_there_and_below(asking: Path, home):
+    """A misspelt name would be seen by whoever stands on that rung, and by nobody before."""
+    module, _, name = home.partition(":")
+    if name:                                               # a name may be chosen when it is loaded
+        assert hasattr(import_module(f"gyrostat.{module}"), name)
+    here, there = (FLOORS.index(x) for x in (asking.with_suffix("").parts[0], module.split(".")[0]))
+    assert there <= here or asking.stem == "_lazy"          # whose example it is
+
+
+def test_the_report_of_a_sleeping_top_loads_no_theorem_that_it_does_not_need():
+    """Its ladder stands on the criteria and on the reduced motion."""
+    new = loaded("import gyrostat as g; "
+                 "r = g.analyze(g.upright(g.assemble(g.symmetric_gyrostat(), g.uniform_field()))); "
+                 "r.necessary, r.sufficient, r.boundary, r.damped; "
+                 "r.verdict({'I1': 1, 'l': 0, 'm0': 1, 'pi3_0': 2}); "
+                 "r.verdict({'I1': 1, 'I3': 1, 'l': 0, 'm0': 1, 'pi3_0': 3}, damped=True)")
+    theorems = {m for m in new if m.startswith("gyrostat.stability.theorems.")}
+    assert theorems == {"gyrostat.stability.theorems.boundary"}
+    assert not any(m.startswith("gyrostat.stability.normal_forms") for m in new)
