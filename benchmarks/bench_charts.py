@@ -22,7 +22,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import gyrostat as gs
-from gyrostat.charts.boxes.boxes import certified_chart
+from gyrostat.charts.boxes.certified_boxes import certified_chart
 from gyrostat.charts.chart import stability_chart
 from gyrostat.charts.codes import CODE_OF
 from gyrostat.plotting import caption, draw_chart

@@ -19,7 +19,7 @@ from gyrostat.algebra.reals.exact import sign_of_constant
 from gyrostat.published import SOURCES, check, load
 from gyrostat.published.checks.readings import Reading
 from gyrostat.published.language import read
-from gyrostat.published.names.names import is_zero
+from gyrostat.published.names.derived_names import is_zero
 
 LIMIT = 10
 

@@ -32,7 +32,7 @@ import zarr.codecs
 
 import gyrostat as gs
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.stores import stores
+from gyrostat.charts.stores import chart_stores
 from gyrostat.errors import StoreError
 
 TOP = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
@@ -96,7 +96,7 @@ def called(chart, path, flushed=None):
                 with open(flushed, "a") as file:
                     file.write(os.readlink(f"/proc/self/fd/{descriptor}") + "\n")
             os.fsync = noted
-        stores.POINTS = POINTS[chart.get("margins", False)]
+        chart_stores.POINTS = POINTS[chart.get("margins", False)]
         try:
             stability_chart(TOP, **chart, store=path, progress=False, threads=2)
             status = 0

@@ -25,7 +25,7 @@ import shown  # noqa: E402
 
 from gyrostat.errors import GyrostatError
 from gyrostat.published import SOURCES, Finding, load
-from gyrostat.published.checks.checks import outcome_of
+from gyrostat.published.checks.findings import outcome_of
 from gyrostat.published.listing import to_json
 
 # Mutants that are as true as the original: a pattern of source:key: mutant, and why.

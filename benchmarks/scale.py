@@ -28,8 +28,8 @@ import numpy as np
 from exact_truth import truth
 
 import gyrostat as gs
-from gyrostat.charts.signs.arrays import verdicts
-from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs.compiled_margins import compile_margin
+from gyrostat.charts.signs.verdict_arrays import verdicts
 
 TILT = {"I1": 1.25, "I3": 0.75, "l": 0.5, "d2U": -2.0, "d3U": 0.25, "d4U": 0.5}
 # its boundary |π3 + l| = 3 runs through points of the grid

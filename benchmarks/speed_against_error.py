@@ -32,8 +32,8 @@ import verdict_routes as routes
 from hard_cases import EXPONENTS, FAMILIES, KINDS, Batch, cases, on_boundary, ordinary
 from scene_matrices import euler_poisson, matrices, restricted
 
-from gyrostat.charts.signs.arrays import verdicts
-from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs.compiled_margins import compile_margin
+from gyrostat.charts.signs.verdict_arrays import verdicts
 from gyrostat.stability.criteria.linearization import linearize
 
 FIXED = {"E1": {"I1": 1.25, "dU": 1.5}, "E3": {"I1": 1.25, "I3": 0.75, "l": 0.5, "d2U": -2.0}}

@@ -17,8 +17,8 @@ from hard_cases import DEGREE, Batch
 from scene_matrices import assembled, floats, matrices, scalars
 
 import gyrostat as gs
-from gyrostat.charts.signs.arrays import verdicts
-from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs.compiled_margins import compile_margin
+from gyrostat.charts.signs.verdict_arrays import verdicts
 
 TOLERANCES = (0, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6)
 BALLS = (53, 128, 256)

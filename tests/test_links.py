@@ -1,4 +1,4 @@
-"""Links between README, contributing and docs; how extras are installed."""
+"""Links between README, contributing and docs, and the files that they name; how extras are installed."""
 import re
 from pathlib import Path
 
@@ -7,6 +7,9 @@ import pytest
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("docs/**/*.md"))]
 PAGES = [page for page in PAGES if page.parent.name != "measured"]         # copies, made by the site
+SRC = ROOT / "src" / "gyrostat"
+PACKAGES = {path.parent.name for path in SRC.glob("*/__init__.py")}
+NAMED = re.compile(r"(?<![\w/.:-])((?:src|tests|docs|benchmarks|\.ci)/[\w./<>-]*\w)")
 LINK = re.compile(r'(?:\]\(|(?:src|href)=")([^)"\s]+)')
 
 
@@ -43,3 +46,41 @@ def test_extras_are_installed_in_one_way(page):
     text = page.read_text(encoding="utf-8")
     installs = re.findall(r'pip install (?!.*--editable).*?(".*?\[.*?\]"|\S*\[\S*\])', text)
     assert all(install.startswith('"gyrostat[') for install in installs), installs
+
+
+def is_place(name):
+    """Whether it is a folder of the library, or a module in one."""
+    return (SRC / name).exists() or (SRC / f"{name}.py").exists()
+
+
+@pytest.mark.parametrize("page", [*PAGES, ROOT / "CHANGELOG.md", ROOT / "benchmarks" / "RESULTS.md"],
+                         ids=lambda page: str(page.relative_to(ROOT)))
+def test_files_that_are_named_exist(page):
+    """From the root of the repository, or a `package/module` of ours; but for names with a placeholder."""
+    text = page.read_text(encoding="utf-8")
+    assert [name for name in NAMED.findall(text) if not (ROOT / name).exists()
+            and not re.search("<|NAME", name)] == []
+    ours = [name for name in re.findall(r"`(\w+(?:/\w+)+)`", text) if name.split("/")[0] in PACKAGES]
+    assert [name for name in ours if not is_place(name)] == []
+
+
+def design(start, end):
+    """A part of the page on design."""
+    text = (ROOT / "docs" / "explanation" / "design.md").read_text(encoding="utf-8")
+    return text.split(start)[1].split(end)[0]
+
+
+def test_the_house_of_design_is_the_one_that_stands():
+    """It has a line for each package and for each module beside them."""
+    lines = re.findall(r"^ (\S+(?: · \S+)*)", design("```\n", "```"), re.MULTILINE)
+    alone = {path.stem for path in SRC.glob("*.py")} - {"__init__", "__main__"}
+    assert sorted(name for line in lines for name in line.split(" · ")) == sorted(PACKAGES | alone)
+
+
+def test_the_flows_of_design_go_through_modules_that_exist():
+    """A name without a path stands in the folder that is named before it."""
+    folder = None
+    for name in re.findall(r"`(\w+(?:/\w+)*)`", design("## Three flows", "\n## ")):
+        place = name if "/" in name else f"{folder}/{name}"
+        assert is_place(place), place
+        folder = place if (SRC / place).is_dir() else place.rpartition("/")[0]

@@ -9,7 +9,7 @@ from sympy import Rational, exp, sqrt
 import gyrostat as gs
 from gyrostat._cached import cached_property
 from gyrostat.algebra.text.numbers import exact_number
-from gyrostat.charts.signs.arrays import verdicts
+from gyrostat.charts.signs.verdict_arrays import verdicts
 from gyrostat.trajectories import motion
 
 HALF = Rational(1, 2)

@@ -15,7 +15,7 @@ from gyrostat.mechanics.families.scene_tables import NONE
 from gyrostat.mechanics.scenes.system import System
 from gyrostat.printing.blocks import Block
 from gyrostat.printing.formats.article import article
-from gyrostat.printing.formats.names import Paper
+from gyrostat.printing.formats.latex_names import Paper
 from gyrostat.printing.symbols import occurring, symbol_rows
 
 _PRINTER = StrPrinter({"sympy_integers": True})        # 1/3 is S(1)/3

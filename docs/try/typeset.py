@@ -9,8 +9,8 @@ from gyrostat.notation import NOTATION, symbol
 from gyrostat.printing.blocks import Block, Display, Heading, Rows
 from gyrostat.printing.formats.article import NARROW, inline
 from gyrostat.printing.formats.latex import display, tex
+from gyrostat.printing.formats.latex_names import Names
 from gyrostat.printing.formats.linebreaks import broken, width
-from gyrostat.printing.formats.names import Names
 from gyrostat.printing.symbols import symbol_rows
 
 OWN = {"M": "length of the total angular momentum", "sigma": "multiplier of |k| = 1"}

@@ -10,8 +10,8 @@ from sympy import chebyshevt, cos, exp, log, pi, sqrt
 
 import gyrostat as gs
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.signs import arrays, numeric
-from gyrostat.charts.stores import stores
+from gyrostat.charts.signs import compiled_margins, verdict_arrays
+from gyrostat.charts.stores import chart_stores
 
 k3, m0, a, b, c = map(gs.symbol, ("k3", "m0", "a", "b", "c"))
 
@@ -19,7 +19,7 @@ k3, m0, a, b, c = map(gs.symbol, ("k3", "m0", "a", "b", "c"))
 @pytest.fixture
 def tiny_blocks(monkeypatch):
     """Blocks of seven points."""
-    for module in (arrays, numeric):
+    for module in (verdict_arrays, compiled_margins):
         monkeypatch.setattr(module, "NUMPY_BLOCK", 7)
         monkeypatch.setattr(module, "NUMBA_BLOCK", 7)
 
@@ -114,14 +114,14 @@ def regions(e1, e2, e3, at_rest, asymmetric, free):
 @pytest.fixture
 def ten_blocks(monkeypatch):
     """Blocks of seven rows: ten of them."""
-    monkeypatch.setattr(stores, "POINTS", 7 * 90)
+    monkeypatch.setattr(chart_stores, "POINTS", 7 * 90)
 
 
 @pytest.fixture
 def written(monkeypatch):
     """The numbers of the blocks that are computed in this process."""
-    numbers, write = [], stores.write_block
-    monkeypatch.setattr(stores, "write_block", lambda marks, chart, arrays, n: numbers.append(n)
+    numbers, write = [], chart_stores.write_block
+    monkeypatch.setattr(chart_stores, "write_block", lambda marks, chart, arrays, n: numbers.append(n)
                         or write(marks, chart, arrays, n))
     return numbers
 
@@ -137,7 +137,7 @@ def finished(e1, tmp_path_factory):
     """A store of ten blocks, written once."""
     path = tmp_path_factory.mktemp("finished") / "chart.zarr"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(stores, "POINTS", 7 * 90)
+        patch.setattr(chart_stores, "POINTS", 7 * 90)
         stability_chart(e1, **GRID, store=path)
     return path
 

@@ -12,7 +12,7 @@ SCRIPT = """
 import os, signal, sys
 import numpy as np
 import gyrostat as gs
-from gyrostat.charts.stores import stores
+from gyrostat.charts.stores import chart_stores
 from gyrostat.charts.chart import stability_chart
 report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
 grid = {"x": ("pi3_0", np.linspace(-4, 4, 90)), "y": ("l", np.linspace(-2, 2, 70)),

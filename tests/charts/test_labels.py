@@ -14,10 +14,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gyrostat.charts import verdicts
-from gyrostat.charts.boxes.boxes import certify_box
+from gyrostat.charts.boxes.certified_boxes import certify_box
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.signs import arrays, numeric
-from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs import compiled_margins, verdict_arrays
+from gyrostat.charts.signs.compiled_margins import compile_margin
 from gyrostat.errors import ArgumentError, ValuesError
 
 FIXED = {"I1": 1, "dU": 1}
@@ -78,7 +78,7 @@ def test_labels_that_differ_are_refused(e1, pair):
 def blocks_of(points):
     """Many blocks, one written before the next is read."""
     with pytest.MonkeyPatch.context() as patched:
-        for module, name in product((numeric, arrays), ("NUMPY_BLOCK", "NUMBA_BLOCK")):
+        for module, name in product((compiled_margins, verdict_arrays), ("NUMPY_BLOCK", "NUMBA_BLOCK")):
             patched.setattr(module, name, points)
         yield
 

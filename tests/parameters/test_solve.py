@@ -16,7 +16,7 @@ from gyrostat.algebra.reals.exact import Point, evaluate, sign_of_constant
 from gyrostat.algebra.text.numbers import exact_number
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.parameters.sets import EXCLUDED, INCLUDED
-from gyrostat.parameters.stabilizing import stabilizing_set
+from gyrostat.parameters.stabilizing_set import stabilizing_set
 
 
 @cache

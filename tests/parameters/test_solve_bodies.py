@@ -12,7 +12,7 @@ import gyrostat as gs
 from gyrostat.algebra.text.numbers import exact_number
 from gyrostat.parameters.sets import INCLUDED
 from gyrostat.parameters.solve import solve_condition
-from gyrostat.parameters.stabilizing import stabilizing_set
+from gyrostat.parameters.stabilizing_set import stabilizing_set
 from gyrostat.printing.formats.text import text
 from gyrostat.printing.results.beyond_reports import result_blocks
 

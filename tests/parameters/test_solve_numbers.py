@@ -10,7 +10,7 @@ from gyrostat.algebra.reals.exact import sign_of_constant
 from gyrostat.algebra.solving.roots import between
 from gyrostat.algebra.text.numbers import exact_number
 from gyrostat.parameters.sets import INCLUDED, Interval
-from gyrostat.parameters.stabilizing import stabilizing_set
+from gyrostat.parameters.stabilizing_set import stabilizing_set
 
 POLYNOMIAL = gs.assemble(BODY, gs.axial_potential(lambda z: z**5 - z**3 + z**2 / 7 + z / 10))
 NUMERIC = [("E1", gs.upright, "l", {"I1": 2, "pi3_0": 1}), ("E1", gs.upright, "I1", {"l": 2, "pi3_0": 1}),

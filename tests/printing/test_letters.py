@@ -12,7 +12,7 @@ import gyrostat as gs
 from gyrostat.errors import ScopeError
 from gyrostat.printing.blocks import Display, Rows, Sentence, Word
 from gyrostat.printing.formats.latex import tex
-from gyrostat.printing.formats.names import Names
+from gyrostat.printing.formats.latex_names import Names
 from gyrostat.printing.formats.unicode import unicode
 from gyrostat.printing.results.beyond_reports import result_blocks
 from gyrostat.printing.results.document import report_blocks, whole_blocks

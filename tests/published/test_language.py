@@ -5,7 +5,7 @@ from sympy import Rational
 
 from gyrostat.errors import ExpressionError, GyrostatError, PublishedError, ValuesError
 from gyrostat.notation import symbol
-from gyrostat.printing.formats.names import Names
+from gyrostat.printing.formats.latex_names import Names
 from gyrostat.published import check, load
 from gyrostat.published.checks.comparisons import comparisons
 from gyrostat.published.language import decimal, read

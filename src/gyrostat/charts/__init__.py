@@ -1,15 +1,10 @@
 """The verdict over ranges of parameters.
 
-A margin becomes a program ordered by the axes of a grid (`straightline`), with a proved bound of its
-`rounding` error; it runs over the blocks of a grid (`entries`, `grids`, `tiles`, `kernels`, `writing`,
-`numeric`; `labels` guards what arrays carry); `constants` are put into long margins first. `signs` and
-`deciding` decide every point, exactly where floats do not (`dyadic`), what gyroscopic forces hold together
-(`held`, in `ball_arrays`), a list after one look at its columns (`screens`), and `arrays` asks them. Over
-boxes it runs in `intervals` and `enclosures`: `regions`, `proofs`, `paving` and `boxes` cover them by
-bisection; `answers` are three-valued, `codes` stand for verdicts. `contours` follow the curves between
-verdicts by their `crossings` of edges, `window_curves` those inside windows; a `chart` is all of it, a
-`request` as one labelled dataset (`datasets`), larger than memory in `stores` (`frame`, `marks`), with a bar
-of `progress`.
+A `chart` answers a `request`: `grids` names the numbers, from which `labels` refuses what has other labels or
+masks, `signs` decides at every point of them, exactly where floats do not, and `codes` stand for the
+verdicts. `curves` follows the boundaries between verdicts, `datasets` describes the result, and `stores`
+keeps what is larger than memory, with a bar of `progress`. `boxes` proves a verdict for all points of a box
+at once.
 """
 from typing import TYPE_CHECKING
 
@@ -17,15 +12,16 @@ from .._lazy import later
 from ..printing.files import save_netcdf
 
 if TYPE_CHECKING:
-    from .boxes.boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
+    from .boxes.certified_boxes import BoxDecision, CertifiedChart, certified_chart, certify_box
     from .chart import stability_chart
-    from .signs.arrays import verdicts
-    from .signs.numeric import CompiledMargin, compile_margin
+    from .signs.compiled_margins import CompiledMargin, compile_margin
+    from .signs.verdict_arrays import verdicts
 
 __all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "compile_margin",
            "CompiledMargin", "save_netcdf", "stability_chart", "verdicts"]
 
 __getattr__, __dir__ = later(__name__, {
-    "signs.arrays": "verdicts", "boxes.boxes": "BoxDecision CertifiedChart certified_chart certify_box",
-    "chart": "stability_chart", "signs.numeric": "CompiledMargin compile_margin",
+    "signs.verdict_arrays": "verdicts", "chart": "stability_chart",
+    "signs.compiled_margins": "CompiledMargin compile_margin",
+    "boxes.certified_boxes": "BoxDecision CertifiedChart certified_chart certify_box",
 })

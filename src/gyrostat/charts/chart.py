@@ -20,7 +20,7 @@ from .datasets import OWN, described
 from .labels import check_plain
 from .progress import Told
 from .request import Request
-from .stores.stores import filled
+from .stores.chart_stores import filled
 
 Axis = tuple[str, Any]
 

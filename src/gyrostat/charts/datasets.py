@@ -11,7 +11,7 @@ from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.families.circular_orbit import by_gradient_alone
 from ..notation import NOTATION, dimension_of, jet, units
 from ..printing.formats.latex import tex
-from ..printing.formats.names import Names
+from ..printing.formats.latex_names import Names
 from ..stability.criteria.conditions import sources
 from ..typesetting import typeset
 from ..version import __version__

@@ -12,8 +12,8 @@ from ..stability.report.report import Report
 from .curves.contours import boundary, thinned
 from .curves.window_curves import Plane, window_curves
 from .progress import Told
-from .signs.arrays import decided, verdicts
-from .signs.numeric import compile_margin
+from .signs.compiled_margins import compile_margin
+from .signs.verdict_arrays import decided, verdicts
 
 
 @dataclass(frozen=True)

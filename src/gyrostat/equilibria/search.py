@@ -3,9 +3,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from ..arguments import checked
-from ..mechanics.equilibrium.reduction import reducible
-from ..mechanics.families.circular_orbit import in_orbit
 from ..mechanics.scenes.coupled import in_one_direction
+from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..stability.form import Form
 from .finders.free import free_forms
@@ -89,17 +88,17 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Relati
     >>> [(b.momentum, b.decision.verdict.name) for b in gs.relative_equilibria(free, {"M": 1})[::2]]
     [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
     """
-    return [RelativeEquilibrium(form) for form in _finder(scene, values)(scene, values)]
+    if scene.kind not in FINDERS:
+        in_one_direction(scene.potential, "relative_equilibria")
+    return [RelativeEquilibrium(form) for form in FINDERS[scene.kind](scene, values)]
 
 
-def _finder(scene: System, values: Mapping[str, Any]
-            ) -> Callable[[System, Mapping[str, Any]], Sequence[Form]]:
-    """What finds all of them in a scene of this kind."""
-    if in_orbit(scene):
-        return orbit_forms
-    in_one_direction(scene.potential, "relative_equilibria")
-    if scene.potential is None:
-        return free_forms
-    if reducible(scene) or not scene.potential.given or asked_about(scene, values):
-        return revolution_forms
-    return heavy_forms
+def _in_field(scene: System, values: Mapping[str, Any]) -> Sequence[Form]:
+    """Of a body that is not of revolution about axis 3: it may be about another axis."""
+    if scene.unspecified or asked_about(scene, values):
+        return revolution_forms(scene, values)
+    return heavy_forms(scene, values)
+
+
+FINDERS: Mapping[Kind, Callable[[System, Mapping[str, Any]], Sequence[Form]]] = {
+    Kind.FREE: free_forms, Kind.REVOLUTION: revolution_forms, Kind.FIELD: _in_field, Kind.ORBIT: orbit_forms}

@@ -10,7 +10,7 @@ from sympy import Expr, Mul, Pow, S, Symbol, oo, sqrt
 from ..algebra.rings.polynomials import lowest_terms
 from ..algebra.solving.margins import Signs
 from ..mechanics.equilibrium.relations import affine
-from ..stability.decision import Ends
+from ..stability.deciders import Ends
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder
 
 RUNGS = 3                                              # of the ladder of an unspecified U

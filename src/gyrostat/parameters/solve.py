@@ -12,7 +12,7 @@ from ..arguments import checked
 from ..errors import ScopeError
 from ..notation import symbol
 from ..stability.criteria.conditions import Condition
-from ..stability.decision import Ends
+from ..stability.deciders import Ends
 from .cases import Closed, Context
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Ladder, SolvedCondition
 

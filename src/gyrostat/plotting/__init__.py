@@ -1,11 +1,13 @@
 """Pictures: each function draws on Matplotlib axes and returns them.
 
-Stable, unstable and undecided look the same in all of them (`looks`), and above each is what it is of
-(`headings`); `paper.mplstyle` is a style for print. Each has its file: `momentum_sphere` (its curves:
-`energy_levels`), `nutation` and `cones` on a `globe`, `effective_potential`, `bifurcations`, `rotor_set`,
-`staude_cone` and `staude_plane` (`along_arcs`), `amended_potential`, `energy_momentum`, `eigenvalues`,
-`charts`, `librations` of a satellite, its `attitudes` and its `smelt_plane`; motions of `solids` as an
-`animation` or `interactive`; exact `numbers` become floats in one place.
+Each picture has a file: of a free body `momentum_sphere` (its curves: `energy_levels`), `cones` and
+`rotor_set`; of a top `nutation`, `effective_potential` and `energy_momentum`; of any body in a field
+`staude_cone` and `staude_plane` (`along_arcs`) and `amended_potential`; of a satellite `attitudes`,
+`librations` and the `smelt_plane`. Along a parameter there are `bifurcations` and `eigenvalues`, over ranges
+of two `charts` (`chart_curves`). A body of `solids` turns in an `animation`, or is turned by the reader
+(`interactive`). Verdicts look the same in all of them (`looks`); `headings` say what is drawn, a `globe` is a
+sphere seen from one side, `scene_numbers` makes floats of exact numbers, `paper.mplstyle` is a style for
+print.
 """
 from .amended_potential import draw_amended_potential
 from .animation import animate_top, save_animation

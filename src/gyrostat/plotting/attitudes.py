@@ -11,7 +11,7 @@ from ..equilibria.finders.orbit import orbit_forms
 from ..equilibria.finders.orbital_form import balls
 from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..errors import ScopeError
-from ..mechanics.families.circular_orbit import in_orbit
+from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .globe import circle, curve_on, dots_on, stage
@@ -65,7 +65,7 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable', 'unstable', '$n$ from $r$']
     """
-    if not in_orbit(scene):
+    if scene.kind is not Kind.ORBIT:
         raise ScopeError("attitudes are those of a satellite in orbit: assemble(body, circular_orbit())")
     found = [(form, RelativeEquilibrium(form).decision) for form in orbit_forms(scene, values or {})]
     ax = axes_of(ax, three=True)

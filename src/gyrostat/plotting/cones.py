@@ -55,7 +55,7 @@ def cones(inertia: Sequence[Any], transverse: Any, axial: Any) -> tuple[Cone, Co
     Parameters
     ----------
     inertia, transverse, axial
-        as in freebody.free_precession
+        as in gyrostat.mechanics.free_precession
 
     Examples
     --------

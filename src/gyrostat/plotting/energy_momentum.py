@@ -16,7 +16,7 @@ from ..errors import optional
 from ..mechanics.equilibrium.reduction import K3, V
 from ..mechanics.scenes.system import System
 from ..printing.letters import letters_of
-from ..stability.decision import Verdict
+from ..stability.decision import Notion, Verdict
 from .headings import heading, of_scene
 from .looks import DARK, axes_of, axis, legend, line, marker, named
 from .scene_numbers import numbers_of
@@ -162,7 +162,7 @@ def _focus(branch: RelativeEquilibrium) -> bool:
 
     Its eigenvalues are a complex quadruple.
     """
-    return branch.decision.verdict is Verdict.UNSTABLE and branch.decision.notion == "spectral"
+    return branch.decision.verdict is Verdict.UNSTABLE and branch.decision.notion == Notion.SPECTRAL
 
 
 def _areas(most: int) -> list[Any]:

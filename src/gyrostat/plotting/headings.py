@@ -11,8 +11,8 @@ from ..mechanics.scenes.potential import Potential
 from ..mechanics.scenes.system import System
 from ..notation import order, symbol
 from ..printing.formats.latex import tex
+from ..printing.formats.latex_names import Names
 from ..printing.formats.linebreaks import broken, width
-from ..printing.formats.names import Names
 from ..printing.letters import letters_in
 from ..trajectories import Motion
 from ..typesetting import typeset

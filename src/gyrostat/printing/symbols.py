@@ -10,7 +10,7 @@ from ..mechanics.scenes.potential import Potential
 from ..mechanics.scenes.system import System
 from ..notation import NOTATION, dimension_of, jet, order, symbol
 from .blocks import Display, Rows, Sentence, Word, listed
-from .formats.names import placed
+from .formats.latex_names import placed
 from .letters import letter, letters_of
 
 Row = tuple[tuple[Any, ...], tuple[Any, ...]]

@@ -1,15 +1,11 @@
 """Published formulas: exactly as printed, each checked against what the library derives.
 
-A source is a file (`sources`) of `statements`; their texts are `readings` of a small `language`, with
-`comparisons`, of `names` that a scene has (`scenes`, `kinematics`, `jacobi`, `rotations`, `windows`).
-`checks` compares each with what is derived: `formulas`, `criteria` and `claims`, at points of `sampling` and
-`search`. A counterexample is made in one place (`evidence`, of `truths` and `sides`) and confirmed from
-Newton and Euler's equations (`independent`, in the names of `independent_names`, with
-`independent_kinematics`, `independent_rotations`, `independent_separatrix` and `independent_windows`, of
-`independent_oscillations` in `independent_series`). `listing`, `typesetting` and `errata` show what was
-found.
+A source is a file (`sources`) of `statements` about `scenes`, in a small `language`. `names` derives what a
+formula may name, `checks` compares the formula with what is derived, and `independent` confirms each
+counterexample from Newton and Euler's equations. `listing` shows what was found as text and JSON, `errata`
+the misprints in LaTeX, each formula as it is printed (`printed_latex`).
 """
-from .checks.checks import Finding, check
+from .checks.findings import Finding, check
 from .sources import SOURCES, Source, load
 from .statements import Counterexample, Outcome, Statement
 

@@ -8,10 +8,10 @@ from sympy import Expr
 from ..errors import ExpressionError
 from ..printing.formats.article import preamble
 from ..printing.formats.latex import formula, tex
-from ..printing.formats.names import PLAIN, Names, Paper
-from ..printing.formats.words import words
+from ..printing.formats.latex_names import PLAIN, Names, Paper
+from ..printing.formats.prose import words
 from ..stability.criteria.conditions import Criterion
-from .checks.checks import Finding, source_of
+from .checks.findings import Finding, source_of
 from .listing import NOT_SHARP, SCENE, as_text, number, place, rows
 from .printed_latex import formula_of
 

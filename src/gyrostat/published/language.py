@@ -8,8 +8,8 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, MatrixBase, Rational
 from sympy.matrices.exceptions import MatrixError
 
+from ..algebra.text.bounded_parts import FUNCTIONS, Cost, Part, enclosure, of_expression
 from ..algebra.text.grammar import Parser
-from ..algebra.text.parts import FUNCTIONS, Cost, Part, enclosure, of_expression
 from ..errors import ExpressionError, GyrostatError, ValuesError, brief
 
 SIDE = 12

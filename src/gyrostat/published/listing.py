@@ -11,7 +11,7 @@ from ..mechanics.classical.attitude import reduced
 from ..printing.formats.text import plain
 from ..printing.formats.unicode import unicode
 from ..stability.criteria.conditions import Criterion
-from .checks.checks import Finding, source_of
+from .checks.findings import Finding, source_of
 from .statements import Counterexample
 
 NOT_SHARP = "no point was found at which it fails, but it is not the whole condition:"

@@ -8,9 +8,9 @@ from typing import Any
 
 from sympy import Rational
 
-from ..algebra.text.parts import FUNCTIONS, Part
+from ..algebra.text.bounded_parts import FUNCTIONS, Part
 from ..algebra.text.spelling import RELATIONS
-from ..printing.formats.names import Names
+from ..printing.formats.latex_names import Names
 from .language import Formula
 
 _NAMES = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l": r"\boldsymbol{l}",

@@ -1,7 +1,4 @@
-"""What a formula of a published file is about.
-
-A scene, and what the library derives for each of its names.
-"""
+"""The scene that a published formula is about, and what the library derives for each of its names."""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any

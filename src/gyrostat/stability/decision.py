@@ -1,10 +1,10 @@
 """A verdict, what decided it, and the decision that holds both together with the reason."""
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from enum import Enum
-from typing import Any, NoReturn, Protocol, runtime_checkable
+from enum import Enum, StrEnum
+from typing import Any, NoReturn
 
-from sympy import Expr, Symbol
+from sympy import Expr
 
 from .._display import Shown
 from ..errors import ArgumentError
@@ -100,6 +100,27 @@ class Rung(Enum):
         return self in (Rung.SECOND_VARIATION, Rung.SPECTRUM, Rung.INTEGRAL, Rung.NEGATIVE_SQUARES)
 
 
+class Notion(StrEnum):
+    """Of what stability something is proved, or violated; NOTHING of what is undecided.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 1}).notion is gs.Notion.SPECTRAL
+    True
+    """
+
+    NOTHING = ""
+    LYAPUNOV = "Lyapunov"
+    ARNOLD_MOSER = "Lyapunov (Arnold-Moser)"               # by a normal form, with two degrees of freedom
+    SPECTRAL = "spectral"                                  # no eigenvalue has a positive real part
+    FORMAL = "formal"                                      # the second variation is definite
+    SECULAR = "secular"                                    # under internal damping
+    ENERGY_SINK = "energy sink"                            # to first order in weak dampers
+    PRINTED = "printed"                                    # as a paper has it
+
+
 class Judged:
     """What has a verdict: stable, unstable, or neither, but neither true nor false."""
 
@@ -132,8 +153,8 @@ class Decision(Judged, Shown, Stored):
     rung : Rung
         what decided
     reason : str
-    notion : str
-        the notion that is proved ("Lyapunov") or violated ("spectral"); "" if undecided
+    notion : Notion
+        that is proved (LYAPUNOV) or violated (SPECTRAL); NOTHING if undecided
     modulo : tuple of Expr
         integrals whose flow is divided out; for a spin about the axis, (pi3,)
     level : tuple of Expr
@@ -161,7 +182,7 @@ class Decision(Judged, Shown, Stored):
     >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
     >>> decision = report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 3})
     >>> decision.verdict.name, decision.notion, decision.margins
-    ('STABLE', 'Lyapunov', ((-4*I1*m0 + l**2 + 2*l*pi3_0 + pi3_0**2, 5),))
+    ('STABLE', <Notion.LYAPUNOV: 'Lyapunov'>, ((-4*I1*m0 + l**2 + 2*l*pi3_0 + pi3_0**2, 5),))
     >>> decision.stable, decision.unstable, decision.scope
     (True, False, '')
     """
@@ -169,7 +190,7 @@ class Decision(Judged, Shown, Stored):
     verdict: Verdict
     rung: Rung
     reason: str
-    notion: str = ""
+    notion: Notion = Notion.NOTHING
     modulo: tuple[Expr, ...] = ()
     level: tuple[Expr, ...] = ()
     locus: str = ""
@@ -195,7 +216,7 @@ class Decision(Judged, Shown, Stored):
         """What is proved, as a sentence without its full stop: one of the two conditions, or more."""
         if self.verdict is Verdict.UNDECIDED or self.rung.by_condition:
             return self.verdict.value
-        conditions = "condition does" if self.notion == "secular" else "two conditions do"
+        conditions = "condition does" if self.notion == Notion.SECULAR else "two conditions do"
         return f"it is proved where the {conditions} not decide"
 
 
@@ -207,7 +228,8 @@ def with_margins(found: Decision, margins: Mapping[Expr, Expr], note: str,
     return decision
 
 
-def settled(stable: bool | None, why: str, rung: Rung, notion: str = "Lyapunov", **more: Any) -> Decision:
+def settled(stable: bool | None, why: str, rung: Rung, notion: Notion = Notion.LYAPUNOV,
+            **more: Any) -> Decision:
     """The decision that something is proved, of a notion, by a rung; without both if nothing is proved."""
     if stable is None:
         return undecided(why)
@@ -221,28 +243,3 @@ def undecided(why: str) -> Decision:
 
 def _listed(expressions: Iterable[Expr]) -> str:
     return ", ".join(map(str, expressions))
-
-
-class Decider(Protocol):
-    """What decides an equilibrium where its criteria do not: Boundary, MomentumSphere."""
-
-    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
-        """The decision at exact numbers.
-
-        The margins used are entered.
-        """
-
-
-@runtime_checkable
-class Ends(Protocol):
-    """What says which ends of a set of values belong to it: Boundary, MomentumSphere."""
-
-    def ladder(self, limit: int | None = None) -> Iterable[Expr]:
-        """Where the margin vanishes: the end belongs to the set where the first that is not 0 is positive."""
-
-
-class Between(Decider, Ends, Protocol):
-    """What decides between the two criteria at numbers, and at the ends of what is solved for."""
-
-    def expressions(self) -> Iterable[Expr]:
-        """What may be asked for its sign; the first few of them, where they do not end."""

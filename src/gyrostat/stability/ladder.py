@@ -12,10 +12,11 @@ from ..algebra.solving.margins import Signs
 from ..mechanics.equilibrium.derived_once import once
 from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.equilibrium.standard_axes import Seen, placed, seen_at
+from ..mechanics.scenes.kind import Kind
 from ..notation import symbol
 from .criteria.numbers_asked import names_in, names_of_motion
 from .criteria.truth import holds
-from .decision import Decision, Rung, settled, undecided
+from .decision import Decision, Notion, Rung, settled, undecided
 from .report.derived_parts import Derived
 
 DEFINITE = "the second variation is definite on the symplectic slice"
@@ -238,7 +239,7 @@ RUNGS = (
     Step("second variation", "Lagrange (1788), Dirichlet (1846); Arnold, J. Mécanique 5 (1966) 29-43",
          lambda s: s.sufficient, _definite),
     Step("spectrum", "Lyapunov (1892)", lambda s: s.necessary is False,
-         lambda s: settled(False, GROWS, Rung.SPECTRUM, "spectral", modulo=s.ladder.sufficient.modulo)),
+         lambda s: settled(False, GROWS, Rung.SPECTRUM, Notion.SPECTRAL, modulo=s.ladder.sufficient.modulo)),
     Step("another scene", "derived: a body of revolution about any axis, a satellite's axis",
          lambda s: s.other, _by_another),
     Step("no sign", "nothing is guessed", lambda s: None in (s.sufficient, s.necessary),
@@ -248,7 +249,7 @@ RUNGS = (
     Step("missing names", "nothing is guessed", lambda s: s.missing,
          lambda s: s.own(undecided(f"the point lies between the two criteria; give {s.missing} to decide"))),
     Step("two directions", "derived", lambda s: s.eq.system.coupled, _in_frame),
-    Step("fourth order", "derived", lambda s: s.eq.system.potential is None,
+    Step("fourth order", "derived", lambda s: s.eq.system.kind is Kind.FREE,
          lambda s: s.own(loaded(f"{THEOREMS}.momentum_sphere:extremum_at")(s.eq, s.numbers).decision)),
     Step("integrals", "Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116",
          lambda s: s.eq.system.given_integrals and s.by_integrals.stable, lambda s: s.own(s.by_integrals)),

@@ -5,8 +5,8 @@ import mpmath
 import numpy as np
 from flint import arb
 
-from .digits import bits_of, in_digits
 from .route import Route
+from .states_in_digits import bits_of, in_digits
 
 
 def period(route: Route, digits: int | None) -> Any:

@@ -10,7 +10,7 @@ from sympy import CRootOf, E, Rational, besselj, exp, pi, sin, sqrt
 import gyrostat as gs
 from gyrostat.algebra.enclosures.arithmetic import Arithmetic, in_arithmetic
 from gyrostat.algebra.enclosures.floats import in_floats
-from gyrostat.algebra.text.parts import enclosure
+from gyrostat.algebra.text.bounded_parts import enclosure
 
 x, y = map(gs.symbol, ("x", "y"))
 

@@ -13,7 +13,7 @@ from sympy import Rational, atan, cos, exp, log, pi, sin, sqrt, tanh
 
 import gyrostat as gs
 from gyrostat.algebra.reals.exact import is_identically_zero, plain, sign_of_constant
-from gyrostat.charts.signs.arrays import verdicts
+from gyrostat.charts.signs.verdict_arrays import verdicts
 from gyrostat.errors import BodyError, EquilibriumError, ScopeError, ValuesError
 from gyrostat.mechanics.classical.free_body import polhode_period
 from gyrostat.stability.decision import Verdict

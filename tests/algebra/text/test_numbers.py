@@ -13,9 +13,9 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from sympy import Expr, Rational, Symbol
 
+from gyrostat.algebra.text.bounded_parts import FUNCTIONS
 from gyrostat.algebra.text.grammar import parse
 from gyrostat.algebra.text.numbers import exact_expression, exact_number
-from gyrostat.algebra.text.parts import FUNCTIONS
 from gyrostat.errors import ExpressionError, ValuesError
 from gyrostat.notation import symbol
 

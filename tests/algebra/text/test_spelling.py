@@ -8,7 +8,7 @@ from gyrostat.algebra.text.numbers import exact_number
 from gyrostat.algebra.text.spelling import RELATIONS, SIGNS, spelled
 from gyrostat.errors import ExpressionError
 from gyrostat.notation import NOTATION, jet_name, symbol
-from gyrostat.printing.formats.names import Names
+from gyrostat.printing.formats.latex_names import Names
 from gyrostat.printing.formats.unicode import unicode
 from gyrostat.published.checks.comparisons import comparisons
 from gyrostat.published.language import read

@@ -6,7 +6,7 @@ from charts.claimed_boxes import HEAVY
 from sympy import exp
 
 import gyrostat as gs
-from gyrostat.charts.boxes.boxes import certified_chart, certify_box
+from gyrostat.charts.boxes.certified_boxes import certified_chart, certify_box
 from gyrostat.errors import ArgumentError, ScopeError, ValuesError
 from gyrostat.stability.decision import Verdict
 

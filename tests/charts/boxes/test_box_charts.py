@@ -7,7 +7,7 @@ import pytest
 from charts.claimed_boxes import HEAVY, NAMES, assert_claims
 
 import gyrostat as gs
-from gyrostat.charts.boxes.boxes import certified_chart, certify_box
+from gyrostat.charts.boxes.certified_boxes import certified_chart, certify_box
 from gyrostat.charts.codes import BOX_KINDS
 from gyrostat.errors import ValuesError
 from gyrostat.stability.decision import Verdict

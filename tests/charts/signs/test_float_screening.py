@@ -10,7 +10,7 @@ from gyrostat.charts import verdicts
 from gyrostat.charts.codes import INVALID
 from gyrostat.charts.grids import grid_of
 from gyrostat.charts.signs import float_screening
-from gyrostat.charts.signs.deciding import Decided, demands_of
+from gyrostat.charts.signs.verdicts_in_blocks import Decided, demands_of
 from gyrostat.errors import ValuesError
 
 k3, a, c = map(gs.symbol, ("k3", "a", "c"))

@@ -10,7 +10,7 @@ from charts.drawn_margins import drawn
 
 import gyrostat as gs
 from gyrostat.charts.signs import kernels
-from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs.compiled_margins import compile_margin
 from gyrostat.errors import MissingExtraError
 
 x, y, z, b = map(gs.symbol, ("x", "y", "z", "b"))
@@ -26,7 +26,7 @@ def test_numba_is_numpy(tilted_margin, tiny_blocks):
 
 SCRIPT = """
 import numpy as np, gyrostat as gs
-from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs.compiled_margins import compile_margin
 x, y = gs.symbol("x"), gs.symbol("y")
 compiled = compile_margin((x + y)**2 - 3*x*y - 5, "numba")
 before = compiled.compile_seconds

@@ -9,7 +9,7 @@ import xarray as xr
 from charts.stored_charts import GRID, contents, python
 
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.stores import power_cuts, stores
+from gyrostat.charts.stores import chart_stores, power_cuts
 from gyrostat.errors import StoreError
 
 
@@ -154,7 +154,7 @@ def test_a_full_disk(e1, ten_blocks, written, memory, tmp_path, monkeypatch):
             raise OSError(errno.ENOSPC, "No space left on device")
         write(self, number)
 
-    monkeypatch.setattr(stores, "WAVE", 1)
+    monkeypatch.setattr(chart_stores, "WAVE", 1)
     with monkeypatch.context() as patched:
         patched.setattr(power_cuts.Marks, "write", full)
         with pytest.raises(StoreError,
@@ -201,7 +201,7 @@ def test_a_mark_comes_after_its_chunks(e1, ten_blocks, memory, tmp_path, monkeyp
             raise MemoryError
         return compute(self, arrays, threads)
 
-    monkeypatch.setattr(stores, "WAVE", 1)             # one after the other
+    monkeypatch.setattr(chart_stores, "WAVE", 1)             # one after the other
     monkeypatch.setattr(Request, "variables", failing)
     with pytest.raises(MemoryError):
         stability_chart(e1, **GRID, store=tmp_path / "chart.zarr")
@@ -220,7 +220,7 @@ def test_a_killed_run_is_continued(e1, ten_blocks, written, memory, tmp_path):
     path = tmp_path / "chart.zarr"
     run = python(f"""
 from gyrostat.charts.stores.power_cuts import Marks
-stores.POINTS, write = 7 * 90, Marks.write
+chart_stores.POINTS, write = 7 * 90, Marks.write
 done = []
 def killing(self, number):
     if len(done) == 4:

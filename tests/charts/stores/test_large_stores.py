@@ -9,7 +9,7 @@ import xarray as xr
 from charts.stored_charts import GRID, python
 
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.stores import stores
+from gyrostat.charts.stores import chart_stores
 
 
 @pytest.mark.slow
@@ -20,7 +20,7 @@ def test_a_cluster_that_loses_a_worker(e1, ten_blocks, written, tmp_path, monkey
     """
     import distributed
 
-    monkeypatch.setattr(stores, "WAVE", 6)
+    monkeypatch.setattr(chart_stores, "WAVE", 6)
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True,
                                   dashboard_address=None) as cluster, \
             distributed.Client(cluster) as client:
@@ -45,7 +45,7 @@ def test_a_cluster_that_loses_a_worker(e1, ten_blocks, written, tmp_path, monkey
 
 MEMORY = """
 import resource
-stores.POINTS = 2**20
+chart_stores.POINTS = 2**20
 def peak():
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 plane = np.linspace(-4, 4, 1000)

@@ -133,7 +133,7 @@ def test_all_that_a_picture_needs_is_named_at_once(capsys, tmp_path, monkeypatch
 def test_progress_of_a_picture(capsys, tmp_path, monkeypatch):
     """Of a chart in memory too, block by block, wiped at the end."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    monkeypatch.setattr("gyrostat.charts.signs.arrays.NUMPY_BLOCK", 3 * 40)
+    monkeypatch.setattr("gyrostat.charts.signs.verdict_arrays.NUMPY_BLOCK", 3 * 40)
     monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     status, out, err = chart(capsys, *SPINS, "--output", str(tmp_path / "chart.png"))
@@ -145,7 +145,7 @@ def test_progress_of_a_picture(capsys, tmp_path, monkeypatch):
 def test_progress_of_a_chart(capsys, tmp_path, monkeypatch):
     """A bar on a terminal, of the blocks of a store, wiped at the end."""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    monkeypatch.setattr("gyrostat.charts.stores.stores.POINTS", 3 * 40)
+    monkeypatch.setattr("gyrostat.charts.stores.chart_stores.POINTS", 3 * 40)
     monkeypatch.setattr("gyrostat.charts.progress.QUIET", 0.0)
     monkeypatch.setattr("gyrostat.charts.progress.PAUSE", 0.0)
     status, out, err = chart(capsys, *SPINS, "--output", str(tmp_path / "chart.zarr"))

@@ -9,7 +9,7 @@ from turns import OBLIQUE, TURNS, K, scene
 
 import gyrostat as gs
 from gyrostat.mechanics.equilibrium.recognition import recognise, turned_up
-from gyrostat.mechanics.scenes.spherical import along_third
+from gyrostat.mechanics.scenes.functions_on_sphere import along_third
 
 k1, k2, k3 = K
 a, b = symbols("a b", real=True)

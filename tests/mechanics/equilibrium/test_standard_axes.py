@@ -11,7 +11,7 @@ from sympy import Rational, exp, pi, sqrt
 from turns import OBLIQUE, TURNS, K, scene, turned
 
 import gyrostat as gs
-from gyrostat.charts.signs.arrays import verdicts
+from gyrostat.charts.signs.verdict_arrays import verdicts
 from gyrostat.printing.formats.article import to_latex
 from gyrostat.stability.decision import Verdict
 from gyrostat.trajectories import confirm

@@ -6,8 +6,8 @@ from sympy import symbols
 
 import gyrostat as gs
 from gyrostat.printing.formats.article import LINE, NARROW, document, to_latex
+from gyrostat.printing.formats.latex_names import Paper
 from gyrostat.printing.formats.linebreaks import width
-from gyrostat.printing.formats.names import Paper
 
 
 def displayed(tex):

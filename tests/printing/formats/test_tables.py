@@ -2,7 +2,7 @@
 import pytest
 
 import gyrostat as gs
-from gyrostat.printing.formats.names import Paper
+from gyrostat.printing.formats.latex_names import Paper
 from gyrostat.printing.formats.tables import conditions_table
 
 PART = Paper(fragment=True)

@@ -11,10 +11,10 @@ from gyrostat.equilibria.continuation.meeting_values import bifurcation_points
 from gyrostat.equilibria.search import relative_equilibria
 from gyrostat.mechanics.equilibrium.reduction import reduce
 from gyrostat.parameters.sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
-from gyrostat.parameters.stabilizing import stabilizing_set
+from gyrostat.parameters.stabilizing_set import stabilizing_set
 from gyrostat.printing.formats.article import to_latex
 from gyrostat.printing.formats.latex import display
-from gyrostat.printing.formats.names import Names
+from gyrostat.printing.formats.latex_names import Names
 from gyrostat.printing.results.beyond_reports import result_blocks
 from gyrostat.printing.results.decision import decision_blocks
 from gyrostat.stability.decision import C1

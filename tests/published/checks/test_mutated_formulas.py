@@ -8,7 +8,7 @@ import pytest
 from published.written_sources import BY_KEY, status
 
 from gyrostat.errors import PublishedError
-from gyrostat.published.checks.checks import outcome_of
+from gyrostat.published.checks.findings import outcome_of
 
 MUTANTS = [
     ("VV2003", "symmetric-pi1", {"printed": "(I1 + I3)/(I1*I3)*pi2*pi3 - l*pi2/I2 + k2*dU"}),

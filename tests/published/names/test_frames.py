@@ -8,7 +8,7 @@ import gyrostat as gs
 from gyrostat.errors import PublishedError
 from gyrostat.mechanics.families.scene_tables import SceneTable
 from gyrostat.published import check
-from gyrostat.published.checks.checks import outcome_of
+from gyrostat.published.checks.findings import outcome_of
 
 POINTING = 'orbit = "omega0"\nequilibrium = "earth-pointing"\n'
 COUNTED = 'inertia = ["1", "5/4", "8/5"]\ngyrostatic_momentum = ["0", "l", "0"]\norbit = "1"\n'

@@ -8,7 +8,7 @@ from sympy import Rational, atan, pi
 
 import gyrostat as gs
 from gyrostat.charts.signs import three_valued as answers
-from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs.compiled_margins import compile_margin
 from gyrostat.stability.criteria.conditions import Condition, Criterion
 from gyrostat.stability.criteria.truth import holds, truth
 

@@ -9,8 +9,8 @@ from slow import slow
 from sympy import Rational, cosh, exp, pi, sqrt, symbols
 
 import gyrostat as gs
-from gyrostat.algebra.solving.forms import valley, values_of
-from gyrostat.parameters.stabilizing import stabilizing_set
+from gyrostat.algebra.solving.binary_forms import valley, values_of
+from gyrostat.parameters.stabilizing_set import stabilizing_set
 
 UP, NORTH = (0, 0, 0, 0, 0, 1), (0, 0, 0, 2 * Rational(1, 3), Rational(1, 3), 2 * Rational(1, 3))
 x, y = symbols("x y", real=True)

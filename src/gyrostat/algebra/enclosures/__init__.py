@@ -1,1 +1,6 @@
-"""Algebra enclosures."""
+"""Numbers with proved errors, and arithmetic of other kinds on expressions.
+
+`precision` sets how many bits python-flint computes with, `balls` encloses an expression in them, and
+`algebraic` says how near to 0 an algebraic number can be that is not 0. `arithmetic` walks over an expression
+and computes in any numbers: `floats` does so over arrays, `double_double` with 106 bits.
+"""

@@ -1,7 +1,4 @@
-"""Polynomials seen as polynomials in one generator t.
-
-Powers of t, and a combination of two that is linear in t.
-"""
+"""Replaces tⁿ by a generator of its own, and eliminates the higher powers of t from two polynomials."""
 from flint import fmpq_mpoly
 
 from .polynomials import by_degree

@@ -157,9 +157,9 @@ def _relation(ring: Ring, g: Expr, x: Symbol) -> fmpq_mpoly:
 
 
 def _kept(ring: Ring, polynomial: fmpq_mpoly, x: Symbol, numbers: list[Expr]) -> list[Expr]:
-    """Of numbers in order, all roots of a polynomial and others.
+    """Picks the roots out of sorted candidates.
 
-    The roots. A change of sign around a number proves that it is one.
+    A change of sign of the polynomial around a candidate proves it.
     """
     midway = [between(a, b) for a, b in zip([-oo, *numbers], [*numbers, oo])]
     signs = [proved_sign(inserted(ring, polynomial, {x: q})) for q in midway]

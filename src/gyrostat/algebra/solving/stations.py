@@ -1,6 +1,6 @@
-"""Along the parameter of a plane curve.
+"""Finds where the branches of a plane curve F(x, t) = 0 meet, begin and end as t grows.
 
-Where its branches meet, begin and end, and which of them come to the same point.
+At each such place it says which of the branches on either side come to the same point.
 """
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

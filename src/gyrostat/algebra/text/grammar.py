@@ -20,9 +20,9 @@ from sympy import Add, Expr, Mul, Pow, Rational, log
 
 from ...notation import Use, symbol
 from ...registry import AUTONOMOUS, use_of
-from . import magnitudes, parts
+from . import bounded_parts, magnitudes
+from .bounded_parts import DEGREE, FUNCTIONS, HYPERBOLIC, PARTIAL, Cost, Part
 from .limits import Limited
-from .parts import DEGREE, FUNCTIONS, HYPERBOLIC, PARTIAL, Cost, Part
 
 _MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh",
           "arccosh": "acosh", "arctanh": "atanh",
@@ -54,7 +54,7 @@ class Parser(Limited):
         if len(summands) == 1:
             return summands[0]
         ball = reduce(magnitudes.added, [part.ball for part in summands])
-        cost = parts.of_sum([part.cost for part in summands])
+        cost = bounded_parts.of_sum([part.cost for part in summands])
         return self.bounded(self.total([part.value for part in summands]), cost,
                             max(part.nesting for part in summands), ball)
 
@@ -71,7 +71,7 @@ class Parser(Limited):
             for one, other in ((left, right), (right, left)):
                 if one.doubtful and other.ball is None:
                     self.fail("a factor cannot be told from 0", "simplify the constants")
-            cost = self.checked(parts.of_product([left.cost, right.cost]))
+            cost = self.checked(bounded_parts.of_product([left.cost, right.cost]))
             ball = magnitudes.multiplied(left.ball, right.ball)
             left = self.bounded(self.made(operator.mul, left.value, right.value), cost,
                                 max(left.nesting, right.nesting), ball)
@@ -108,10 +108,10 @@ class Parser(Limited):
             self.fail("a denominator or what is under a root cannot be told from 0", "simplify the constants")
         if isinstance(base.value, Rational) and abs(base.value) in (0, 1):
             times = min(times, 2 - times % 2)                               # so that (-1)**10**9 is no work
-        self.moderate(parts.factored(base, root))
+        self.moderate(bounded_parts.factored(base, root))
         small = Rational(times if exponent > 0 else -times, root)
         ball, nesting = magnitudes.raised(base.ball, small), base.nesting + (root > 1)
-        cost = self.checked(parts.of_power(base.cost, small))
+        cost = self.checked(bounded_parts.of_power(base.cost, small))
         self.finite(ball)
         value = self.made(pow, base.value, exponent)
         if root > 1 and not (isinstance(value, Pow) and value.base == base.value):
@@ -136,7 +136,7 @@ class Parser(Limited):
     def number(self, token: str) -> Part:
         if len(token) > 400 or abs(int(re.split("[eE]", token)[1]) if re.search("[eE]", token) else 0) > 400:
             self.fail(f"the number {token[:20]}... is too long", "numbers have up to 400 digits")
-        return parts.constant(Rational(Fraction(token)))
+        return bounded_parts.constant(Rational(Fraction(token)))
 
     def named(self, token: str) -> Part:
         if token in FUNCTIONS:
@@ -177,8 +177,8 @@ class Parser(Limited):
             self.fail(f"{token} is asked of powers or sums of functions that are not real everywhere",
                       f"such an argument has up to {PARTIAL} terms and degree {PARTIAL}")
         self.finite(ball)
-        self.moderate(parts.factored_by(token, inner))
-        cost = self.checked(parts.of_function(token, inner.cost) if ball is None
+        self.moderate(bounded_parts.factored_by(token, inner))
+        cost = self.checked(bounded_parts.of_function(token, inner.cost) if ball is None
                             else Cost(degree=1, bits=inner.cost.bits))
         value = self.made(FUNCTIONS[token], inner.value)
         if isinstance(value, FUNCTIONS[token]) and value.args == (inner.value,):  # type: ignore[arg-type]

@@ -8,8 +8,8 @@ from typing import Any
 
 from sympy import Expr, Rational
 
-from . import magnitudes, parts
-from .parts import BITS, DEGREE, NESTING, TERMS, Cost, Part
+from . import bounded_parts, magnitudes
+from .bounded_parts import BITS, DEGREE, NESTING, TERMS, Cost, Part
 from .scanner import Scanner
 
 DEPTH, CALLS = 40, 30
@@ -60,10 +60,10 @@ class Limited(Scanner):
 
     def remade(self, value: Expr, nesting: int, ball: Any) -> Part:
         """What SymPy made of a root or a function, which may be another one, such as exp(2*log(x)) = x**2."""
-        if parts.foreign(value := parts.rewritten(value)):
+        if bounded_parts.foreign(value := bounded_parts.rewritten(value)):
             self.fail("a part of it is not a finite real number, or not an elementary function",
                       "check roots, logarithms and inverse functions")
-        return self.bounded(value, parts.of_expression(value), nesting, ball)
+        return self.bounded(value, bounded_parts.of_expression(value), nesting, ball)
 
     def checked(self, cost: Cost) -> Cost:
         """The cost, if it is within the limits."""
@@ -90,7 +90,7 @@ class Limited(Scanner):
     def bounded(self, value: Any, cost: Cost, nesting: int, ball: Any) -> Part:
         """A part within all limits."""
         if isinstance(value, Rational):
-            part = parts.constant(value)
+            part = bounded_parts.constant(value)
             self.checked(part.cost)
             return part
         self.finite(ball)

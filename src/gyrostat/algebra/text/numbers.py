@@ -10,7 +10,7 @@ from sympy import CRootOf, Expr, Float, Rational, S
 from ...errors import ExpressionError, ValuesError, brief
 from ...notation import own, symbol
 from ..rings.subexpressions import occurring
-from .parts import enclosure
+from .bounded_parts import enclosure
 from .quantities import in_si, text_of
 
 LONGEST = 2**17                                        # bits of a number that is no text

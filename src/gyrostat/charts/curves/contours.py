@@ -11,7 +11,7 @@ from sympy import Expr, Rational, Symbol
 
 from ...algebra.enclosures.double_double import Twofold, TwofoldArithmetic
 from ...algebra.enclosures.floats import Array, in_floats
-from ..signs.numeric import compile_margin
+from ..signs.compiled_margins import compile_margin
 from ..signs.rounding import error_bound
 from ..signs.straightline import Program, program_of
 from .crossings import Sign, edges, joined, pieces, zeros

@@ -15,11 +15,11 @@ from ...stability.normal_forms.windows import resonance_margin
 from ...stability.report.report import Report
 from ..codes import CURVES, RUNGS
 from ..grids import Grid
-from ..signs.arrays import grid_for
 from ..signs.ball_arrays import SUM, BallArray
-from ..signs.deciding import Decided, signs_in_row
-from ..signs.held_points import leaf, twists
+from ..signs.stabilized_points import leaf, twists
 from ..signs.straightline import program_of
+from ..signs.verdict_arrays import grid_for
+from ..signs.verdicts_in_blocks import Decided, signs_in_row
 from .contours import sign_at, signs_of
 from .crossings import edges, joined, pieces, zeros
 

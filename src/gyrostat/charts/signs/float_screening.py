@@ -10,11 +10,11 @@ from sympy import Expr, Symbol
 from ...algebra.enclosures.floats import Array
 from ...stability.report.report import Report
 from ..grids import Grid, Slices, cut
-from .deciding import Decided, Demands
+from .block_writing import NUMBA_BLOCK, NUMPY_BLOCK
 from .kernels import function_of, written
 from .rounding import LARGEST, error_bound, rounded
 from .straightline import Program, program_of
-from .writing import NUMBA_BLOCK, NUMPY_BLOCK
+from .verdicts_in_blocks import Decided, Demands
 
 SAMPLE, ROOM = 64, 1.5                                 # numbers of a column that tell how large most are
 HIGHEST = 32                                           # degree up to which a bound has room for larger ones

@@ -1,1 +1,5 @@
-"""Charts stores."""
+"""Charts larger than memory, in a Zarr store that survives a crash.
+
+`chart_stores` computes and writes block by block, `store_frame` what is not in blocks, as the axes, and
+`power_cuts` keeps checksums by which an interrupted run is continued.
+"""

@@ -1,7 +1,7 @@
-"""What a power cut leaves of a store.
+"""Checksums that let a Zarr store be continued after a crash.
 
-Files flushed to the disk, blocks marked by a checksum of their chunks, descriptions that vouch for
-themselves.
+Files are flushed to the disk, each block is marked by a checksum of its chunks, and descriptions carry their
+own.
 """
 import json
 import os

@@ -7,7 +7,7 @@ from sympy import Expr
 
 from ...algebra.text.grammar import parse
 from ...errors import ValuesError
-from ...mechanics.families.principal import principal_rotation
+from ...mechanics.families.principal_rotation import principal_rotation
 from ...notation import symbol
 from ...stability.criteria.conditions import Criterion
 from ...stability.damping.energy_sink import energy_sink_criterion

@@ -14,7 +14,7 @@ from ...algebra.text.inputs import name_of
 from ...errors import EquilibriumError, GyrostatError, ScopeError
 from ...mechanics.families.named_families import FAMILIES
 from ...parameters.sets import Interval, Solution
-from ...parameters.stabilizing import stabilizing_set
+from ...parameters.stabilizing_set import stabilizing_set
 from ...printing.blocks import Block, Display, Heading, sentence
 from ...printing.formats.article import article
 from ...printing.formats.json_data import json_text, strings

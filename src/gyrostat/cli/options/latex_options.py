@@ -3,7 +3,7 @@ import argparse
 
 from ...algebra.text.inputs import is_name
 from ...errors import ValuesError, brief
-from ...printing.formats.names import Paper
+from ...printing.formats.latex_names import Paper
 
 
 def paper_of(given: argparse.Namespace) -> Paper:

@@ -2,14 +2,13 @@
 import argparse
 
 from ...notation import symbol
-from ...parameters.stabilizing import inserted
+from ...parameters.stabilizing_set import inserted
 from ...printing.blocks import Heading
-from ...printing.formats.json_data import conditions_data, criterion_data, json_text
+from ...printing.formats.json_data import conditions_data, criterion_data, json_text, window_data
 from ...printing.formats.tables import conditions_table
 from ...printing.formats.text import text
 from ...printing.results.document import conditions_blocks
 from ...printing.results.inequalities import criterion_blocks
-from ...printing.results.normal_form import window_data
 from ...printing.symbols import occurring, symbol_rows
 from ...stability.criteria.number_notes import scene_note
 from ..answers.between_criteria import between, between_blocks

@@ -6,11 +6,11 @@ from sympy import CRootOf, Expr
 from ...algebra.enclosures.balls import Enclosed
 from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, Word, sentence
-from ...printing.formats.json_data import double, json_text
+from ...printing.formats.json_data import double, form_data, json_text, window_data
 from ...printing.formats.text import text
 from ...printing.results.decision import damped_block, decision_blocks, note_blocks, reason_block
 from ...printing.results.interval_ends import number as rounded
-from ...printing.results.normal_form import form_blocks, form_data, window_blocks, window_data
+from ...printing.results.normal_form import form_blocks, window_blocks
 from ...stability.criteria.number_notes import scene_note
 from ...stability.normal_forms.d4_along_family import Window
 from ..answers.answer_list import answers_data, note_once

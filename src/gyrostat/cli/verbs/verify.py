@@ -5,7 +5,7 @@ from ...charts.progress import Progress
 from ...errors import GyrostatError
 from ...printing.formats.json_data import json_text
 from ...published import SOURCES, Finding, errata, listing
-from ...published.checks.checks import findings as each
+from ...published.checks.findings import findings as each
 from ..options.latex_options import paper_of
 from ..output import Output
 

@@ -11,7 +11,7 @@ from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.criteria.amended_form import dot, trace
 from ...stability.damping.secular import KEEPS, lost
-from ...stability.decision import Decision, Rung, settled
+from ...stability.decision import Decision, Notion, Rung, settled
 from ...stability.form import Form, Invariants
 from ...stability.theorems.momentum_sphere import DRIFTS, circle_in_words, extremum
 
@@ -41,7 +41,7 @@ class FreeForm(Form):
 
     LEAST = settled(True, "the energy is an extremum on the momentum sphere", Rung.SECOND_VARIATION)
     ODD = settled(False, "the energy is a saddle on the momentum sphere: an eigenvalue has a positive real "
-                  "part", Rung.SPECTRUM, "spectral")
+                  "part", Rung.SPECTRUM, Notion.SPECTRAL)
     greatest = True
     label = "permanent rotation"
     scene: System
@@ -109,7 +109,7 @@ class FreeForm(Form):
     def known_damped(self) -> Decision | None:
         """M = 0; on a circle modulo the turns about its axis."""
         if self.nu is None:
-            return replace(AT_REST, notion="secular", growing=0)
+            return replace(AT_REST, notion=Notion.SECULAR, growing=0)
         if self.circle is None or not any(self.circle):
             return None
         return replace(KEEPS if self.signs[0] == 1 else lost(1), modulo=on_circle(self.circle).modulo)

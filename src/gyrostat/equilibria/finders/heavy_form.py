@@ -11,7 +11,7 @@ from ...algebra.reals.exact import evaluate, proved_sign
 from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.criteria.amended_form import amended_form
-from ...stability.decision import Decision, Rung, settled, undecided
+from ...stability.decision import Decision, Notion, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.normal_forms.local_motion import LocalMotion
 from ...stability.normal_forms.windows import decide_window
@@ -20,7 +20,7 @@ from .heavy_data import Data, data_at, unreached
 
 LABEL = "permanent rotation"
 ACROSS = settled(False, "the rotation lies on a curve of rotations, and an eigenvalue has a positive "
-                 "real part", Rung.SPECTRUM, "spectral")
+                 "real part", Rung.SPECTRUM, Notion.SPECTRAL)
 ALONG = undecided("the rotation lies on a curve of rotations, along which the amended potential does not "
                   "change")
 
@@ -46,9 +46,9 @@ class HeavyForm(Form):
 
     LEAST = settled(True, "the amended potential has a minimum", Rung.SECOND_VARIATION)
     ODD = settled(False, "the amended potential has a saddle: an eigenvalue has a positive real part",
-                  Rung.SPECTRUM, "spectral")
+                  Rung.SPECTRUM, Notion.SPECTRAL)
     LEAVES = settled(False, "the amended potential has a maximum, and the gyroscopic forces do not hold it: "
-                     "an eigenvalue has a positive real part", Rung.SPECTRUM, "spectral")
+                     "an eigenvalue has a positive real part", Rung.SPECTRUM, Notion.SPECTRAL)
     scene: System
     k: tuple[Expr, ...]
     omega: Expr

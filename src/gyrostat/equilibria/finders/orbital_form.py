@@ -14,7 +14,7 @@ from ...algebra.solving.real_fields import FieldNumbers
 from ...mechanics.families.circular_orbit import orbital_rate, resting_at
 from ...mechanics.scenes.system import System
 from ...notation import symbol
-from ...stability.decision import Decision, Rung, settled, undecided
+from ...stability.decision import Decision, Notion, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.report.report import Report
 from ...stability.theorems.two_directions import HELD, on_curve
@@ -40,9 +40,9 @@ class OrbitalForm(Form):
 
     LEAST = settled(True, "the energy has a minimum: K is positive definite", Rung.SECOND_VARIATION)
     ODD = settled(False, "K has an odd number of negative squares: an eigenvalue has a positive real part",
-                  Rung.SPECTRUM, "spectral")
+                  Rung.SPECTRUM, Notion.SPECTRAL)
     LEAVES = settled(False, "K has two negative squares, and the gyroscopic forces do not hold it: an "
-                     "eigenvalue has a positive real part", Rung.SPECTRUM, "spectral")
+                     "eigenvalue has a positive real part", Rung.SPECTRUM, Notion.SPECTRAL)
     label = "equilibrium in orbit"
     scene: System
     n: Sequence[Expr]

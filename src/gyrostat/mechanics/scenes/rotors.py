@@ -13,7 +13,7 @@ from ...errors import BodyError, brief
 from ...notation import Use
 from ...registry import check_names
 from .body import Gyrostat
-from .spherical import lowest
+from .functions_on_sphere import lowest
 
 
 @dataclass(frozen=True)

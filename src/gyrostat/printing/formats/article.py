@@ -11,10 +11,10 @@ from ...stability.report.report import Report
 from ..blocks import Block, Display, Heading, Rows, Sentence, Word
 from ..results.document import report_blocks, whole_blocks
 from .latex import RELATIONS, display, formula, tex
+from .latex_names import PLAIN, Names, Paper
 from .linebreaks import broken, width
-from .names import PLAIN, Names, Paper
+from .prose import words
 from .references import cited
-from .words import words
 
 LINE, NARROW = 440.0, 315.0                                # points: a line of a document, of a fragment
 _SYMBOLS = 0.22, 0.72                                      # of a line: symbols, what they are

@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sympy import Expr, Float
 
@@ -19,6 +19,10 @@ from ...stability.report.report import Report
 from ...stability.theorems.drift import Drift
 from ...version import DOCUMENT_FORMAT
 from ..results.boundary import ladder, undecided
+
+if TYPE_CHECKING:
+    from ...stability.normal_forms.d4_along_family import Window
+    from ...stability.normal_forms.normal_form import NormalForm
 
 
 def scene_data(scene: System) -> dict[str, Any]:
@@ -116,6 +120,21 @@ def damped_data(decision: Decision) -> dict[str, Any]:
 def _text(margin: Expr) -> str:
     """The same margins come in every line of a batch."""
     return str(margin)
+
+
+def form_data(form: "NormalForm") -> dict[str, Any]:
+    """A normal form: numbers exactly, where they are, and as decimals."""
+    return {"frequencies": [number_data(omega) for omega in form.frequencies],
+            "coefficients": [{"powers": [m, n], "value": number_data(c)} for m, n, c in form.coefficients],
+            "twists": {f"D{2 * degree}": number_data(D) for degree, D in enumerate(form.twists, 2)},
+            "resonances": [list(pair) for pair in form.resonances]}
+
+
+def window_data(window: "Window") -> dict[str, Any]:
+    """D4 along a family: expressions as texts."""
+    return {"p": str(window.p), "q": str(window.q),
+            "resonances": [{"frequencies": [m, n], "zero_where": str(x)} for m, n, x in window.resonances],
+            "D4": str(window.D4), "margin": str(window.margin), "zero_where": [str(x) for x in window.zeros]}
 
 
 def number_data(number: Expr | None) -> dict[str, Any] | None:

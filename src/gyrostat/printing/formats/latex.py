@@ -30,8 +30,8 @@ from ..results.decision import levels_of
 from ..results.inequalities import comparison, trivial
 from ..results.two_directions import motion_form
 from .any_length import AnyLength
+from .latex_names import Names, raised
 from .linebreaks import width
-from .names import Names, raised
 
 FRACTION = 200.0                                           # points: the widest numerator
 RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto", "≈": r"\approx"}

@@ -11,7 +11,7 @@ from ..results.rotations import definition_blocks, family_blocks
 from ..symbols import Row, occurring, symbol_rows
 from .article import NARROW, block_latex, inline, preamble, sentence_latex
 from .latex import display, formula, tex
-from .names import PLAIN, Names, Paper
+from .latex_names import PLAIN, Names, Paper
 
 _COLUMNS = 0.13, 0.2, 0.56                             # of a line: equilibrium, what, formula
 _BETWEEN = r"""\par\smallskip\noindent

@@ -5,6 +5,7 @@ from typing import Any
 
 from sympy import Expr, ImmutableMatrix, Pow, S, Symbol
 
+from ..._lazy import loaded
 from ...algebra.rings.readable import entries, readable, split
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.relations import affine
@@ -19,7 +20,6 @@ from ..blocks import Block, Display, Heading, Word, equations, joined, listed, s
 from ..letters import letter, letters_of, word
 from ..symbols import occurring, symbol_rows
 from .boundary import boundary_blocks
-from .drift import drift_blocks
 from .inequalities import criterion_blocks, existence, integral_blocks, polynomial_of
 from .rotations import definition_blocks, family_blocks
 from .scene import scene_blocks
@@ -72,7 +72,9 @@ def report_blocks(report: Report) -> list[Block]:
     if report.casimirs_only != report.sufficient:
         blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at,
                                    "casimirs-alone", letters)
-    blocks += [*boundary_blocks(report), *drift_blocks(report)]
+    blocks += boundary_blocks(report)
+    if report.boundary is not None and not report.boundary.pole:
+        blocks += loaded("printing.results.drift:drift_blocks")(report)
     blocks += criterion_blocks("Under internal damping (secular)", report.damped, eq.at, "damped", letters)
     return [*blocks, sentence(
         "That damping takes energy and keeps the Casimirs: fuel that sloshes, a nutation damper; not "

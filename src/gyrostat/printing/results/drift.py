@@ -8,8 +8,6 @@ from ..letters import letter, letters_of, word
 
 def drift_blocks(report: Report) -> list[Block]:
     """Why a tilted equilibrium is not Lyapunov stable as a point."""
-    if report.boundary is None or report.boundary.pole:
-        return []
     drift, blocks = report.drift, list[Block]()
     eq = drift.equilibrium
     letters = letters_of(eq.system)

@@ -10,6 +10,7 @@ from ...algebra.rings.readable import readable
 from ...registry import Letters
 from ...stability.criteria.conditions import Condition, Criterion
 from ...stability.criteria.linearization import square_root
+from ...stability.decision import Notion
 from ...stability.report.report import Report
 from ..blocks import Block, Display, Word, modulo_flow, sentence
 from ..letters import letters_in, word
@@ -38,7 +39,7 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str,
     if criterion.alternatives == () and criterion.necessary:
         return [sentence(f"{title}: never.")]
     if criterion.alternatives == ():
-        form = "positive" if criterion.notion == "secular" else "definite"
+        form = "positive" if criterion.notion == Notion.SECULAR else "definite"
         return [sentence(f"{title}: no information, the form is not {form}.")]
     modulo = (", ", *modulo_flow(criterion.modulo)) if criterion.modulo else ()
     if () in criterion.alternatives:

@@ -1,6 +1,4 @@
-"""A normal form, and D4 along a family, as sentences and displays, and as data."""
-from typing import Any
-
+"""A normal form, and D4 along a family, as sentences and displays."""
 from sympy import Mul, Pow, S
 
 from ...algebra.rings.polynomials import lowest_terms
@@ -9,7 +7,6 @@ from ...notation import symbol
 from ...stability.normal_forms.d4_along_family import Window
 from ...stability.normal_forms.normal_form import NormalForm
 from ..blocks import Block, Display, Word, sentence
-from ..formats.json_data import number_data
 from ..letters import letter, letters_in, word
 from .inequalities import polynomial_of
 from .interval_ends import number
@@ -40,14 +37,6 @@ def form_blocks(form: NormalForm) -> list[Block]:
     return blocks
 
 
-def form_data(form: NormalForm) -> dict[str, Any]:
-    """Numbers exactly, where they are, and as decimals."""
-    return {"frequencies": [number_data(omega) for omega in form.frequencies],
-            "coefficients": [{"powers": [m, n], "value": number_data(c)} for m, n, c in form.coefficients],
-            "twists": {f"D{2 * degree}": number_data(D) for degree, D in enumerate(form.twists, 2)},
-            "resonances": [list(pair) for pair in form.resonances]}
-
-
 def window_blocks(window: Window) -> list[Block]:
     """Where gyroscopic forces hold a maximum, resonances, D4 and what has its sign."""
     letters = letters_in([window.p, window.q, window.D4])
@@ -69,13 +58,6 @@ def window_blocks(window: Window) -> list[Block]:
     return [*blocks, sentence("and ", D4, " ≠ 0, which has the sign of ", N, " there:"),
             Display(D4, Mul(readable(top), N, Pow(P, -1)), window.at),
             Display(N, readable(window.margin), window.at), Display(P, readable(bottom), window.at)]
-
-
-def window_data(window: Window) -> dict[str, Any]:
-    """Expressions as texts."""
-    return {"p": str(window.p), "q": str(window.q),
-            "resonances": [{"frequencies": [m, n], "zero_where": str(x)} for m, n, x in window.resonances],
-            "D4": str(window.D4), "margin": str(window.margin), "zero_where": [str(x) for x in window.zeros]}
 
 
 def _named(text: str, latex: str, index: str) -> Word:

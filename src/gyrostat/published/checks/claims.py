@@ -4,12 +4,13 @@ from itertools import islice
 from ...errors import PublishedError, brief
 from ...notation import symbol
 from ...stability.criteria.conditions import Criterion
+from ...stability.decision import Notion
 from ..statements import Doubt, Outcome
 from .comparisons import comparisons
 from .criteria import DAMPED, K3, Claim, agree, criterion, free_symbols
+from .failing_points import suspects
 from .readings import Reading
 from .sampling import K
-from .search import suspects
 
 AT_EQUALITY = "sufficient as printed; necessary only with equality allowed"
 NOT_NECESSARY = "sufficient as printed, and not necessary: gyroscopic forces hold other rotations"
@@ -28,7 +29,7 @@ def condition(r: Reading) -> Outcome | Doubt:
         bottoms = [f**2 for margin, _ in margins for f in [margin.as_numer_denom()[1]] if f.free_symbols]
         margins += [(f, True) for f in dict.fromkeys(bottoms)]
     at = r.scene.equilibrium.at if r.scene.equilibrium else K3
-    printed = Criterion("formal", ()) if never else criterion("printed", margins, at)
+    printed = Criterion(Notion.FORMAL, ()) if never else criterion("printed", margins, at)
     both = quantity == "necessary and sufficient for stability"
     claim = "sufficient for stability" if both else quantity
     same = agree(claim, printed, derived, r.claim.domain(claim))

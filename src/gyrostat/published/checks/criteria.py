@@ -16,6 +16,7 @@ from ...notation import symbol
 from ...stability.criteria.conditions import Condition, Criterion
 from ...stability.criteria.implication import Item, reduced
 from ...stability.criteria.truth import Relation, truth
+from ...stability.decision import Notion
 from ...stability.report.analysis import analyze
 from ...stability.report.report import Report
 from ..scenes import Scene
@@ -93,7 +94,7 @@ class Claim:
         if claim == DAMPED:
             return self.report.damped
         if claim == "sufficient for instability":
-            return Criterion("instability", tuple((replace(c, margin=-c.margin, strict=True),)
+            return Criterion(Notion.PRINTED, tuple((replace(c, margin=-c.margin, strict=True),)
                                                   for (a,) in [self.report.necessary.alternatives]
                                                   for c in a))
         if claim in ("sufficient for stability on the boundary",
@@ -170,10 +171,10 @@ class Claim:
         return -1 if self.report.boundary.last else None
 
 
-def criterion(notion: str, margins: Margins, at: Expr = K3) -> Criterion:
+def criterion(source: str, margins: Margins, at: Expr = K3) -> Criterion:
     """Comparisons as a criterion, not yet in normal form."""
-    return Criterion(notion, (tuple(Condition(margin, strict, notion, (), at) for margin, strict in margins),
-                     ))
+    return Criterion(Notion.PRINTED, (tuple(Condition(margin, strict, source, (), at)
+                                            for margin, strict in margins),))
 
 
 Normal = frozenset[tuple[Expr, bool, frozenset[Expr]]]

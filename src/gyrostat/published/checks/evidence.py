@@ -15,7 +15,7 @@ from .comparisons import holds_as_printed
 from .counts import count_at
 from .readings import Reading
 from .sampling import is_a_body, on_family
-from .truths import condition_at, model_at, verdict_at
+from .truth_at_point import condition_at, model_at, verdict_at
 
 MOST = 80                                                  # points that are looked at
 NEITHER = "it differs from what is derived, and at no point that was tried is the claim seen to fail"

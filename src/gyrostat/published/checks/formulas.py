@@ -10,7 +10,7 @@ from ...errors import PublishedError
 from ...mechanics.classical.attitude import reduced
 from ...notation import symbol
 from ..language import decimal, read
-from ..names.names import is_zero
+from ..names.derived_names import is_zero
 from ..statements import Doubt, Outcome
 from .readings import Reading
 from .sampling import on_family

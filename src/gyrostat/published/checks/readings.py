@@ -10,7 +10,7 @@ from ...errors import PublishedError
 from ...notation import symbol
 from ..independent import names_at_numbers
 from ..language import part_of, read
-from ..names.names import names
+from ..names.derived_names import names
 from ..scenes import DERIVED
 from ..statements import Statement
 from .comparisons import comparisons

@@ -1,8 +1,7 @@
-"""What confirms a counterexample.
+"""Newton and Euler's equations at rational numbers, by which a counterexample is confirmed.
 
-Newton and Euler's equations at rational numbers, by cross products and matrices.
-
-Nothing here uses the bracket, the linearisation or the criteria of the library, nor any published formula.
+They are written with cross products and matrices. Nothing here uses the bracket, the linearisation or the
+criteria of the library, nor any published formula.
 """
 from collections.abc import Mapping
 

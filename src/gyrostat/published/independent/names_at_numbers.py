@@ -9,8 +9,8 @@ import mpmath
 from sympy import Expr, Float, Integer, Matrix, MatrixBase, Rational, Symbol, diag
 
 from ...notation import jet, symbol
+from ..names.derived_names import FUNCTIONS, Names, with_letters
 from ..names.kinematics import Later
-from ..names.names import FUNCTIONS, Names, with_letters
 from ..scenes import Scene
 from .arnold import normal_form_names
 from .counterexample import DIGITS, PI, K, Values

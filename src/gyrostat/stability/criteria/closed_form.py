@@ -16,6 +16,7 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium, Relation
 from ...mechanics.scenes.system import System, names_of_scene
 from ...notation import symbol
 from ...registry import Letters
+from ..decision import Notion
 from .amended_form import (
     AmendedForm,
     dot,
@@ -83,14 +84,14 @@ class ClosedForm:
                 (own.determinant, form.determinant.expand()), (own.p, form.p),
                 (own.q, own.J * own.determinant / tensor.det()))
 
-    def criterion(self, notion: str) -> Criterion:
+    def criterion(self, notion: Notion) -> Criterion:
         """Spectral, formal or secular."""
         own = self.named
         wanted: tuple[tuple[Expr, str], ...] = (own.trace, "t"), (own.determinant, "s")
-        if notion == "spectral":
+        if notion == Notion.SPECTRAL:
             wanted = (own.p, "p"), (own.q, "q"), (own.discriminant, "p² − 4q")
         at = self.equilibrium.at
-        return Criterion(notion, (tuple(Condition(margin, notion != "spectral", name, (), at)
+        return Criterion(notion, (tuple(Condition(margin, notion != Notion.SPECTRAL, name, (), at)
                                         for margin, name in wanted),))
 
     @cached_property

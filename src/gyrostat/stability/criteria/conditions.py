@@ -15,6 +15,7 @@ from ...arguments import checked
 from ...mechanics.equilibrium.derivation_ring import signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...notation import Stored, jet
+from ..decision import Notion
 from .implication import Implied, Item, merge, reduced
 
 
@@ -65,8 +66,8 @@ class Criterion(Shown, Stored):
 
     Parameters
     ----------
-    notion : str
-        "spectral", "formal", "secular" or "energy sink"
+    notion : Notion
+        SPECTRAL, FORMAL, SECULAR or ENERGY_SINK
     alternatives : tuple
         of tuples of Condition; () never holds, ((),) always
     modulo : tuple of Expr
@@ -78,17 +79,17 @@ class Criterion(Shown, Stored):
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
     >>> criterion = gs.analyze(gs.upright(top)).sufficient
     >>> criterion.notion, len(criterion.alternatives), criterion.modulo
-    ('formal', 1, ())
+    (<Notion.FORMAL: 'formal'>, 1, ())
     """
 
-    notion: str
+    notion: Notion
     alternatives: tuple[tuple[Condition, ...], ...]
     modulo: tuple[Expr, ...] = ()
 
     @property
     def necessary(self) -> bool:
         """Whether there is no stability where it does not hold; else nothing is known there."""
-        return self.notion in ("spectral", "energy sink")
+        return self.notion in (Notion.SPECTRAL, Notion.ENERGY_SINK)
 
 
 @checked
@@ -112,8 +113,8 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
     >>> eq = gs.upright(top)
-    >>> criterion = gs.spectral_criterion(gs.linearize(eq))
-    >>> len(criterion.alternatives[0]), len(gs.independent(criterion, eq).alternatives[0])
+    >>> criterion = gs.derivation.spectral_criterion(gs.derivation.linearize(eq))
+    >>> len(criterion.alternatives[0]), len(gs.derivation.independent(criterion, eq).alternatives[0])
     (3, 1)
     """
     first = _independent(criterion, eq, lambda e: e, signs_over(eq, _expressions(criterion)))

@@ -8,6 +8,8 @@ from ...algebra.solving.margins import Signs
 from ...arguments import checked
 from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.scenes.kind import Kind
+from ..decision import Notion
 from .amended_form import amended_form, dot
 from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian, blocks
@@ -48,7 +50,8 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> ((p, q, discriminant),) = gs.spectral_criterion(gs.linearize(gs.upright(top))).alternatives
+    >>> linear = gs.derivation.linearize(gs.upright(top))
+    >>> ((p, q, discriminant),) = gs.derivation.spectral_criterion(linear).alternatives
     >>> discriminant.margin, discriminant.degenerate
     (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
     """
@@ -68,7 +71,7 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
         square = ring.one, tuple(e for e in factors if not e.is_constant())
         discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
         items.append(Item(*discriminant, False, "p² − 4q"))
-    return Criterion("spectral", (tuple(condition_of(ring, item, eq) for item in items),))
+    return Criterion(Notion.SPECTRAL, (tuple(condition_of(ring, item, eq) for item in items),))
 
 
 def _of_sextic(linearization: Linearization) -> Criterion:
@@ -76,7 +79,7 @@ def _of_sextic(linearization: Linearization) -> Criterion:
     factors = factors_in_squares(linearization.coefficients)
     signs = signs_over(eq, [c for factor in factors for c in factor])
     items = items_of_factors(factors, signs)
-    return Criterion("spectral", (tuple(condition_of(signs.ring, item, eq) for item in items),))
+    return Criterion(Notion.SPECTRAL, (tuple(condition_of(signs.ring, item, eq) for item in items),))
 
 
 @checked
@@ -105,15 +108,15 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> variation = gs.second_variation(gs.upright(top))
-    >>> gs.formal_criterion(variation).alternatives[0][0].margin
+    >>> variation = gs.derivation.second_variation(gs.upright(top))
+    >>> gs.derivation.formal_criterion(variation).alternatives[0][0].margin
     -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
     """
     if invariants := _on_sphere(variation):
         signs = signs_over(variation.equilibrium, invariants)
-        return _definite(variation, "formal", _minors([(2, invariants[1])]), signs, (1,))
+        return _definite(variation, Notion.FORMAL, _minors([(2, invariants[1])]), signs, (1,))
     if found := across(variation) or of_stiffness(variation):
-        return _definite(variation, "formal", found, _signs(variation, found), (1,))
+        return _definite(variation, Notion.FORMAL, found, _signs(variation, found), (1,))
     # one multiplier is eliminated, any value of the others may be chosen
     others = dict.fromkeys(variation.free[1:], S.Zero)
     minors = _minors([(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)])
@@ -121,7 +124,7 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
         signs = _signs(variation, minors)                  # k·Ik is positive, whatever it looks like
     else:
         signs = signs_over(variation.equilibrium, [minor for _, _, minor in minors])
-    return _definite(variation, "formal", minors, signs, (1, -1))
+    return _definite(variation, Notion.FORMAL, minors, signs, (1, -1))
 
 
 @checked
@@ -149,12 +152,13 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     --------
     >>> import gyrostat as gs
     >>> spin = gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))), 3)
-    >>> print(gs.independent(gs.secular_criterion(gs.secular_variation(spin)), spin))
+    >>> criterion = gs.derivation.secular_criterion(gs.derivation.secular_variation(spin))
+    >>> print(gs.derivation.independent(criterion, spin))
     I₃ > I₁ and I₃ > I₂
     """
     minors = across(variation) or of_stiffness(variation)
     minors = minors or _minors([(2, e) for e in _on_sphere(variation)] or variation.block_minors)
-    return _definite(variation, "secular", minors, _signs(variation, minors), (1,))
+    return _definite(variation, Notion.SECULAR, minors, _signs(variation, minors), (1,))
 
 
 def positive(eq: Equilibrium) -> tuple[Expr, ...]:
@@ -171,7 +175,7 @@ def across(variation: SecondVariation) -> list[Minor]:
     """
     eq = variation.equilibrium
     system, body, k = eq.system, eq.system.body, eq.point[3:]
-    if not system.potential or system.coupled or system.linear_integrals or sum(x != 0 for x in k) < 2:
+    if system.potential is None or system.coupled or system.linear_integrals or sum(x != 0 for x in k) < 2:
         return []
     if len(blocks(variation.matrix.tolist())) > 1:
         return []
@@ -210,7 +214,7 @@ def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:
     """
     eq = variation.equilibrium
     M = [p + l for p, l in zip(eq.point, eq.system.body.gyrostatic_momentum)]
-    if eq.system.potential or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
+    if eq.system.kind is not Kind.FREE or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
         return ()
     A = augmented_hessian(eq, eq.system.space.casimirs)
     M = Matrix(M)
@@ -226,7 +230,7 @@ def _signs(variation: SecondVariation, minors: Sequence[Minor]) -> Signs:
     return Signs.over([minor for _, _, minor in minors], (*eq.domain, *positive(eq)))
 
 
-def _definite(variation: SecondVariation, notion: str, minors: Sequence[Minor], signs: Signs,
+def _definite(variation: SecondVariation, notion: Notion, minors: Sequence[Minor], signs: Signs,
               allowed: Sequence[int]) -> Criterion:
     """Definite of a sign that is allowed, by minors with their names and orders."""
     ring = signs.ring

@@ -1,1 +1,6 @@
-"""Stability damping."""
+"""What internal damping makes of an equilibrium.
+
+`secular` tells whether it stays stable when the body loses energy inside, `secular_two_directions` does so in
+the frame of two directions, and `growing_modes` counts what grows. `energy_sink` has the condition of a dual
+spinner with a damper in each body.
+"""

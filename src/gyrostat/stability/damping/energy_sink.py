@@ -12,6 +12,7 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.rotors import Rotor
 from ..criteria.conditions import Criterion, condition_of
 from ..criteria.implication import Item, reduced
+from ..decision import Notion
 from ..theorems.momentum_sphere import sphere_of
 
 
@@ -88,5 +89,5 @@ def energy_sink_criterion(eq: Equilibrium, rotor: Rotor, *, platform_damping: An
     positive = (x for x in (*damping, rotor.axial) if x.free_symbols)
     signs = Signs.over([margin], (*eq.domain, *positive))
     items = reduced([Item(*signs.margin(margin), True, "energy sink")], signs)
-    return Criterion("energy sink", () if items is None else (
+    return Criterion(Notion.ENERGY_SINK, () if items is None else (
         tuple(condition_of(signs.ring, item, eq) for item in items),))

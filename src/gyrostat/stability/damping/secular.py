@@ -26,14 +26,14 @@ from ..criteria.energy_casimir import SecondVariation, secular_variation
 from ..criteria.numbers_asked import names_in, names_needed, names_of_motion
 from ..criteria.three_criteria import across, of_stiffness, positive, secular_criterion
 from ..criteria.truth import holds, sign_at
-from ..decision import Decision, Rung, settled, undecided
+from ..decision import Decision, Notion, Rung, settled, undecided
 
 KEPT = "damping takes energy, which has a strict minimum on the orbit"
 LOST = "damping takes energy, which is not least on the orbit: it is lost"
 OUT_OF_REACH = ("the damping does not reach every motion: in some the body turns at a rate that stays "
                 "constant in its axes; of the others none is proved to grow")
 NO_SIGN = "a margin has no proved sign"
-KEEPS = settled(True, KEPT, Rung.SECOND_VARIATION, "secular", growing=0)
+KEEPS = settled(True, KEPT, Rung.SECOND_VARIATION, Notion.SECULAR, growing=0)
 
 
 @dataclass(frozen=True)
@@ -219,11 +219,11 @@ class Secular:
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
         """Where the second variation is degenerate beyond the symmetries: whether the energy is least."""
-        least, why = loaded("stability.theorems.minima:least_at")(self.equilibrium, numbers)
+        least, why = loaded("stability.theorems.minimum_on_orbit:least_at")(self.equilibrium, numbers)
         if least is None or not least and not reached:
             return undecided(why if least is None else OUT_OF_REACH)
-        return (settled(True, f"{KEPT}: {why}", Rung.LEADING_FORM, "secular", growing=0) if least
-                else settled(False, f"{LOST}: {why}", Rung.LEADING_FORM, "secular"))
+        return (settled(True, f"{KEPT}: {why}", Rung.LEADING_FORM, Notion.SECULAR, growing=0) if least
+                else settled(False, f"{LOST}: {why}", Rung.LEADING_FORM, Notion.SECULAR))
 
 
 @once
@@ -245,4 +245,4 @@ def _changes(signs: Sequence[int | None]) -> int:
 def lost(growing: int | None) -> Decision:
     """The decision that damping destroys what is not least, with the number of modes that grow if counted."""
     how_many = "" if growing is None else f", {growing} growing mode{'' if growing == 1 else 's'}"
-    return settled(False, f"{LOST}{how_many}", Rung.NEGATIVE_SQUARES, "secular", growing=growing)
+    return settled(False, f"{LOST}{how_many}", Rung.NEGATIVE_SQUARES, Notion.SECULAR, growing=growing)

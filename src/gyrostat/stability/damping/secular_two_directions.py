@@ -8,11 +8,12 @@ from ..._cached import cached_property
 from ...algebra.rings.matrices import characteristic
 from ...algebra.rings.polynomials import lowest_terms
 from ...mechanics.equilibrium.equilibrium import Equilibrium
-from ...mechanics.families.circular_orbit import in_orbit, orbital_rate
+from ...mechanics.families.circular_orbit import orbital_rate
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.lie_poisson import hat
 from ..criteria.orientation_form import orientation_form, rests_in_frame
 from ..criteria.three_criteria import stiffness
-from ..decision import Decision, undecided
+from ..decision import Decision, Notion, undecided
 from ..theorems.two_directions import on_curve
 from .secular import Secular
 
@@ -45,9 +46,7 @@ class SecularInFrame(Secular):
         if not rests_in_frame(eq):
             # of a tilted body of revolution whether it does is not known
             return () if self.variation.modulo else _torques_across(eq)
-        if not in_orbit(eq.system):
-            return (S.One,)
-        return _torques_in_orbit(eq)
+        return _torques_in_orbit(eq) if eq.system.kind is Kind.ORBIT else (S.One,)
 
     @property
     def _rest(self) -> Expr:
@@ -55,7 +54,7 @@ class SecularInFrame(Secular):
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
         found = on_curve(self.equilibrium, numbers)
-        return undecided(DEGENERATE) if found is None else replace(found, notion="secular", growing=0)
+        return undecided(DEGENERATE) if found is None else replace(found, notion=Notion.SECULAR, growing=0)
 
 
 def _torques_in_orbit(eq: Equilibrium) -> tuple[Expr, ...]:

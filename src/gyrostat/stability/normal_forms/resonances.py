@@ -9,7 +9,7 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.eigenvalues import Element, in_ratio
 from ...algebra.rings.series import Part, added, is_zero, substituted
-from ..decision import C1, Decision, Rung, settled, undecided
+from ..decision import C1, Decision, Notion, Rung, settled, undecided
 from .birkhoff import (
     ONES,
     W1,
@@ -33,7 +33,7 @@ from .local_motion import LocalMotion, Number, fraction
 PRECISIONS = (128, 512, 2048)                              # bits, one after the other
 
 
-NOTION = "Lyapunov (Arnold-Moser)"
+NOTION = Notion.ARNOLD_MOSER
 OPEN = "what decides it is not proved to differ from 0"
 
 

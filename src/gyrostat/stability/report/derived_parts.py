@@ -8,8 +8,8 @@ from ..._lazy import loaded
 from ...errors import require
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
-from ...mechanics.equilibrium.reduction import reducible
 from ...mechanics.equilibrium.standard_axes import Seen, seen
+from ...mechanics.scenes.kind import Kind
 from ...notation import Stored, jet
 from ..criteria.conditions import Criterion, independent
 from ..criteria.energy_casimir import SecondVariation, second_variation
@@ -17,7 +17,7 @@ from ..criteria.linearization import Linearization, linearize
 from ..criteria.numbers_asked import names_accepted, names_in, names_needed, names_of_motion
 from ..criteria.three_criteria import formal_criterion, spectral_criterion
 from ..damping.secular import Secular, secular_of
-from ..decision import Between
+from ..deciders import Between
 
 if TYPE_CHECKING:
     from ..theorems.boundary import Boundary
@@ -99,7 +99,7 @@ class Derived(Shown, Stored):
         None for other scenes; about another axis than the third, of the equilibrium in the standard scene.
         """
         eq = self.recognised.equilibrium if self.recognised else self.equilibrium
-        if not reducible(eq.system):
+        if eq.system.kind is not Kind.REVOLUTION:
             return None
         found: Boundary | None = loaded("stability.theorems.boundary:boundary_of")(eq)
         return found
@@ -107,7 +107,7 @@ class Derived(Shown, Stored):
     @property
     def between(self) -> Between | None:
         """What decides between the two criteria: the boundary, of a free body the momentum sphere."""
-        if self.boundary or self.equilibrium.system.potential is not None:
+        if self.boundary or self.equilibrium.system.kind is not Kind.FREE:
             return self.boundary
         found: Between | None = loaded("stability.theorems.momentum_sphere:sphere_of")(self.equilibrium)
         return found

@@ -18,7 +18,7 @@ from ..criteria.linearization import Linearization
 from ..criteria.orientation_form import stiffness_with
 from ..criteria.truth import holds
 from ..damping.secular import Secular
-from ..decision import Decision, Rung, settled, undecided
+from ..decision import Decision, Notion, Rung, settled, undecided
 from .report import Report
 
 ALL = "stable against all motions, those too in which the directions do not stay parallel"
@@ -76,7 +76,9 @@ class ParallelReport(Report):
     def sufficient(self) -> Criterion:
         """K is positive definite across the directions: at rest, or where ω·π is conserved."""
         eq, beta = self.equilibrium, coupling_at_rest(self.equilibrium)
-        return Criterion("formal", ()) if beta is None else independent(least_across(eq, beta, "formal"), eq)
+        if beta is None:
+            return Criterion(Notion.FORMAL, ())
+        return independent(least_across(eq, beta, Notion.FORMAL), eq)
 
     @property
     def casimirs_only(self) -> Criterion:
@@ -126,13 +128,13 @@ class ParallelSecular(Secular):
         """At rest, K is positive definite across the directions."""
         eq = self.equilibrium
         if not at_rest(eq):
-            return Criterion("secular", ())
-        return independent(least_across(eq, _coupling(eq), "secular"), eq)
+            return Criterion(Notion.SECULAR, ())
+        return independent(least_across(eq, _coupling(eq), Notion.SECULAR), eq)
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
         """As Secular.decide."""
         if holds(self.criterion, numbers, margins):
-            return settled(True, AT_REST, Rung.SECOND_VARIATION, "secular", growing=0)
+            return settled(True, AT_REST, Rung.SECOND_VARIATION, Notion.SECULAR, growing=0)
         if self.equilibrium != (here := placed(self.equilibrium, numbers)):
             return ParallelSecular(here).decide(Point({}), {})
         found = self.along.decide(numbers, margins)
@@ -163,7 +165,7 @@ def _coupling(eq: Equilibrium) -> ImmutableMatrix:
     return ImmutableMatrix(potential.drift)
 
 
-def least_across(eq: Equilibrium, beta: ImmutableMatrix, notion: str) -> Criterion:
+def least_across(eq: Equilibrium, beta: ImmutableMatrix, notion: Notion) -> Criterion:
     """K with a coupling β is positive definite across the directions.
 
     Along an axis of the body by leading minors, else by t and s, trace and determinant across.

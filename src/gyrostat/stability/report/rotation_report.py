@@ -13,7 +13,7 @@ from ..criteria.conditions import Criterion
 from ..criteria.energy_casimir import SecondVariation
 from ..criteria.linearization import Linearization
 from ..damping.secular import KEEPS, Secular, lost, secular_of
-from ..decision import Decision, Rung, settled
+from ..decision import Decision, Notion, Rung, settled
 from ..ladder import DEFINITE, GROWS
 from .report import Report
 
@@ -50,12 +50,12 @@ class RotationReport(Report):
     @cached_property
     def necessary(self) -> Criterion:
         """p ≥ 0, q ≥ 0, p² − 4q ≥ 0."""
-        return self.closed.criterion("spectral")
+        return self.closed.criterion(Notion.SPECTRAL)
 
     @cached_property
     def sufficient(self) -> Criterion:
         """t > 0, s > 0: D²U_c is positive definite across k."""
-        return self.closed.criterion("formal")
+        return self.closed.criterion(Notion.FORMAL)
 
     @property
     def casimirs_only(self) -> Criterion:
@@ -94,7 +94,7 @@ class RotationReport(Report):
         necessary = {own.p: form.p, own.q: form.q, own.discriminant: form.p**2 - 4 * form.q}
         margins |= necessary
         if -1 in _signs(necessary.values()):
-            return settled(False, GROWS, Rung.SPECTRUM, "spectral")
+            return settled(False, GROWS, Rung.SPECTRUM, Notion.SPECTRAL)
         found = Report(placed(self.equilibrium, numbers)).decide(numbers, {})
         return replace(found, reason=f"at these numbers {found.reason}",
                        pointwise=found.pointwise or bool(found.certificate))
@@ -106,7 +106,7 @@ class DampedRotation(Secular):
     @cached_property
     def criterion(self) -> Criterion:
         """t > 0, s > 0."""
-        return closed_form(self.equilibrium).criterion("secular")
+        return closed_form(self.equilibrium).criterion(Notion.SECULAR)
 
     @cached_property
     def compared(self) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from ..._cached import cached_property
 from ...algebra.reals.exact import evaluate, proved_sign, sign_of_constant
 from ...algebra.rings.matrices import cross
 from ...algebra.rings.polynomials import Ring, by_degree
-from ...algebra.solving.forms import Form, valley, values_of
+from ...algebra.solving.binary_forms import Form, valley, values_of
 from ...errors import ScopeError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.potential import DIRECTIONS

@@ -17,7 +17,7 @@ from ...algebra.solving.margins import Signs
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.reduced_series import powers_of_distance
-from ...mechanics.equilibrium.reduction import reducible
+from ...mechanics.scenes.kind import Kind
 from ...notation import Stored, jet, symbol
 from ..criteria.conditions import Condition
 from ..criteria.truth import sign_at
@@ -118,10 +118,8 @@ class Boundary(Shown, Stored):
     def decisive(self) -> Iterator[Rung]:
         """The ladder with the coefficient of x² below it, which is 0 where the criteria are those of g.
 
-        They may leave more open.
-
-        So where π is fixed, whatever the axis, or numbers stand in the scene whose relations the criteria do
-        not see.
+        It starts at x², because the criteria can be weaker than g: for example if π is fixed, whatever the
+        axis, or if the scene holds numbers whose relations the criteria do not see.
         """
         yield self.rung(2)
         yield from self.rungs()
@@ -201,7 +199,7 @@ class Boundary(Shown, Stored):
 @once
 def boundary_of(eq: Equilibrium) -> Boundary | None:
     """The ladder of an equilibrium with a definite tilt, None where k3 does not move by itself."""
-    if not reducible(eq.system):
+    if eq.system.kind is not Kind.REVOLUTION:
         return None
     tilt = S.One - eq.at**2
     if not tilt.free_symbols:

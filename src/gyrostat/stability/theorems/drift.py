@@ -1,6 +1,6 @@
-"""A tilted equilibrium as a point.
+"""Tells whether a tilted equilibrium is stable as a point, not only modulo the spin.
 
-Whether relative equilibria near it drift along its orbit under the spin, and how fast.
+It is not where relative equilibria near it drift along its orbit under the spin; how fast they do is derived.
 """
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

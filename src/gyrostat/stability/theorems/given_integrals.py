@@ -9,7 +9,7 @@ from sympy import Expr, ImmutableMatrix, S, Symbol
 from ...algebra.reals.exact import evaluate
 from ...algebra.rings.matrices import multiply
 from ...algebra.rings.polynomials import Ring
-from ...algebra.solving.definite import definite_combination
+from ...algebra.solving.definite_combination import definite_combination
 from ...algebra.solving.margins import Signs
 from ...errors import EquilibriumError
 from ...mechanics.equilibrium.coadjoint_orbit import critical_integrals, is_critical, orbit_tangent
@@ -20,7 +20,7 @@ from ..criteria.conditions import Condition, Criterion
 from ..criteria.energy_casimir import restricted
 from ..criteria.linearization import Linearization
 from ..criteria.three_criteria import spectral_criterion
-from ..decision import C1, Decision, Rung, settled, undecided
+from ..decision import C1, Decision, Notion, Rung, settled, undecided
 
 
 def integral_criterion(linearization: Linearization) -> Criterion:
@@ -48,10 +48,10 @@ def integral_criterion(linearization: Linearization) -> Criterion:
     eq = linearization.equilibrium
     used = [F for F in eq.system.given_integrals if F not in eq.system.level_only and is_critical(eq, F)]
     if not used or critical_integrals(eq)[1] or len(linearization.coefficients) < 2:
-        return Criterion("formal", ())
+        return Criterion(Notion.FORMAL, ())
     p, q, discriminant = (replace(c, strict=True) for c in spectral_criterion(linearization).alternatives[0])
     found = [_where_none(eq, F) for F in used]
-    return Criterion("formal", tuple((p, q, _with_factors(discriminant, factors)) for factors in found
+    return Criterion(Notion.FORMAL, tuple((p, q, _with_factors(discriminant, factors)) for factors in found
                                      if factors is not None))
 
 

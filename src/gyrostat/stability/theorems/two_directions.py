@@ -1,4 +1,8 @@
-"""What decides between the two criteria where there are two directions, or a coupling β."""
+"""Decides satellites and vehicles between the two criteria.
+
+No theorem does so for three degrees of freedom, except for a symmetric satellite, whose axis moves like a
+top, and for closed curves of attitudes, which are stable as sets.
+"""
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 

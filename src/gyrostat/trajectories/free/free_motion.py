@@ -18,8 +18,8 @@ from ...errors import ScopeError, ValuesError, require
 from ...mechanics.scenes.system import System
 from ..periods import double
 from .polhodes import Polhode, meeting, polhode
-from .repeated import RepeatedTurn
-from .uniform import CONSTANT, Steady, Triple, decided, steady
+from .repeated_turn import RepeatedTurn
+from .uniform_motion import CONSTANT, Steady, Triple, decided, steady
 
 BLOCK = 16384                                              # times at once, so that they fit a cache
 

@@ -17,7 +17,7 @@ from ...algebra.enclosures.precision import own_precision
 from ...errors import AccuracyError
 from ..elliptic import argument, jacobi, jacobi_ball, quarter_period
 from ..periods import double, pair, reduced
-from .uniform import CONSTANT, CYCLIC, ROUNDING, Triple, accurate, decided
+from .uniform_motion import CONSTANT, CYCLIC, ROUNDING, Triple, accurate, decided
 
 SMALLEST = 1e-300                                          # m1 that doubles hold
 

@@ -10,7 +10,7 @@ from flint import arb
 from ..._cached import cached_property
 from ...algebra.enclosures.floats import Array
 from ...errors import AccuracyError
-from .uniform import CYCLIC, dot
+from .uniform_motion import CYCLIC, dot
 
 # of the polynomials in doubles: about e⁻⁴⁸ of the first term is left
 ORDER = 24

@@ -1,4 +1,4 @@
-"""Every other motion, integrated.
+"""The motion of any other scene, integrated twice and compared.
 
-`methods` (heyoka's Taylor method, DOP853) and `motion`, computed twice and watched.
+`integrators` are heyoka's Taylor method and DOP853; `integrated_motion` runs one and estimates its error.
 """

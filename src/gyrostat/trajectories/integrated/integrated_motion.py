@@ -12,7 +12,7 @@ from ...algebra.enclosures.floats import Array, in_floats
 from ...errors import AccuracyError, ArgumentError, ScopeError, ValuesError
 from ...mechanics.scenes.lie_poisson import hat
 from ...mechanics.scenes.system import System
-from .methods import METHODS, RungeKutta, Taylor, beside, beyond, nearest
+from .integrators import METHODS, RungeKutta, Taylor, beside, beyond, nearest
 
 # the error that is accepted where no tolerance is given
 WORTHLESS = 1e-3

@@ -1,6 +1,6 @@
 """Integrals of smooth functions by the trapezoidal rule, which converges spectrally.
 
-By the trapezoidal rule, whose series converges spectrally.
+The integrals are over a period, or from −∞ to ∞ in Chebyshev polynomials of tanh(u/2).
 """
 from collections.abc import Callable, Sequence
 

@@ -12,9 +12,9 @@ from ..._cached import cached_property
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import own_precision
 from ..periods import double
-from .doubles import Doubles
 from .level import Level, enclosed, known
 from .precession import precession
+from .precession_in_doubles import Doubles
 
 BLOCK = 8192                                               # times that a cache holds
 

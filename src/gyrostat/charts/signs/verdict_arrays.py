@@ -13,10 +13,10 @@ from ...stability.report.report import Report
 from ..codes import INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
 from ..grids import Grid, grid_of
 from ..progress import Told, telling
-from .deciding import Decided, demands_of
+from .block_writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
 from .float_screening import Screen, screened
 from .grid_signs import dyadic_rational
-from .writing import NUMBA_BLOCK, NUMPY_BLOCK, in_threads, prepared
+from .verdicts_in_blocks import Decided, demands_of
 
 
 @checked

@@ -19,9 +19,9 @@ from ...stability.theorems.boundary import Boundary
 from ...stability.theorems.two_directions import may_lie_on_curve, open_between
 from ..codes import CODE_OF, INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
 from ..grids import Grid, Slices, cut, last, places
-from .constants import with_constants
+from .grid_constants import with_constants
 from .grid_signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational
-from .held_points import held
+from .stabilized_points import held
 from .three_valued import answered, every, some
 
 

@@ -17,8 +17,8 @@ from sympy import exp, sqrt
 import gyrostat as gs
 from gyrostat.charts import verdicts
 from gyrostat.charts.codes import INVALID, STABLE, UNDECIDED, UNSTABLE
-from gyrostat.charts.signs import deciding
 from gyrostat.charts.signs import grid_signs as arraysigns
+from gyrostat.charts.signs import verdicts_in_blocks
 from gyrostat.stability.criteria.conditions import Condition, Criterion
 
 BACKENDS = ["numpy", "numba"]
@@ -208,7 +208,7 @@ def test_one_thread_at_a_time_computes_enclosures(reports, tiny_blocks, monkeypa
 def test_the_filter_decides_ordinary_grids(reports, monkeypatch, backend):
     """No point of an ordinary grid needs balls or rationals, also with one outlier among the numbers."""
     monkeypatch.setattr(arraysigns, "ExactSign", None)
-    monkeypatch.setattr(deciding, "CODE_OF", None)
+    monkeypatch.setattr(verdicts_in_blocks, "CODE_OF", None)
     for outlier in (1.0, 1e140):
         omega = np.append(np.linspace(0.1, 2, 150), outlier)[:, None]
         found = verdicts(reports["E3"], I1=1.0, I3=0.5, l=0.123, omega=omega, k3=np.linspace(-0.9, 0.9, 200),

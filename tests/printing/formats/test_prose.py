@@ -8,7 +8,7 @@ import pytest
 import session
 
 import gyrostat
-from gyrostat.printing.formats.words import words
+from gyrostat.printing.formats.prose import words
 
 SRC = Path(gyrostat.__file__).parent
 LIST = {"potential": "c1*k1 + c3*k3", "inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "l"],

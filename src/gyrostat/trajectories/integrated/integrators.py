@@ -10,7 +10,7 @@ from sympy import Expr, Rational, Symbol
 
 from ...algebra.enclosures.arithmetic import Arithmetic, in_arithmetic
 from ...algebra.enclosures.floats import Array
-from ...algebra.text.parts import FUNCTIONS
+from ...algebra.text.bounded_parts import FUNCTIONS
 from ...errors import AccuracyError, ScopeError, optional
 
 Rates = Sequence[tuple[Symbol, Expr]]

@@ -10,7 +10,7 @@ from charts.drawn_margins import drawn, vertical
 from sympy import Integer, Rational, Symbol, pi, sqrt
 
 import gyrostat as gs
-from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs.compiled_margins import compile_margin
 from gyrostat.errors import ArgumentError, GyrostatError, ValuesError
 
 x, y, z, b = map(gs.symbol, ("x", "y", "z", "b"))

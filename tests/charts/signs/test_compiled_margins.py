@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from sympy import Rational, cos, exp, log, sin, sqrt
 
 import gyrostat as gs
-from gyrostat.charts.signs import numeric
-from gyrostat.charts.signs.numeric import compile_margin
+from gyrostat.charts.signs import compiled_margins
+from gyrostat.charts.signs.compiled_margins import compile_margin
 from gyrostat.charts.signs.rounding import error_bound
 from gyrostat.charts.signs.straightline import program_of
 from gyrostat.stability.criteria.conditions import Condition, Criterion
@@ -51,7 +51,7 @@ def test_blocks_have_no_seams(e1, drawn_shapes, seed, threads):
     values = drawn(E1_NAMES, drawn_shapes.input_shapes, seed)
     ((condition,),) = e1.sufficient.alternatives
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(numeric, "NUMPY_BLOCK", 7)
+        patch.setattr(compiled_margins, "NUMPY_BLOCK", 7)
         found = compile_margin(condition)(threads=threads, **values)
     assert found.shape == drawn_shapes.result_shape and np.array_equal(found, vertical(**values))
 

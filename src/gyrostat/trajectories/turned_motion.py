@@ -10,11 +10,11 @@ from ..algebra.enclosures.balls import ball
 from ..algebra.enclosures.floats import Array
 from ..algebra.enclosures.precision import own_precision
 from ..mechanics.equilibrium.recognition import Recognition, recognise
-from ..mechanics.scenes.axes import principal_axes
-from ..mechanics.scenes.spherical import lowest
+from ..mechanics.scenes.functions_on_sphere import lowest
+from ..mechanics.scenes.principal_axes import principal_axes
 from ..mechanics.scenes.system import System, assemble
 from .free.free_motion import FreeMotion
-from .free.uniform import CONSTANT
+from .free.uniform_motion import CONSTANT
 from .periods import double
 from .top.level import Level
 from .top.top_motion import AxialMotion

@@ -15,7 +15,7 @@ from sympy import exp
 
 import gyrostat as gs
 from gyrostat.charts.chart import stability_chart
-from gyrostat.charts.stores import frame, stores
+from gyrostat.charts.stores import chart_stores, store_frame
 from gyrostat.errors import MissingExtraError, StoreError
 
 
@@ -23,7 +23,7 @@ from gyrostat.errors import MissingExtraError, StoreError
 @pytest.mark.parametrize("margins", [False, True])
 def test_a_store_is_the_chart_in_memory(e1, monkeypatch, tmp_path, margins):
     """Values, coordinates, attributes, boundary; lazily, for whoever opens it; every block is counted."""
-    monkeypatch.setattr(stores, "POINTS", 7 * 90 * (8 if margins else 1))
+    monkeypatch.setattr(chart_stores, "POINTS", 7 * 90 * (8 if margins else 1))
     seen = []
     memory = stability_chart(e1, **GRID, margins=margins)
     chart = stability_chart(e1, **GRID, margins=margins, store=tmp_path / "chart.zarr", threads=2,
@@ -55,7 +55,7 @@ def test_further_axes_and_a_chart_without_a_boundary(e1, ten_blocks, tmp_path):
     ((5, 70, 90), 100, (1, 1, 90)), ((31623, 31623), 2**22, (132, 31623))])
 def test_blocks_are_whole_rows(shape, points, block):
     """As many whole rows as there are points for, then whole planes."""
-    assert frame.Frame(Path(), None, tuple(map(np.empty, shape)), points).block == block
+    assert store_frame.Frame(Path(), None, tuple(map(np.empty, shape)), points).block == block
 
 
 @pytest.mark.slow
@@ -80,11 +80,11 @@ def test_another_chart_is_refused(e1, e2, store, tmp_path, monkeypatch):
     stability_chart(one, **grid, store=tmp_path / "field.zarr")
     with pytest.raises(StoreError, match="differ in equilibrium:"):
         stability_chart(other, **grid, store=tmp_path / "field.zarr")
-    monkeypatch.setattr(stores, "POINTS", 9 * 90)
+    monkeypatch.setattr(chart_stores, "POINTS", 9 * 90)
     with pytest.raises(StoreError, match="differ in block"):
         stability_chart(e1, **GRID, store=store)
-    monkeypatch.setattr(stores, "POINTS", 7 * 90)
-    monkeypatch.setattr(frame, "STORE_FORMAT", 3)
+    monkeypatch.setattr(chart_stores, "POINTS", 7 * 90)
+    monkeypatch.setattr(store_frame, "STORE_FORMAT", 3)
     with pytest.raises(StoreError, match="differ in format"):
         stability_chart(e1, **GRID, store=store)
     assert contents(store) == before
@@ -118,7 +118,7 @@ def test_a_store_is_moved_into_place_whole(e1, ten_blocks, memory, tmp_path, mon
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(frame.os, "rename", interrupted)
+        patched.setattr(store_frame.os, "rename", interrupted)
         with pytest.raises(KeyboardInterrupt):
             stability_chart(e1, **GRID, store=path)
     assert list(tmp_path.iterdir()) == []
@@ -130,7 +130,7 @@ def test_a_store_is_moved_into_place_whole(e1, ten_blocks, memory, tmp_path, mon
             rename(tmp_path / "first.zarr", place)
         rename(new, place)
 
-    monkeypatch.setattr(frame.os, "rename",
+    monkeypatch.setattr(store_frame.os, "rename",
                         lambda new, place: (second if place == path else rename)(new, place))
     xr.testing.assert_identical(stability_chart(e1, **GRID, store=path).compute(), memory)
     assert list(tmp_path.iterdir()) == [path]
@@ -183,7 +183,7 @@ def test_a_store_says_what_it_is_of(store):
     own = json.loads(xr.open_zarr(store, consolidated=False).complete.attrs["chart"])
     assert own["axes"] == ["l", "pi3_0"]
     assert own["value of I1"] == "1/3"
-    assert own["format"] == frame.STORE_FORMAT
+    assert own["format"] == store_frame.STORE_FORMAT
     assert own["block"] == [7, 90]
 
 

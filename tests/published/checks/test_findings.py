@@ -14,7 +14,7 @@ from sympy import Expr
 
 import gyrostat
 from gyrostat.published import SOURCES, check, load
-from gyrostat.published.checks.checks import _finding, outcome_of
+from gyrostat.published.checks.findings import _finding, outcome_of
 from gyrostat.published.errata import latex
 from gyrostat.published.listing import to_json
 

@@ -15,7 +15,7 @@ from ...errors import AccuracyError
 from ..periods import double, pair, reduced, turns
 from .polhodes import Meeting, Polhode
 from .taylor import Loop, Rates, loop
-from .uniform import CONSTANT, ROUNDING, Triple, cross, cycles, dot, frame, turned
+from .uniform_motion import CONSTANT, ROUNDING, Triple, cross, cycles, dot, frame, turned
 
 # components of the vectors that are followed: M; M and the row x
 M_ONLY, ROWS = 3, 6

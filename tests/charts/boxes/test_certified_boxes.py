@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from sympy import Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.charts.boxes.boxes import certified_chart, certify_box
+from gyrostat.charts.boxes.certified_boxes import certified_chart, certify_box
 from gyrostat.errors import ValuesError
 from gyrostat.stability.decision import Verdict
 

@@ -23,10 +23,10 @@ from ..stability.criteria.conditions import Condition
 from ..stability.criteria.numbers_asked import refuse_any_direction, unknown
 from ..stability.report.analysis import analyze
 from ..stability.report.report import Report
-from .decomposition import cut, joined, stable_at
+from .line_decomposition import cut, joined, stable_at
 from .sets import EXCLUDED, INCLUDED, Case, Interval, Solution, SolvedCondition
 from .solve import CLOSED, solve_condition
-from .tilts import along_tilts
+from .stable_tilts import along_tilts
 
 
 @checked

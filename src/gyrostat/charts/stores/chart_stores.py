@@ -21,8 +21,8 @@ from ...algebra.enclosures.floats import Array
 from ...errors import StoreError, ValuesError, optional
 from ..progress import Told, telling
 from ..request import Request
-from .frame import Frame
 from .power_cuts import Marks, summed
+from .store_frame import Frame
 
 POINTS = 2**22                                              # points of a block, an eighth of it with margins
 # seconds after which a file that was not moved into place is nobody's

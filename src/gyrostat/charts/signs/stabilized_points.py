@@ -1,4 +1,4 @@
-"""Points that gyroscopic forces hold, decided together: D4 in arrays of balls."""
+"""Points that gyroscopic forces alone stabilise, decided together: D4 in arrays of balls."""
 from collections.abc import Callable, Mapping
 from typing import Any
 

@@ -18,10 +18,7 @@ from ...stability.criteria.numbers_asked import check_names, names_in
 from ...stability.criteria.truth import Relation, truth
 from ..grids import Grid, Slices, grid_of
 from ..labels import check_plain
-from .kernels import Finish
-from .rounding import rounded
-from .straightline import program_of
-from .writing import (
+from .block_writing import (
     NUMBA_BLOCK,
     NUMPY_BLOCK,
     Writer,
@@ -32,6 +29,9 @@ from .writing import (
     some_of,
     writer,
 )
+from .kernels import Finish
+from .rounding import rounded
+from .straightline import program_of
 
 
 class CompiledMargin:

@@ -12,7 +12,7 @@ from sympy import Rational, asin, besselj, cosh, exp, log, sin, sqrt, tan
 import gyrostat as gs
 from gyrostat.algebra.enclosures.arithmetic import in_arithmetic
 from gyrostat.errors import AccuracyError, MissingExtraError, ScopeError
-from gyrostat.trajectories.integrated.methods import METHODS, RungeKutta, beside, floats, nearest
+from gyrostat.trajectories.integrated.integrators import METHODS, RungeKutta, beside, floats, nearest
 
 x, y = map(gs.symbol, ("x", "y"))
 KINDS = ["DOP853", pytest.param("heyoka",

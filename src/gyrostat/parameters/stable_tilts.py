@@ -6,7 +6,7 @@ from ..algebra.solving.roots import between
 from ..errors import ScopeError
 from ..notation import symbol
 from ..stability.report.report import Report
-from .decomposition import cut, joined_apart
+from .line_decomposition import cut, joined_apart
 from .sets import Case, Interval, SolvedCondition
 
 

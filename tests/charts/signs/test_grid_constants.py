@@ -9,7 +9,7 @@ from sympy import Rational, sqrt
 import gyrostat as gs
 from gyrostat.algebra.reals.exact import sign
 from gyrostat.charts.grids import grid_of
-from gyrostat.charts.signs.constants import LONG, with_constants
+from gyrostat.charts.signs.grid_constants import LONG, with_constants
 from gyrostat.charts.signs.straightline import _program, _Writer, program_of
 
 U1, U2, OMEGA, SIGMA = map(gs.symbol, ("u1", "u2", "omega", "sigma"))

@@ -4,7 +4,7 @@ import random
 import pytest
 from sympy import ImmutableMatrix, Matrix, Rational, diag, exp, eye, sqrt
 
-from gyrostat.algebra.solving.definite import definite, definite_combination
+from gyrostat.algebra.solving.definite_combination import definite, definite_combination
 
 
 def symmetric(draw, n):

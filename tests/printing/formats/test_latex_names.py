@@ -2,7 +2,7 @@
 import pytest
 
 import gyrostat as gs
-from gyrostat.printing.formats.names import LONGEST, Names
+from gyrostat.printing.formats.latex_names import LONGEST, Names
 
 I1, l, k3, pi3, dU = map(gs.symbol, ("I1", "l", "k3", "pi3_0", "dU"))
 
